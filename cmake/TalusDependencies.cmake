@@ -1,0 +1,11 @@
+# Everything here is a Debian package named in tools/apt-packages.txt; docs/decisions/0003 says why each was chosen.
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json 3 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED PATH_SUFFIXES udunits2)
+find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
+find_library(GMSH_LIBRARY gmsh REQUIRED)
