@@ -1,0 +1,71 @@
+#include "material/mohr_coulomb.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace talus::material {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+double product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+std::array<double, 4> invert(double a11, double a12, double a21, double a22) {
+  const double det = a11 * a22 - a12 * a21;
+  return {a22 / det, -a12 / det, -a21 / det, a11 / det};
+}
+
+}  // namespace
+
+MohrCoulombStrength MohrCoulombStrength::reduced(double factor) const {
+  const double phi = std::atan(std::tan(friction_angle) / factor);
+  return {cohesion / factor, phi, std::min(dilatancy_angle, phi), tensile_strength / factor};
+}
+
+MohrCoulomb::MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength& strength)
+    : elastic_(elastic), strength_(strength) {
+  const double sin_phi = std::sin(strength.friction_angle), sin_psi = std::sin(strength.dilatancy_angle);
+  k_ = (1 + sin_phi) / (1 - sin_phi);
+  const double m = (1 + sin_psi) / (1 - sin_psi);
+  intercept_ = 2 * strength.cohesion * std::sqrt(k_);
+  // Round-off of a trial stress is about 1e-16 of the modulus times the strain; 1e-12 E is far above it and far below
+  // any stress that matters.
+  tolerance_ = 1e-12 * elastic.mu;
+  const double apex = k_ > 1 ? intercept_ / (k_ - 1) : strength.tensile_strength;
+  tensile_strength_ = std::min(strength.tensile_strength, apex);
+  tension_limit_ = tensile_strength_ + tolerance_;
+
+  const auto stiffness = [&](const Vector& b) {
+    const double volumetric = elastic.lambda * (b[0] + b[1] + b[2]);
+    return Vector{volumetric + 2 * elastic.mu * b[0], volumetric + 2 * elastic.mu * b[1], volumetric + 2 * elastic.mu * b[2]};
+  };
+  // Normals of the yield planes (1,3), (1,2), (2,3), and the plastic directions through the elastic stiffness.
+  const Vector a13{k_, 0, -1}, a12{k_, -1, 0}, a23{0, k_, -1};
+  const Vector c13 = stiffness({m, 0, -1}), c12 = stiffness({m, -1, 0}), c23 = stiffness({0, m, -1});
+  for (std::size_t i = 0; i < 3; ++i) {
+    plane_[i] = c13[i] / product(a13, c13);
+    shear_direction_[i] = c13[i];
+  }
+  const auto make_edge = [&](const Vector& a, const Vector& c) {
+    Edge edge{};
+    const auto inverse = invert(product(a13, c13), product(a13, c), product(a, c13), product(a, c));
+    std::copy(inverse.begin(), inverse.end(), edge.inverse);
+    std::copy(c13.begin(), c13.end(), edge.first);
+    std::copy(c.begin(), c.end(), edge.second);
+    return edge;
+  };
+  edge_low_ = make_edge(a12, c12);
+  edge_high_ = make_edge(a23, c23);
+  const auto corner = invert(c13[0], elastic.lambda + 2 * elastic.mu, c13[2], elastic.lambda);
+  std::copy(corner.begin(), corner.end(), corner_inverse_);
+
+  // f = (s1-s3) + (s1+s3) sinφ - 2c cosφ with s1-s3 <= 2√J2 and |s1+s3-2p| <= 2√(J2/3)
+  const double scale = 2 + 2 / std::sqrt(3.0) * sin_phi;
+  cone_slope_ = 2 * sin_phi / scale;
+  cone_offset_ = 2 * strength.cohesion * std::cos(strength.friction_angle) / scale;
+  compliance_trace_ = elastic.lambda / (3 * elastic.lambda + 2 * elastic.mu);
+  half_over_mu_ = 1 / (2 * elastic.mu);
+}
+
+}  // namespace talus::material

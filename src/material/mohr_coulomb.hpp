@@ -1,0 +1,172 @@
+#pragma once
+// Mohr–Coulomb with tension cut-off, perfectly plastic, non-associated, by closed-form return in principal space.
+//
+//   f   = k s1 - s3 - 2c√k,  k = (1+sinφ)/(1-sinφ)        shear, s1 >= s2 >= s3, positive in tension
+//   g   = m s1 - s3,         m = (1+sinψ)/(1-sinψ)        its plastic potential
+//   f_t = s1 - σ_t                                        Rankine's tension cut-off, associated
+//
+// The return goes to the plane, to the edges s2 = s3 or s1 = s2, to the tension planes or to a vertex, after Clausen,
+// Damkilde and Andersen (2006), Comput. Struct. 84, 1795: all candidates are affine in the trial stress, so lanes
+// differ by a selection only. σ_t is at most the apex c/tanφ; equal to it, the cut-off is the apex return.
+
+#include "material/linear_elastic.hpp"
+#include "material/principal_stress.hpp"
+
+namespace talus::material {
+
+struct MohrCoulombStrength {
+  double cohesion = 0;          ///< c [Pa]
+  double friction_angle = 0;    ///< φ [rad]
+  double dilatancy_angle = 0;   ///< ψ [rad]
+  double tensile_strength = 0;  ///< σ_t [Pa]
+
+  /// c/F, arctan(tanφ/F), (3.14-3.15). The dilatancy angle is kept but never above the reduced friction angle, and
+  /// the tensile strength is divided like the cohesion, so that the cut-off keeps its place on the cone.
+  MohrCoulombStrength reduced(double factor) const;
+};
+
+class MohrCoulomb {
+ public:
+  static constexpr int state_size = 1;  ///< state[0]: ∫√(⅔ ė^p:ė^p) dt, the deviatoric plastic strain [-]
+  static constexpr bool is_plastic = true;
+
+  MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength& strength);
+
+  const LinearElastic& elastic() const { return elastic_; }
+  const MohrCoulombStrength& strength() const { return strength_; }
+  double constrained_modulus() const { return elastic_.constrained_modulus(); }
+  template <int NS>
+  double elastic_energy(const double* sigma) const { return elastic_.elastic_energy<NS>(sigma); }
+
+  /// Stress at the end of a step with strain increment `d_epsilon`. Lanes outside `active` may hold anything.
+  template <int NS, class T>
+  TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active) const {
+    elastic_.add_elastic_increment<NS>(sigma, d_epsilon);
+    if constexpr (NS == 4) {
+      return return_to_surface<NS>(PlanePrincipal<T>(sigma), sigma, state, active);
+    } else {
+      // A cone inside the pyramid rules most points out before any principal stress is computed.
+      const T p = (sigma[0] + sigma[1] + sigma[2]) * (1.0 / 3);
+      const T x = sigma[0] - p, y = sigma[1] - p, z = sigma[2] - p;
+      const T root_j2 = lane_sqrt(0.5 * (x * x + y * y + z * z) + sigma[3] * sigma[3] + sigma[4] * sigma[4] + sigma[5] * sigma[5]);
+      const auto outside = active && (root_j2 > cone_offset_ - cone_slope_ * p || p + two_over_root3 * root_j2 > T(tension_limit_));
+      if (!any(outside)) return {false, T(0.0), T(0.0)};
+      return return_to_surface<NS>(SpacePrincipal<T>(sigma, cosine_), sigma, state, outside);
+    }
+  }
+
+  /// Returns principal stresses s1 >= s2 >= s3 [Pa] that violate the strength. Public for the tests.
+  template <class T>
+  TALUS_KERNEL void return_principal(T& s1, T& s2, T& s3) const {
+    const T f = k_ * s1 - s3 - intercept_;
+    const T t1 = s1, t2 = s2, t3 = s3;
+    T a = s1 - f * plane_[0], b = s2 - f * plane_[1], c = s3 - f * plane_[2];
+    const auto below = c > b + tolerance_;  // left the plane across s2 = s3
+    const auto above = b > a + tolerance_;  // left the plane across s1 = s2
+    if (any(below || above)) {
+      const T f12 = k_ * s1 - s2 - intercept_, f23 = k_ * s2 - s3 - intercept_;
+      T a1, b1, c1, a2, b2, c2;
+      edge_low_.apply(f, f12, s1, s2, s3, a1, b1, c1);
+      edge_high_.apply(f, f23, s1, s2, s3, a2, b2, c2);
+      const auto high = above && !below;
+      a = select(below, a1, select(high, a2, a));
+      b = select(below, b1, select(high, b2, b));
+      c = select(below, c1, select(high, c2, c));
+    }
+    const auto shears = f > T(tolerance_);
+    a = select(shears, a, t1);
+    b = select(shears, b, t2);
+    c = select(shears, c, t3);
+    const auto tears = a > T(tension_limit_);
+    if (any(tears)) {
+      T u = t1, v = t2, w = t3;
+      return_tension(u, v, w);
+      a = select(tears, u, a);
+      b = select(tears, v, b);
+      c = select(tears, w, c);
+    }
+    s1 = a;
+    s2 = b;
+    s3 = c;
+  }
+
+ private:
+  /// Return to a line where two shear planes meet: the trial stress minus two multipliers times two directions.
+  struct Edge {
+    double inverse[4];       ///< inverse of the planes' hardening matrix
+    double first[3], second[3];  ///< C:b of the two planes
+    template <class T>
+    TALUS_KERNEL void apply(T f, T g, T s1, T s2, T s3, T& a, T& b, T& c) const {
+      const T l = inverse[0] * f + inverse[1] * g, m = inverse[2] * f + inverse[3] * g;
+      a = s1 - l * first[0] - m * second[0];
+      b = s2 - l * first[1] - m * second[1];
+      c = s3 - l * first[2] - m * second[2];
+    }
+  };
+  static constexpr double two_over_root3 = 1.1547005383792517;
+
+  template <int NS, class T, class Principal>
+  TALUS_KERNEL Response<T> return_to_surface(const Principal& trial, T* sigma, T* state, MaskOf<T> active) const {
+    const auto yields =
+        active && (k_ * trial.s1 - trial.s3 > T(intercept_ + tolerance_) || trial.s1 > T(tensile_strength_ + tolerance_));
+    if (!any(yields)) return {false, T(0.0), T(0.0)};
+    T n1 = trial.s1, n2 = trial.s2, n3 = trial.s3;
+    return_principal(n1, n2, n3);
+    const T d1 = trial.s1 - n1, d2 = trial.s2 - n2, d3 = trial.s3 - n3;
+    const T trace = d1 + d2 + d3, mean = trace * (1.0 / 3);
+    // ε^p = C⁻¹:(σ_trial - σ), principal
+    const T e_mean = trace * compliance_trace_;
+    const T work = (n1 * (d1 - e_mean) + n2 * (d2 - e_mean) + n3 * (d3 - e_mean)) * half_over_mu_;
+    const T x = d1 - mean, y = d2 - mean, z = d3 - mean;
+    const T shear = lane_sqrt((x * x + y * y + z * z) * (2.0 / 3)) * half_over_mu_;
+    T composed[NS];
+    TALUS_UNROLL
+    for (int i = 0; i < NS; ++i) composed[i] = sigma[i];
+    trial.compose(n1, n2, n3, composed);
+    TALUS_UNROLL
+    for (int i = 0; i < NS; ++i) sigma[i] = select(yields, composed[i], sigma[i]);
+    state[0] = select(yields, state[0] + shear, state[0]);
+    return {true, select(yields, -mean, T(0.0)), select(yields, work, T(0.0))};
+  }
+
+  /// From the trial stress to the tension planes, or to where they meet the shear planes.
+  template <class T>
+  TALUS_KERNEL void return_tension(T& s1, T& s2, T& s3) const {
+    const T limit(tensile_strength_);
+    const double l = elastic_.lambda, l2m = elastic_.lambda + 2 * elastic_.mu;
+    const T one = (s1 - limit) * (l / l2m);
+    T v = s2 - one, w = s3 - one;
+    const auto two_planes = v > limit;
+    w = select(two_planes, s3 - (s1 + s2 - 2.0 * limit) * (l / (l + l2m)), w);
+    v = lane_min(v, limit);
+    w = lane_min(w, limit);
+    const auto shears = k_ * limit - w - intercept_ > T(tolerance_);
+    if (any(shears)) {  // the line s1 = σ_t, s3 = kσ_t - 2c√k, between its two vertices
+      const T s3_line = k_ * limit - intercept_;
+      // s - γ C:b - τ C:(1,0,0) with s1 and s3 given: two equations for γ and τ
+      const T r1 = s1 - limit, r3 = s3 - s3_line;
+      const T gamma = (r1 * corner_inverse_[0] + r3 * corner_inverse_[1]);
+      const T tau = (r1 * corner_inverse_[2] + r3 * corner_inverse_[3]);
+      const T s2_line = lane_min(limit, lane_max(s3_line, s2 - gamma * shear_direction_[1] - tau * l));
+      v = select(shears, s2_line, v);
+      w = select(shears, s3_line, w);
+    }
+    s1 = limit;
+    s2 = v;
+    s3 = w;
+  }
+
+  LinearElastic elastic_;
+  MohrCoulombStrength strength_;
+  double k_, intercept_, tolerance_;
+  double tensile_strength_, tension_limit_;  ///< σ_t, and with the tolerance [Pa]
+  double plane_[3];                          ///< C:b / (a:C:b) of the shear plane
+  Edge edge_low_, edge_high_;                ///< s2 = s3 and s1 = s2
+  double shear_direction_[3];                ///< C:b of the shear plane [Pa]
+  double corner_inverse_[4];
+  double cone_slope_, cone_offset_;          ///< √J2 <= offset - slope·p is inside the pyramid
+  double compliance_trace_, half_over_mu_;
+  CosineThird cosine_;
+};
+
+}  // namespace talus::material
