@@ -1,0 +1,298 @@
+// The one pass over the points: velocity, position, strain, stress and volume, and the nodal sums of the next step.
+
+#include "base/parallel.hpp"
+#include "mpm/kernels.hpp"
+#include "mpm/laws.hpp"
+#include "mpm/rows.hpp"
+#include "mpm/step.hpp"
+
+namespace talus::mpm {
+namespace {
+
+/// Everything a block's pass needs that does not change from block to block.
+template <int D>
+struct Pass {
+  Body<D>& body;
+  const StepOptions<D>& options;
+  std::vector<Mover>& movers;
+  double dissipated = 0;
+};
+
+/// Material number of each lane of a slot, for blocks that hold several materials.
+template <int D>
+Pack lane_materials(const Points<D>& points, std::int64_t slot) {
+  Pack m(0.0);
+  for (int l = 0; l < lane_width; ++l) {
+    const int id = points.id[static_cast<std::size_t>(slot * lane_width + l)];
+    if (id >= 0) m.value[l] = points.material[static_cast<std::size_t>(id)];
+  }
+  return m;
+}
+
+/// Prefetches what block `b` will read and write. Inlined by force: GCC takes a function that only prefetches for one
+/// without effect and removes its calls.
+template <int D>
+TALUS_KERNEL void prefetch_block(const Body<D>& body, int b) {
+  const Points<D>& points = body.points;
+  const char* data = reinterpret_cast<const char*>(points.slot(points.block_start[b]));
+  const std::int64_t bytes = static_cast<std::int64_t>(points.block_used[b]) * points.fields * lane_width * 8;
+  for (std::int64_t i = 0; i < bytes; i += 64) __builtin_prefetch(data + i, 1, 3);
+  const int* rows = &body.layout->connectivity[static_cast<std::size_t>(b) * (D + 1) * lane_width];
+  for (int i = 0; i < (D + 1) * lane_width; ++i) {
+    __builtin_prefetch(&body.nodes.motion[static_cast<std::size_t>(rows[i]) * motion_stride<D>], 0, 3);
+    __builtin_prefetch(&body.nodes.sums[static_cast<std::size_t>(rows[i]) * sums_stride], 1, 3);
+  }
+  const double* moments = &body.elements.moments[static_cast<std::size_t>(b) * moment_size<D> * lane_width];
+  for (int i = 0; i < moment_size<D>; ++i) __builtin_prefetch(moments + i * lane_width, 1, 3);
+  const double* strain = &body.elements.strain[static_cast<std::size_t>(b) * material::stress_size<D> * lane_width];
+  for (int i = 0; i < material::stress_size<D>; ++i) __builtin_prefetch(strain + i * lane_width, 1, 3);
+}
+
+/// Stress and state that a full element (2.92) gives to all its points.
+template <int D, class Law>
+struct FullElement {
+  static constexpr int NS = material::stress_size<D>;
+  Mask full{false};
+  Pack stress[NS], state[material::max_state_size], volume;
+  material::Response<Pack> response{false, Pack(0.0), Pack(0.0)};
+};
+
+template <int D, class Law>
+FullElement<D, Law> update_full_elements(const Pass<D>& pass, const Law& law, int b, Pack count, const Rotation<D, Pack>& rotation,
+                                         const Pack* d_epsilon, Pack pending) {
+  using P = Points<D>;
+  constexpr int NS = P::stress_size;
+  const P& points = pass.body.points;
+  FullElement<D, Law> e;
+  Pack volume(0.0), first_material(0.0);
+  Mask uniform(true);
+  TALUS_UNROLL
+  for (int i = 0; i < NS; ++i) e.stress[i] = Pack(0.0);
+  for (int i = 0; i < Law::state_size; ++i) e.state[i] = Pack(0.0);
+  for (int k = 0; k < points.block_used[b]; ++k) {
+    const Mask active = count > Pack(static_cast<double>(k));
+    const double* p = points.slot(points.block_start[b] + k);
+    const Pack v = select(active, load<Pack>(p + P::volume * lane_width), Pack(0.0));
+    volume += v;
+    TALUS_UNROLL
+    for (int i = 0; i < NS; ++i) e.stress[i] += v * load<Pack>(p + (P::stress + i) * lane_width);
+    for (int i = 0; i < Law::state_size; ++i) e.state[i] += v * load<Pack>(p + (P::state + i) * lane_width);
+    if constexpr (!Law::is_single) {
+      const Pack m = lane_materials(points, points.block_start[b] + k);
+      if (k == 0) first_material = m;
+      uniform = uniform && (!active || m == first_material);
+    }
+  }
+  e.volume = volume;
+  e.full = volume > load<Pack>(&pass.body.elements.fill_limit[static_cast<std::size_t>(b) * lane_width]) && uniform;
+  if (!any(e.full)) return e;
+  const Pack inverse = 1.0 / select(e.full, volume, Pack(1.0));
+  TALUS_UNROLL
+  for (int i = 0; i < NS; ++i) e.stress[i] *= inverse;
+  TALUS_UNROLL
+  for (int i = 0; i < 3; ++i) e.stress[i] += pending;
+  for (int i = 0; i < Law::state_size; ++i) e.state[i] *= inverse;
+  if (pass.options.objective) rotation.apply(e.stress);
+  e.response = law.template update<NS>(e.stress, d_epsilon, e.state, e.full, first_material);
+  return e;
+}
+
+template <int D, class Law>
+void advance_block(Pass<D>& pass, const Law& law, int b) {
+  using P = Points<D>;
+  constexpr int NS = P::stress_size;
+  Body<D>& body = pass.body;
+  const StepOptions<D>& o = pass.options;
+  P& points = body.points;
+  const std::size_t block = static_cast<std::size_t>(b);
+  const int* rows = &body.layout->connectivity[block * (D + 1) * lane_width];
+
+  Pack a[D + 1][D], v[D + 1][D], g[D * D];
+  TALUS_UNROLL
+  for (int k = 0; k <= D; ++k) {
+    Pack motion[2 * D];
+    load_rows<2 * D, motion_stride<D>>(body.nodes.motion.data(), rows + k * lane_width, motion);
+    TALUS_UNROLL
+    for (int d = 0; d < D; ++d) { a[k][d] = motion[d]; v[k][d] = motion[D + d]; }
+  }
+  TALUS_UNROLL
+  for (int i = 0; i < D * D; ++i) g[i] = load<Pack>(&body.layout->gradients[(block * D * D + i) * lane_width]);
+  const ElementMotion<D, Pack> motion(a, v, g, o.dt);
+  const Rotation<D, Pack> rotation(motion.grad);
+  const Pack count = load<Pack>(&points.count[block * lane_width]);
+
+  Pack d_epsilon[NS];
+  motion.strain(d_epsilon);
+  Pack volumetric = d_epsilon[0] + d_epsilon[1] + d_epsilon[2];
+  Pack pending(0.0);
+  if (o.smoothing != model::Smoothing::none) {  // (2.95), recomposed over three components
+    Pack mean(0.0);
+    for (int l = 0; l < lane_width; ++l) {
+      double s = 0;
+      for (int k = 0; k <= D; ++k) s += body.nodes.smoothed[static_cast<std::size_t>(rows[k * lane_width + l])];
+      mean.value[l] = s / (D + 1);
+    }
+    const Pack correction = (mean - volumetric) * (1.0 / 3);
+    TALUS_UNROLL
+    for (int i = 0; i < 3; ++i) d_epsilon[i] += correction;
+    volumetric = mean;
+    if (o.smoothing == model::Smoothing::stable) pending = load<Pack>(&body.elements.return_pressure[block * lane_width]);
+  }
+  double* strain = &body.elements.strain[block * NS * lane_width];
+  TALUS_UNROLL
+  for (int i = 0; i < NS; ++i) store(strain + i * lane_width, load<Pack>(strain + i * lane_width) + d_epsilon[i]);
+
+  FullElement<D, Law> element;
+  if (o.mixed) element = update_full_elements(pass, law, b, count, rotation, d_epsilon, pending);
+  const bool none_partial = o.mixed && all(element.full || !(count > Pack(0.0)));
+
+  const Pack growth = 1.0 + volumetric;
+  ElementSums<D, Pack> sums;
+  Pack staying_volume(0.0), all_volume(0.0), plastic_mean(0.0), dissipated(0.0), first_material(-1.0);
+  Mask uniform(true);
+  for (int k = 0; k < points.block_used[b]; ++k) {
+    const std::int64_t slot = points.block_start[b] + k;
+    double* p = points.slot(slot);
+    const Mask active = count > Pack(static_cast<double>(k));
+    Pack xi[D], u[D], s[NS], q[material::max_state_size];
+    TALUS_UNROLL
+    for (int d = 0; d < D; ++d) {
+      xi[d] = load<Pack>(p + (P::xi + d) * lane_width);
+      u[d] = load<Pack>(p + (P::velocity + d) * lane_width);
+    }
+    Pack volume = load<Pack>(p + P::volume * lane_width), mass = load<Pack>(p + P::mass * lane_width);
+    motion.advance_velocity(xi, u);
+    if (o.moving) {
+      motion.advance_position(xi);
+      volume *= growth;
+    }
+    Pack material(0.0);
+    if constexpr (!Law::is_single) material = lane_materials(points, slot);
+    material::Response<Pack> response = element.response;
+    if (none_partial) {
+      TALUS_UNROLL
+      for (int i = 0; i < NS; ++i) s[i] = element.stress[i];
+      for (int i = 0; i < Law::state_size; ++i) q[i] = element.state[i];
+    } else {
+      TALUS_UNROLL
+      for (int i = 0; i < NS; ++i) s[i] = load<Pack>(p + (P::stress + i) * lane_width);
+      for (int i = 0; i < Law::state_size; ++i) q[i] = load<Pack>(p + (P::state + i) * lane_width);
+      TALUS_UNROLL
+      for (int i = 0; i < 3; ++i) s[i] += pending;
+      if (o.objective) rotation.apply(s);
+      response = law.template update<NS>(s, d_epsilon, q, active && !element.full, material);
+      if (o.mixed) {
+        TALUS_UNROLL
+        for (int i = 0; i < NS; ++i) s[i] = select(element.full, element.stress[i], s[i]);
+        for (int i = 0; i < Law::state_size; ++i) q[i] = select(element.full, element.state[i], q[i]);
+        response.any_plastic = response.any_plastic || element.response.any_plastic;
+        response.dissipation = select(element.full, element.response.dissipation, response.dissipation);
+        response.plastic_mean_stress = select(element.full, element.response.plastic_mean_stress, response.plastic_mean_stress);
+      }
+    }
+    if constexpr (Law::is_plastic) {
+      if (response.any_plastic) {
+        const Pack v_p = select(active, volume, Pack(0.0));
+        dissipated += v_p * select(active, response.dissipation, Pack(0.0));
+        plastic_mean += v_p * select(active, response.plastic_mean_stress, Pack(0.0));
+      }
+      if (o.smoothing == model::Smoothing::stable) all_volume += select(active, volume, Pack(0.0));
+    }
+    TALUS_UNROLL
+    for (int d = 0; d < D; ++d) {
+      store(p + (P::velocity + d) * lane_width, u[d]);
+      if (o.moving) store(p + (P::xi + d) * lane_width, xi[d]);
+    }
+    TALUS_UNROLL
+    for (int i = 0; i < NS; ++i) store(p + (P::stress + i) * lane_width, s[i]);
+    if (o.moving) store(p + P::volume * lane_width, volume);
+    if (response.any_plastic || o.mixed) {
+      for (int i = 0; i < Law::state_size; ++i) store(p + (P::state + i) * lane_width, q[i]);
+    }
+
+    Mask stays = active;
+    if (o.moving) {
+      const Mask outside = active && smallest_shape<D>(xi) < Pack(0.0);
+      if (any(outside)) {
+        pass.movers.push_back({b, k, to_bits(outside)});
+        stays = active && !outside;
+      }
+    }
+    if (!all(stays)) {  // empty lanes may hold anything, also what is no number
+      mass = select(stays, mass, Pack(0.0));
+      volume = select(stays, volume, Pack(0.0));
+      TALUS_UNROLL
+      for (int d = 0; d < D; ++d) {
+        xi[d] = select(stays, xi[d], Pack(0.0));
+        u[d] = select(stays, u[d], Pack(0.0));
+      }
+      TALUS_UNROLL
+      for (int i = 0; i < NS; ++i) s[i] = select(stays, s[i], Pack(0.0));
+    }
+    if constexpr (!Law::is_single) {
+      uniform = uniform && (!stays || first_material < Pack(0.0) || material == first_material);
+      first_material = select(stays && first_material < Pack(0.0), material, first_material);
+    }
+    staying_volume += volume;
+    sums.add(mass, volume, xi, u, s);
+  }
+
+  if (o.mixed) {  // a full element's internal force is taken over its whole volume (2.92)
+    const Pack V_e = load<Pack>(&body.layout->volumes[block * lane_width]);
+    const Mask full = staying_volume > load<Pack>(&body.elements.fill_limit[block * lane_width]) && uniform;
+    const Pack factor = select(full, V_e / select(full, staying_volume, Pack(1.0)), Pack(1.0));
+    TALUS_UNROLL
+    for (int i = 0; i < force_size<D>; ++i) sums.stress[i] *= factor;
+    staying_volume *= factor;
+  }
+  if (o.smoothing == model::Smoothing::stable) {
+    const Mask some = all_volume > Pack(0.0);
+    store(&body.elements.plastic_mean[block * lane_width],
+          select(some, plastic_mean / select(some, all_volume, Pack(1.0)), Pack(0.0)));
+    store(&body.elements.force_volume[block * lane_width], staying_volume);
+  }
+  if constexpr (Law::is_plastic) {
+    for (int l = 0; l < lane_width; ++l) pass.dissipated += dissipated.value[l];
+  }
+  Pack out[D + 1][1 + 2 * D];
+  sums.to_nodes(g, out);
+  TALUS_UNROLL
+  for (int k = 0; k <= D; ++k) add_rows<1 + 2 * D>(body.nodes.sums.data(), rows + k * lane_width, out[k]);
+  double* moments = &body.elements.moments[block * moment_size<D> * lane_width];
+  TALUS_UNROLL
+  for (int i = 0; i < moment_size<D>; ++i) store(moments + i * lane_width, sums.moments[i]);
+}
+
+}  // namespace
+
+template <int D>
+MoverLists advance_points(Body<D>& body, const StepOptions<D>& options) {
+  const Layout<D>& layout = *body.layout;
+  MoverLists movers(static_cast<std::size_t>(layout.chunks));
+  std::vector<double> dissipated(static_cast<std::size_t>(layout.chunks), 0.0);
+  const bool far = body.points.size() > 50000;  // beyond the second-level cache
+  constexpr int ahead = D == 2 ? 1 : 3;
+  parallel_for(layout.chunks, options.threads, [&](int c) {
+    Pass<D> pass{body, options, movers[static_cast<std::size_t>(c)]};
+    const int begin = layout.chunk_start[c], end = layout.chunk_start[c + 1];
+    const auto advance = [&](const auto& law, int b) {
+      if (far && b + ahead < end && body.points.block_used[b + ahead] > 0) prefetch_block(body, b + ahead);
+      if (body.points.block_used[b] > 0) advance_block(pass, law, b);
+    };
+    if (body.laws.size() == 1) {
+      visit_laws(body.laws, 1u, [&](const auto& law) { for (int b = begin; b < end; ++b) advance(law, b); });
+    } else {
+      for (int b = begin; b < end; ++b) {
+        visit_laws(body.laws, body.points.block_materials[b], [&](const auto& law) { advance(law, b); });
+      }
+    }
+    dissipated[static_cast<std::size_t>(c)] = pass.dissipated;
+  });
+  for (double d : dissipated) body.work.dissipated += d;
+  return movers;
+}
+
+template MoverLists advance_points<2>(Body<2>&, const StepOptions<2>&);
+template MoverLists advance_points<3>(Body<3>&, const StepOptions<3>&);
+
+}  // namespace talus::mpm

@@ -1,0 +1,76 @@
+#pragma once
+// Boundary conditions as the step uses them: per constrained node and per traction, resolved from the names of the case.
+
+#include <type_traits>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "model/case.hpp"
+
+namespace talus::mpm {
+
+/// What may not happen at one node: motion along `fixed` unit vectors (orthonormal, the first `fixed_count`), motion
+/// into a frictional wall, or any motion but a prescribed one.
+template <int D>
+struct Constraint {
+  int fixed_count = 0;
+  Vec<D> fixed[D]{};
+  bool has_wall = false;
+  Vec<D> wall_normal{};      ///< unit, out of the soil
+  double friction = 0;       ///< Coulomb's μ of the wall [-]
+  int prescribed = -1;       ///< index into Conditions::prescribed, or -1
+};
+
+template <int D>
+struct Prescribed {
+  Vec<D> velocity{};         ///< [m/s], times `factor`
+  model::TimeTable factor;
+};
+
+/// A traction: nodal forces of mesh sides, or forces carried by points, both at factor 1.
+template <int D>
+struct Load {
+  struct Entry {
+    int index;               ///< node, or point
+    Vec<D> force;            ///< [N]
+  };
+  bool on_points = false;
+  std::vector<Entry> entries;
+  model::TimeTable factor;
+};
+
+template <int D>
+struct Conditions {
+  std::vector<int> constraint_of_node;   ///< index into constraints, or -1
+  std::vector<Constraint<D>> constraints;
+  std::vector<Prescribed<D>> prescribed;
+  std::vector<Load<D>> loads;
+};
+
+/// The velocity [m/s] that a node may have at time `t` [s] instead of `wanted`.
+template <int D>
+Vec<D> constrain_velocity(const Conditions<D>& conditions, const Constraint<D>& c, std::type_identity_t<Vec<D>> wanted, double t) {
+  if (c.prescribed >= 0) {
+    const Prescribed<D>& p = conditions.prescribed[static_cast<std::size_t>(c.prescribed)];
+    const double f = p.factor.at(t);
+    for (int d = 0; d < D; ++d) wanted[d] = p.velocity[d] * f;
+    return wanted;
+  }
+  if (c.has_wall) {
+    const double into = dot(wanted, c.wall_normal);
+    if (into > 0) {  // the wall stops the normal motion and rubs with at most μ times that impulse
+      Vec<D> along = wanted;
+      for (int d = 0; d < D; ++d) along[d] -= into * c.wall_normal[d];
+      const double speed = norm(along);
+      const double keep = speed > c.friction * into ? 1 - c.friction * into / speed : 0;
+      for (int d = 0; d < D; ++d) wanted[d] = along[d] * keep;
+    }
+  }
+  for (int k = 0; k < c.fixed_count; ++k) {
+    const double along = dot(wanted, c.fixed[k]);
+    for (int d = 0; d < D; ++d) wanted[d] -= along * c.fixed[k][d];
+  }
+  return wanted;
+}
+
+}  // namespace talus::mpm

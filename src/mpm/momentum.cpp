@@ -1,0 +1,219 @@
+// The two node loops of the step: accelerations, and MUSL's nodal velocities.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "mpm/kernels.hpp"
+#include "mpm/rows.hpp"
+#include "mpm/step.hpp"
+
+namespace talus::mpm {
+namespace {
+
+/// Node range of piece `c`.
+template <int D>
+int first_node(const Body<D>& body, int c) {
+  return static_cast<int>(static_cast<std::int64_t>(body.mesh().node_count()) * c / body.layout->chunks);
+}
+
+struct PieceSums {
+  double external_work = 0, damped = 0;
+  double out_of_balance2 = 0, external2 = 0, kinetic = 0, speed2 = 0;
+  int fastest = -1;
+};
+
+/// Sums of a node over the chunks that hold a row of it.
+template <int N>
+void sum_rows(const AlignedVector<double>& sums, const int* rows, int count, double* t) {
+  const double* s = sums.data() + static_cast<std::int64_t>(rows[0]) * sums_stride;
+  TALUS_UNROLL
+  for (int q = 0; q < N; ++q) t[q] = s[q];
+  for (int c = 1; c < count; ++c) {
+    s = sums.data() + static_cast<std::int64_t>(rows[c]) * sums_stride;
+    TALUS_UNROLL
+    for (int q = 0; q < N; ++q) t[q] += s[q];
+  }
+}
+
+/// Share of `f` that acts along the free directions of a node.
+template <int D>
+TALUS_KERNEL Vec<D> free_part(const Constraint<D>& c, std::type_identity_t<Vec<D>> f) {
+  if (c.prescribed >= 0) return {};
+  for (int k = 0; k < c.fixed_count; ++k) {
+    const double along = dot(f, c.fixed[k]);
+    for (int d = 0; d < D; ++d) f[d] -= along * c.fixed[k][d];
+  }
+  return f;
+}
+
+template <int D>
+void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, PieceSums& sums) {
+  const Layout<D>& layout = *body.layout;
+  const double cutoff = 1e-12 * body.smallest_mass;
+  const double alpha = o.damping, inverse_scaling = 1 / o.mass_scaling;
+  const bool loaded = !body.nodes.load.empty();
+  const auto& constraint_of = body.conditions.constraint_of_node;
+  for (int i = begin; i < end; ++i) {
+    const int* rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
+    const int copies = layout.row_start[i + 1] - layout.row_start[i];
+    double t[1 + 2 * D];
+    sum_rows<1 + 2 * D>(body.nodes.sums, rows, copies, t);
+    const double m_i = t[0];
+    Vec<D> a{}, f_damp{}, f_ext{};
+    if (m_i > cutoff) {
+      const double inverse_mass = 1 / m_i, inverse = inverse_scaling * inverse_mass;
+      for (int d = 0; d < D; ++d) {
+        f_ext[d] = m_i * o.gravity[d];
+        if (loaded) f_ext[d] += body.nodes.load[i][d];
+        const double f = t[1 + D + d] + f_ext[d];
+        const double p = t[1 + d];
+        f_damp[d] = p > 0 ? -alpha * std::abs(f) : (p < 0 ? alpha * std::abs(f) : 0.0);
+        a[d] = (f + f_damp[d]) * inverse;
+      }
+      const int c = constraint_of[i];
+      if (c >= 0) {
+        const Constraint<D>& constraint = body.conditions.constraints[static_cast<std::size_t>(c)];
+        if (constraint.prescribed >= 0) {
+          const Vec<D> now = constrain_velocity(body.conditions, constraint, {}, body.time);
+          const Vec<D> next = constrain_velocity(body.conditions, constraint, {}, body.time + o.dt);
+          for (int d = 0; d < D; ++d) a[d] = (next[d] - now[d]) / o.dt;
+        } else if (constraint.has_wall) {
+          Vec<D> wanted;
+          for (int d = 0; d < D; ++d) wanted[d] = t[1 + d] * inverse_mass + o.dt * a[d];
+          const Vec<D> allowed = constrain_velocity(body.conditions, constraint, wanted, body.time + o.dt);
+          for (int d = 0; d < D; ++d) a[d] += (allowed[d] - wanted[d]) / o.dt;
+        } else {
+          a = free_part(constraint, a);
+        }
+      }
+      // Work along the nodes' paths: exact for the nodal kinetic energy, ΔE = Σ f·(v + a Δt/2) Δt.
+      for (int d = 0; d < D; ++d) {
+        const double path = (t[1 + d] * inverse_mass + 0.5 * o.dt * a[d]) * o.dt;
+        sums.external_work += f_ext[d] * path;
+        sums.damped -= f_damp[d] * path;
+      }
+      if (o.monitor) {
+        Vec<D> f, v;
+        for (int d = 0; d < D; ++d) {
+          f[d] = t[1 + D + d] + f_ext[d];
+          v[d] = t[1 + d] * inverse_mass;
+        }
+        if (c >= 0) {
+          const Constraint<D>& constraint = body.conditions.constraints[static_cast<std::size_t>(c)];
+          f = free_part(constraint, f);
+          f_ext = free_part(constraint, f_ext);
+          v = free_part(constraint, v);
+        }
+        sums.out_of_balance2 += dot(f, f);
+        sums.external2 += dot(f_ext, f_ext);
+        const double speed2 = dot(v, v);
+        sums.kinetic += 0.5 * m_i * speed2;
+        // A NaN must win, or an unstable run would look calm.
+        if (!(speed2 <= sums.speed2)) {
+          sums.speed2 = speed2;
+          sums.fastest = i;
+        }
+      }
+    }
+    for (int k = 0; k < copies; ++k) {
+      double* row = &body.nodes.motion[static_cast<std::size_t>(rows[k]) * motion_stride<D>];
+      for (int d = 0; d < D; ++d) row[d] = a[d];
+    }
+  }
+}
+
+}  // namespace
+
+template <int D>
+void solve_momentum(Body<D>& body, const StepOptions<D>& o) {
+  const int pieces = body.layout->chunks;
+  std::vector<PieceSums> sums(static_cast<std::size_t>(pieces));
+  parallel_for(pieces, o.threads, [&](int c) {
+    PieceSums mine;  // on the stack: neighbouring pieces must not share a cache line
+    solve_nodes(body, o, first_node(body, c), first_node(body, c + 1), mine);
+    sums[static_cast<std::size_t>(c)] = mine;
+  });
+  for (const PieceSums& s : sums) {
+    body.work.external += s.external_work;
+    body.work.damped += s.damped;
+  }
+  if (!o.monitor) return;
+  PieceSums all;
+  for (const PieceSums& s : sums) {
+    all.out_of_balance2 += s.out_of_balance2;
+    all.external2 += s.external2;
+    all.kinetic += s.kinetic;
+    if (!(s.speed2 <= all.speed2)) {
+      all.speed2 = s.speed2;
+      all.fastest = s.fastest;
+    }
+  }
+  body.monitor = {std::sqrt(all.out_of_balance2), std::sqrt(all.external2), all.kinetic, std::sqrt(all.speed2), all.fastest};
+}
+
+template <int D>
+void remap_momentum(Body<D>& body, const StepOptions<D>& o) {
+  const Layout<D>& layout = *body.layout;
+  const bool far = body.points.size() > 50000;  // beyond the second-level cache
+  parallel_for(layout.chunks, o.threads, [&](int c) {
+    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
+      if (body.points.block_used[b] == 0) continue;
+      const int* rows = &layout.connectivity[static_cast<std::size_t>(b) * (D + 1) * lane_width];
+      const double* moments = &body.elements.moments[static_cast<std::size_t>(b) * moment_size<D> * lane_width];
+      if (far && b + 2 < layout.blocks) {
+        const int* ahead = rows + 2 * (D + 1) * lane_width;
+        for (int i = 0; i < (D + 1) * lane_width; ++i) {
+          __builtin_prefetch(&body.nodes.motion[static_cast<std::size_t>(ahead[i]) * motion_stride<D>], 0, 3);
+          __builtin_prefetch(&body.nodes.sums[static_cast<std::size_t>(ahead[i]) * sums_stride], 1, 3);
+        }
+        for (int i = 0; i < moment_size<D>; ++i) __builtin_prefetch(moments + (2 * moment_size<D> + i) * lane_width, 0, 3);
+      }
+      Pack a[D + 1][D], change[D + 1][D], m[moment_size<D>];
+      TALUS_UNROLL
+      for (int k = 0; k <= D; ++k) load_rows<D, motion_stride<D>>(body.nodes.motion.data(), rows + k * lane_width, a[k]);
+      TALUS_UNROLL
+      for (int q = 0; q < moment_size<D>; ++q) m[q] = load<Pack>(moments + q * lane_width);
+      remap_element<D, Pack>(m, a, o.dt, change);
+      TALUS_UNROLL
+      for (int k = 0; k <= D; ++k) add_rows<D, 1>(body.nodes.sums.data(), rows + k * lane_width, change[k]);
+    }
+  });
+  const double cutoff = 1e-12 * body.smallest_mass;
+  parallel_for(layout.chunks, o.threads, [&](int c) {
+    const int begin = first_node(body, c), end = first_node(body, c + 1);
+    for (int i = begin; i < end; ++i) {
+      const int* node_rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
+      const int copies = layout.row_start[i + 1] - layout.row_start[i];
+      double t[1 + D];
+      sum_rows<1 + D>(body.nodes.sums, node_rows, copies, t);
+      Vec<D> v{};
+      if (t[0] > cutoff) {
+        const double inverse = 1 / t[0];
+        for (int d = 0; d < D; ++d) v[d] = t[1 + d] * inverse;
+        const int constraint = body.conditions.constraint_of_node[i];
+        if (constraint >= 0) {
+          const Constraint<D>& k = body.conditions.constraints[static_cast<std::size_t>(constraint)];
+          v = k.has_wall || k.prescribed >= 0 ? constrain_velocity(body.conditions, k, v, body.time + o.dt) : free_part(k, v);
+        }
+      }
+      for (int k = 0; k < copies; ++k) {
+        double* sums = &body.nodes.sums[static_cast<std::size_t>(node_rows[k]) * sums_stride];
+        TALUS_UNROLL
+        for (int q = 0; q < sums_stride; ++q) sums[q] = 0;
+        double* motion = &body.nodes.motion[static_cast<std::size_t>(node_rows[k]) * motion_stride<D>];
+        for (int d = 0; d < D; ++d) motion[D + d] = v[d];
+      }
+      if (!o.moving) {
+        for (int d = 0; d < D; ++d) body.nodes.displacement[i][d] += o.dt * v[d];
+      }
+    }
+  });
+}
+
+template void solve_momentum<2>(Body<2>&, const StepOptions<2>&);
+template void solve_momentum<3>(Body<3>&, const StepOptions<3>&);
+template void remap_momentum<2>(Body<2>&, const StepOptions<2>&);
+template void remap_momentum<3>(Body<3>&, const StepOptions<3>&);
+
+}  // namespace talus::mpm

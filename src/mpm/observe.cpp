@@ -1,0 +1,147 @@
+#include "mpm/observe.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::mpm {
+namespace {
+
+/// Pointer to field 0 of a point; field i is i * lane_width behind it.
+template <int D>
+const double* find_fields(const Body<D>& body, int id) {
+  const std::int64_t place = body.points.place[id];
+  return body.points.slot(place / lane_width) + place % lane_width;
+}
+
+template <int D>
+std::array<double, D> read_xi(const double* fields) {
+  std::array<double, D> xi;
+  for (int d = 0; d < D; ++d) xi[d] = fields[(Points<D>::xi + d) * lane_width];
+  return xi;
+}
+
+/// Displacement of the point from its reference, plus what the nodes moved while the geometry was frozen.
+template <int D>
+Vec<D> find_displacement(const Body<D>& body, int id, const std::array<double, D>& xi) {
+  const int e = body.points.element[id];
+  Vec<D> u = mesh::to_global(body.mesh(), e, xi);
+  double first = 1;
+  for (double x : xi) first -= x;
+  for (int d = 0; d < D; ++d) {
+    u[d] -= body.points.reference[id][d];
+    for (int k = 0; k <= D; ++k) u[d] += (k == 0 ? first : xi[k - 1]) * body.nodes.displacement[body.mesh().elements[e][k]][d];
+  }
+  return u;
+}
+
+}  // namespace
+
+template <int D>
+PointView<D> view_point(const Body<D>& body, int id) {
+  using P = Points<D>;
+  const double* f = find_fields(body, id);
+  PointView<D> v;
+  v.element = body.points.element[id];
+  v.material = body.points.material[id];
+  const auto xi = read_xi<D>(f);
+  v.position = mesh::to_global(body.mesh(), v.element, xi);
+  v.displacement = find_displacement<D>(body, id, xi);
+  for (int d = 0; d < D; ++d) v.velocity[d] = f[(P::velocity + d) * lane_width];
+  const std::size_t block = static_cast<std::size_t>(v.element / lane_width), lane = static_cast<std::size_t>(v.element % lane_width);
+  for (std::size_t i = 0; i < P::stress_size; ++i) {
+    v.stress[i] = f[(P::stress + i) * lane_width] + (i < 3 ? body.elements.return_pressure[v.element] : 0.0);
+    v.strain[i] = body.points.strain_offset[id][i] + body.elements.strain[(block * P::stress_size + i) * lane_width + lane];
+  }
+  v.volume = f[P::volume * lane_width];
+  v.mass = f[P::mass * lane_width];
+  if (body.points.fields > P::state) v.plastic_strain = f[P::state * lane_width];
+  return v;
+}
+
+template <int D>
+void reset_displacements(Body<D>& body) {
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (is_present(body, id)) body.points.reference[id] = mesh::to_global(body.mesh(), body.points.element[id], read_xi<D>(find_fields(body, id)));
+  }
+  std::fill(body.nodes.displacement.begin(), body.nodes.displacement.end(), Vec<D>{});
+}
+
+template <int D>
+LargestDisplacement find_largest_displacement(const Body<D>& body) {
+  LargestDisplacement largest;
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!is_present(body, id)) continue;
+    const double u = norm(find_displacement<D>(body, id, read_xi<D>(find_fields(body, id))));
+    if (!(u <= largest.value)) largest = {u, id};
+  }
+  return largest;
+}
+
+template <int D>
+Totals<D> sum_points(const Body<D>& body, const std::type_identity_t<Vec<D>>& gravity) {
+  Totals<D> t;
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!is_present(body, id)) continue;
+    const PointView<D> p = view_point(body, id);
+    ++t.points;
+    t.mass += p.mass;
+    t.kinetic += 0.5 * p.mass * dot(p.velocity, p.velocity);
+    t.potential -= p.mass * dot(gravity, p.position);
+    t.elastic += p.volume * std::visit([&](const auto& law) { return law.template elastic_energy<Points<D>::stress_size>(p.stress.data()); },
+                                       body.laws[p.material]);
+    for (int d = 0; d < D; ++d) {
+      t.momentum[d] += p.mass * p.velocity[d];
+      t.centre[d] += p.mass * p.position[d];
+    }
+  }
+  if (t.mass > 0) {
+    for (double& c : t.centre) c /= t.mass;
+  }
+  return t;
+}
+
+template <int D>
+CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
+  const mesh::Mesh<D>& mesh = body.mesh();
+  // Squared wave speed of each element, from its points; a point may enter a neighbour before the next look.
+  CriticalStep critical;
+  double smallest = 0;
+  std::vector<double> moduli;
+  for (const material::Law& law : body.laws) moduli.push_back(material::constrained_modulus(law));
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const int b = e / lane_width, lane = e % lane_width;
+    double speed2 = 0;
+    for (int k = 0; k < static_cast<int>(body.points.count[e]); ++k) {
+      const std::int64_t slot = body.points.block_start[b] + k;
+      const double* p = body.points.slot(slot) + lane;
+      const int id = body.points.id[static_cast<std::size_t>(slot * lane_width + lane)];
+      speed2 = std::max(speed2, moduli[body.points.material[id]] * p[Points<D>::volume * lane_width] / p[Points<D>::mass * lane_width]);
+    }
+    if (speed2 == 0) continue;
+    const auto look = [&](int i) {
+      const double dt2 = mesh.altitudes[i] * mesh.altitudes[i] / speed2;
+      if (critical.element < 0 || dt2 < smallest) {
+        smallest = dt2;
+        critical.element = i;
+      }
+    };
+    look(e);
+    for (int n : mesh.neighbours[e]) {
+      if (n >= 0) look(n);
+    }
+  }
+  critical.dt = std::sqrt(smallest * mass_scaling);
+  return critical;
+}
+
+#define TALUS_INSTANTIATE(D)                                                   \
+  template PointView<D> view_point<D>(const Body<D>&, int);                    \
+  template void reset_displacements<D>(Body<D>&);                              \
+  template LargestDisplacement find_largest_displacement<D>(const Body<D>&);   \
+  template Totals<D> sum_points<D>(const Body<D>&, const Vec<D>&);             \
+  template CriticalStep find_critical_step<D>(const Body<D>&, double);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::mpm

@@ -1,0 +1,101 @@
+#pragma once
+// Between node rows in memory and packs over elements: whole rows are moved and transposed in registers, which is
+// faster than one gather per component (docs/performance.md).
+
+#include "base/lane.hpp"
+
+namespace talus::mpm {
+
+namespace detail {
+
+typedef double V4 __attribute__((vector_size(32)));
+typedef double V8 __attribute__((vector_size(64)));
+
+/// Transposes eight rows of eight doubles in place.
+inline __attribute__((always_inline)) void transpose(V8* r) {
+  V8 t[8], u[8];
+  TALUS_UNROLL
+  for (int i = 0; i < 4; ++i) {
+    t[2 * i] = __builtin_shufflevector(r[2 * i], r[2 * i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    t[2 * i + 1] = __builtin_shufflevector(r[2 * i], r[2 * i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  TALUS_UNROLL
+  for (int h = 0; h < 2; ++h) {
+    TALUS_UNROLL
+    for (int i = 0; i < 2; ++i) {
+      const V8 a = t[4 * h + i], b = t[4 * h + 2 + i];
+      u[4 * h + i] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+      u[4 * h + 2 + i] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  }
+  TALUS_UNROLL
+  for (int i = 0; i < 4; ++i) {
+    r[i] = __builtin_shufflevector(u[i], u[4 + i], 0, 1, 2, 3, 8, 9, 10, 11);
+    r[4 + i] = __builtin_shufflevector(u[i], u[4 + i], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+}
+
+}  // namespace detail
+
+/// out[c] = base[rows[lane] * Stride + First + c], c < N. Rows are aligned to Stride doubles.
+template <int N, int Stride, int First = 0>
+inline __attribute__((always_inline)) void load_rows(const double* base, const int* rows, Pack* out) {
+  if constexpr (lane_width == 8 && Stride == 8) {
+    detail::V8 r[8];
+    TALUS_UNROLL
+    for (int l = 0; l < 8; ++l) r[l] = *reinterpret_cast<const detail::V8*>(base + static_cast<std::int64_t>(rows[l]) * 8);
+    detail::transpose(r);
+    TALUS_UNROLL
+    for (int c = 0; c < N; ++c) out[c].value = reinterpret_cast<Pack::Vector&>(r[First + c]);
+  } else if constexpr (lane_width == 8 && Stride == 4) {
+    using detail::V4;
+    using detail::V8;
+    V8 x[4];
+    TALUS_UNROLL
+    for (int i = 0; i < 4; ++i) {
+      const V4 low = *reinterpret_cast<const V4*>(base + static_cast<std::int64_t>(rows[i]) * 4);
+      const V4 high = *reinterpret_cast<const V4*>(base + static_cast<std::int64_t>(rows[i + 4]) * 4);
+      x[i] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    }
+    const V8 t0 = __builtin_shufflevector(x[0], x[1], 0, 8, 2, 10, 4, 12, 6, 14);
+    const V8 t1 = __builtin_shufflevector(x[0], x[1], 1, 9, 3, 11, 5, 13, 7, 15);
+    const V8 t2 = __builtin_shufflevector(x[2], x[3], 0, 8, 2, 10, 4, 12, 6, 14);
+    const V8 t3 = __builtin_shufflevector(x[2], x[3], 1, 9, 3, 11, 5, 13, 7, 15);
+    V8 y[4];
+    y[0] = __builtin_shufflevector(t0, t2, 0, 1, 8, 9, 4, 5, 12, 13);
+    y[1] = __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 4, 5, 12, 13);
+    y[2] = __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15);
+    y[3] = __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15);
+    TALUS_UNROLL
+    for (int c = 0; c < N; ++c) out[c].value = reinterpret_cast<Pack::Vector&>(y[First + c]);
+  } else {
+    for (int l = 0; l < lane_width; ++l) {
+      TALUS_UNROLL
+      for (int c = 0; c < N; ++c) out[c].value[l] = base[static_cast<std::int64_t>(rows[l]) * Stride + First + c];
+    }
+  }
+}
+
+/// base[rows[lane] * 8 + First + c] += values[c], lane after lane.
+template <int N, int First = 0>
+inline __attribute__((always_inline)) void add_rows(double* base, const int* rows, const Pack* values) {
+  if constexpr (lane_width == 8) {
+    detail::V8 r[8];
+    TALUS_UNROLL
+    for (int c = 0; c < 8; ++c) {
+      const int i = c - First;
+      if (i >= 0 && i < N) r[c] = reinterpret_cast<const detail::V8&>(values[i].value);
+      else r[c] = detail::V8{};
+    }
+    detail::transpose(r);
+    TALUS_UNROLL
+    for (int l = 0; l < 8; ++l) *reinterpret_cast<detail::V8*>(base + static_cast<std::int64_t>(rows[l]) * 8) += r[l];
+  } else {
+    for (int l = 0; l < lane_width; ++l) {
+      TALUS_UNROLL
+      for (int c = 0; c < N; ++c) base[static_cast<std::int64_t>(rows[l]) * 8 + First + c] += values[c].value[l];
+    }
+  }
+}
+
+}  // namespace talus::mpm
