@@ -1,0 +1,206 @@
+#include "base/units.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+
+namespace talus::units {
+namespace {
+
+struct FreeUnit {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+using Unit = std::unique_ptr<ut_unit, FreeUnit>;
+
+/// A dimension that engineers have a word for, shown by its SI unit and by a value that one might write.
+struct Dimension {
+  const char* unit;
+  const char* name;
+  const char* example;
+};
+constexpr std::array dimensions{
+    Dimension{"m", "a length", "2 m"},
+    Dimension{"s", "a time", "2 s"},
+    Dimension{"kg", "a mass", "2 kg"},
+    Dimension{"Pa", "a stress", "2 kPa"},
+    Dimension{"kg/m3", "a density", "2650 kg/m3"},
+    Dimension{"m/s", "a speed", "1e-5 m/s"},
+    Dimension{"m/s2", "an acceleration", "9.81 m/s2"},
+    Dimension{"N", "a force", "2 kN"},
+    Dimension{"J", "an energy", "2 J"},
+    Dimension{"W", "a power", "2 W"},
+    Dimension{"N/m", "a force per length", "2 kN/m"},
+    Dimension{"N/m3", "a unit weight", "18 kN/m3"},
+    Dimension{"m2", "an area", "2 m2"},
+    Dimension{"m3", "a volume", "2 m3"},
+    Dimension{"Hz", "a rate", "2 Hz"},
+    Dimension{"Pa s", "a viscosity", "1e-3 Pa.s"},
+    Dimension{"m2/s", "a diffusivity", "1e-6 m2/s"},
+    Dimension{"K", "a temperature", "293 K"},
+};
+constexpr Dimension angle{"rad", "an angle", "30 deg"};
+constexpr Dimension number{"1", "a number", "0.3"};
+
+/// Units whose mistyped names ("kpa", "Kg") are recognised.
+const std::vector<std::string> common_units{
+    "m",    "mm",    "cm",   "km",    "s",     "min", "h",     "day",  "kg",     "t",      "N",
+    "kN",   "MN",    "Pa",   "kPa",   "MPa",   "GPa", "bar",   "deg",  "rad",    "degree", "m/s",
+    "m/s2", "kg/m3", "t/m3", "kN/m3", "kN/m2", "%",   "g/cm3", "mm/h", "mm/day", "J",      "kJ"};
+
+/// The unit database, and the lock that every use of it holds.
+class Database {
+ public:
+  static Database& lock(std::unique_lock<std::mutex>& held) {
+    static std::mutex mutex;
+    held = std::unique_lock<std::mutex>(mutex);
+    static Database database;
+    return database;
+  }
+
+  /// Throws Error for a text that is no unit.
+  Unit parse(const std::string& text) const {
+    const bool is_scaled = !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '.' ||
+                                             text[0] == '-' || text[0] == '+');
+    // UDUNITS trims nothing itself, and would take "3 kPa" for a unit: "2 3 kPa" is a slip, not six kilopascals.
+    Unit unit(is_scaled && text != "1" ? nullptr : ut_parse(system_, text.c_str(), UT_UTF8));
+    if (unit == nullptr) {
+      const std::string near = find_nearest(text, common_units);
+      throw Error(ExitCode::wrong_input, near.empty()
+                                             ? fmt::format("'{}' is no known unit", text)
+                                             : fmt::format("'{}' is no known unit; did you mean '{}'?", text, near));
+    }
+    return unit;
+  }
+
+  /// The named dimension of a unit, if it has a name.
+  std::optional<Dimension> find_dimension(const ut_unit* unit) const {
+    if (ut_are_convertible(unit, ut_get_dimensionless_unit_one(system_)) != 0) return is_angle(unit) ? angle : number;
+    for (const Dimension& d : dimensions)
+      if (ut_are_convertible(unit, parse(d.unit).get()) != 0) return d;
+    return std::nullopt;
+  }
+
+  /// Whether numbers in `from` can be turned into numbers in `to`. UDUNITS also converts between angles and plain
+  /// numbers, which would make a porosity out of "30 deg".
+  bool are_alike(const ut_unit* from, const ut_unit* to) const {
+    return ut_are_convertible(from, to) != 0 && is_angle(from) == is_angle(to);
+  }
+
+  /// `value` of `from` in the SI unit of its dimension.
+  double convert_to_si(double value, ut_unit* from) const {
+    Unit si(ut_parse(system_, strip_scale(from).c_str(), UT_ASCII));
+    const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(ut_get_converter(from, si.get()), cv_free);
+    if (converter == nullptr)
+      throw Error(ExitCode::wrong_input, fmt::format("'{}' cannot be converted to SI units", write_definition(from)));
+    return cv_convert_double(converter.get(), value);
+  }
+
+ private:
+  Database() {
+    ut_set_error_message_handler(ut_ignore);
+    system_ = ut_read_xml(nullptr);
+    if (system_ == nullptr)
+      throw Error(ExitCode::internal_error,
+                  "the unit database of UDUNITS-2 cannot be read; install it (Debian: libudunits2-data) or name its "
+                  "file in the environment variable UDUNITS2_XML_PATH");
+    const Unit degree(ut_parse(system_, "degree", UT_ASCII));
+    ut_map_name_to_unit("deg", UT_ASCII, degree.get());
+  }
+
+  static std::string write_definition(const ut_unit* unit) {
+    std::array<char, 256> text{};
+    ut_format(unit, text.data(), text.size(), UT_ASCII | UT_DEFINITION);
+    return text.data();
+  }
+
+  static bool is_angle(const ut_unit* unit) { return write_definition(unit).find("rad") != std::string::npos; }
+
+  /// The definition "1000 m-1.kg.s-2" without its factor, and "K @ 273.15" without its offset.
+  static std::string strip_scale(const ut_unit* unit) {
+    std::string text = write_definition(unit);
+    text = text.substr(0, text.find(" @"));
+    const auto blank = text.find(' ');
+    return blank == std::string::npos ? text : text.substr(blank + 1);
+  }
+
+  ut_system* system_ = nullptr;
+};
+
+bool is_blank(char c) {
+  return std::isspace(static_cast<unsigned char>(c)) != 0;
+}
+
+}  // namespace
+
+Quantity parse_quantity(const std::string& text) {
+  const char* begin = text.data();
+  const char* end = begin + text.size();
+  while (begin != end && is_blank(*begin)) ++begin;
+  while (end != begin && is_blank(end[-1])) --end;
+  const char* digits = begin != end && *begin == '+' ? begin + 1 : begin;
+  Quantity quantity;
+  const auto [rest, failure] = std::from_chars(digits, end, quantity.value);
+  if (failure != std::errc{} || !std::isfinite(quantity.value))
+    throw Error(ExitCode::wrong_input, fmt::format("'{}' does not begin with a finite number", text));
+  const char* unit = rest;
+  while (unit != end && is_blank(*unit)) ++unit;
+  if (unit == end) throw Error(ExitCode::wrong_input, fmt::format("'{}' is a text without a unit", text));
+  quantity.unit.assign(unit, end);
+  return quantity;
+}
+
+double get_si_factor(const std::string& unit) {
+  std::unique_lock<std::mutex> held;
+  const Database& database = Database::lock(held);
+  static std::map<std::string, double> cache;  // every number of a case file comes by here
+  if (const auto found = cache.find(unit); found != cache.end()) return found->second;
+  const double factor = database.convert_to_si(1, database.parse(unit).get());
+  return cache[unit] = factor;
+}
+
+double parse_as_si(const std::string& text, const std::string& wanted, std::string_view subject) {
+  const std::string needs =
+      fmt::format("{} needs {} such as \"{}\"", subject, get_dimension_name(wanted), get_dimension_example(wanted));
+  Quantity quantity;
+  try {
+    quantity = parse_quantity(text);
+  } catch (const Error& error) {
+    throw Error(error.code(), fmt::format("{}; {}", error.what(), needs));
+  }
+  std::unique_lock<std::mutex> held;
+  const Database& database = Database::lock(held);
+  const Unit given = database.parse(quantity.unit);
+  if (!database.are_alike(given.get(), database.parse(wanted).get())) {
+    const auto is = database.find_dimension(given.get());
+    throw Error(ExitCode::wrong_input,
+                fmt::format("'{}' is {}; {}", text, is ? is->name : "of another dimension", needs));
+  }
+  return database.convert_to_si(quantity.value, given.get());
+}
+
+std::string get_dimension_name(const std::string& unit) {
+  std::unique_lock<std::mutex> held;
+  const Database& database = Database::lock(held);
+  const auto dimension = database.find_dimension(database.parse(unit).get());
+  return dimension ? dimension->name : fmt::format("a quantity in {}", unit);
+}
+
+std::string get_dimension_example(const std::string& unit) {
+  std::unique_lock<std::mutex> held;
+  const Database& database = Database::lock(held);
+  const auto dimension = database.find_dimension(database.parse(unit).get());
+  return dimension ? dimension->example : fmt::format("2 {}", unit);
+}
+
+}  // namespace talus::units

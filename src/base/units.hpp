@@ -1,0 +1,34 @@
+#pragma once
+// Quantities with units, through UDUNITS-2. UDUNITS is not thread safe, so every call takes one lock.
+
+#include <string>
+#include <string_view>
+
+namespace talus::units {
+
+/// A number and the unit behind it, as a user writes it: "45 MPa" is {45, "MPa"}.
+struct Quantity {
+  double value = 0;
+  std::string unit;
+};
+
+/// Splits "45 MPa" into its number and its unit. Throws Error (wrong_input) when the text does not begin with a finite
+/// number, or when no unit follows it.
+Quantity parse_quantity(const std::string& text);
+
+/// What one `unit` is in the SI unit of its dimension: 1000 for "kPa", π/180 for "deg", 1 for "" (a plain number).
+/// Throws Error (wrong_input) for a unit that UDUNITS does not know, with a suggestion where one is near.
+double get_si_factor(const std::string& unit);
+
+/// Reads the quantity string `text` as a quantity of the same dimension as `wanted` and returns it in the SI unit.
+/// `subject` names what is read ("cohesion") in the error: "'2 kg' is a mass; cohesion needs a stress such as "2 kPa"".
+double parse_as_si(const std::string& text, const std::string& wanted, std::string_view subject);
+
+/// The dimension of a unit with its article, "a stress" for "kPa"; "a number" for "", and "a quantity in X" for a
+/// dimension that has no name here.
+std::string get_dimension_name(const std::string& unit);
+
+/// A quantity of the unit's dimension as a user would write it: "2 kPa" for every unit of stress.
+std::string get_dimension_example(const std::string& unit);
+
+}  // namespace talus::units

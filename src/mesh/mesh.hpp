@@ -1,0 +1,56 @@
+#pragma once
+// The background mesh: linear triangles (D = 2) or tetrahedra (D = 3), as plain arrays.
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace talus::mesh {
+
+/// Number of an element's region when no soil fills it at the start.
+inline constexpr int empty_region = -1;
+
+/// A mesh of linear simplices. Local node 0 is the origin of the local coordinates; ξ_k = N_k for k = 1..D.
+template <int D>
+struct Mesh {
+  using Point = std::array<double, D>;
+  using Element = std::array<int, D + 1>;
+  using Side = std::array<int, D>;  ///< the nodes of an edge (2D) or a triangle (3D)
+
+  std::vector<Point> nodes;                            ///< coordinates [m]
+  std::vector<Element> elements;                       ///< node numbers; positive orientation
+  std::vector<int> element_region;                     ///< index into region_names, or empty_region
+  std::vector<std::string> region_names;               ///< the soil polygons or physical groups
+  std::map<std::string, std::vector<Side>> sides;      ///< named boundary sides and lines
+
+  // Derived by finish().
+  std::vector<Element> neighbours;                     ///< element across the side opposite local node k; -1 outside
+  std::vector<double> volumes;                         ///< area [m²] per metre of thickness (2D) or volume [m³]
+  std::vector<std::array<double, D * D>> gradients;    ///< [k*D+d] = ∂ξ_{k+1}/∂x_d [1/m]
+  std::vector<double> altitudes;                       ///< smallest altitude of each element [m], L_min of (2.84)
+
+  int node_count() const { return static_cast<int>(nodes.size()); }
+  int element_count() const { return static_cast<int>(elements.size()); }
+};
+
+/// How finish() numbers elements and nodes.
+enum class Order {
+  space_filling,  ///< elements along a Morton curve, nodes as the elements meet them; nodes of no element are dropped
+  as_given        ///< numbers stay; only two nodes of a wrongly oriented element are exchanged
+};
+
+/// Orients the elements, renumbers elements, nodes and sides (as `order` says) and derives the rest.
+/// Throws Error (wrong_input) when an element has no volume, elements overlap, or a number does not exist.
+template <int D>
+void finish(Mesh<D>& mesh, Order order = Order::space_filling);
+
+/// Coordinates [m] of the point with local coordinates `xi` in element `e`.
+template <int D>
+std::array<double, D> to_global(const Mesh<D>& mesh, int e, const typename Mesh<D>::Point& xi);
+
+/// Local coordinates of the global point `x` [m] in element `e` (outside the element some N are negative).
+template <int D>
+std::array<double, D> to_local(const Mesh<D>& mesh, int e, const typename Mesh<D>::Point& x);
+
+}  // namespace talus::mesh

@@ -1,0 +1,122 @@
+#include "mesh/planar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace talus::mesh {
+namespace {
+
+double cross(const Point2& o, const Point2& a, const Point2& b) {
+  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+}
+
+Point2 interpolate(const Point2& a, const Point2& b, double t) {
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+}
+
+/// Place of the projection of `x` on a-b, 0 at a and 1 at b, kept within.
+double project(const Point2& x, const Point2& a, const Point2& b) {
+  const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
+  return square > 0 ? std::clamp(((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / square, 0.0, 1.0) : 0;
+}
+
+/// Where a-b crosses c-d, as the place on a-b; nothing when they are parallel or do not meet.
+std::optional<double> find_crossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  const double ca = cross(c, d, a), cb = cross(c, d, b), ac = cross(a, b, c), ad = cross(a, b, d);
+  if ((ca > 0) == (cb > 0) || (ac > 0) == (ad > 0)) return std::nullopt;
+  return ca / (ca - cb);
+}
+
+/// Which parts of the outline of `a` lie inside and outside of `b`; the parts on the outline of `b` count for neither.
+struct Parts {
+  bool inside = false, outside = false;
+};
+
+Parts find_parts(const Polyline& a, const Polyline& b, double tolerance) {
+  const Polyline outline = close_polygon(a), other = close_polygon(b);
+  Parts parts;
+  for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+    const Point2 &p = outline[i], &q = outline[i + 1];
+    std::vector<double> cuts{0, 1};
+    for (std::size_t j = 0; j + 1 < other.size(); ++j) {
+      if (const auto t = find_crossing(p, q, other[j], other[j + 1])) cuts.push_back(*t);
+      if (compute_distance(other[j], p, q) <= tolerance) cuts.push_back(project(other[j], p, q));
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      // Between two cuts the segment stays on one side, so its middle tells for all of it.
+      const Point2 middle = interpolate(p, q, (cuts[k] + cuts[k + 1]) / 2);
+      if (compute_distance(middle, other) <= tolerance) continue;
+      (is_inside(middle, b) ? parts.inside : parts.outside) = true;
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+double compute_distance(const Point2& x, const Point2& a, const Point2& b) {
+  const Point2 foot = interpolate(a, b, project(x, a, b));
+  return std::hypot(x[0] - foot[0], x[1] - foot[1]);
+}
+
+double compute_distance(const Point2& x, const Polyline& line) {
+  if (line.size() == 1) return compute_distance(x, line[0], line[0]);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    nearest = std::min(nearest, compute_distance(x, line[i], line[i + 1]));
+  return nearest;
+}
+
+Polyline close_polygon(const Polyline& corners) {
+  Polyline outline = corners;
+  outline.push_back(corners.front());
+  return outline;
+}
+
+double compute_area(const Polyline& corners) {
+  double twice = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    twice += cross(corners[0], corners[i], corners[(i + 1) % corners.size()]);
+  return twice / 2;
+}
+
+bool is_inside(const Point2& x, const Polyline& corners) {
+  bool inside = false;
+  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+    const Point2 &a = corners[i], &b = corners[j];
+    if ((a[1] > x[1]) == (b[1] > x[1])) continue;
+    if (x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
+  }
+  return inside;
+}
+
+std::optional<Point2> find_self_contact(const Polyline& corners, double tolerance) {
+  const Polyline outline = close_polygon(corners);
+  const std::size_t count = corners.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j) {
+      if (i == j) continue;
+      const Point2 &a = outline[i], &b = outline[i + 1];
+      // A corner on an edge that it does not belong to: it touches, or the outline turns back on itself.
+      if (j != (i + 1) % count && compute_distance(corners[j], a, b) <= tolerance) return corners[j];
+      const bool share_a_corner = (i + 1) % count == j || (j + 1) % count == i;
+      if (share_a_corner) continue;
+      if (const auto t = find_crossing(a, b, outline[j], outline[j + 1])) return interpolate(a, b, *t);
+    }
+  return std::nullopt;
+}
+
+Relation compare(const Polyline& a, const Polyline& b, double tolerance) {
+  const Parts of_a = find_parts(a, b, tolerance), of_b = find_parts(b, a, tolerance);
+  if ((of_a.inside && of_a.outside) || (of_b.inside && of_b.outside)) return Relation::overlapping;
+  if (of_a.inside && of_b.inside) return Relation::overlapping;
+  if (!of_a.inside && !of_a.outside && !of_b.inside && !of_b.outside) return Relation::same;
+  // With its whole outline on that of the other, a polygon is inside it only when the other one's rest is outside.
+  if (of_a.inside || (!of_a.outside && of_b.outside)) return Relation::inside;
+  if (of_b.inside || (!of_b.outside && of_a.outside)) return Relation::around;
+  return Relation::apart;
+}
+
+}  // namespace talus::mesh

@@ -1,0 +1,147 @@
+#include <gmsh.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/gmsh_session.hpp"
+#include "mesh/quality.hpp"
+
+namespace talus::mesh {
+namespace {
+
+std::string get_path(const std::string& name) {
+  return (std::filesystem::temp_directory_path() / ("talus_mesh_file_" + name)).string();
+}
+
+template <int D>
+Mesh<D> read(const std::string& path) {
+  Plan plan;
+  plan.dimension = D;
+  plan.file = path;
+  return generate<D>(plan);
+}
+
+std::string get_message(const std::string& path, int dimension = 2) {
+  try {
+    dimension == 2 ? void(read<2>(path)) : void(read<3>(path));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::wrong_input);
+    return error.what();
+  }
+  return "no error";
+}
+
+/// A box of 2 × 1 × 1 with groups, written by Gmsh itself.
+struct BoxFile {
+  bool named_volume = true, recombine = false, binary = true, three_dimensional = true, tilted = false;
+  double version = 4.1;
+
+  std::string write(const std::string& name) const {
+    const std::string path = get_path(name + ".msh");
+    const GmshSession session;
+    gmsh::model::add("box");
+    const int square = gmsh::model::occ::addRectangle(0, 0, 0, 2, 1);
+    gmsh::vectorpair drawn;
+    if (three_dimensional) gmsh::model::occ::extrude({{2, square}}, 0, 0, 1, drawn);
+    if (tilted) gmsh::model::occ::rotate({{2, square}}, 0, 0, 0, 1, 0, 0, 0.3);
+    gmsh::model::occ::synchronize();
+    const int dimension = three_dimensional ? 3 : 2;
+    if (named_volume) gmsh::model::setPhysicalName(dimension, gmsh::model::addPhysicalGroup(dimension, {1}), "clay");
+    gmsh::model::setPhysicalName(dimension - 1, gmsh::model::addPhysicalGroup(dimension - 1, {1}), "first");
+    gmsh::option::setNumber("Mesh.MeshSizeMax", 0.3);
+    gmsh::option::setNumber("Mesh.RecombineAll", recombine ? 1 : 0);
+    gmsh::option::setNumber("Mesh.Binary", binary ? 1 : 0);
+    gmsh::option::setNumber("Mesh.MshFileVersion", version);
+    gmsh::option::setNumber("Mesh.SaveAll", named_volume ? 0 : 1);
+    gmsh::model::mesh::generate(dimension);
+    gmsh::write(path);
+    return path;
+  }
+};
+
+TEST(MeshFile, OfTheIndependentRunIsReadWithItsGroups) {
+  const auto mesh = read<2>(TALUS_SOURCE_DIR "/examples/data/dry_slope_h075.msh");
+  EXPECT_EQ(mesh.region_names, std::vector<std::string>{"soil"});
+  double area = 0;
+  int count = 0;
+  for (int e = 0; e < mesh.element_count(); ++e)
+    if (mesh.element_region[e] == 0) {
+      area += mesh.volumes[e];
+      ++count;
+    } else {
+      ASSERT_EQ(mesh.element_region[e], empty_region);
+    }
+  EXPECT_EQ(count, 1781);
+  EXPECT_NEAR(area, 440, 1e-9 * 440);
+  const auto measure = [&](const char* name) {
+    double length = 0;
+    for (const auto& [a, b] : mesh.sides.at(name))
+      length += std::hypot(mesh.nodes[a][0] - mesh.nodes[b][0], mesh.nodes[a][1] - mesh.nodes[b][1]);
+    return length;
+  };
+  EXPECT_NEAR(measure("left"), 17, 1e-9);
+  EXPECT_NEAR(measure("bottom"), 44, 1e-9);
+  EXPECT_NEAR(measure("ground"), 12 + std::sqrt(500.0) + 12, 1e-9);
+  // Δt = 0.98 L_min / c of that run; its altitude was about 0.41 m.
+  EXPECT_NEAR(measure_quality(mesh).min_altitude, 0.41, 0.01);
+}
+
+TEST(MeshFile, InBinaryFormHoldsTheSameMeshAsInText) {
+  BoxFile file;
+  const auto binary = read<3>(file.write("binary"));
+  file.binary = false;
+  const auto text = read<3>(file.write("text"));
+  EXPECT_EQ(binary.elements, text.elements);
+  ASSERT_EQ(binary.node_count(), text.node_count());
+  for (int i = 0; i < binary.node_count(); ++i)  // text keeps 16 digits
+    for (int d = 0; d < 3; ++d) EXPECT_NEAR(binary.nodes[i][d], text.nodes[i][d], 1e-15);
+  double volume = 0;
+  for (double v : binary.volumes) volume += v;
+  EXPECT_NEAR(volume, 2, 1e-12);
+  EXPECT_EQ(binary.region_names, std::vector<std::string>{"clay"});
+  EXPECT_GT(binary.sides.at("first").size(), 10u);
+}
+
+TEST(MeshFile, ThatCannotBeUsedIsRefusedWithItsName) {
+  const auto expect_words = [](const std::string& message, const std::vector<std::string>& words) {
+    for (const auto& word : words) EXPECT_NE(message.find(word), std::string::npos) << word << " in: " << message;
+  };
+  expect_words(get_message("/nowhere/slope.msh"), {"/nowhere/slope.msh", "cannot be opened"});
+  expect_words(get_message(TALUS_SOURCE_DIR "/examples/data/dry_slope_h075.csv"),
+               {"dry_slope_h075.csv", "not a Gmsh mesh"});
+  expect_words(get_message(TALUS_SOURCE_DIR "/examples/data/dry_slope_h075.msh", 3),
+               {"dry_slope_h075.msh", "no tetrahedra"});
+  BoxFile quads;
+  quads.three_dimensional = false;
+  quads.recombine = true;
+  expect_words(get_message(quads.write("quads")), {"quads.msh", "Quad", "triangles"});
+  BoxFile unnamed;
+  unnamed.named_volume = false;
+  expect_words(get_message(unnamed.write("unnamed"), 3), {"unnamed.msh", "no physical group"});
+  BoxFile old;
+  old.version = 2.2;
+  expect_words(get_message(old.write("old"), 3), {"old.msh", "2.2", "version 4"});
+  BoxFile tilted;
+  tilted.three_dimensional = false;
+  tilted.tilted = true;
+  expect_words(get_message(tilted.write("tilted")), {"tilted.msh", "plane"});
+}
+
+TEST(MeshFile, CutOffInTheMiddleIsRefused) {
+  BoxFile file;
+  file.binary = false;
+  const std::string path = file.write("cut");
+  const auto size = std::filesystem::file_size(path);
+  for (double share : {0.01, 0.1, 0.3, 0.5, 0.8, 0.95}) {
+    file.write("cut");
+    std::filesystem::resize_file(path, static_cast<std::uintmax_t>(share * static_cast<double>(size)));
+    EXPECT_NE(get_message(path, 3), "no error") << share;
+  }
+}
+
+}  // namespace
+}  // namespace talus::mesh

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/planar.hpp"
+#include "mesh/quality.hpp"
+
+namespace talus::mesh {
+namespace {
+
+Plan plan_slope(double size) {
+  Plan plan;
+  plan.box_max = {44, 17};
+  plan.size = size;
+  plan.polygons = {{"soil", {{0, 0}, {44, 0}, {44, 5}, {32, 5}, {12, 15}, {0, 15}}}};
+  return plan;
+}
+
+double sum_region(const Mesh<2>& mesh, int region) {
+  double sum = 0;
+  for (int e = 0; e < mesh.element_count(); ++e)
+    if (mesh.element_region[e] == region) sum += mesh.volumes[e];
+  return sum;
+}
+
+double measure_length(const Mesh<2>& mesh, const std::string& name) {
+  double length = 0;
+  for (const auto& [a, b] : mesh.sides.at(name))
+    length += std::hypot(mesh.nodes[a][0] - mesh.nodes[b][0], mesh.nodes[a][1] - mesh.nodes[b][1]);
+  return length;
+}
+
+std::string get_message(const Plan& plan) {
+  try {
+    generate<2>(plan);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::wrong_input);
+    return error.what();
+  }
+  return "no error";
+}
+
+bool mentions(const std::string& message, const std::vector<std::string>& words) {
+  for (const auto& word : words)
+    if (message.find(word) == std::string::npos) {
+      ADD_FAILURE() << "'" << word << "' is missing in: " << message;
+      return false;
+    }
+  return true;
+}
+
+TEST(Plan, TellsWhatIsWrongWithAPolygon) {
+  Plan plan = plan_slope(1);
+  plan.polygons[0].points = {{0, 0}, {10, 10}, {10, 0}, {0, 8}};
+  EXPECT_TRUE(mentions(get_message(plan), {"'soil'", "crosses", "(4.44444, 4.44444)"}));
+  plan.polygons[0].points = {{0, 0}, {10, 0}, {10, 5}, {5, 0}, {0, 5}};  // a corner touches an edge
+  EXPECT_TRUE(mentions(get_message(plan), {"'soil'", "touches", "(5, 0)"}));
+  plan.polygons[0].points = {{0, 0}, {10, 0}, {5, 0}};  // no area
+  EXPECT_TRUE(mentions(get_message(plan), {"'soil'"}));
+  plan.polygons[0].points = {{0, 0}, {44.5, 0}, {10, 10}};
+  EXPECT_TRUE(mentions(get_message(plan), {"'soil'", "leaves the box", "(44.5, 0)"}));
+  plan.polygons[0].points = {{0, 0}, {10, 0}, {10, 10}, {0, 0}};
+  EXPECT_TRUE(mentions(get_message(plan), {"'soil'", "(0, 0)", "twice"}));
+  plan.polygons[0].points = {{0, 0}, {10, 0}};
+  EXPECT_TRUE(mentions(get_message(plan), {"'soil'", "2 points", "3"}));
+}
+
+TEST(Plan, TellsWhichPolygonsOverlap) {
+  Plan plan = plan_slope(1);
+  plan.polygons = {{"a", {{2, 2}, {10, 2}, {10, 8}, {2, 8}}}, {"b", {{6, 4}, {14, 4}, {14, 6}, {6, 6}}}};
+  EXPECT_TRUE(mentions(get_message(plan), {"'a'", "'b'", "overlap"}));
+  plan.polygons[1].points = {{2, 2}, {10, 8}, {10, 12}, {2, 12}};  // through two corners, crossing no edge inside it
+  EXPECT_TRUE(mentions(get_message(plan), {"'a'", "'b'", "overlap"}));
+  plan.polygons[1].points = {{10, 8}, {2, 8}, {2, 2}, {10, 2}};
+  EXPECT_TRUE(mentions(get_message(plan), {"'a'", "'b'", "same"}));
+}
+
+TEST(Plan, TellsApartTheWaysTwoPolygonsCanLie) {
+  const Polyline square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  EXPECT_EQ(compare(square, {{4, 1}, {6, 1}, {6, 9}, {4, 9}}, 1e-6), Relation::apart);   // shares a part of an edge
+  EXPECT_EQ(compare(square, {{4, 4}, {6, 4}, {6, 6}}, 1e-6), Relation::apart);           // shares a corner
+  EXPECT_EQ(compare(square, {{0, 0}, {2, 0}, {2, 4}, {0, 4}}, 1e-6), Relation::around);  // shares three edges
+  EXPECT_EQ(compare({{1, 1}, {2, 1}, {2, 2}}, square, 1e-6), Relation::inside);
+  EXPECT_EQ(compare(square, {{-1, 1}, {5, 1}, {5, 2}, {-1, 2}}, 1e-6), Relation::overlapping);  // a cross
+}
+
+TEST(Plan, TellsWhatIsWrongWithNamesSizesAndLines) {
+  Plan plan = plan_slope(1);
+  plan.lines = {{"top", {{0, 1}, {2, 1}}}};
+  EXPECT_TRUE(mentions(get_message(plan), {"'top'", "taken"}));
+  plan.lines = {{"drain", {{40, 1}, {50, 1}}}};
+  EXPECT_TRUE(mentions(get_message(plan), {"'drain'", "leaves the box", "(50, 1)"}));
+  plan.lines.clear();
+  plan.polygons.push_back(plan.polygons[0]);
+  EXPECT_TRUE(mentions(get_message(plan), {"'soil'", "own name"}));
+  plan.polygons.pop_back();
+  plan.size = 0;
+  EXPECT_TRUE(mentions(get_message(plan), {"size", "positive"}));
+  plan.size = 1;
+  plan.box_max = {-4, 17};
+  EXPECT_TRUE(mentions(get_message(plan), {"box", "(-4, 17)"}));
+}
+
+TEST(Plan, TakesPointsThatMissEachOtherByRoundingAsOne) {
+  Plan plan = plan_slope(1);
+  plan.polygons[0].points[4] = {12 + 3e-9, 15 - 2e-9};
+  plan.polygons[0].points[1] = {44 + 1e-10, -1e-10};
+  plan.lines = {{"crest", {{0, 15}, {12, 15}}}, {"slope", {{12, 15}, {32 + 1e-9, 5}}}};
+  const auto mesh = generate<2>(plan);
+  EXPECT_NEAR(sum_region(mesh, 0), 440, 1e-5);
+  EXPECT_NEAR(measure_length(mesh, "crest"), 12, 1e-7);
+  EXPECT_GT(measure_quality(mesh, false).min_altitude, 0.5);
+}
+
+}  // namespace
+}  // namespace talus::mesh
