@@ -1,0 +1,31 @@
+#pragma once
+// Files that are whole or absent: written under a temporary name, flushed to the disk, then renamed.
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace talus::output {
+
+/// Writes `text` to `path`, replacing what was there in one go: a reader, or a machine that loses power, sees the old
+/// file or the new one, never a part. Throws Error (cannot_write) with the path, the reason and `safe`, a clause that
+/// says what is not harmed, e.g. "the 12 frames written before are whole"; the temporary file is removed.
+void write_atomically(const std::filesystem::path& path, std::string_view text, const std::string& safe = "");
+void write_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
+                      const std::string& safe = "");
+
+/// The name a file has while it is being written: `path` + ".part".
+std::filesystem::path temporary_name(const std::filesystem::path& path);
+
+/// Flushes the finished temporary file of `path` to the disk and gives it its name. Errors as for write_atomically.
+void publish(const std::filesystem::path& path, const std::string& safe = "");
+
+/// Makes `folder` and its parents. Throws Error (cannot_write) with the path and the reason.
+void make_folder(const std::filesystem::path& folder, const std::string& safe = "");
+
+/// The sentence "cannot write 'path': reason; safe" as an Error (cannot_write). `reason` is a value of errno.
+[[noreturn]] void throw_cannot_write(const std::filesystem::path& path, int reason, const std::string& safe = "");
+
+}  // namespace talus::output

@@ -1,0 +1,241 @@
+// Pictures: labels never lie on each other, lengths are true, the kept script draws the same picture again.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "output/curve_plot.hpp"
+#include "output/field_plot.hpp"
+#include "output/gnuplot.hpp"
+#include "output/results.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace talus;
+
+class Pictures : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "talus-plots-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    if (std::system("gnuplot --version > /dev/null 2>&1") != 0)
+      GTEST_SKIP() << "gnuplot is not installed: no picture was drawn";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string read(const std::string& name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+  fs::path folder_;
+};
+
+output::CurvePlot make_curve() {
+  output::CurvePlot plot;
+  plot.title = "A slope_with 'odd' {name}";
+  for (int i = 0; i <= 15; ++i) {
+    const double f = 1 + 0.05 * i;
+    plot.factors.push_back(f);
+    plot.displacements.push_back(std::max(0.003 * f - 0.002, 0.06 * f - 0.0855));
+  }
+  plot.first = output::FittedLine{0.003, -0.002, {1, 1.05, 1.1}};
+  plot.second = output::FittedLine{0.06, -0.0855, {1.65, 1.7, 1.75}};
+  plot.intersection = 0.0835 / 0.057;
+  plot.criteria = {{"bilinear", 0.0835 / 0.057, {}, {}},
+                   {"displacement ratio", 1.58, {}, {}},
+                   {"rest or run-away at frozen geometry", 1.455, 1.45, 1.46},
+                   {"loss of rest", 1.46, {}, {}},
+                   {"far to the right with a long name", 1.74, {}, {}}};
+  plot.references = {{"Published (2019)", {1.0, 1.6}, {0.0012, 0.011}}};
+  return plot;
+}
+
+/// A number of the script after `key`, e.g. "set lmargin at screen ".
+double find_number(const std::string& script, const std::string& key) {
+  const std::size_t at = script.find(key);
+  EXPECT_NE(at, std::string::npos) << key;
+  return at == std::string::npos ? 0 : std::stod(script.substr(at + key.size()));
+}
+
+struct Frame {
+  double left, right, bottom, top, x0, x1, y0, y1, width, height;
+};
+Frame read_frame(const std::string& s) {
+  const double size_at = find_number(s, "size ");
+  const std::size_t comma = s.find(',', s.find("size "));
+  const auto range_end = [&s](const char* key) { return std::stod(s.substr(s.find(':', s.find(key)) + 1)); };
+  return {find_number(s, "lmargin at screen "),
+          find_number(s, "rmargin at screen "),
+          find_number(s, "bmargin at screen "),
+          find_number(s, "tmargin at screen "),
+          find_number(s, "set xrange ["),
+          range_end("set xrange ["),
+          find_number(s, "set yrange ["),
+          range_end("set yrange ["),
+          size_at,
+          std::stod(s.substr(comma + 1))};
+}
+
+TEST_F(Pictures, OfACurveHaveLabelsThatDoNotCoverEachOtherOrALine) {
+  output::draw(make_curve(), folder_ / "curve.svg");
+  const std::string script = read("curve.gp");
+  const Frame frame = read_frame(script);
+  struct Label {
+    double from, to, y, line;
+  };
+  std::vector<Label> labels;
+  const std::regex pattern("set label '([^']*)' at ([0-9.]+), screen ([0-9.]+) left offset");
+  for (std::sregex_iterator it(script.begin(), script.end(), pattern), end; it != end; ++it) {
+    const double x = std::stod((*it)[2]);
+    const double pixel =
+        frame.width * (frame.left + (frame.right - frame.left) * (x - frame.x0) / (frame.x1 - frame.x0));
+    labels.push_back({pixel, pixel + output::estimate_width((*it)[1]), frame.height * std::stod((*it)[3]), pixel});
+  }
+  ASSERT_EQ(labels.size(), 5u);
+  for (const Label& a : labels) {
+    EXPECT_GT(a.y, frame.height * frame.top);  // above the curve
+    EXPECT_LE(a.to, frame.width);              // inside the picture
+    for (const Label& b : labels) {
+      if (&a == &b) continue;
+      const bool apart = a.to < b.from || b.to < a.from || std::abs(a.y - b.y) >= 14;
+      EXPECT_TRUE(apart) << a.from << " " << b.from;
+      const bool crossed = b.line > a.from && b.line < a.to && b.y > a.y - 7;  // b's line goes up to b's label
+      EXPECT_FALSE(crossed) << a.from << " " << b.from;
+    }
+  }
+}
+
+TEST_F(Pictures, ShowWhatTheyAreTold) {
+  output::draw(make_curve(), folder_ / "curve.svg");
+  const std::string svg = read("curve.svg");
+  for (const char* text : {"displacement [mm]", "strength reduction factor", "1.58  displacement ratio",
+                           "Published (2019)", "A slope_with 'odd' {name}"}) {
+    std::string plain = std::regex_replace(svg, std::regex("&#39;|&apos;"), "'");
+    EXPECT_NE(plain.find(text), std::string::npos) << text;
+  }
+}
+
+TEST_F(Pictures, AreDrawnAgainByTheScriptBesideThem) {
+  output::draw(make_curve(), folder_ / "curve.svg");
+  const std::string first = read("curve.svg");
+  fs::remove(folder_ / "curve.svg");
+  ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && gnuplot curve.gp").c_str()), 0);
+  EXPECT_EQ(read("curve.svg"), first);
+}
+
+TEST_F(Pictures, OfAFieldShowTrueLengths) {
+  for (const double height : {0.1, 3.0, 10.0, 80.0}) {
+    output::FieldPlot plot;
+    plot.title = "x";
+    for (int i = 0; i < 20; ++i)
+      for (int j = 0; j < 20; ++j) {
+        plot.positions.insert(plot.positions.end(), {10.0 * i / 19, height * j / 19, 0});
+        plot.values.push_back(i);
+      }
+    plot.values[7] = std::nan("");
+    output::draw(plot, folder_ / "field.svg");
+    const Frame f = read_frame(read("field.gp"));
+    const double per_x = f.width * (f.right - f.left) / (f.x1 - f.x0);
+    const double per_y = f.height * (f.top - f.bottom) / (f.y1 - f.y0);
+    EXPECT_NEAR(per_x / per_y, 1, 0.01) << height;  // pixels are whole
+    EXPECT_LE(f.x0, 0);
+    EXPECT_GE(f.y1, height);
+  }
+}
+
+TEST_F(Pictures, OfASignedFieldHaveWhiteAtZero) {
+  output::FieldPlot plot;
+  plot.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0};
+  plot.values = {-2, 1, 0.5};
+  output::draw(plot, folder_ / "field.png");
+  EXPECT_NE(read("field.gp").find("set cbrange [-2:2]"), std::string::npos);
+  plot.values = {1, 2, 3};
+  output::draw(plot, folder_ / "field.png");
+  EXPECT_NE(read("field.gp").find("set cbrange [1:3]"), std::string::npos);
+  EXPECT_EQ(read("field.png").substr(1, 3), "PNG");
+}
+
+TEST_F(Pictures, WithoutGnuplotAreOneSentence) {
+  const pid_t child = fork();
+  if (child == 0) {
+    setenv("PATH", folder_.c_str(), 1);
+    try {
+      output::draw(make_curve(), folder_ / "curve.svg");
+    } catch (const Error& error) {
+      const std::string expected = "cannot draw '" + (folder_ / "curve.svg").string() +
+                                   "': gnuplot is not installed (Debian: apt install gnuplot-nox); the script for it "
+                                   "stands beside it";
+      _exit(error.what() == expected && error.code() == ExitCode::cannot_write ? 0 : 1);
+    }
+    _exit(2);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "curve.svg"));
+  EXPECT_TRUE(fs::exists(folder_ / "curve.gp"));
+}
+
+TEST_F(Pictures, ThatGnuplotCannotDrawLeaveNoFile) {
+  EXPECT_THROW(output::run_gnuplot(folder_ / "bad.svg", "plot nonsense(\n", 100, 100), Error);
+  EXPECT_FALSE(fs::exists(folder_ / "bad.svg"));
+  EXPECT_FALSE(fs::exists(folder_ / "bad.svg.part"));
+  EXPECT_THROW(output::run_gnuplot(folder_ / "bad.pdf", "plot x\n", 100, 100), Error);
+}
+
+/// Exit code and output of the program.
+std::pair<int, std::string> run_program(const std::string& arguments) {
+  std::FILE* pipe = popen((std::string(TALUS_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+  std::string text;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+}
+
+TEST_F(Pictures, AreDrawnByTheCommandPlot) {
+  output::Frame frame;
+  frame.time = 2.5;
+  frame.stage = "failure";
+  frame.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0};
+  frame.ids = {0, 1, 2};
+  frame.materials = {0, 0, 0};
+  frame.point_fields = {{"deviatoric_strain", "-", 1, {0, 0.1, 0.2}},
+                        {"stress", "Pa", 6, {-1e3, -2e3, -3e3, 0, 0, 0, -2e3, -4e3, -6e3, 0, 0, 0, 0, 0, 0, 0, 0, 0}}};
+  output::ResultsWriter::start(folder_).write(frame);
+  std::ofstream(folder_ / "summary.json")
+      << R"({"curve": {"points": [{"srf": 1.0, "displacement": 0.001}, {"srf": 1.5, "displacement": 0.002},
+             {"srf": 1.6, "displacement": 0.01}, {"srf": 1.7, "displacement": 0.02}],
+             "bilinear": {"factor": 1.5, "first": {"slope": 0.002, "intercept": -0.001, "points": [1.0, 1.5]},
+                          "second": {"slope": 0.1, "intercept": -0.15, "points": [1.6, 1.7]}},
+             "criteria": [{"name": "bilinear", "factor": 1.5, "lower": null, "upper": null},
+                          {"name": "none found", "factor": null}]}})";
+  const std::string folder = folder_.string();
+  auto [code, text] = run_program("plot '" + folder + "'");
+  EXPECT_EQ(code, 0) << text;
+  EXPECT_EQ(text, folder + "/curve.svg\n" + folder + "/deviatoric_strain_0000.svg\n");
+  std::tie(code, text) = run_program("plot '" + folder + "' --field stress --frame 0 --format png");
+  EXPECT_EQ(code, 0) << text;
+  EXPECT_NE(read("stress_0000.gp").find("set cbrange [-4:0]"), std::string::npos);  // means in kPa: -2, -4, 0
+  EXPECT_NE(read("stress_0000.gp").find("[kPa]"), std::string::npos);
+  std::tie(code, text) = run_program("plot '" + folder + "' --field suction");
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(text.find("there is no field 'suction' in '" + folder + "'; the fields are deviatoric_strain, stress"),
+            std::string::npos)
+      << text;
+  std::tie(code, text) = run_program("plot '" + folder + "' --field stress.yy --frame 7");
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(text.find("there is no frame 7"), std::string::npos) << text;
+}
+
+}  // namespace
