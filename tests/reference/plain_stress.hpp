@@ -1,0 +1,117 @@
+#pragma once
+// The second half of the plain step: strain increments of the elements, stresses of the points, and the nodal averaging
+// that keeps linear simplices from locking (2.43–2.45, 2.94–2.95).
+
+#include <Eigen/Dense>
+#include <cstddef>
+#include <vector>
+
+#include "reference/plain_body.hpp"
+
+namespace talus::reference {
+
+/// An element field averaged to the nodes over active elements with weights V_e (2.94), and back (2.95).
+template <int D>
+std::vector<double> smooth_over_nodes(const Body<D>& body, const std::vector<double>& field) {
+  std::vector<double> sum(body.nodes.size(), 0), volume(body.nodes.size(), 0), smoothed(field.size(), 0);
+  for (int e = 0; e < body.mesh.element_count(); ++e) {
+    if (!at(body.cells, e).is_active()) continue;
+    for (int i = 0; i <= D; ++i) {
+      at(sum, node_of(body.mesh, e, i)) += at(field, e) * at(body.mesh.volumes, e);
+      at(volume, node_of(body.mesh, e, i)) += at(body.mesh.volumes, e);
+    }
+  }
+  for (int e = 0; e < body.mesh.element_count(); ++e) {
+    if (!at(body.cells, e).is_active()) continue;
+    for (int i = 0; i <= D; ++i) {
+      const int node = node_of(body.mesh, e, i);
+      at(smoothed, e) += at(sum, node) / at(volume, node) / (D + 1);
+    }
+  }
+  return smoothed;
+}
+
+/// L and Δε = sym(L)Δt of every active element (2.43); on request with the smoothed volumetric part. The correction is
+/// spread over three components also in plane strain, as the text of 2.5.4 (and not Anura3D, which takes two) has it.
+template <int D>
+void compute_strain_increments(Body<D>& body, const Settings& settings) {
+  std::vector<double> volumetric(body.cells.size(), 0);
+  for (int e = 0; e < body.mesh.element_count(); ++e) {
+    Cell& cell = at(body.cells, e);
+    if (!cell.is_active()) continue;
+    const Gradients<D> b = shape_gradients(body.mesh, e);
+    for (int i = 0; i <= D; ++i)
+      cell.gradient.template topLeftCorner<D, D>() += at(body.nodes, node_of(body.mesh, e, i)).velocity * b.row(i);
+    cell.strain_increment = settings.time_step / 2 * (cell.gradient + cell.gradient.transpose());
+    at(volumetric, e) = cell.strain_increment.trace();
+  }
+  if (settings.smoothing == Smoothing::none) return;
+  const std::vector<double> smoothed = smooth_over_nodes(body, volumetric);
+  for (std::size_t e = 0; e < body.cells.size(); ++e)
+    body.cells[e].strain_increment += (smoothed[e] - volumetric[e]) / 3 * Tensor::Identity();
+}
+
+/// R of Hughes and Winget (1980) for the spin W = (L − Lᵀ)Δt/2: orthogonal for any W.
+inline Tensor rotation_increment(const Tensor& gradient, double time_step) {
+  const Tensor spin = time_step / 2 * (gradient - gradient.transpose());
+  return (Tensor::Identity() - spin / 2).inverse() * (Tensor::Identity() + spin / 2);
+}
+
+/// Gives the V_p-weighted means of stress and plastic strain to every point of a full element.
+template <int D>
+void share_mean_state(Body<D>& body, const Cell& cell) {
+  const Tensor sigma = average_stress(body, cell);
+  double plastic_strain = 0, volume = 0;
+  for (std::size_t p : cell.points) {
+    plastic_strain += body.points[p].volume * body.points[p].plastic_strain;
+    volume += body.points[p].volume;
+  }
+  for (std::size_t p : cell.points) {
+    body.points[p].sigma = sigma;
+    body.points[p].plastic_strain = plastic_strain / volume;
+  }
+}
+
+/// Stress (2.44), strain, plastic strain and volume (2.45) of every point. The points of a full element start from the
+/// same mean state and so end in the same state: it is one update, given to all of them.
+/// Returns p(σ_returned) − p(σ_trial) of every point [Pa].
+template <int D>
+std::vector<double> update_points(Body<D>& body, const Settings& settings) {
+  std::vector<double> mean_stress_change(body.points.size(), 0);
+  for (const Cell& cell : body.cells) {
+    if (cell.full) share_mean_state(body, cell);
+    const Tensor r = settings.objective ? rotation_increment(cell.gradient, settings.time_step) : Tensor::Identity();
+    for (std::size_t p : cell.points) {
+      Point<D>& point = body.points[p];
+      const Tensor rotated = r * point.sigma * r.transpose();
+      const StressUpdate update = update_stress(at(body.materials, point.material), rotated, cell.strain_increment);
+      point.sigma = update.sigma;
+      point.plastic_strain += update.plastic_strain;
+      point.strain += cell.strain_increment;
+      if (!settings.frozen) point.volume *= 1 + cell.strain_increment.trace();
+      mean_stress_change[p] = update.mean_stress_change;
+    }
+  }
+  return mean_stress_change;
+}
+
+/// Smoothing::stable: the change of the mean stress by the plastic return, averaged over the nodes like the strain.
+/// With smoothed strains but unsmoothed returns a dilatant soil explodes. The weights V_p are the updated volumes.
+template <int D>
+void smooth_plastic_mean_stress(Body<D>& body, const std::vector<double>& mean_stress_change) {
+  std::vector<double> element_value(body.cells.size(), 0);
+  for (std::size_t e = 0; e < body.cells.size(); ++e) {
+    double sum = 0, volume = 0;
+    for (std::size_t p : body.cells[e].points) {
+      sum += body.points[p].volume * mean_stress_change[p];
+      volume += body.points[p].volume;
+    }
+    if (volume > 0) element_value[e] = sum / volume;
+  }
+  const std::vector<double> smoothed = smooth_over_nodes(body, element_value);
+  for (std::size_t e = 0; e < body.cells.size(); ++e)
+    for (std::size_t p : body.cells[e].points)
+      body.points[p].sigma += (smoothed[e] - element_value[e]) * Tensor::Identity();
+}
+
+}  // namespace talus::reference
