@@ -1,0 +1,50 @@
+# The everyday commands. Each is thin: what it does stands in tools/, in CMakePresets.json or in the program itself.
+#   make demo    install what is missing, build the program, run the dry slope, say where its results are
+#   make test    install what is missing, build everything, run every test
+#   make build bench format lint docs
+# DEMO_ARGS adds arguments to the demo's run, DEMO_OUT is its result folder; SETUP=true skips the installation.
+
+PRESET    ?= release
+BUILD     := build/$(PRESET)
+SETUP     ?= tools/setup.sh
+TALUS     := $(BUILD)/talus
+DEMO_CASE ?= examples/dry_slope/case.toml
+DEMO_OUT  ?= results/dry_slope
+DEMO_ARGS ?=
+
+.PHONY: demo test build program bench format lint docs setup setup-dev
+
+setup:
+	@$(SETUP)
+
+setup-dev: setup
+	@$(SETUP) tools/apt-packages-dev.txt
+
+# Ninja configures again by itself when a CMake file changes.
+$(BUILD)/build.ninja: | setup
+	@cmake --preset $(PRESET)
+
+program: $(BUILD)/build.ninja | setup
+	@cmake --build --preset $(PRESET) --target talus_cli
+
+build: $(BUILD)/build.ninja | setup
+	@cmake --build --preset $(PRESET)
+
+demo: program
+	@$(TALUS) run $(DEMO_CASE) -o $(DEMO_OUT) --overwrite $(DEMO_ARGS)
+	@tools/list_results.sh $(DEMO_OUT)
+
+test: build
+	@tools/test.sh $(PRESET)
+
+bench: build
+	@tools/bench.sh $(BUILD)
+
+format: setup-dev
+	@tools/format.sh
+
+lint: setup-dev $(BUILD)/build.ninja
+	@tools/lint.sh $(BUILD)
+
+docs: program
+	@tools/docs.sh $(TALUS)

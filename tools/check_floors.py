@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Checks the house rules that a compiler does not know (docs/architecture.md): who may include whom, where the
+preprocessor and threads may be used, and how long a file may be. Exits with 1 and one line per fault.
+
+Usage: check_floors.py [root] | check_floors.py --self-test
+"""
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+FLOORS = {"base": 0, "material": 1, "mesh": 1, "model": 2, "mpm": 3, "fem": 3, "lem": 3,
+          "analysis": 4, "output": 4, "app": 5}
+LONGEST = 500
+# file → why it may be longer
+MAY_BE_LONGER = {}
+# file outside base/ → why it may name OpenMP
+MAY_NAME_THREADS = {"src/mesh/gmsh_session.cpp": "Gmsh sets OpenMP's number of threads; it is put back there"}
+SOURCES = {".cpp", ".hpp", ".cu", ".py", ".sh", ".ts"}
+FOLDERS = ["src", "tests", "bench", "tools", "python", "web", "cuda"]
+
+
+def list_sources(root, folders):
+    for folder in folders:
+        for path in sorted((root / folder).rglob("*")):
+            if path.is_file() and path.suffix in SOURCES:
+                yield path, path.relative_to(root).as_posix()
+
+
+def check_line(root, name, floor, line):
+    """The faults of one line of a file in src/<floor>/."""
+    include = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
+    if include:
+        target = include[1]
+        other = target.split("/")[0]
+        generated = (root / "src" / (target + ".in")).is_file()
+        if other not in FLOORS or "/" not in target:
+            yield f'"{target}" must be written "floor/file.hpp"'
+        elif FLOORS[other] > FLOORS[floor]:
+            yield f"{floor} (floor {FLOORS[floor]}) includes {target} from floor {FLOORS[other]}"
+        elif not generated and not (root / "src" / target).is_file():
+            yield f"there is no src/{target}"
+    if floor != "base":
+        if re.match(r"\s*#\s*(if|ifdef|ifndef|elif)\b", line):
+            yield "conditional compilation belongs into base/"
+        if re.match(r"\s*#\s*pragma\s+omp|\s*#\s*include\s+<omp\.h>", line) and name not in MAY_NAME_THREADS:
+            yield "threads belong into base/parallel.hpp"
+
+
+def find_faults(root):
+    faults = []
+    for path, name in list_sources(root, FOLDERS):
+        lines = path.read_text(encoding="utf-8").splitlines()
+        if len(lines) > LONGEST and name not in MAY_BE_LONGER:
+            faults.append(f"{name}: {len(lines)} lines; over {LONGEST} a file needs a reason in tools/check_floors.py")
+        parts = name.split("/")
+        if parts[0] != "src" or len(parts) < 3:
+            continue
+        if parts[1] not in FLOORS:
+            faults.append(f"{name}: src/{parts[1]}/ has no floor in tools/check_floors.py")
+            continue
+        for number, line in enumerate(lines, 1):
+            faults += [f"{name}:{number}: {fault}" for fault in check_line(root, name, parts[1], line)]
+    for name in [*MAY_BE_LONGER, *MAY_NAME_THREADS]:
+        if not (root / name).is_file():
+            faults.append(f"{name}: tools/check_floors.py grants it an exception, but there is no such file")
+    return faults
+
+
+def run_self_test():
+    """Every rule must be able to fail: a small tree with one fault of each kind."""
+    tree = {
+        "src/base/low.hpp": '#include "mpm/high.hpp"\n',
+        "src/mpm/high.hpp": '#include "base/low.hpp"\n#include "low.hpp"\n#include "base/missing.hpp"\n',
+        "src/mesh/threads.cpp": "#include <omp.h>\n#ifdef __AVX__\n#endif\n",
+        "src/odd/file.cpp": "\n",
+        "tests/unit/long.cpp": "\n" * (LONGEST + 1),
+    }
+    expected = ["base/low.hpp:1", "mpm/high.hpp:2", "mpm/high.hpp:3", "mesh/threads.cpp:1", "mesh/threads.cpp:2",
+                "odd/file.cpp", "unit/long.cpp"]
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder)
+        for name, text in tree.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text, encoding="utf-8")
+        faults = [fault for fault in find_faults(root) if "exception" not in fault]
+    unseen = [place for place in expected if not any(place in fault for fault in faults)]
+    return [f"self-test: the fault in {place} was not found" for place in unseen] + (
+        [] if len(faults) == len(expected) else [f"self-test: {len(faults)} faults instead of {len(expected)}: {faults}"])
+
+
+def main():
+    arguments = sys.argv[1:]
+    root = Path(arguments[0]) if arguments and arguments[0] != "--self-test" else Path(__file__).resolve().parent.parent
+    faults = run_self_test() if arguments == ["--self-test"] else find_faults(root)
+    print("\n".join(faults) if faults else "check_floors: the house stands.")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

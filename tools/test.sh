@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Runs every test of a preset (default: release) and names the skipped ones with their reasons, above ctest's summary's
+# verdict: a skipped test proves nothing, so it must be seen.
+set -uo pipefail
+cd "$(dirname "$0")/.."
+preset=${1:-release}
+ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)"
+status=$?
+
+# GoogleTest prints "file:line: Skipped" and the reason on the next line; ctest keeps it in its log.
+awk '
+  /^[0-9]+\/[0-9]+ Test: / { name = $0; sub(/^[0-9]+\/[0-9]+ Test: /, "", name) }
+  reason_follows { print "SKIP " name ": " $0; reason_follows = 0; next }
+  /: Skipped$/ { reason_follows = 1 }
+' "build/$preset/Testing/Temporary/LastTest.log" 2>/dev/null
+exit $status
