@@ -1,0 +1,17 @@
+#pragma once
+// The commands of the program, one file each. Every function adds its command to the command line.
+
+#include <CLI/CLI.hpp>
+
+namespace talus::app {
+
+void add_run(CLI::App& app);
+void add_study(CLI::App& app);
+void add_plot(CLI::App& app);
+void add_check(CLI::App& app);
+void add_manual(CLI::App& app);
+void add_template(CLI::App& app);
+void add_schema(CLI::App& app);
+void add_version(CLI::App& app);
+
+}  // namespace talus::app

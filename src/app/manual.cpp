@@ -1,0 +1,14 @@
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "model/read.hpp"
+
+namespace talus::app {
+
+void add_manual(CLI::App& app) {
+  app.add_subcommand("manual", "Print the reference of every key of a case file (Markdown)")->callback([] {
+    fmt::print("{}", model::write_manual());
+  });
+}
+
+}  // namespace talus::app

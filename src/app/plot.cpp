@@ -1,0 +1,252 @@
+// `talus plot DIR`: pictures of a run's results.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "base/error.hpp"
+#include "base/units.hpp"
+#include "output/curve_plot.hpp"
+#include "output/field_plot.hpp"
+#include "output/gnuplot.hpp"
+#include "output/results.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Above this an SVG picture has tens of megabytes, and PNG is the default.
+constexpr std::size_t most_points_in_svg = 20000;
+
+struct PlotOptions {
+  fs::path folder;
+  std::string field;
+  std::string frame = "last";
+  std::optional<double> time;
+  std::string format;
+  fs::path out;
+  bool logarithmic = false;
+};
+
+/// The units in which quantities are shown; summary.json may name others.
+struct ShownUnits {
+  std::string length = "m", displacement = "mm", stress = "kPa";
+};
+
+[[noreturn]] void fail(const std::string& sentence) {
+  throw Error(ExitCode::wrong_input, sentence);
+}
+
+json read_summary(const fs::path& folder) {
+  std::ifstream file(folder / "summary.json");
+  if (!file) return json::object();
+  try {
+    return json::parse(file);
+  } catch (const json::exception& error) {
+    fail(fmt::format("cannot read '{}': {}", (folder / "summary.json").string(), error.what()));
+  }
+}
+
+ShownUnits read_units(const json& summary) {
+  ShownUnits units;
+  const json block = summary.value("units", json::object());
+  units.length = block.value("length", units.length);
+  units.displacement = block.value("displacement", units.displacement);
+  units.stress = block.value("stress", units.stress);
+  return units;
+}
+
+output::FittedLine read_line(const json& block) {
+  return {block.at("slope").get<double>(), block.at("intercept").get<double>(),
+          block.value("points", std::vector<double>{})};
+}
+
+std::optional<double> read_optional(const json& block, const char* key) {
+  if (!block.contains(key) || !block.at(key).is_number()) return std::nullopt;
+  return block.at(key).get<double>();
+}
+
+output::CurvePlot read_curve(const json& summary, const ShownUnits& units) {
+  const json& block = summary.at("curve");
+  output::CurvePlot plot;
+  plot.title = summary.value("title", "");
+  plot.displacement_unit = units.displacement;
+  plot.units_per_metre = 1 / units::get_si_factor(units.displacement);
+  for (const json& point : block.at("points")) {
+    plot.factors.push_back(point.at("srf").get<double>());
+    plot.displacements.push_back(point.at("displacement").get<double>());
+  }
+  if (block.contains("bilinear") && block.at("bilinear").is_object()) {
+    const json& bilinear = block.at("bilinear");
+    plot.intersection = read_optional(bilinear, "factor");
+    plot.first = read_line(bilinear.at("first"));
+    plot.second = read_line(bilinear.at("second"));
+  }
+  for (const json& c : block.value("criteria", json::array()))
+    if (const std::optional<double> factor = read_optional(c, "factor"))  // a criterion may have found none
+      plot.criteria.push_back(
+          {c.at("name").get<std::string>(), *factor, read_optional(c, "lower"), read_optional(c, "upper")});
+  for (const json& r : block.value("references", json::array()))
+    plot.references.push_back({r.at("label").get<std::string>(), r.at("srf").get<std::vector<double>>(),
+                               r.at("displacement").get<std::vector<double>>()});
+  return plot;
+}
+
+int choose_frame(const output::ResultsReader& reader, const PlotOptions& options) {
+  if (options.time) return reader.find_nearest(*options.time);
+  if (options.frame == "last") return reader.size() - 1;
+  int number = 0;
+  const char* end = options.frame.data() + options.frame.size();
+  const auto [stop, failure] = std::from_chars(options.frame.data(), end, number);
+  if (failure != std::errc() || stop != end)
+    fail(fmt::format("--frame '{}' is neither a number nor 'last'", options.frame));
+  return number;
+}
+
+std::string join(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// Names of the components of a field, the shown one first when none is asked for.
+std::vector<std::string> list_components(int components) {
+  if (components == 1) return {};
+  if (components == 2) return {"magnitude", "x", "y"};
+  if (components == 3) return {"magnitude", "x", "y", "z"};
+  if (components == 4) return {"mean", "xx", "yy", "zz", "xy"};
+  if (components == 6) return {"mean", "xx", "yy", "zz", "xy", "yz", "xz"};
+  std::vector<std::string> names{"magnitude"};
+  for (int c = 0; c < components; ++c) names.push_back(std::to_string(c));
+  return names;
+}
+
+/// One number per point of `field`: a component, the length of a vector, or a third of a tensor's trace.
+std::vector<double> reduce(const output::Field& field, const std::string& component) {
+  const std::vector<std::string> names = list_components(field.components);
+  const auto n = static_cast<std::size_t>(field.components), count = field.values.size() / n;
+  if (names.empty() && component.empty()) return field.values;
+  const std::string wanted = component.empty() ? names[0] : component;
+  const auto found = std::ranges::find(names, wanted);
+  if (found == names.end())
+    fail(fmt::format("'{}' has no component '{}'{}", field.name, wanted,
+                     names.empty() ? "" : fmt::format("; it has {}", join(names))));
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* v = &field.values[i * n];
+    double square = 0;
+    for (std::size_t c = 0; c < n; ++c) square += v[c] * v[c];
+    values[i] = wanted == "magnitude" ? std::sqrt(square)
+                : wanted == "mean"    ? (v[0] + v[1] + v[2]) / 3
+                                      : v[static_cast<std::size_t>(found - names.begin()) - 1];
+  }
+  return values;
+}
+
+/// The unit in which a stored unit is shown.
+std::string choose_unit(const output::Field& field, const ShownUnits& units) {
+  if (field.unit == "Pa") return units.stress;
+  if (field.unit == "m") return units.displacement;
+  return field.unit;
+}
+
+fs::path choose_picture(const PlotOptions& options, const std::string& stem, bool large) {
+  if (!options.out.empty()) return options.out;
+  return options.folder / (stem + "." + (!options.format.empty() ? options.format : large ? "png" : "svg"));
+}
+
+void draw_field(const PlotOptions& options, const json& summary, const ShownUnits& units) {
+  const output::ResultsReader reader(options.folder);
+  std::string name = options.field, component;
+  const auto& names = reader.field_names();
+  if (name.empty())
+    name =
+        std::ranges::find(names, "deviatoric_strain") != names.end() || names.empty() ? "deviatoric_strain" : names[0];
+  if (std::ranges::find(names, name) == names.end()) {
+    const std::size_t dot = name.rfind('.');
+    if (dot != std::string::npos) component = name.substr(dot + 1), name.resize(dot);
+    if (std::ranges::find(names, name) == names.end())
+      fail(
+          fmt::format("there is no field '{}' in '{}'; the fields are {}", name, options.folder.string(), join(names)));
+  }
+  const int index = choose_frame(reader, options);
+  const output::Frame frame = reader.read(index);
+  const output::Field* field = output::find(frame.point_fields, name);
+  if (field == nullptr) fail(fmt::format("frame {} has no field '{}'", index, name));
+
+  output::FieldPlot plot;
+  const std::string shown =
+      component.empty() && field->components > 1 ? list_components(field->components)[0] : component;
+  plot.title = output::to_words(name) + (shown.empty() ? "" : ", " + shown);
+  plot.subtitle = fmt::format("t = {:.4g} s, {}", frame.time, frame.stage);
+  plot.positions = frame.positions;
+  plot.values = reduce(*field, component);
+  plot.unit = choose_unit(*field, units);
+  plot.length_unit = units.length;
+  plot.units_per_metre = 1 / units::get_si_factor(units.length);
+  if (plot.unit != field->unit)
+    for (double& v : plot.values) v /= units::get_si_factor(plot.unit);
+  if (shown == "magnitude") plot.signed_values = false;
+  plot.outlines = summary.value("outlines", std::vector<std::vector<std::array<double, 2>>>{});
+  const std::string stem = fmt::format("{}{}{}_{:04d}", name, component.empty() ? "" : "_", component, index);
+  const fs::path picture = choose_picture(options, stem, plot.values.size() > most_points_in_svg);
+  output::draw(plot, picture);
+  fmt::print("{}\n", picture.string());
+}
+
+void plot_folder(const PlotOptions& options) {
+  if (!fs::is_directory(options.folder)) fail(fmt::format("there is no folder '{}'", options.folder.string()));
+  const json summary = read_summary(options.folder);
+  try {
+    const ShownUnits units = read_units(summary);
+    const bool has_curve = summary.contains("curve") && summary.at("curve").is_object();
+    const bool wants_field = !options.field.empty();
+    if (has_curve && !wants_field) {
+      output::CurvePlot plot = read_curve(summary, units);
+      plot.log_displacement = options.logarithmic;
+      const fs::path picture = choose_picture(options, "curve", false);
+      output::draw(plot, picture);
+      fmt::print("{}\n", picture.string());
+      if (!options.out.empty()) return;
+    }
+    const bool has_frames = fs::exists(options.folder / "results.vtkhdf") || fs::exists(options.folder / "frames");
+    if (wants_field || has_frames)
+      draw_field(options, summary, units);
+    else if (!has_curve)
+      fail(fmt::format("there is nothing to draw in '{}': neither frames nor a summary.json with a curve",
+                       options.folder.string()));
+  } catch (const json::exception& error) {
+    fail(fmt::format("cannot read '{}': {}", (options.folder / "summary.json").string(), error.what()));
+  }
+}
+
+}  // namespace
+
+void add_plot(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("plot", "Draw the curve and the fields of a run's results");
+  const auto options = std::make_shared<PlotOptions>();
+  command->add_option("DIR", options->folder, "folder of the results")->required();
+  command->add_option("--field", options->field,
+                      "field to draw, as it is stored; a component as NAME.xx, NAME.x, NAME.magnitude or NAME.mean");
+  CLI::Option* frame =
+      command->add_option("--frame", options->frame, "number of the frame, counted from 0, or 'last' (default)");
+  command->add_option("--time", options->time, "draw the frame nearest to this time [s]")->excludes(frame);
+  command->add_option("--format", options->format, "svg (default) or png (default for more than 20 000 points)")
+      ->check(CLI::IsMember({"svg", "png"}));
+  command->add_option("--out", options->out, "file of the one picture; its ending, .svg or .png, decides the format");
+  command->add_flag("--log", options->logarithmic, "logarithmic displacement axis of the curve");
+  command->callback([options] { plot_folder(*options); });
+}
+
+}  // namespace talus::app

@@ -1,0 +1,14 @@
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "model/read.hpp"
+
+namespace talus::app {
+
+void add_schema(CLI::App& app) {
+  app.add_subcommand("schema", "Print the JSON Schema of case files, for editors")->callback([] {
+    fmt::print("{}\n", model::write_schema().dump(2));
+  });
+}
+
+}  // namespace talus::app

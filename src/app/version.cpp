@@ -1,0 +1,15 @@
+#include "base/version.hpp"
+
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+
+namespace talus::app {
+
+void add_version(CLI::App& app) {
+  app.add_subcommand("version", "Print the version, the source it was built from, and how")->callback([] {
+    fmt::print("talus {} (source {}, {}, {}, {})\n", version, commit, compiler, build_type, architecture);
+  });
+}
+
+}  // namespace talus::app

@@ -1,0 +1,31 @@
+#include "base/interrupt.hpp"
+
+#include <csignal>
+
+#include <atomic>
+
+namespace talus {
+namespace {
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+void handle(int signal) {
+  if (interrupted.exchange(true)) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
+
+}  // namespace
+
+void catch_interrupts() {
+  std::signal(SIGINT, handle);
+  std::signal(SIGTERM, handle);
+}
+
+bool is_interrupted() { return interrupted.load(std::memory_order_relaxed); }
+
+void request_interrupt(bool wanted) { interrupted.store(wanted); }
+
+}  // namespace talus

@@ -1,0 +1,15 @@
+#pragma once
+// SIGINT and SIGTERM ask for an orderly end: the calculation looks here between steps, saves itself and stops.
+
+namespace talus {
+
+/// From now on both signals set the flag instead of ending the program; a second SIGINT ends it at once.
+void catch_interrupts();
+
+/// Whether one of them has arrived.
+bool is_interrupted();
+
+/// For tests: as if the signal had come.
+void request_interrupt(bool wanted = true);
+
+}  // namespace talus

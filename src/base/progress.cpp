@@ -1,0 +1,46 @@
+#include "base/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace talus {
+namespace {
+
+constexpr std::chrono::milliseconds interval{200};
+
+}  // namespace
+
+Progress::Progress(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO) != 0), next_(std::chrono::steady_clock::now()) {}
+
+Progress::~Progress() { clear(); }
+
+bool Progress::is_due() const { return enabled_ && std::chrono::steady_clock::now() >= next_; }
+
+void Progress::show(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  if (!enabled_) return;
+  fmt::print(stderr, "\r\033[K{}", line);
+  std::fflush(stderr);
+  shown_ = true;
+  next_ = std::chrono::steady_clock::now() + interval;
+}
+
+void Progress::clear() {
+  const std::lock_guard lock(mutex_);
+  if (!shown_) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+  shown_ = false;
+}
+
+std::string format_duration(double seconds) {
+  if (!(seconds >= 0)) return "?";
+  if (seconds < 60) return fmt::format("{:.0f} s", seconds);
+  const auto whole = static_cast<long long>(seconds + 0.5);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+}  // namespace talus

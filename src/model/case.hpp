@@ -1,0 +1,188 @@
+#pragma once
+// The case as plain data, in SI units and radians. What each key means to a user stands in declare_*.hpp.
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/plan.hpp"
+
+namespace talus::model {
+
+/// A factor that changes with time: linear between rows, constant before the first and after the last.
+struct TimeTable {
+  std::vector<double> time;   ///< [s], increasing
+  std::vector<double> value;  ///< same length as `time`
+  /// Value at time `t` [s]; 1 when the table is empty.
+  double at(double t) const;
+};
+
+enum class MaterialModel { linear_elastic, mohr_coulomb };
+
+struct Material {
+  MaterialModel model = MaterialModel::linear_elastic;
+  double grain_density = 0;     ///< ρ_s [kg/m³]
+  double porosity = 0;          ///< n [-]
+  double young_modulus = 0;     ///< E [Pa]
+  double poisson_ratio = 0;     ///< ν [-]
+  double cohesion = 0;          ///< c [Pa], Mohr–Coulomb
+  double friction_angle = 0;    ///< φ [rad], Mohr–Coulomb
+  double dilatancy_angle = 0;   ///< ψ [rad], Mohr–Coulomb
+  double tensile_strength = 0;  ///< σ_t [Pa], Mohr–Coulomb; at most the apex c/tanφ
+
+  /// Bulk density of the dry soil (1-n)ρ_s [kg/m³].
+  double density() const { return (1 - porosity) * grain_density; }
+  /// E_c of (2.84) [Pa].
+  double constrained_modulus() const;
+};
+
+enum class Fix { full, normal, plane, friction, velocity };
+
+struct Boundary {
+  std::string on;  ///< a named side or line
+  Fix fix = Fix::full;
+  std::array<double, 3> normal{};    ///< plane: motion along it is suppressed (unit after reading)
+  double friction = 0;               ///< friction: Coulomb's μ [-] of a wall that may be left but not crossed
+  std::array<double, 3> velocity{};  ///< velocity: prescribed [m/s], times `factor`
+  TimeTable factor;
+};
+
+enum class Carrier { sides, points };
+
+struct Traction {
+  std::string on;                     ///< a named side or line
+  Carrier carrier = Carrier::points;  ///< mesh sides (fixed in space) or the material points beside them (2.31-2.32)
+  std::array<double, 3> traction{};   ///< [Pa], times `factor`
+  TimeTable factor;
+};
+
+struct Gravity {
+  double acceleration = 9.81;                 ///< [m/s²]
+  std::array<double, 3> direction{0, -1, 0};  ///< unit after reading
+};
+
+enum class InitialStress { none, k0 };
+
+struct Initial {
+  InitialStress stress = InitialStress::none;
+  std::optional<double> k0;                               ///< K0 [-]; by default ν/(1-ν) of each material
+  std::map<std::string, std::array<double, 3>> velocity;  ///< by region [m/s]
+};
+
+enum class Until { time, rest };
+enum class Integration { points, mixed };
+enum class Smoothing { none, strain, stable };
+enum class Geometry { moving, frozen };
+
+/// How a stretch of time is calculated. Shared by stages and by the trials of the strength reduction.
+struct StepSettings {
+  double damping = 0;       ///< α of (2.89) [-]
+  double mass_scaling = 1;  ///< β of (2.91) [-]
+  Integration integration = Integration::mixed;
+  Smoothing smoothing = Smoothing::none;
+  Geometry geometry = Geometry::moving;
+  bool objective_rate = true;  ///< rotate the stress with the soil (Hughes and Winget)
+  double courant = 0.9;        ///< fraction of (2.84) [-]
+};
+
+struct RestCriterion {
+  double force_ratio = 1e-3;   ///< ‖F_ext+G-F_int‖/‖F_ext+G‖ [-]
+  double speed_ratio = 1e-4;   ///< largest nodal speed over √(gH) [-], H: height of the soil
+  double energy_ratio = 1e-2;  ///< kinetic energy over external work [-]
+  double hold = 0.5;           ///< how long all must hold [s]
+};
+
+struct Stage {
+  std::string name;
+  double duration = 0;  ///< [s]; with until = rest the longest time allowed
+  Until until = Until::time;
+  StepSettings step;
+  double gravity_ramp = 0;         ///< gravity grows linearly from its last value over this time [s]
+  std::optional<double> cohesion;  ///< overrides the cohesion of every Mohr–Coulomb material in this stage [Pa]
+  std::optional<double> strength_factor;  ///< divides c and tanφ, (3.14-3.15), in this stage [-]
+  bool reset_displacement = false;        ///< count displacements from the start of this stage
+};
+
+enum class AnalysisKind { run, strength_reduction };
+
+/// The displacement–SRF curve on moving geometry and the constructions on it (chapter 3 of the source).
+struct Curve {
+  bool enabled = true;
+  double from = 1.0, to = 1.75, step = 0.05;  ///< strength reduction factors [-]
+  bool refine = true;                         ///< halve the intervals where the curve bends
+  double refine_step = 0.01;                  ///< smallest interval [-]
+  double window = 5;                          ///< observation time of a trial [s]
+  StepSettings step_settings{.damping = 0.05, .courant = 0.98};
+  std::vector<double> initial_branch;  ///< [lo, hi] SRF of the first line; empty: chosen from the data
+  std::vector<double> final_branch;    ///< [lo, hi] SRF of the second line; empty: chosen from the data
+  double displacement_ratio = 0.03;    ///< u/H that counts as failure in the second criterion [-]
+  std::vector<double> runout;          ///< factors whose trials go on until rest [-]
+  double runout_time = 60;             ///< longest time of such a trial [s]
+};
+
+/// Talus's factor of safety: rest or run-away at frozen geometry (strength-reduction theory page).
+struct FrozenFactor {
+  bool enabled = true;
+  double from = 1.0, to = 2.0;       ///< bracket to start from [-]; widened when it does not hold the factor
+  double resolution = 0.01;          ///< width of the final bracket [-]
+  int meshes = 2;                    ///< 1: the case's mesh; 2: and one of half its size, extrapolated linearly
+  double window = 60;                ///< a trial without decision by then is reported as undecided [s]
+  double failed_displacement = 0.1;  ///< u/H that decides "failed" [-]
+  StepSettings step_settings{.damping = 0.2, .smoothing = Smoothing::stable, .geometry = Geometry::frozen};
+  RestCriterion rest;
+};
+
+struct StrengthReduction {
+  Curve curve;
+  FrozenFactor frozen;
+};
+
+struct Monitor {
+  std::string name;
+  std::array<double, 3> at{};  ///< the nearest material point at the start is followed [m]
+};
+
+struct Output {
+  double frame_interval = 0;        ///< simulated time between stored frames [s]; 0: only at the end of stages
+  double history_interval = 0;      ///< simulated time between history rows [s]; 0: 200 rows a stage
+  double checkpoint_interval = 60;  ///< wall time between checkpoints [s]
+  bool cells = false;               ///< store element fields as well
+  bool nodes = false;               ///< store nodal fields as well
+  std::vector<Monitor> monitors;
+  std::string length_unit = "m", displacement_unit = "mm", stress_unit = "kPa";
+};
+
+struct Vary {
+  std::string key;                  ///< dotted path of the key, as for --set
+  std::vector<std::string> values;  ///< TOML texts of the values
+};
+
+enum class StudyMode { one_at_a_time, grid };
+
+struct Study {
+  StudyMode mode = StudyMode::one_at_a_time;
+  std::vector<Vary> vary;
+  std::vector<double> factors;  ///< strength reduction factors whose displacement the table lists [-]
+};
+
+struct Case {
+  std::string title;
+  mesh::Plan mesh;
+  int points_per_element = 3;
+  std::map<std::string, Material> materials;
+  std::map<std::string, std::string> regions;  ///< region → material
+  std::vector<Boundary> boundaries;
+  std::vector<Traction> tractions;
+  Gravity gravity;
+  Initial initial;
+  std::vector<Stage> stages;
+  RestCriterion rest;
+  AnalysisKind analysis = AnalysisKind::run;
+  StrengthReduction strength_reduction;
+  Output output;
+  Study study;
+};
+
+}  // namespace talus::model

@@ -1,0 +1,91 @@
+#include "model/catalogue.hpp"
+
+#include <algorithm>
+#include <map>
+#include <type_traits>
+
+#include "model/codec.hpp"
+#include "model/declare_case.hpp"
+
+namespace talus::model {
+namespace {
+
+/// The visitor that collects the declarations; defaults are what a default-constructed struct holds.
+class Collector {
+ public:
+  explicit Collector(BlockEntry& block) : block_(block) {}
+
+  template <class T>
+  void key(const std::string& name, T&& member, const Spec& spec, const char* meaning) {
+    using Value = std::remove_cvref_t<T>;
+    KeyEntry entry{name, spec, Codec<Value>::name(spec), meaning, "", {}, Codec<Value>::schema(spec)};
+    const bool must_be_given = spec.is_required || (spec.condition && spec.condition->required);
+    const nlohmann::json value = Codec<Value>::encode(member, spec);
+    if (!must_be_given && !value.is_null()) entry.default_text = write_toml(value);
+    if constexpr (std::is_enum_v<Value>)
+      for (const auto& choice : choices<Value>) entry.words.emplace_back(choice.word, choice.meaning);
+    block_.keys.push_back(std::move(entry));
+  }
+
+  template <class T>
+  void table(const std::string& name, T&& block, const char* meaning) {
+    collect(add(BlockKind::table, name, "", 1, meaning), block);
+  }
+
+  template <class T>
+  void tables(const std::string& name, std::vector<T>&, int samples, const char* meaning) {
+    T block{};
+    collect(add(BlockKind::list, name, "", samples, meaning), block);
+  }
+
+  template <class T>
+  void named(const std::string& name, std::map<std::string, T>&, const char* sample, const char* meaning) {
+    T block{};
+    collect(add(BlockKind::named, name, sample, 1, meaning), block);
+  }
+
+  template <class T>
+  void entries(const std::string& name, std::map<std::string, T>&, const char* sample, int samples, const Spec& spec,
+               const char* meaning) {
+    T value{};
+    BlockEntry entry = add(BlockKind::entries, name, sample, samples, meaning);
+    Collector(entry).key("NAME", value, spec, meaning);
+    block_.blocks.push_back(std::move(entry));
+  }
+
+ private:
+  BlockEntry add(BlockKind kind, const std::string& name, const char* sample, int samples, const char* meaning) const {
+    return {kind, name, block_.name.empty() ? name : block_.name + "." + name, sample, samples, meaning, {}, {}};
+  }
+
+  template <class T>
+  void collect(BlockEntry entry, T& block) {
+    Collector inner(entry);
+    describe(inner, block);
+    block_.blocks.push_back(std::move(entry));
+  }
+
+  BlockEntry& block_;
+};
+
+}  // namespace
+
+const std::string& KeyEntry::get_example(std::size_t i) const {
+  return spec.examples.empty() ? default_text : spec.examples[std::min(i, spec.examples.size() - 1)];
+}
+
+std::string BlockEntry::write_header(const std::string& chosen_name) const {
+  if (kind == BlockKind::list) return "[[" + name + "]]";
+  if (kind == BlockKind::named) return "[" + name + "." + chosen_name + "]";
+  return "[" + name + "]";
+}
+
+BlockEntry collect_catalogue() {
+  BlockEntry root;
+  Case data;
+  Collector visitor(root);
+  describe(visitor, data);
+  return root;
+}
+
+}  // namespace talus::model

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "model/checks.hpp"
+
+namespace talus::model {
+namespace {
+
+/// Names in a list of tables must differ: results are filed under them.
+template <class T>
+void check_names(const std::vector<T>& list, const std::string& path, const char* what, Findings& findings) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string at = fmt::format("{}.{}.name", path, i);
+    if (findings.is_sound(at) && !names.insert(list[i].name).second)
+      findings.add(at, fmt::format("there are two {} named '{}'", what, list[i].name));
+  }
+}
+
+bool has_strength(const Case& data) {
+  return std::any_of(data.materials.begin(), data.materials.end(),
+                     [](const auto& entry) { return entry.second.model == MaterialModel::mohr_coulomb; });
+}
+
+void check_stages(const Case& data, Findings& findings) {
+  if (data.stages.empty() && findings.is_sound("stage"))
+    findings.add("stage", "there is no stage: add a [[stage]] with a name and a duration");
+  check_names(data.stages, "stage", "stages", findings);
+  for (std::size_t i = 0; i < data.stages.size(); ++i) {
+    const Stage& stage = data.stages[i];
+    const std::string path = fmt::format("stage.{}", i);
+    if (findings.is_sound(path + ".gravity_ramp") && findings.is_sound(path + ".duration") &&
+        stage.gravity_ramp > stage.duration)
+      findings.add(path + ".gravity_ramp",
+                   fmt::format("'gravity_ramp' is {:.6g} s; it must not be longer than the stage, {:.6g} s",
+                               stage.gravity_ramp, stage.duration));
+    if (has_strength(data) || !findings.is_sound("materials")) continue;
+    for (const auto& [key, is_given] : {std::pair{"cohesion", stage.cohesion.has_value()},
+                                        std::pair{"strength_factor", stage.strength_factor.has_value()}})
+      if (is_given)
+        findings.add(path + "." + key, fmt::format("'{}' needs a material with model = \"mohr_coulomb\"", key));
+  }
+}
+
+template <class Trials>
+void check_interval(const Trials& trials, const std::string& path, Findings& findings) {
+  if (findings.is_sound(path + ".from") && findings.is_sound(path + ".to") && trials.from >= trials.to)
+    findings.add(findings.places.is_given(path + ".from") ? path + ".from" : path + ".to",
+                 fmt::format("'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", trials.from, trials.to));
+}
+
+void check_branch(const std::vector<double>& branch, const std::string& path, Findings& findings) {
+  if (branch.empty() || !findings.is_sound(path)) return;
+  if (branch.size() != 2 || branch[0] >= branch[1])
+    findings.add(path,
+                 fmt::format("'{}' must be [from, to], two increasing factors", path.substr(path.rfind('.') + 1)));
+}
+
+void check_strength_reduction(const Case& data, Findings& findings) {
+  const StrengthReduction& reduction = data.strength_reduction;
+  const std::string curve = "strength_reduction.curve", frozen = "strength_reduction.frozen";
+  check_interval(reduction.curve, curve, findings);
+  check_interval(reduction.frozen, frozen, findings);
+  check_branch(reduction.curve.initial_branch, curve + ".initial_branch", findings);
+  check_branch(reduction.curve.final_branch, curve + ".final_branch", findings);
+  if (findings.is_sound(curve + ".refine_step") && findings.is_sound(curve + ".step") &&
+      reduction.curve.refine_step > reduction.curve.step)
+    findings.add(findings.places.is_given(curve + ".refine_step") ? curve + ".refine_step" : curve + ".step",
+                 fmt::format("'refine_step' is {:.6g} and 'step' is {:.6g}; 'refine_step' must not be larger",
+                             reduction.curve.refine_step, reduction.curve.step));
+  if (data.analysis != AnalysisKind::strength_reduction || !findings.is_sound("analysis.kind")) return;
+  if (!has_strength(data) && findings.is_sound("materials"))
+    findings.add("analysis.kind", "strength reduction needs a material with model = \"mohr_coulomb\"");
+  if (!reduction.curve.enabled && !reduction.frozen.enabled && findings.is_sound(frozen + ".enabled"))
+    findings.add(frozen + ".enabled", "both the curve and the frozen factor are switched off; one must be enabled");
+}
+
+}  // namespace
+
+void check_analysis(const Case& data, Findings& findings) {
+  check_stages(data, findings);
+  check_strength_reduction(data, findings);
+  check_names(data.output.monitors, "output.monitor", "monitors", findings);
+  std::set<std::string> keys;
+  for (std::size_t i = 0; i < data.study.vary.size(); ++i)
+    if (const std::string path = fmt::format("study.vary.{}.key", i);
+        findings.is_sound(path) && !keys.insert(data.study.vary[i].key).second)
+      findings.add(path, fmt::format("the key '{}' is varied twice", data.study.vary[i].key));
+}
+
+}  // namespace talus::model

@@ -1,0 +1,38 @@
+#pragma once
+// The whole case file: the blocks in the order of the manual.
+
+#include "model/declare_analysis.hpp"
+#include "model/declare_boundary.hpp"
+#include "model/declare_geometry.hpp"
+#include "model/declare_material.hpp"
+#include "model/declare_mesh.hpp"
+#include "model/declare_output.hpp"
+#include "model/declare_stage.hpp"
+#include "model/declare_start.hpp"
+
+namespace talus::model {
+
+/// What a visitor offers: `key` for one value, `table` for a block, `tables` for a list of blocks (and how many of them
+/// the template shows), `named` for blocks with names of the user's choice, `entries` for single values with such
+/// names (both with a sample name). Within a block, keys come before blocks, and a key that a condition names comes
+/// before the key with the condition.
+template <class Visitor>
+void describe(Visitor& v, Case& c) {
+  v.key("title", c.title, plain().example(R"("Dry homogeneous slope")"), "Title of the case in reports and plots.");
+  v.table("geometry", GeometryBlock{c.mesh}, "The section: regions of soil in a background box.");
+  v.table("mesh", MeshBlock{c}, "The background mesh and the material points in it.");
+  v.named("materials", c.materials, "sand", "A material, under a name of your choice.");
+  v.entries("regions", c.regions, "soil", 1, plain().required().example(R"("sand")"), "Material of a region.");
+  v.tables("boundary", c.boundaries, 3, "What holds or moves a side or a line. Sides without one are free.");
+  v.tables("traction", c.tractions, 0, "A load on a side or a line.");
+  v.table("gravity", c.gravity, "Gravity.");
+  v.table("initial", c.initial, "The state at the start.");
+  v.tables("stage", c.stages, 1, "A stretch of time. Stages follow one another; at least one is needed.");
+  v.table("rest", c.rest, "When the soil counts as being at rest, for stages with until = \"rest\".");
+  v.table("analysis", AnalysisBlock{c.analysis}, "What is calculated.");
+  v.table("strength_reduction", c.strength_reduction, "How the factor of safety is found.");
+  v.table("output", c.output, "What is stored, and the units of tables and plots.");
+  v.table("study", c.study, "What `talus study` varies.");
+}
+
+}  // namespace talus::model

@@ -1,0 +1,69 @@
+#pragma once
+// [[stage]] and [rest]: stretches of time, how they are calculated, and when the soil is at rest.
+
+#include "model/case.hpp"
+#include "model/codec.hpp"
+
+namespace talus::model {
+
+template <>
+inline constexpr auto choices<Until> = std::array{
+    Choice{Until::time, "time", "the whole duration"},
+    Choice{Until::rest, "rest", "until the soil is at rest as [rest] says, at most the duration"},
+};
+template <>
+inline constexpr auto choices<Integration> = std::array{
+    Choice{Integration::mixed, "mixed", "one stress for an element that is full, the points' own stresses elsewhere"},
+    Choice{Integration::points, "points", "the points' own stresses everywhere"},
+};
+template <>
+inline constexpr auto choices<Smoothing> = std::array{
+    Choice{Smoothing::none, "none", "no smoothing"},
+    Choice{Smoothing::strain, "strain", "volumetric strain increments averaged over the nodes"},
+    Choice{Smoothing::stable, "stable", "the same, in the form that stays stable at rest"},
+};
+template <>
+inline constexpr auto choices<Geometry> = std::array{
+    Choice{Geometry::moving, "moving", "the points move through the mesh"},
+    Choice{Geometry::frozen, "frozen", "small strains: the points keep their places"},
+};
+
+template <class Visitor>
+void describe(Visitor& v, StepSettings& s) {
+  v.key("damping", s.damping, plain().at_least(0).below(1),
+        "Local damping: this share of the out-of-balance force acts against the motion.");
+  v.key("mass_scaling", s.mass_scaling, plain().at_least(1),
+        "The inertia is multiplied by it, for larger time steps in quasi-static stages.");
+  v.key("integration", s.integration, plain(), "Where the internal forces are integrated.");
+  v.key("smoothing", s.smoothing, plain(), "Against volumetric locking.");
+  v.key("geometry", s.geometry, plain(), "Whether the soil changes its place.");
+  v.key("objective_rate", s.objective_rate, plain(), "Rotate the stress with the soil.");
+  v.key("courant", s.courant, plain().above(0).at_most(1), "Time step over the largest stable one.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Stage& s) {
+  v.key("name", s.name, plain().required().example(R"("gravity")"), "Name of the stage in the results.");
+  v.key("duration", s.duration, quantity("s").above(0).required().example("10"),
+        "Simulated time; with until = \"rest\" the longest time allowed.");
+  v.key("until", s.until, plain(), "What ends the stage.");
+  describe(v, s.step);
+  v.key("gravity_ramp", s.gravity_ramp, quantity("s").at_least(0),
+        "Gravity grows linearly from its value before the stage over this time; 0: at once.");
+  v.key("cohesion", s.cohesion, quantity("kPa").at_least(0).example("100"),
+        "Replaces the cohesion of every Mohr–Coulomb material in this stage; if not given, the materials keep theirs.");
+  v.key("strength_factor", s.strength_factor, plain().above(0).example("1.2"),
+        "Divides c and tan φ of every Mohr–Coulomb material in this stage; if not given, the strength is whole.");
+  v.key("reset_displacement", s.reset_displacement, plain(), "Count displacements from the start of this stage.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, RestCriterion& r) {
+  v.key("force_ratio", r.force_ratio, plain().above(0), "Largest out-of-balance force over the external force.");
+  v.key("speed_ratio", r.speed_ratio, plain().above(0),
+        "Largest nodal speed over √(gH), H being the height of the soil.");
+  v.key("energy_ratio", r.energy_ratio, plain().above(0), "Largest kinetic energy over the external work.");
+  v.key("hold", r.hold, quantity("s").at_least(0), "How long all three must hold.");
+}
+
+}  // namespace talus::model

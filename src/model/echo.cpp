@@ -1,0 +1,88 @@
+#include "model/echo.hpp"
+
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "model/codec.hpp"
+#include "model/declare_case.hpp"
+
+namespace talus::model {
+namespace {
+
+using nlohmann::json;
+
+/// The visitor that writes the structs as JSON.
+class Echo {
+ public:
+  explicit Echo(const Places& places) : places_(places) {}
+
+  template <class T>
+  void key(const std::string& name, T&& member, const Spec& spec, const char* /*meaning*/) {
+    if (spec.condition && !spec.condition->holds) return;
+    json entry = {{"value", Codec<std::remove_cvref_t<T>>::encode(member, spec)},
+                  {"given", places_.is_given(write_path(name))}};
+    if (!spec.unit.empty()) entry["unit"] = spec.unit;
+    object_[name] = std::move(entry);
+  }
+
+  template <class T>
+  void table(const std::string& name, T&& block, const char* /*meaning*/) {
+    object_[name] = write_block(write_path(name), block);
+  }
+
+  template <class T>
+  void tables(const std::string& name, std::vector<T>& blocks, int /*samples*/, const char* /*meaning*/) {
+    json list = json::array();
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      list.push_back(write_block(write_path(name) + "." + std::to_string(i), blocks[i]));
+    object_[name] = std::move(list);
+  }
+
+  template <class T>
+  void named(const std::string& name, std::map<std::string, T>& blocks, const char* /*sample*/,
+             const char* /*meaning*/) {
+    json list = json::object();
+    for (auto& [label, block] : blocks) list[label] = write_block(write_path(name) + "." + label, block);
+    object_[name] = std::move(list);
+  }
+
+  template <class T>
+  void entries(const std::string& name, std::map<std::string, T>& values, const char* /*sample*/, int /*samples*/,
+               const Spec& spec, const char* meaning) {
+    Echo inner(places_, write_path(name));
+    for (auto& [label, value] : values) inner.key(label, value, spec, meaning);
+    object_[name] = std::move(inner.object_);
+  }
+
+  json take() { return std::move(object_); }
+
+ private:
+  Echo(const Places& places, std::string path) : places_(places), path_(std::move(path)) {}
+
+  template <class T>
+  json write_block(const std::string& path, T& block) {
+    Echo inner(places_, path);
+    describe(inner, block);
+    return std::move(inner.object_);
+  }
+
+  std::string write_path(const std::string& name) const { return path_.empty() ? name : path_ + "." + name; }
+
+  const Places& places_;
+  std::string path_;
+  json object_ = json::object();
+};
+
+}  // namespace
+
+json echo(const Case& data, const Places& places) {
+  Case copy = data;  // one declaration serves readers and writers, so it takes what it may change
+  Echo visitor(places);
+  describe(visitor, copy);
+  return visitor.take();
+}
+
+}  // namespace talus::model

@@ -1,0 +1,105 @@
+#pragma once
+// What a declaration says about a key besides its name, place and meaning.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace talus::model {
+
+/// One word of a choice and what it means.
+template <class E>
+struct Choice {
+  E value;
+  const char* word;
+  const char* meaning;
+};
+
+template <class E>
+Choice(E, const char*, const char*) -> Choice<E>;  // clang 14 does not deduce it for an aggregate
+
+/// The words of the enumeration E, in the order of the manual; specialised beside the block that uses E.
+template <class E>
+inline constexpr auto choices = nullptr;
+
+/// A limit of a range, in the unit of the manual.
+struct Limit {
+  double value = 0;
+  bool open = false;  ///< the limit itself is not allowed
+};
+
+/// A key that has a meaning only with (or without) another key of the same table.
+struct Condition {
+  std::string key;        ///< the other key; with a dot: a path from the top of the file
+  std::string value;      ///< the TOML text it must have; empty: the other key must not be given
+  bool holds = true;      ///< in the case that is being visited
+  bool required = false;  ///< the key must be given where the condition holds
+};
+
+/// Writes `fix = "plane"`, or `file is not given`.
+std::string write_condition(const Condition& condition);
+
+/// Unit, range, presence and examples of a key. Built as a sentence: quantity("kPa").at_least(0).required().
+struct Spec {
+  std::string unit;  ///< unit of plain numbers in the file, as UDUNITS writes it; empty: dimensionless, or no number
+  std::optional<Limit> low, high;
+  bool is_required = false;
+  std::optional<Condition> condition;
+  std::vector<std::string> examples;  ///< TOML texts; one for each sample of a list, the last one for the rest
+
+  Spec at_least(double value) && { return low = Limit{value, false}, std::move(*this); }
+  Spec above(double value) && { return low = Limit{value, true}, std::move(*this); }
+  Spec at_most(double value) && { return high = Limit{value, false}, std::move(*this); }
+  Spec below(double value) && { return high = Limit{value, true}, std::move(*this); }
+  Spec required() && { return is_required = true, std::move(*this); }
+  Spec example(std::string text) && { return examples = {std::move(text)}, std::move(*this); }
+  /// One example for each sample of a list (see tables() of the visitors).
+  Spec example_each(std::vector<std::string> texts) && { return examples = std::move(texts), std::move(*this); }
+  /// The key is required where `other` has `value`, and has no meaning elsewhere.
+  template <class T>
+  Spec needed_with(const char* key, const T& other, const T& value) && {
+    return condition = Condition{key, write_value(value), other == value, true}, std::move(*this);
+  }
+  /// The key may be given where `other` has `value`, and has no meaning elsewhere.
+  template <class T>
+  Spec allowed_with(const char* key, const T& other, const T& value) && {
+    return condition = Condition{key, write_value(value), other == value, false}, std::move(*this);
+  }
+  /// The key is required where `key` is not given, and has no meaning elsewhere.
+  Spec needed_without(const char* key, bool other_is_given) && {
+    return condition = Condition{key, "", !other_is_given, true}, std::move(*this);
+  }
+  /// The key may be given where `key` is not given, and has no meaning elsewhere.
+  Spec allowed_without(const char* key, bool other_is_given) && {
+    return condition = Condition{key, "", !other_is_given, false}, std::move(*this);
+  }
+
+  /// "at least 0", "above -1 and below 0.5"; empty without limits.
+  std::string write_range() const;
+  /// Whether `value`, in the unit of the manual, is within the limits.
+  bool allows(double value) const;
+
+ private:
+  static std::string write_value(int value) { return std::to_string(value); }
+  template <class E>
+  static std::string write_value(E value) {
+    for (const auto& choice : choices<E>)
+      if (choice.value == value) return '"' + std::string(choice.word) + '"';
+    return "";
+  }
+};
+
+/// A number in `unit`, or a text with a unit.
+inline Spec quantity(const char* unit) {
+  Spec spec;
+  spec.unit = unit;
+  return spec;
+}
+
+/// A dimensionless number, a text, a word or a truth value: whatever has no unit.
+inline Spec plain() {
+  return {};
+}
+
+}  // namespace talus::model

@@ -1,0 +1,68 @@
+#include "slope.hpp"
+
+namespace talus::model {
+namespace {
+
+Case read_with(const std::vector<Override>& overrides) {
+  return read_case_text(slope, "slope.toml", overrides).data;
+}
+
+TEST(Override, ReplacesAValueOfTheFile) {
+  EXPECT_DOUBLE_EQ(read_with({{"materials.sand.cohesion", "5"}}).materials.at("sand").cohesion, 5000);
+  EXPECT_DOUBLE_EQ(read_with({{"materials.sand.cohesion", "\"5 Pa\""}}).materials.at("sand").cohesion, 5);
+  EXPECT_DOUBLE_EQ(read_with({{"mesh.size", "0.5"}, {"mesh.size", "0.25"}}).mesh.size, 0.25) << "the last one counts";
+}
+
+TEST(Override, TakesBareWordsAsTexts) {
+  EXPECT_EQ(read_with({{"analysis.kind", "strength_reduction"}}).analysis, AnalysisKind::strength_reduction);
+  EXPECT_DOUBLE_EQ(read_with({{"mesh.size", "50 cm"}}).mesh.size, 0.5);
+  EXPECT_EQ(read_with({{"title", "two words"}}).title, "two words");
+}
+
+TEST(Override, FindsEntriesOfListsByNameSideOrNumber) {
+  EXPECT_DOUBLE_EQ(read_with({{"stage.failure.duration", "7"}}).stages.at(1).duration, 7);
+  EXPECT_DOUBLE_EQ(read_with({{"stage.1.duration", "8"}}).stages.at(1).duration, 8);
+  EXPECT_EQ(read_with({{"boundary.left.fix", "full"}}).boundaries.at(1).fix, Fix::full);
+}
+
+TEST(Override, MakesTablesThatTheFileLacks) {
+  EXPECT_DOUBLE_EQ(read_with({{"strength_reduction.curve.to", "3"}}).strength_reduction.curve.to, 3);
+}
+
+TEST(Override, IsNamedInItsErrors) {
+  const std::vector<std::pair<Override, std::string>> faults{
+      {{"materials.sand.cohesion", "2 kg"}, "'2 kg' is a mass"},
+      {{"materials.sand.cohesion", "-3"}, "'cohesion' is -3 kPa; it must be at least 0 kPa"},
+      {{"materials.sand.cohesoin", "3"}, "did you mean 'cohesion'?"},
+      {{"materials.sand.tensile_strength", "30"}, "apex"},
+      {{"boundary.left.on", "lft"}, "did you mean 'left'?"},
+      {{"stage.3.duration", "3"}, "'stage' has no entry '3'"},
+      {{"stage.settling.duration", "3"}, "'stage' has no entry 'settling'"},
+      {{"mesh.size.fine", "3"}, "'mesh.size' is a value and has no key 'fine'"},
+      {{"mesh..size", "3"}, "empty part"},
+      {{"rst.hold", "3"}, "unknown key 'rst'"},
+      {{"titel", "3"}, "did you mean 'title'?"},
+  };
+  for (const auto& [change_of, part] : faults) {
+    const auto found = find_faults(slope, {change_of});
+    ASSERT_EQ(found.size(), 1u) << change_of.key;
+    const std::string line = to_string(found[0]);
+    EXPECT_NE(line.find(part), std::string::npos) << line;
+    EXPECT_EQ(line.rfind("--set " + change_of.key + ": error: ", 0), 0u) << line;
+  }
+}
+
+TEST(Override, CannotSmuggleInASecondKey) {
+  EXPECT_EQ(read_with({{"title", "\"a\"\ncohesion = 3"}}).title, "\"a\"\ncohesion = 3");
+}
+
+TEST(Override, IsWrittenAsKeyAndValue) {
+  const Override parsed = parse_override(" materials.sand.cohesion = a=b ");
+  EXPECT_EQ(parsed.key, "materials.sand.cohesion");
+  EXPECT_EQ(parsed.value, "a=b");
+  EXPECT_THROW(parse_override("cohesion"), Error);
+  EXPECT_THROW(parse_override("=3"), Error);
+}
+
+}  // namespace
+}  // namespace talus::model

@@ -1,0 +1,91 @@
+// The program itself: what it prints where, and its exit codes.
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+
+#include "slope.hpp"
+
+namespace talus::model {
+namespace {
+
+struct Outcome {
+  int code = -1;
+  std::string text;  ///< both output streams
+};
+
+Outcome run_program(const std::string& arguments, const std::string& environment = "") {
+  Outcome outcome;
+  FILE* pipe = popen((environment + " '" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);
+  return outcome;
+}
+
+std::string write_file(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(Program, ChecksItsOwnTemplate) {
+  const Outcome made = run_program("template");
+  EXPECT_EQ(made.code, 0);
+  const std::string path = write_file("talus_template.toml", made.text);
+  const Outcome checked = run_program("check " + path);
+  EXPECT_EQ(checked.code, 0) << checked.text;
+  EXPECT_EQ(checked.text.rfind(path + ": no errors\n", 0), 0u) << checked.text;
+  EXPECT_EQ(std::count(checked.text.begin(), checked.text.end(), '\n'), 3);
+}
+
+TEST(Program, ReportsEveryFaultAndExitsWithTwo) {
+  const std::string path =
+      write_file("talus_faults.toml", change(change(slope, "size = 0.75", "size = -1"), "title", "titel"));
+  const Outcome checked = run_program("check " + path);
+  EXPECT_EQ(checked.code, 2);
+  EXPECT_NE(checked.text.find(path + ":1:1: error: unknown key 'titel'"), std::string::npos) << checked.text;
+  EXPECT_NE(checked.text.find(path + ":16:8: error: 'size' is -1 m"), std::string::npos) << checked.text;
+}
+
+TEST(Program, TakesChangesBeforeAndAfterTheFile) {
+  const std::string path = write_file("talus_slope.toml", slope);
+  const Outcome good = run_program("check --set mesh.size=0.5 " + path + " --set 'mesh.algorithm=delaunay'");
+  EXPECT_EQ(good.code, 0) << good.text;
+  EXPECT_NE(good.text.find("elements of 0.5 m"), std::string::npos) << good.text;
+  const Outcome bad = run_program("check --set mesh.size=0 " + path);
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_EQ(bad.text.rfind("--set mesh.size: error: 'size' is 0 m", 0), 0u) << bad.text;
+}
+
+TEST(Program, RefusesAWrongCommandLineWithTwo) {
+  for (const char* arguments : {"", "check", "check --sett a=b x.toml", "check no_such_file.toml", "template extra"}) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.text;
+    EXPECT_NE(outcome.text.find("error: "), std::string::npos) << arguments << "\n" << outcome.text;
+  }
+  EXPECT_EQ(run_program("chek x.toml").text, "talus: error: there is no command 'chek'; did you mean 'check'?\n");
+  EXPECT_EQ(run_program("--help").code, 0);
+  EXPECT_EQ(run_program("check --help").code, 0);
+}
+
+TEST(Program, StartsWhateverTheWaitPolicyIs) {
+  // Without a policy the program starts itself again; it must do so once and keep its arguments.
+  for (const char* environment : {"env -u OMP_WAIT_POLICY", "env OMP_WAIT_POLICY=active"}) {
+    const Outcome outcome = run_program("version", environment);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.text.rfind("talus ", 0), 0u) << outcome.text;
+  }
+}
+
+TEST(Program, PrintsASchemaThatIsJson) {
+  const auto schema = nlohmann::json::parse(run_program("schema").text);
+  EXPECT_TRUE(schema["properties"].contains("materials"));
+}
+
+}  // namespace
+}  // namespace talus::model

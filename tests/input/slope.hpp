@@ -1,0 +1,119 @@
+#pragma once
+// A small case, and a way to break it in one place and say where the fault must be reported.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "model/read.hpp"
+
+namespace talus::model {
+
+inline const std::string slope = R"(title = "Dry homogeneous slope"
+
+[geometry]
+dimension = 2
+box = [[0, 0], [44, 17]]
+
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
+
+[[geometry.line]]
+name = "crest"
+points = [[0, 15], [12, 15]]
+
+[mesh]
+size = 0.75
+
+[materials.sand]
+model = "mohr_coulomb"
+grain_density = 2500
+porosity = 0.2
+young_modulus = "45 MPa"
+poisson_ratio = 0.3
+cohesion = 2
+friction_angle = "30 deg"
+dilatancy_angle = 0
+tensile_strength = 0
+
+[regions]
+soil = "sand"
+
+[[boundary]]
+on = "bottom"
+fix = "full"
+
+[[boundary]]
+on = "left"
+fix = "normal"
+
+[[stage]]
+name = "gravity"
+duration = 10
+damping = 0.7
+
+[[stage]]
+name = "failure"
+duration = "3 s"
+)";
+
+/// `text` with the one occurrence of `old_part` replaced.
+inline std::string change(std::string text, const std::string& old_part, const std::string& new_part) {
+  const auto at = text.find(old_part);
+  if (at == std::string::npos || text.find(old_part, at + 1) != std::string::npos) {
+    ADD_FAILURE() << "'" << old_part << "' must be in the text exactly once";
+    return text;
+  }
+  return text.replace(at, old_part.size(), new_part);
+}
+
+struct Marked {
+  std::string text;
+  int line = 0;
+  int column = 0;
+};
+
+/// Takes the mark @@ out of a text and says where it was.
+inline Marked take_mark(std::string text) {
+  Marked marked;
+  const auto at = text.find("@@");
+  EXPECT_NE(at, std::string::npos);
+  marked.line = 1;
+  marked.column = 1;
+  for (std::size_t i = 0; i < at; ++i) {
+    marked.column = text[i] == '\n' ? 1 : marked.column + 1;
+    marked.line += text[i] == '\n' ? 1 : 0;
+  }
+  marked.text = text.erase(at, 2);
+  return marked;
+}
+
+inline std::vector<Diagnostic> find_faults(const std::string& text, const std::vector<Override>& overrides = {}) {
+  try {
+    read_case_text(text, "slope.toml", overrides);
+  } catch (const InputError& error) {
+    EXPECT_FALSE(error.diagnostics().empty());
+    return error.diagnostics();
+  }
+  return {};
+}
+
+/// Expects exactly one fault, at the mark @@ of the text, whose sentence holds `part`.
+inline void expect_fault(const std::string& marked_text, const std::string& part) {
+  const Marked marked = take_mark(marked_text);
+  const std::vector<Diagnostic> faults = find_faults(marked.text);
+  ASSERT_EQ(faults.size(), 1u) << (faults.empty() ? "" : InputError(faults).what()) << "\nexpected: " << part;
+  EXPECT_EQ(faults[0].file, "slope.toml");
+  EXPECT_EQ(faults[0].line, marked.line) << faults[0].sentence;
+  EXPECT_EQ(faults[0].column, marked.column) << faults[0].sentence;
+  EXPECT_NE(faults[0].sentence.find(part), std::string::npos) << faults[0].sentence << "\nexpected: " << part;
+}
+
+/// The same, for the slope with `old_part` replaced by `new_part`, which holds the mark.
+inline void expect_fault(const std::string& old_part, const std::string& new_part, const std::string& part) {
+  expect_fault(change(slope, old_part, new_part), part);
+}
+
+}  // namespace talus::model

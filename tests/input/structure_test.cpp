@@ -1,0 +1,111 @@
+// Unknown and missing keys, tables of the wrong kind, files that are no case.
+
+#include "slope.hpp"
+
+namespace talus::model {
+namespace {
+
+TEST(UnknownKey, IsReportedWithTheNearestKnownOne) {
+  expect_fault(slope + "[gravity]\n@@acceleraton = 9.81\n",
+               "unknown key 'acceleraton' in [gravity]; did you mean 'acceleration'?");
+  expect_fault(slope + "@@fricton = 1\n", "unknown key 'fricton' in [[stage]]");
+  expect_fault("title =", "@@titel =", "unknown key 'titel' at the top of the file; did you mean 'title'?");
+  expect_fault(slope + "[@@strength_reducton.curve]\nfrom = 1\n", "did you mean 'strength_reduction'?");
+  expect_fault(slope + "[strength_reduction.frozen.rest]\n@@force = 1\n",
+               "in [strength_reduction.frozen.rest]; known are");
+}
+
+TEST(UnknownKey, InAMaterialComesWithTheMissingOne) {
+  const Marked marked = take_mark(change(slope, "cohesion = 2", "@@cohesoin = 2"));
+  const auto faults = find_faults(marked.text);
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0].line, 18) << "the missing key is reported at its table";
+  EXPECT_EQ(faults[0].sentence,
+            "missing key 'cohesion' in [materials.sand], for example cohesion = 10; model = \"mohr_coulomb\" needs it");
+  EXPECT_EQ(faults[1].line, marked.line);
+  EXPECT_EQ(faults[1].sentence, "unknown key 'cohesoin' in [materials.sand]; did you mean 'cohesion'?");
+}
+
+TEST(MissingKey, IsReportedAtItsTable) {
+  for (const char* key : {"grain_density = 2500", "porosity = 0.2", "young_modulus = \"45 MPa\"", "poisson_ratio = 0.3",
+                          "cohesion = 2", "friction_angle = \"30 deg\"", "dilatancy_angle = 0", "tensile_strength = 0"})
+    expect_fault(change(change(slope, key, ""), "[materials.sand]", "@@[materials.sand]"),
+                 "missing key '" + std::string(key).substr(0, std::string(key).find(' ')) + "' in [materials.sand]");
+  expect_fault(change(change(slope, "duration = \"3 s\"", ""), "[[stage]]\nname = \"failure\"",
+                      "@@[[stage]]\nname = \"failure\""),
+               "missing key 'duration' in [[stage]]");
+  expect_fault(change(change(slope, "box = [[0, 0], [44, 17]]", ""), "[geometry]", "@@[geometry]"),
+               "missing key 'box'");
+}
+
+TEST(MissingKey, OfAMissingTableIsReportedAtTheTopOfTheFile) {
+  expect_fault("@@" + change(slope, "[mesh]\nsize = 0.75", ""), "missing key 'size' in [mesh]");
+}
+
+TEST(KeyOfAnotherChoice, IsRefused) {
+  expect_fault("fix = \"full\"", "fix = \"full\"\nfriction = @@0.3", "has a meaning only with fix = \"friction\"");
+  expect_fault("dimension = 2", "dimension = 2\nthickness = @@5", "has a meaning only with dimension = 3");
+  expect_fault("[geometry]\ndimension = 2", "@@[geometry]\ndimension = 3",
+               "missing key 'thickness' in [geometry], for example thickness = 5; dimension = 3 needs it");
+  expect_fault(change(change(slope, "on = \"bottom\"\nfix = \"full\"", "on = \"bottom\"\nfix = \"plane\""),
+                      "[[boundary]]\non = \"bottom\"", "@@[[boundary]]\non = \"bottom\""),
+               "missing key 'normal' in [[boundary]]");
+  expect_fault(slope + "[initial]\nk0 = @@0.5\n", "has a meaning only with stress = \"k0\"");
+}
+
+TEST(KeyOfAnotherChoice, IsNotReportedWhereTheChoiceItselfIsWrong) {
+  expect_fault("model = \"mohr_coulomb\"", "model = @@\"mohr_columb\"", "no choice for 'model'");
+}
+
+TEST(Block, OfTheWrongKindIsOneFault) {
+  expect_fault(slope + "@@[output.monitor]\nname = \"a\"\nat = [0, 0]\n",
+               "write [[output.monitor]] instead of [output.monitor]");
+  expect_fault(slope + "@@[[gravity]]\nacceleration = 9.81\n", "write [gravity] instead of [[gravity]]");
+  expect_fault("title = \"Dry homogeneous slope\"", "title = \"x\"\nrest = @@3", "'rest' must be a table");
+  expect_fault("title = \"Dry homogeneous slope\"", "title = \"x\"\ntraction = [@@3]",
+               "'traction' is a list of tables");
+}
+
+TEST(File, ThatIsNotTomlIsOneFaultWithItsPlace) {
+  const auto faults = find_faults(change(slope, "size = 0.75", "size = = 2"));
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].line, 16);
+  EXPECT_NE(faults[0].sentence.find("not TOML"), std::string::npos);
+  EXPECT_EQ(find_faults(slope + "[mesh]\nsize = 3\n").size(), 1u) << "a table that is written twice";
+}
+
+TEST(File, ThatCannotBeOpenedIsOneSentence) {
+  try {
+    read_case("no/such/case.toml");
+    FAIL() << "a missing file was read";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "no/such/case.toml: error: the case file cannot be opened: No such file or directory");
+    EXPECT_EQ(error.code(), ExitCode::wrong_input);
+  }
+  EXPECT_THROW(read_case(testing::TempDir()), InputError);
+}
+
+TEST(File, ThatIsEmptyLacksEverything) {
+  std::string all;
+  for (const Diagnostic& fault : find_faults("")) {
+    EXPECT_FALSE(fault.sentence.empty());
+    all += fault.sentence + "\n";
+  }
+  for (const char* part : {"'box'", "'size'", "no soil", "no material", "no stage"})
+    EXPECT_NE(all.find(part), std::string::npos) << part << " is not in\n" << all;
+}
+
+TEST(Faults, OfAFileComeTogetherInItsOrder) {
+  std::string text = change(slope, "size = 0.75", "size = -1");
+  text = change(text, "porosity = 0.2", "porosity = 2");
+  text = change(text, "on = \"left\"", "on = \"lft\"");
+  text = change(text, "title =", "titel =");
+  text = change(text, "damping = 0.7", "damping = \"much\"");
+  const auto faults = find_faults(text);
+  ASSERT_EQ(faults.size(), 5u) << InputError(faults).what();
+  for (std::size_t i = 1; i < faults.size(); ++i) EXPECT_LT(faults[i - 1].line, faults[i].line);
+  EXPECT_EQ(to_string(faults[1]).rfind("slope.toml:16:8: error: 'size' is -1 m", 0), 0u) << to_string(faults[1]);
+}
+
+}  // namespace
+}  // namespace talus::model
