@@ -7,7 +7,7 @@
 PRESET    ?= release
 BUILD     := build/$(PRESET)
 SETUP     ?= tools/setup.sh
-TALUS     := $(BUILD)/talus
+TALUS     := $(BUILD)/bin/talus
 DEMO_CASE ?= examples/dry_slope/case.toml
 DEMO_OUT  ?= results/dry_slope
 DEMO_ARGS ?=

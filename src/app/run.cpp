@@ -1,7 +1,54 @@
+// `talus run CASE`: calculates a case into its folder.
+
+#include "analysis/run_case.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "analysis/summary.hpp"
+#include "app/case_options.hpp"
 #include "app/commands.hpp"
+#include "base/interrupt.hpp"
+#include "base/parallel.hpp"
 
 namespace talus::app {
+namespace {
 
-void add_run(CLI::App& /*app*/) {}
+struct RunCommand {
+  CaseOptions input;
+  std::string folder;
+  int threads = 0;
+  bool resume = false, overwrite = false, quiet = false;
+};
+
+void run(const RunCommand& command) {
+  const model::LoadedCase loaded = model::read_case(command.input.file, command.input.parse_overrides());
+  catch_interrupts();
+  Progress progress(!command.quiet);
+  analysis::RunOptions options;
+  options.folder = command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_results" : command.folder;
+  options.threads = command.threads > 0 ? command.threads : default_threads();
+  options.resume = command.resume;
+  options.overwrite = command.overwrite;
+  options.progress = &progress;
+  const nlohmann::json summary = analysis::run_case(loaded, options);
+  if (!command.quiet) fmt::print("{}Results are in {}\n", analysis::write_digest(summary), options.folder.string());
+}
+
+}  // namespace
+
+void add_run(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("run", "Calculate a case");
+  const auto options = std::make_shared<RunCommand>();
+  options->input.add_to(*command);
+  command->add_option("-o,--output", options->folder, "Folder for the results (default: the case's name with _results)");
+  command->add_option("--threads", options->threads, "Threads to use (default: all cores)")->check(CLI::PositiveNumber);
+  CLI::Option* resume = command->add_flag("--resume", options->resume, "Go on with an interrupted run in the same folder");
+  command->add_flag("--overwrite", options->overwrite, "Replace results that are in the folder")->excludes(resume);
+  command->add_flag("-q,--quiet", options->quiet, "Print errors only");
+  command->callback([options] { run(*options); });
+}
 
 }  // namespace talus::app

@@ -4,6 +4,8 @@
 
 #include <atomic>
 
+#include "base/error.hpp"
+
 namespace talus {
 namespace {
 
@@ -25,6 +27,10 @@ void catch_interrupts() {
 }
 
 bool is_interrupted() { return interrupted.load(std::memory_order_relaxed); }
+
+void throw_if_interrupted() {
+  if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted; what was calculated is saved, --resume goes on from there");
+}
 
 void request_interrupt(bool wanted) { interrupted.store(wanted); }
 

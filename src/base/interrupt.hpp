@@ -9,6 +9,9 @@ void catch_interrupts();
 /// Whether one of them has arrived.
 bool is_interrupted();
 
+/// Throws Error (interrupted) when one has arrived, for work that keeps its results as it goes on.
+void throw_if_interrupted();
+
 /// For tests: as if the signal had come.
 void request_interrupt(bool wanted = true);
 

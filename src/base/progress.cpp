@@ -12,11 +12,11 @@ constexpr std::chrono::milliseconds interval{200};
 
 }  // namespace
 
-Progress::Progress(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO) != 0), next_(std::chrono::steady_clock::now()) {}
+Progress::Progress(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() { clear(); }
 
-bool Progress::is_due() const { return enabled_ && std::chrono::steady_clock::now() >= next_; }
+bool Progress::is_due() const { return enabled_ && std::chrono::steady_clock::now().time_since_epoch() >= next_.load(); }
 
 void Progress::show(const std::string& line) {
   const std::lock_guard lock(mutex_);
@@ -24,7 +24,7 @@ void Progress::show(const std::string& line) {
   fmt::print(stderr, "\r\033[K{}", line);
   std::fflush(stderr);
   shown_ = true;
-  next_ = std::chrono::steady_clock::now() + interval;
+  next_ = std::chrono::steady_clock::now().time_since_epoch() + interval;
 }
 
 void Progress::clear() {

@@ -1,6 +1,7 @@
 #pragma once
 // One line on the terminal that is written over as work goes on; nothing when standard error is no terminal.
 
+#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <string>
@@ -23,7 +24,7 @@ class Progress {
  private:
   bool enabled_;
   bool shown_ = false;
-  std::chrono::steady_clock::time_point next_;
+  std::atomic<std::chrono::steady_clock::duration> next_{};  ///< earliest time of the next line
   std::mutex mutex_;
 };
 

@@ -36,7 +36,7 @@ struct Plan {
   std::vector<Polygon> polygons;
   std::vector<Line> lines;
   double size = 0;                  ///< general element size [m]
-  Algorithm algorithm = Algorithm::frontal;
+  Algorithm algorithm = Algorithm::delaunay;
   std::vector<Refinement> refinements;
 };
 

@@ -127,7 +127,8 @@ struct FrozenFactor {
   bool enabled = true;
   double from = 1.0, to = 2.0;       ///< bracket to start from [-]; widened when it does not hold the factor
   double resolution = 0.01;          ///< width of the final bracket [-]
-  int meshes = 2;                    ///< 1: the case's mesh; 2: and one of half its size, extrapolated linearly
+  int meshes = 2;                    ///< 1: one mesh of the case's size; 2: and one of half its size, extrapolated linearly
+  mesh::Algorithm algorithm = mesh::Algorithm::meshadapt;  ///< of both meshes
   double window = 60;                ///< a trial without decision by then is reported as undecided [s]
   double failed_displacement = 0.1;  ///< u/H that decides "failed" [-]
   StepSettings step_settings{.damping = 0.2, .smoothing = Smoothing::stable, .geometry = Geometry::frozen};

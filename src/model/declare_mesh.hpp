@@ -8,9 +8,9 @@ namespace talus::model {
 
 template <>
 inline constexpr auto choices<mesh::Algorithm> = std::array{
-    Choice{mesh::Algorithm::frontal, "frontal", "the most regular elements"},
-    Choice{mesh::Algorithm::delaunay, "delaunay", "irregular, robust with strong refinement"},
-    Choice{mesh::Algorithm::meshadapt, "meshadapt", "irregular, for complicated outlines"},
+    Choice{mesh::Algorithm::frontal, "frontal", "the most regular elements; regular patterns lock in some directions"},
+    Choice{mesh::Algorithm::delaunay, "delaunay", "irregular; the best agreement with published curves"},
+    Choice{mesh::Algorithm::meshadapt, "meshadapt", "irregular; locks least, for the factor of safety"},
 };
 
 template <class Visitor>

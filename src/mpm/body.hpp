@@ -106,6 +106,11 @@ struct Monitor {
   int fastest_node = -1;
 };
 
+/// Wall time spent in the lines of the step [s].
+struct Timing {
+  double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, smooth_return = 0, relocate = 0;
+};
+
 /// A point that has left the grid.
 template <int D>
 struct Lost {
@@ -126,6 +131,7 @@ struct Body {
   std::vector<Lost<D>> lost;
   Work work;
   Monitor monitor;
+  Timing timing;
   double time = 0;                          ///< [s]
   std::int64_t step_count = 0;
   double smallest_mass = 0;                 ///< of a point [kg]; nodes far below it are left out

@@ -1,19 +1,49 @@
 #include "mpm/step.hpp"
 
+#include <chrono>
+
 namespace talus::mpm {
+namespace {
+
+/// Adds the time since the last call, or since its making, to a part of the step.
+class Stopwatch {
+ public:
+  void add_to(double& part) {
+    const auto now = std::chrono::steady_clock::now();
+    part += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
 
 template <int D>
 void step(Body<D>& body, const StepOptions<D>& options) {
   using model::Smoothing;
+  Timing& timing = body.timing;
+  Stopwatch watch;
   solve_momentum(body, options);
+  watch.add_to(timing.solve_momentum);
   remap_momentum(body, options);
-  if (options.smoothing != Smoothing::none) smooth_volumetric_strain(body, options);
+  watch.add_to(timing.remap_momentum);
+  if (options.smoothing != Smoothing::none) {
+    smooth_volumetric_strain(body, options);
+    watch.add_to(timing.smooth_strain);
+  }
   const MoverLists movers = advance_points(body, options);
-  if (options.smoothing == Smoothing::stable) smooth_plastic_return(body, options);
+  watch.add_to(timing.advance_points);
+  if (options.smoothing == Smoothing::stable) {
+    smooth_plastic_return(body, options);
+    watch.add_to(timing.smooth_return);
+  }
   body.time += options.dt;
   ++body.step_count;
   relocate(body, options, movers);
   gather_loads(body);
+  watch.add_to(timing.relocate);
 }
 
 template void step<2>(Body<2>&, const StepOptions<2>&);

@@ -1,0 +1,31 @@
+#pragma once
+// The displacement–SRF curve on moving geometry, and the runout of chosen trials.
+
+#include <map>
+
+#include "analysis/criteria.hpp"
+#include "analysis/leg.hpp"
+#include "analysis/runout.hpp"
+
+namespace talus::analysis {
+
+/// A trial that went on until rest.
+struct RunoutTrial {
+  double factor = 0;
+  TrialResult trial;
+  Runout runout;
+  Profile initial, final;
+};
+
+struct CurveResult {
+  std::vector<TrialResult> trials;   ///< by factor, each at the end of the window
+  std::vector<RunoutTrial> runouts;
+  std::vector<CurvePoint> points() const;
+};
+
+/// Runs all trials of the curve, refines it where it bends, and goes on to rest for the factors of curve.runout.
+/// `state` is the body after the stages. Factors do not depend on `threads`.
+template <int D>
+CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context, double slope_height, int threads);
+
+}  // namespace talus::analysis

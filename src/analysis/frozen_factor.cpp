@@ -1,0 +1,124 @@
+#include "analysis/frozen_factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "analysis/prepare.hpp"
+#include "base/parallel.hpp"
+
+namespace talus::analysis {
+namespace {
+
+/// A bracket is widened at most this often in one direction.
+constexpr int most_widenings = 6;
+
+}  // namespace
+
+double extrapolate_to_zero(double coarse, double factor_coarse, double fine, double factor_fine) {
+  return factor_fine - (factor_coarse - factor_fine) * fine / (coarse - fine);
+}
+
+double FrozenResult::uncertainty() const {
+  const auto half = [](const MeshFactor& m) { return 0.5 * (m.upper - m.lower); };
+  if (!extrapolated) return half(meshes.back());
+  const MeshFactor &c = meshes.front(), &f = meshes.back();
+  const double share = f.size / (c.size - f.size);
+  return half(f) * (1 + share) + half(c) * share;
+}
+
+template <int D>
+MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data, const model::FrozenFactor& settings, double soil_height,
+                              int threads, const KnownTrials& known, const TrialReport& report, const StageHooks<D>& hooks) {
+  MeshFactor result;
+  result.points = state.points.size();
+  StagePlan<D> plan;
+  plan.name = "frozen trial";
+  plan.duration = settings.window;
+  plan.until_rest = true;
+  plan.step = settings.step_settings;
+  plan.rest = settings.rest;
+  plan.gravity = find_gravity<D>(data.gravity);
+  plan.soil_height = soil_height;
+  plan.failed_displacement = settings.failed_displacement * soil_height;
+  const int side_by_side = count_parallel_trials(state.points.size(), threads);
+  plan.threads = side_by_side > 1 ? 1 : threads;
+
+  std::mutex reporting;
+  const auto is_stable = [&](std::vector<double> factors) {
+    std::vector<TrialResult> trials(factors.size());
+    parallel_for(static_cast<int>(factors.size()), side_by_side, [&](int i) {
+      if (const auto before = known.find(factors[i]); before != known.end()) {
+        trials[i] = before->second;
+        return;
+      }
+      mpm::Body<D> body = start_trial(state, data, factors[i]);
+      StageState stage;
+      trials[i] = run_trial(body, factors[i], plan, stage, hooks);
+      const std::lock_guard lock(reporting);
+      if (report) report(trials[i]);
+    });
+    std::vector<bool> stable;
+    for (const TrialResult& t : trials) {
+      result.trials.push_back(t);
+      result.undecided = result.undecided || t.end == StageEnd::time;
+      stable.push_back(t.end == StageEnd::rest);
+    }
+    return stable;
+  };
+
+  double low = settings.from, high = settings.to;
+  bool low_holds = false, high_fails = false;  // not tried yet
+  int widenings = 0;
+  for (;;) {
+    while (high - low > settings.resolution * (1 + 1e-9)) {
+      const double third = (high - low) / 3;
+      const std::vector<double> tries{low + third, high - third};
+      const std::vector<bool> stable = is_stable(tries);
+      if (!stable[0]) {
+        high = tries[0];
+        high_fails = true;
+      } else if (!stable[1]) {
+        low = tries[0];
+        high = tries[1];
+        low_holds = high_fails = true;
+      } else {
+        low = tries[1];
+        low_holds = true;
+      }
+    }
+    // An end of the first bracket that the search has run into must be looked at, and the bracket widened beyond it.
+    if (!low_holds && widenings < most_widenings) {
+      if (is_stable({low})[0]) {
+        low_holds = true;
+      } else {
+        high = low;
+        high_fails = true;
+        low *= 0.7;
+        ++widenings;
+      }
+    } else if (!high_fails && widenings < most_widenings) {
+      if (!is_stable({high})[0]) {
+        high_fails = true;
+      } else {
+        low = high;
+        low_holds = true;
+        high *= 1.4;
+        ++widenings;
+      }
+    } else {
+      break;
+    }
+  }
+  result.lower = low;
+  result.upper = high;
+  std::sort(result.trials.begin(), result.trials.end(), [](const TrialResult& a, const TrialResult& b) { return a.factor < b.factor; });
+  return result;
+}
+
+template MeshFactor find_frozen_factor<2>(const mpm::Body<2>&, const model::Case&, const model::FrozenFactor&, double, int, const KnownTrials&, const TrialReport&,
+                                          const StageHooks<2>&);
+template MeshFactor find_frozen_factor<3>(const mpm::Body<3>&, const model::Case&, const model::FrozenFactor&, double, int, const KnownTrials&, const TrialReport&,
+                                          const StageHooks<3>&);
+
+}  // namespace talus::analysis

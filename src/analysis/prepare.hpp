@@ -1,0 +1,36 @@
+#pragma once
+// From a case and its mesh to a body in its initial state.
+
+#include <optional>
+#include <vector>
+
+#include "model/case.hpp"
+#include "mpm/build.hpp"
+
+namespace talus::analysis {
+
+/// Material numbers of a case: the names of its materials in alphabetical order.
+std::vector<std::string> list_materials(const model::Case& data);
+
+/// The law of a material, its Mohr–Coulomb strength with another cohesion [Pa] and reduced by `factor` (3.14-3.15).
+material::Law make_law(const model::Material& material, std::optional<double> cohesion = {}, double factor = 1);
+
+/// Gives every material of the body the strength of a stage or trial.
+template <int D>
+void set_strength(mpm::Body<D>& body, const model::Case& data, std::optional<double> cohesion, double factor);
+
+/// Points, initial stress and velocity, boundary conditions and tractions of the case on its mesh; time 0.
+/// `chunks` as in mpm::make_layout. Throws Error (wrong_input) when a name of the case is not in the mesh, or no
+/// element holds soil.
+template <int D>
+mpm::Body<D> prepare(const model::Case& data, mesh::Mesh<D> mesh, int chunks = 0);
+
+/// Height H of the soil: extent of the body's points against gravity [m].
+template <int D>
+double find_soil_height(const mpm::Body<D>& body, const model::Gravity& gravity);
+
+/// Gravity [m/s²] at full strength.
+template <int D>
+Vec<D> find_gravity(const model::Gravity& gravity);
+
+}  // namespace talus::analysis

@@ -1,0 +1,245 @@
+#include "analysis/run_case.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <fstream>
+#include <set>
+
+#include "analysis/checkpoint.hpp"
+#include "analysis/prepare.hpp"
+#include "analysis/strength_reduction.hpp"
+#include "base/error.hpp"
+#include "mesh/generate.hpp"
+#include "mpm/observe.hpp"
+#include "output/atomic_file.hpp"
+
+namespace talus::analysis {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Everything that a run may leave in its folder; --overwrite removes these and nothing else.
+const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf", "mesh.xdmf", "frames", "history.csv", "monitors.csv", "summary.json",
+                                 "checkpoint.h5", "stages.json", "last_good.h5", "curve.csv", "profile.csv", "trials", "frozen"};
+
+/// Unbalanced forces above this share of gravity at the end of a timed stage deserve a warning.
+constexpr double restless_force_ratio = 0.01;
+
+double process_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+void check_folder(const RunOptions& options) {
+  if (options.resume || !fs::exists(options.folder)) return;
+  if (!fs::is_directory(options.folder)) {
+    throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; results need a folder", options.folder.string()));
+  }
+  if (fs::is_empty(options.folder) || options.overwrite) return;
+  throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' holds something already; give another one with -o, replace it with --overwrite, "
+                                                   "or go on with --resume", options.folder.string()));
+}
+
+void clear_folder(const RunOptions& options) {
+  if (options.resume || !options.overwrite) return;
+  for (const char* name : own_files) fs::remove_all(options.folder / name);
+}
+
+std::optional<json> load_finished(const RunOptions& options, const std::string& input_hash) {
+  if (!options.resume) return std::nullopt;
+  std::ifstream file(options.folder / "summary.json");
+  if (!file) return std::nullopt;
+  json summary = json::parse(file, nullptr, false);
+  if (summary.is_discarded() || summary.value("status", "") != "finished") return std::nullopt;
+  if (summary.at("provenance").at("input_hash") != input_hash) {
+    throw Error(ExitCode::wrong_input, fmt::format("'{}' holds the results of another input; start anew with --overwrite", options.folder.string()));
+  }
+  return summary;
+}
+
+template <int D>
+class CaseRun {
+ public:
+  CaseRun(const model::LoadedCase& loaded, const RunOptions& options, std::string input_hash)
+      : loaded_(loaded), data_(loaded.data), options_(options), hash_(std::move(input_hash)) {}
+
+  json run() {
+    const auto start = std::chrono::steady_clock::now();
+    const double cpu_start = process_seconds();
+    const auto checkpoint = options_.resume ? open_checkpoint(options_.folder / "checkpoint.h5", hash_) : nullptr;
+    mesh::Mesh<D> mesh = checkpoint ? get_mesh<D>(*checkpoint) : mesh::generate<D>(data_.mesh);
+    check_names(mesh);
+    body_ = prepare<D>(data_, std::move(mesh));
+    slope_height_ = find_slope_height(body_, data_.gravity);
+    fill_summary_head();
+    initial_ = find_profile(body_, profile_bin());
+
+    clear_folder(options_);
+    output::make_folder(options_.folder);
+    try {
+      run_stages(checkpoint.get());
+      if (data_.analysis == model::AnalysisKind::strength_reduction) {
+        const TrialContext context{options_.folder, hash_, &data_, options_.progress, options_.resume};
+        reduce_strength<D>(body_, context, slope_height_, options_.threads, summary_, warnings_);
+        fs::remove(options_.folder / "checkpoint.h5");
+      }
+      summary_["status"] = "finished";
+    } catch (const Error& error) {
+      if (options_.progress) options_.progress->clear();
+      summary_["status"] = error.code() == ExitCode::interrupted ? "interrupted" : (error.code() == ExitCode::unstable ? "unstable" : "failed");
+      summary_["error"] = error.what();
+      // A disk that is full for the results is full for this too; the first error is the one to report.
+      try {
+        finish_summary(start, cpu_start);
+      } catch (const Error&) {
+      }
+      throw;
+    }
+    if (options_.progress) options_.progress->clear();
+    finish_summary(start, cpu_start);
+    return summary_;
+  }
+
+ private:
+  void check_names(const mesh::Mesh<D>& mesh) const {
+    std::set<std::string> sides, regions(mesh.region_names.begin(), mesh.region_names.end());
+    for (const auto& [name, list] : mesh.sides) sides.insert(name);
+    model::check_against_mesh(loaded_, sides, regions);
+  }
+
+  double profile_bin() const {
+    if (data_.mesh.file.empty()) return data_.mesh.size;
+    return std::sqrt(2 * body_.mesh().volumes[body_.points.element[0]]);
+  }
+
+  void fill_summary_head() {
+    summary_["title"] = data_.title;
+    summary_["provenance"] = describe_provenance(loaded_, hash_, options_.threads);
+    summary_["mesh"] = describe_mesh(body_);
+    summary_["slope_height"] = slope_height_;
+    summary_["units"] = {{"length", data_.output.length_unit}, {"displacement", data_.output.displacement_unit}, {"stress", data_.output.stress_unit}};
+    json outlines = json::array();
+    for (const mesh::Polygon& p : data_.mesh.polygons) {
+      json outline = json::array();
+      for (const auto& x : p.points) outline.push_back({x[0], x[1]});
+      outlines.push_back(outline);
+    }
+    summary_["outlines"] = outlines;
+    summary_["input"] = loaded_.echo;
+  }
+
+  void run_stages(const output::ArchiveReader* checkpoint) {
+    RecorderSettings settings;
+    settings.folder = options_.folder;
+    settings.input_hash = hash_;
+    settings.data = &data_;
+    settings.frame_interval = data_.output.frame_interval;
+    settings.progress = options_.progress;
+    StageState state;
+    int first = 0;
+    if (checkpoint) {
+      get_body(*checkpoint, body_);
+      state = get_stage(*checkpoint);
+      first = get_leg(*checkpoint);
+      load_stage_reports(first);
+    }
+    Recorder<D> recorder = checkpoint ? Recorder<D>::resume(settings, body_, *checkpoint) : Recorder<D>::start(settings, body_);
+    const int count = static_cast<int>(data_.stages.size());
+    for (int i = first; i < count; ++i) {
+      const model::Stage& stage = data_.stages[i];
+      const StagePlan<D> plan = make_plan<D>(data_, stage, slope_height_, options_.threads);
+      set_strength(body_, data_, stage.cohesion, stage.strength_factor.value_or(1));
+      if (!state.started) {
+        if (i > 0) state.gravity_share = 1;
+        if (stage.reset_displacement) mpm::reset_displacements(body_);
+      }
+      const auto start = std::chrono::steady_clock::now();
+      const StageHooks<D> hooks = recorder.begin_leg(i, plan, body_, state);
+      StageReport report;
+      report.end = run_stage(body_, plan, state, hooks);
+      report.name = stage.name;
+      report.start = state.start_time;
+      report.time = body_.time;
+      report.steps = state.steps;
+      report.time_step = state.dt;
+      report.displacement = mpm::find_largest_displacement(body_).value;
+      report.force_ratio = body_.monitor.external > 0 ? body_.monitor.out_of_balance / body_.monitor.external : 0;
+      report.speed = body_.monitor.speed;
+      report.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      warn_about(stage, report, i + 1 == count);
+      stages_.push_back(to_json(report));
+      save_stage_reports();
+      recorder.end_leg(body_);
+      state = {};
+    }
+    recorder.finish(data_.analysis == model::AnalysisKind::run);
+    summary_["budgets"] = describe_budgets<D>(body_, find_gravity<D>(data_.gravity));
+    if (data_.analysis == model::AnalysisKind::run) add_runout();
+  }
+
+  void warn_about(const model::Stage& stage, const StageReport& report, bool last) {
+    if (stage.until == model::Until::rest && report.end != StageEnd::rest) {
+      warnings_.push_back(fmt::format("stage '{}' was not at rest after {:g} s: its unbalanced force is {:.2g} of gravity", stage.name, stage.duration, report.force_ratio));
+    } else if (stage.until == model::Until::time && report.force_ratio > restless_force_ratio && (!last || data_.analysis == model::AnalysisKind::strength_reduction)) {
+      warnings_.push_back(fmt::format("stage '{}' ended with an unbalanced force of {:.2g} of gravity; what follows starts from a moving slope", stage.name, report.force_ratio));
+    }
+  }
+
+  /// Stage reports outlive an interruption beside the checkpoint.
+  fs::path stage_file() const { return options_.folder / "stages.json"; }
+  void save_stage_reports() const { output::write_atomically(stage_file(), stages_.dump(2) + "\n"); }
+  void load_stage_reports(int count) {
+    std::ifstream file(stage_file());
+    if (!file) return;
+    stages_ = json::parse(file);
+    while (static_cast<int>(stages_.size()) > count) stages_.erase(stages_.size() - 1);
+  }
+
+  void add_runout() {
+    constexpr double moved_share = 0.01;
+    const Runout runout = find_runout(body_, initial_, moved_share * slope_height_);
+    summary_["runout"] = to_json(runout);
+    write_profiles(options_.folder / "profile.csv", initial_, find_profile(body_, profile_bin()));
+  }
+
+  void finish_summary(std::chrono::steady_clock::time_point start, double cpu_start) {
+    if (!body_.lost.empty()) {
+      double mass = 0;
+      for (const auto& l : body_.lost) mass += l.mass;
+      warnings_.push_back(fmt::format("{} points with {:.4g} kg left the grid (the first at t = {:.4g} s); enlarge the box if they matter", body_.lost.size(), mass, body_.lost.front().time));
+    }
+    summary_["stages"] = stages_;
+    summary_["warnings"] = warnings_;
+    summary_["timing"] = {{"wall", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}, {"cpu", process_seconds() - cpu_start},
+                          {"stage_steps", describe_timing(body_.timing)}};
+    output::write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");
+    if (summary_["status"] == "finished") fs::remove(stage_file());
+  }
+
+  const model::LoadedCase& loaded_;
+  const model::Case& data_;
+  const RunOptions& options_;
+  std::string hash_;
+  mpm::Body<D> body_;
+  double slope_height_ = 0;
+  Profile initial_;
+  json summary_, stages_ = json::array();
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+json run_case(const model::LoadedCase& loaded, const RunOptions& options) {
+  const std::string hash = hash_text(loaded.echo.dump());
+  check_folder(options);
+  if (auto finished = load_finished(options, hash)) return *finished;
+  if (loaded.data.mesh.dimension == 2) return CaseRun<2>(loaded, options, hash).run();
+  return CaseRun<3>(loaded, options, hash).run();
+}
+
+}  // namespace talus::analysis

@@ -1,0 +1,25 @@
+#pragma once
+// A whole case from its file to its results folder: the one entry behind `talus run` and `talus study`.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/progress.hpp"
+#include "model/read.hpp"
+
+namespace talus::analysis {
+
+struct RunOptions {
+  std::filesystem::path folder;   ///< where results go; made when it does not exist
+  int threads = 1;
+  bool resume = false;            ///< go on from the folder's checkpoint; a finished run is not run again
+  bool overwrite = false;         ///< replace results that are there
+  Progress* progress = nullptr;   ///< where progress is shown, or nowhere
+};
+
+/// Runs the case and writes its folder: results.vtkhdf, histories, checkpoint, trials, summary.json. Returns the summary.
+/// Throws InputError before anything is written when names do not fit the mesh; Error (folder_exists, cannot_write,
+/// unstable, interrupted) as its code says.
+nlohmann::json run_case(const model::LoadedCase& loaded, const RunOptions& options);
+
+}  // namespace talus::analysis

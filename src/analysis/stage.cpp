@@ -1,0 +1,164 @@
+#include "analysis/stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/prepare.hpp"
+#include "base/error.hpp"
+#include "mpm/observe.hpp"
+
+namespace talus::analysis {
+namespace {
+
+/// Looks between copies of the body that an unstable run falls back to.
+constexpr int looks_per_copy = 32;
+/// Nodes faster than this many wave speeds are not soil any more.
+constexpr double unstable_speed_ratio = 2;
+
+template <int D>
+mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
+  mpm::StepOptions<D> o;
+  o.damping = plan.step.damping;
+  o.mass_scaling = plan.step.mass_scaling;
+  o.mixed = plan.step.integration == model::Integration::mixed;
+  o.smoothing = plan.step.smoothing;
+  o.moving = plan.step.geometry == model::Geometry::moving;
+  o.objective = plan.step.objective_rate;
+  o.threads = plan.threads;
+  return o;
+}
+
+/// Fastest compression wave of the materials in use [m/s].
+template <int D>
+double find_wave_speed(const mpm::Body<D>& body, const mpm::CriticalStep& critical, double mass_scaling) {
+  return std::sqrt(mass_scaling) * body.mesh().altitudes[critical.element] / critical.dt;
+}
+
+template <int D>
+[[noreturn]] void throw_unstable(const mpm::Body<D>& body, const StagePlan<D>& plan, double wave_speed, const std::string& saved) {
+  const int node = body.monitor.fastest_node;
+  std::string place = "somewhere";
+  if (node >= 0) {
+    const auto& x = body.mesh().nodes[node];
+    place = D == 2 ? fmt::format("at ({:.4g}, {:.4g}) m", x[0], x[1]) : fmt::format("at ({:.4g}, {:.4g}, {:.4g}) m", x[0], x[1], x[D - 1]);
+    for (int id = 0; id < body.points.size(); ++id) {
+      if (body.points.element[id] < 0) continue;
+      const auto& nodes = body.mesh().elements[body.points.element[id]];
+      if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) continue;
+      place += fmt::format(" in material '{}', near point {}", body.material_names[body.points.material[id]], id);
+      break;
+    }
+  }
+  const std::string speed = std::isfinite(body.monitor.speed) ? fmt::format("{:.3g} m/s", body.monitor.speed) : "no finite speed";
+  throw Error(ExitCode::unstable,
+              fmt::format("the calculation became unstable in stage '{}' at t = {:.4g} s (step {}): the grid {} has {}, while compression "
+                          "waves run at {:.3g} m/s; try a smaller courant number (now {:g}){}",
+                          plan.name, body.time, body.step_count, place, speed, wave_speed, plan.step.courant,
+                          saved.empty() ? "" : "; the last good state is in " + saved));
+}
+
+}  // namespace
+
+template <int D>
+Vec<D> find_stage_gravity(const StagePlan<D>& plan, const StageState& state, double time) {
+  double share = 1;
+  if (plan.gravity_ramp > 0) {
+    const double progress = std::min(1.0, (time - state.start_time) / plan.gravity_ramp);
+    share = state.gravity_share + (1 - state.gravity_share) * progress;
+  }
+  Vec<D> g = plan.gravity;
+  for (double& c : g) c *= share;
+  return g;
+}
+
+template <int D>
+bool is_calm(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  const mpm::Monitor& m = body.monitor;
+  const double reference_speed = std::sqrt(norm(plan.gravity) * plan.soil_height);
+  const bool slow = m.kinetic_energy <= plan.rest.energy_ratio * std::abs(body.work.external) || plan.step.geometry == model::Geometry::frozen;
+  return m.out_of_balance < plan.rest.force_ratio * m.external && m.speed < plan.rest.speed_ratio * reference_speed && slow;
+}
+
+template <int D>
+StagePlan<D> make_plan(const model::Case& data, const model::Stage& stage, double soil_height, int threads) {
+  StagePlan<D> plan;
+  plan.name = stage.name;
+  plan.duration = stage.duration;
+  plan.until_rest = stage.until == model::Until::rest;
+  plan.step = stage.step;
+  plan.rest = data.rest;
+  plan.gravity = find_gravity<D>(data.gravity);
+  plan.gravity_ramp = stage.gravity_ramp;
+  plan.soil_height = soil_height;
+  plan.threads = threads;
+  return plan;
+}
+
+template <int D>
+StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks) {
+  mpm::StepOptions<D> options = make_options(plan);
+  if (!state.started) {
+    state.started = true;
+    state.start_time = body.time;
+    state.next_output = body.time;
+    mpm::gather_nodal_sums(body, options);
+  }
+  const double end = state.start_time + plan.duration;
+  mpm::CriticalStep critical = mpm::find_critical_step(body, plan.step.mass_scaling);
+  double wave_speed = find_wave_speed(body, critical, plan.step.mass_scaling);
+  const bool watches_displacement = plan.failed_displacement > 0;
+  mpm::Body<D> last_good = body;
+  StageState last_good_state = state;
+
+  for (;;) {
+    if (state.steps % look_interval == 0) {
+      critical = mpm::find_critical_step(body, plan.step.mass_scaling);
+      if (critical.element < 0) return StageEnd::time;  // nothing is left on the grid
+      wave_speed = find_wave_speed(body, critical, plan.step.mass_scaling);
+      state.dt = plan.step.courant * critical.dt;
+      if (state.steps % (look_interval * looks_per_copy) == 0) {
+        last_good = body;
+        last_good_state = state;
+      }
+      if (hooks.look) hooks.look(body, state);
+      if (watches_displacement && mpm::find_largest_displacement(body).value > plan.failed_displacement) return StageEnd::failed;
+    }
+    if (hooks.output && body.time >= state.next_output) hooks.output(body, state);
+    const double left = end - body.time;
+    if (left <= 1e-12 * plan.duration) return StageEnd::time;
+    options.dt = std::min(state.dt, left);
+    options.gravity = find_stage_gravity(plan, state, body.time);
+    options.monitor = state.steps % monitor_interval == 0;
+    mpm::step(body, options);
+    ++state.steps;
+    if (!options.monitor) continue;
+
+    state.largest_speed = std::max(state.largest_speed, body.monitor.speed);
+    if (!(body.monitor.speed <= unstable_speed_ratio * wave_speed)) {
+      const std::string saved = hooks.save_last_good ? hooks.save_last_good(last_good, last_good_state) : "";
+      throw_unstable(body, plan, wave_speed, saved);
+    }
+    if (!plan.until_rest) continue;
+    const bool full_gravity = body.time >= state.start_time + plan.gravity_ramp;
+    if (!full_gravity || !is_calm(body, plan)) {
+      state.calm_since = -1;
+    } else if (state.calm_since < 0) {
+      state.calm_since = body.time;
+    } else if (body.time - state.calm_since >= plan.rest.hold) {
+      return StageEnd::rest;
+    }
+  }
+}
+
+#define TALUS_INSTANTIATE(D)                                                                                              \
+  template Vec<D> find_stage_gravity<D>(const StagePlan<D>&, const StageState&, double);                                  \
+  template bool is_calm<D>(const mpm::Body<D>&, const StagePlan<D>&);                                                     \
+  template StagePlan<D> make_plan<D>(const model::Case&, const model::Stage&, double, int);                               \
+  template StageEnd run_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&, const StageHooks<D>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::analysis
