@@ -15,7 +15,7 @@ struct Pass {
   Body<D>& body;
   const StepOptions<D>& options;
   std::vector<Mover>& movers;
-  double dissipated = 0;
+  Pack dissipated{0.0};  ///< plastic work of this pass, by lane [J]
 };
 
 /// Material number of each lane of a slot, for blocks that hold several materials.
@@ -97,7 +97,8 @@ FullElement<D, Law> update_full_elements(const Pass<D>& pass, const Law& law, in
   return e;
 }
 
-template <int D, class Law>
+/// `Mixed` is a template parameter because the second source of stress costs registers that plain points need.
+template <bool Mixed, int D, class Law>
 void advance_block(Pass<D>& pass, const Law& law, int b) {
   using P = Points<D>;
   constexpr int NS = P::stress_size;
@@ -118,13 +119,15 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
   TALUS_UNROLL
   for (int i = 0; i < D * D; ++i) g[i] = load<Pack>(&body.layout->gradients[(block * D * D + i) * lane_width]);
   const ElementMotion<D, Pack> motion(a, v, g, o.dt);
-  const Rotation<D, Pack> rotation(motion.grad);
+  Rotation<D, Pack> rotation;
+  if (o.objective) rotation = Rotation<D, Pack>(motion.grad);
   const Pack count = load<Pack>(&points.count[block * lane_width]);
 
   Pack d_epsilon[NS];
   motion.strain(d_epsilon);
   Pack volumetric = d_epsilon[0] + d_epsilon[1] + d_epsilon[2];
   Pack pending(0.0);
+  const bool stable = o.smoothing == model::Smoothing::stable;
   if (o.smoothing != model::Smoothing::none) {  // (2.95), recomposed over three components
     Pack mean(0.0);
     for (int l = 0; l < lane_width; ++l) {
@@ -136,15 +139,15 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     TALUS_UNROLL
     for (int i = 0; i < 3; ++i) d_epsilon[i] += correction;
     volumetric = mean;
-    if (o.smoothing == model::Smoothing::stable) pending = load<Pack>(&body.elements.return_pressure[block * lane_width]);
+    if (stable) pending = load<Pack>(&body.elements.return_pressure[block * lane_width]);
   }
   double* strain = &body.elements.strain[block * NS * lane_width];
   TALUS_UNROLL
   for (int i = 0; i < NS; ++i) store(strain + i * lane_width, load<Pack>(strain + i * lane_width) + d_epsilon[i]);
 
   FullElement<D, Law> element;
-  if (o.mixed) element = update_full_elements(pass, law, b, count, rotation, d_epsilon, pending);
-  const bool none_partial = o.mixed && all(element.full || !(count > Pack(0.0)));
+  if constexpr (Mixed) element = update_full_elements(pass, law, b, count, rotation, d_epsilon, pending);
+  const bool none_partial = Mixed && all(element.full || !(count > Pack(0.0)));
 
   const Pack growth = 1.0 + volumetric;
   ElementSums<D, Pack> sums;
@@ -177,11 +180,13 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
       TALUS_UNROLL
       for (int i = 0; i < NS; ++i) s[i] = load<Pack>(p + (P::stress + i) * lane_width);
       for (int i = 0; i < Law::state_size; ++i) q[i] = load<Pack>(p + (P::state + i) * lane_width);
-      TALUS_UNROLL
-      for (int i = 0; i < 3; ++i) s[i] += pending;
+      if (stable) {
+        TALUS_UNROLL
+        for (int i = 0; i < 3; ++i) s[i] += pending;
+      }
       if (o.objective) rotation.apply(s);
-      response = law.template update<NS>(s, d_epsilon, q, active && !element.full, material);
-      if (o.mixed) {
+      response = law.template update<NS>(s, d_epsilon, q, Mixed ? active && !element.full : active, material);
+      if constexpr (Mixed) {
         TALUS_UNROLL
         for (int i = 0; i < NS; ++i) s[i] = select(element.full, element.stress[i], s[i]);
         for (int i = 0; i < Law::state_size; ++i) q[i] = select(element.full, element.state[i], q[i]);
@@ -196,7 +201,7 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
         dissipated += v_p * select(active, response.dissipation, Pack(0.0));
         plastic_mean += v_p * select(active, response.plastic_mean_stress, Pack(0.0));
       }
-      if (o.smoothing == model::Smoothing::stable) all_volume += select(active, volume, Pack(0.0));
+      if (stable) all_volume += select(active, volume, Pack(0.0));
     }
     TALUS_UNROLL
     for (int d = 0; d < D; ++d) {
@@ -206,7 +211,7 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) store(p + (P::stress + i) * lane_width, s[i]);
     if (o.moving) store(p + P::volume * lane_width, volume);
-    if (response.any_plastic || o.mixed) {
+    if (Mixed || response.any_plastic) {
       for (int i = 0; i < Law::state_size; ++i) store(p + (P::state + i) * lane_width, q[i]);
     }
 
@@ -237,7 +242,7 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     sums.add(mass, volume, xi, u, s);
   }
 
-  if (o.mixed) {  // a full element's internal force is taken over its whole volume (2.92)
+  if constexpr (Mixed) {  // a full element's internal force is taken over its whole volume (2.92)
     const Pack V_e = load<Pack>(&body.layout->volumes[block * lane_width]);
     const Mask full = staying_volume > load<Pack>(&body.elements.fill_limit[block * lane_width]) && uniform;
     const Pack factor = select(full, V_e / select(full, staying_volume, Pack(1.0)), Pack(1.0));
@@ -245,14 +250,14 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     for (int i = 0; i < force_size<D>; ++i) sums.stress[i] *= factor;
     staying_volume *= factor;
   }
-  if (o.smoothing == model::Smoothing::stable) {
+  if (stable) {
     const Mask some = all_volume > Pack(0.0);
     store(&body.elements.plastic_mean[block * lane_width],
           select(some, plastic_mean / select(some, all_volume, Pack(1.0)), Pack(0.0)));
     store(&body.elements.force_volume[block * lane_width], staying_volume);
   }
   if constexpr (Law::is_plastic) {
-    for (int l = 0; l < lane_width; ++l) pass.dissipated += dissipated.value[l];
+    pass.dissipated += dissipated;
   }
   Pack out[D + 1][1 + 2 * D];
   sums.to_nodes(g, out);
@@ -277,7 +282,9 @@ MoverLists advance_points(Body<D>& body, const StepOptions<D>& options) {
     const int begin = layout.chunk_start[c], end = layout.chunk_start[c + 1];
     const auto advance = [&](const auto& law, int b) {
       if (far && b + ahead < end && body.points.block_used[b + ahead] > 0) prefetch_block(body, b + ahead);
-      if (body.points.block_used[b] > 0) advance_block(pass, law, b);
+      if (body.points.block_used[b] == 0) return;
+      if (options.mixed) advance_block<true>(pass, law, b);
+      else advance_block<false>(pass, law, b);
     };
     if (body.laws.size() == 1) {
       visit_laws(body.laws, 1u, [&](const auto& law) { for (int b = begin; b < end; ++b) advance(law, b); });
@@ -286,7 +293,7 @@ MoverLists advance_points(Body<D>& body, const StepOptions<D>& options) {
         visit_laws(body.laws, body.points.block_materials[b], [&](const auto& law) { advance(law, b); });
       }
     }
-    dissipated[static_cast<std::size_t>(c)] = pass.dissipated;
+    for (int l = 0; l < lane_width; ++l) dissipated[static_cast<std::size_t>(c)] += pass.dissipated.value[l];
   });
   for (double d : dissipated) body.work.dissipated += d;
   return movers;

@@ -99,6 +99,7 @@ struct Rotation;
 template <class T>
 struct Rotation<2, T> {
   T cosine, sine;  ///< of twice the angle
+  Rotation() = default;  ///< no rotation at all: not to be applied
   TALUS_KERNEL explicit Rotation(const T grad[2][2]) {
     const T t = 0.25 * (grad[0][1] - grad[1][0]);  // W_xy / 2 = tan(half the angle)
     const T scale = 1.0 / (1.0 + t * t);
@@ -118,6 +119,7 @@ struct Rotation<2, T> {
 template <class T>
 struct Rotation<3, T> {
   T r[3][3];
+  Rotation() = default;
   TALUS_KERNEL explicit Rotation(const T grad[3][3]) {
     // axial vector of W/2: (W/2) x = a × x, then R = ((1-a²) I + 2aaᵀ + 2[a]×) / (1+a²)  (Cayley)
     const T a[3] = {0.25 * (grad[2][1] - grad[1][2]), 0.25 * (grad[0][2] - grad[2][0]), 0.25 * (grad[1][0] - grad[0][1])};

@@ -53,6 +53,7 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
   const double cutoff = 1e-12 * body.smallest_mass;
   const double alpha = o.damping, inverse_scaling = 1 / o.mass_scaling;
   const bool loaded = !body.nodes.load.empty();
+  double external_work = 0, damped = 0;  // locals: they stay in registers
   const auto& constraint_of = body.conditions.constraint_of_node;
   for (int i = begin; i < end; ++i) {
     const int* rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
@@ -68,7 +69,7 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
         if (loaded) f_ext[d] += body.nodes.load[i][d];
         const double f = t[1 + D + d] + f_ext[d];
         const double p = t[1 + d];
-        f_damp[d] = p > 0 ? -alpha * std::abs(f) : (p < 0 ? alpha * std::abs(f) : 0.0);
+        f_damp[d] = p != 0 ? -std::copysign(alpha * std::abs(f), p) : 0.0;
         a[d] = (f + f_damp[d]) * inverse;
       }
       const int c = constraint_of[i];
@@ -90,8 +91,8 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
       // Work along the nodes' paths: exact for the nodal kinetic energy, ΔE = Σ f·(v + a Δt/2) Δt.
       for (int d = 0; d < D; ++d) {
         const double path = (t[1 + d] * inverse_mass + 0.5 * o.dt * a[d]) * o.dt;
-        sums.external_work += f_ext[d] * path;
-        sums.damped -= f_damp[d] * path;
+        external_work += f_ext[d] * path;
+        damped -= f_damp[d] * path;
       }
       if (o.monitor) {
         Vec<D> f, v;
@@ -121,6 +122,8 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
       for (int d = 0; d < D; ++d) row[d] = a[d];
     }
   }
+  sums.external_work += external_work;
+  sums.damped += damped;
 }
 
 }  // namespace
