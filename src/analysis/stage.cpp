@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "analysis/prepare.hpp"
 #include "base/error.hpp"
@@ -14,7 +16,7 @@ namespace {
 
 /// Looks between copies of the body that an unstable run falls back to.
 constexpr int looks_per_copy = 32;
-/// Nodes faster than this many wave speeds are not soil any more.
+/// What is faster than this many wave speeds is not soil any more.
 constexpr double unstable_speed_ratio = 2;
 
 template <int D>
@@ -36,27 +38,56 @@ double find_wave_speed(const mpm::Body<D>& body, const mpm::CriticalStep& critic
   return std::sqrt(mass_scaling) * body.mesh().altitudes[critical.element] / critical.dt;
 }
 
+/// Where and how fast something moves that should not.
 template <int D>
-[[noreturn]] void throw_unstable(const mpm::Body<D>& body, const StagePlan<D>& plan, double wave_speed, const std::string& saved) {
-  const int node = body.monitor.fastest_node;
-  std::string place = "somewhere";
-  if (node >= 0) {
-    const auto& x = body.mesh().nodes[node];
-    place = D == 2 ? fmt::format("at ({:.4g}, {:.4g}) m", x[0], x[1]) : fmt::format("at ({:.4g}, {:.4g}, {:.4g}) m", x[0], x[1], x[D - 1]);
-    for (int id = 0; id < body.points.size(); ++id) {
-      if (body.points.element[id] < 0) continue;
-      const auto& nodes = body.mesh().elements[body.points.element[id]];
-      if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) continue;
-      place += fmt::format(" in material '{}', near point {}", body.material_names[body.points.material[id]], id);
-      break;
-    }
+struct Runaway {
+  Vec<D> place{};      ///< [m]
+  double speed = 0;    ///< [m/s]
+  std::string what;    ///< "the grid", "a point that left the grid"
+};
+
+/// Name of the material of the point nearest to `x`.
+template <int D>
+std::string find_nearest_material(const mpm::Body<D>& body, const std::type_identity_t<Vec<D>>& x) {
+  double shortest = std::numeric_limits<double>::max();
+  std::string name = "unknown";
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const auto p = mpm::view_point(body, id);
+    double square = 0;
+    for (std::size_t d = 0; d < D; ++d) square += (p.position[d] - x[d]) * (p.position[d] - x[d]);
+    if (!(square < shortest)) continue;
+    shortest = square;
+    name = body.material_names[p.material];
   }
-  const std::string speed = std::isfinite(body.monitor.speed) ? fmt::format("{:.3g} m/s", body.monitor.speed) : "no finite speed";
+  return name;
+}
+
+/// What moves faster than soil can: a node of the last monitored step, or a point that left the grid since `lost_before`.
+template <int D>
+std::optional<Runaway<D>> find_runaway(const mpm::Body<D>& body, bool monitored, std::size_t lost_before, double limit) {
+  for (std::size_t i = lost_before; i < body.lost.size(); ++i) {
+    const auto& l = body.lost[i];
+    const double speed = norm(l.momentum) / l.mass;
+    if (!(speed <= limit)) return Runaway<D>{l.position, speed, "a point that left the grid"};
+  }
+  if (!monitored || body.monitor.speed <= limit) return std::nullopt;
+  Runaway<D> r{{}, body.monitor.speed, "the grid"};
+  if (body.monitor.fastest_node >= 0) r.place = body.mesh().nodes[body.monitor.fastest_node];
+  return r;
+}
+
+template <int D>
+[[noreturn]] void throw_unstable(const mpm::Body<D>& body, const mpm::Body<D>& last_good, const StagePlan<D>& plan, const Runaway<D>& r,
+                                 double wave_speed, const std::string& saved) {
+  std::string place = fmt::format("({:.4g}, {:.4g}", r.place[0], r.place[1]);
+  if constexpr (D == 3) place += fmt::format(", {:.4g}", r.place[2]);
+  const std::string speed = std::isfinite(r.speed) ? fmt::format("{:.3g} m/s", r.speed) : "no finite speed";
   throw Error(ExitCode::unstable,
-              fmt::format("the calculation became unstable in stage '{}' at t = {:.4g} s (step {}): the grid {} has {}, while compression "
-                          "waves run at {:.3g} m/s; try a smaller courant number (now {:g}){}",
-                          plan.name, body.time, body.step_count, place, speed, wave_speed, plan.step.courant,
-                          saved.empty() ? "" : "; the last good state is in " + saved));
+              fmt::format("the calculation became unstable in stage '{}' at t = {:.4g} s (step {}): {} at {}) m, in material '{}', has {}, while "
+                          "compression waves run at {:.3g} m/s; try a smaller courant number (now {:g}){}",
+                          plan.name, body.time, body.step_count, r.what, place, find_nearest_material<D>(last_good, r.place), speed, wave_speed,
+                          plan.step.courant, saved.empty() ? "" : "; the last good state is in " + saved));
 }
 
 }  // namespace
@@ -131,15 +162,15 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
     options.dt = std::min(state.dt, left);
     options.gravity = find_stage_gravity(plan, state, body.time);
     options.monitor = state.steps % monitor_interval == 0;
+    const std::size_t lost_before = body.lost.size();
     mpm::step(body, options);
     ++state.steps;
-    if (!options.monitor) continue;
-
-    state.largest_speed = std::max(state.largest_speed, body.monitor.speed);
-    if (!(body.monitor.speed <= unstable_speed_ratio * wave_speed)) {
+    if (const auto runaway = find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * wave_speed)) {
       const std::string saved = hooks.save_last_good ? hooks.save_last_good(last_good, last_good_state) : "";
-      throw_unstable(body, plan, wave_speed, saved);
+      throw_unstable(body, last_good, plan, *runaway, wave_speed, saved);
     }
+    if (!options.monitor) continue;
+    state.largest_speed = std::max(state.largest_speed, body.monitor.speed);
     if (!plan.until_rest) continue;
     const bool full_gravity = body.time >= state.start_time + plan.gravity_ramp;
     if (!full_gravity || !is_calm(body, plan)) {

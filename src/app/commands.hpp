@@ -7,6 +7,7 @@ namespace talus::app {
 
 void add_run(CLI::App& app);
 void add_study(CLI::App& app);
+void add_collect(CLI::App& app);
 void add_plot(CLI::App& app);
 void add_check(CLI::App& app);
 void add_manual(CLI::App& app);

@@ -1,7 +1,61 @@
+// `talus study CASE`: calculates a case for every value that its [study] lists.
+
+#include "analysis/study.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "analysis/study_table.hpp"
+#include "app/case_options.hpp"
 #include "app/commands.hpp"
+#include "base/interrupt.hpp"
+#include "base/parallel.hpp"
 
 namespace talus::app {
+namespace {
 
-void add_study(CLI::App& /*app*/) {}
+struct StudyCommand {
+  CaseOptions input;
+  std::string folder;
+  int threads = 0;
+  bool resume = false, overwrite = false, quiet = false;
+};
+
+void run_study(const StudyCommand& command) {
+  const std::vector<model::Override> overrides = command.input.parse_overrides();
+  const analysis::StudyPlan plan = analysis::plan_study(model::read_case(command.input.file, overrides), overrides);
+  catch_interrupts();
+  Progress progress(!command.quiet);
+  analysis::StudyOptions options;
+  options.folder =
+      command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_study" : command.folder;
+  options.threads = command.threads > 0 ? command.threads : default_threads();
+  options.resume = command.resume;
+  options.overwrite = command.overwrite;
+  options.progress = &progress;
+  const std::vector<analysis::StudyRow> rows = analysis::run_study(plan, options);
+  if (!command.quiet)
+    fmt::print("{}\nTables and results are in {}\n", analysis::write_study_markdown(plan, rows),
+               options.folder.string());
+  if (const auto failure = analysis::find_failure(plan, rows)) throw *failure;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("study", "Calculate a case for every value that its [study] lists");
+  const auto options = std::make_shared<StudyCommand>();
+  options->input.add_to(*command);
+  command->add_option("-o,--output", options->folder, "Folder for the results (default: the case's name with _study)");
+  command->add_option("--threads", options->threads, "Variants to calculate side by side (default: all cores)")
+      ->check(CLI::PositiveNumber);
+  CLI::Option* resume =
+      command->add_flag("--resume", options->resume, "Keep finished variants and go on with interrupted ones");
+  command->add_flag("--overwrite", options->overwrite, "Replace results that are in the folder")->excludes(resume);
+  command->add_flag("-q,--quiet", options->quiet, "Print errors only");
+  command->callback([options] { run_study(*options); });
+}
 
 }  // namespace talus::app

@@ -3,7 +3,7 @@
 //
 // Three dimensions: with p the mean stress, q = √(J2/3) and t = cos3θ = J3/(2q³), s1 = p + 2q·c(t) and
 // s3 = p - 2q·c(-t), where c(t) = cos(acos(t)/3) = cos(⅔ acos u), u = √((1+t)/2). On u in [0, 1] this is analytic, and a
-// polynomial of degree 13 gives it to 1e-15. An isotropic function with principal values n_i is put back on the axes
+// polynomial of degree 16 gives it to 1.1e-15. An isotropic function with principal values n_i is put back on the axes
 // of σ by divided differences (Newton's form of the spectral polynomial), exact also for equal principal values.
 
 #include <array>
@@ -15,7 +15,7 @@ namespace talus::material {
 
 /// Coefficients a_k of Σ a_k u^k ≈ cos(⅔ acos u) on [0, 1]: interpolation in Chebyshev points, computed at first use.
 struct CosineThird {
-  static constexpr int degree = 13;
+  static constexpr int degree = 16;
   std::array<double, degree + 1> a{};
   CosineThird();
 

@@ -46,7 +46,7 @@ struct Boundary {
   std::array<double, 3> normal{};    ///< plane: motion along it is suppressed (unit after reading)
   double friction = 0;               ///< friction: Coulomb's μ [-] of a wall that may be left but not crossed
   std::array<double, 3> velocity{};  ///< velocity: prescribed [m/s], times `factor`
-  TimeTable factor;
+  TimeTable factor{};
 };
 
 enum class Carrier { sides, points };
@@ -55,7 +55,7 @@ struct Traction {
   std::string on;                     ///< a named side or line
   Carrier carrier = Carrier::points;  ///< mesh sides (fixed in space) or the material points beside them (2.31-2.32)
   std::array<double, 3> traction{};   ///< [Pa], times `factor`
-  TimeTable factor;
+  TimeTable factor{};
 };
 
 struct Gravity {

@@ -1,6 +1,7 @@
 #pragma once
 // Boundary conditions as the step uses them: per constrained node and per traction, resolved from the names of the case.
 
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -42,7 +43,8 @@ struct Load {
 template <int D>
 struct Conditions {
   std::vector<int> constraint_of_node;   ///< index into constraints, or -1
-  std::vector<Constraint<D>> constraints;
+  std::vector<Constraint<D>> constraints;   ///< each belongs to one node
+  std::vector<std::uint8_t> pressed;        ///< by constraint: the wall stopped the node in this step's accelerations
   std::vector<Prescribed<D>> prescribed;
   std::vector<Load<D>> loads;
 };

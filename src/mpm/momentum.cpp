@@ -83,6 +83,7 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
           Vec<D> wanted;
           for (int d = 0; d < D; ++d) wanted[d] = t[1 + d] * inverse_mass + o.dt * a[d];
           const Vec<D> allowed = constrain_velocity(body.conditions, constraint, wanted, body.time + o.dt);
+          body.conditions.pressed[static_cast<std::size_t>(c)] = dot(wanted, constraint.wall_normal) > 0;
           for (int d = 0; d < D; ++d) a[d] += (allowed[d] - wanted[d]) / o.dt;
         } else {
           a = free_part(constraint, a);
@@ -131,6 +132,7 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
 template <int D>
 void solve_momentum(Body<D>& body, const StepOptions<D>& o) {
   const int pieces = body.layout->chunks;
+  body.conditions.pressed.resize(body.conditions.constraints.size());
   std::vector<PieceSums> sums(static_cast<std::size_t>(pieces));
   parallel_for(pieces, o.threads, [&](int c) {
     PieceSums mine;  // on the stack: neighbouring pieces must not share a cache line
@@ -197,6 +199,12 @@ void remap_momentum(Body<D>& body, const StepOptions<D>& o) {
         const int constraint = body.conditions.constraint_of_node[i];
         if (constraint >= 0) {
           const Constraint<D>& k = body.conditions.constraints[static_cast<std::size_t>(constraint)];
+          if (k.has_wall && body.conditions.pressed[static_cast<std::size_t>(constraint)]) {
+            // What the wall holds does not leave it within the step: the remap mixes in neighbours' accelerations, and a
+            // rebound from them would strain the soil by a motion that no force has paid for.
+            const double away = std::min(0.0, dot(v, k.wall_normal));
+            for (int d = 0; d < D; ++d) v[d] -= away * k.wall_normal[d];
+          }
           v = k.has_wall || k.prescribed >= 0 ? constrain_velocity(body.conditions, k, v, body.time + o.dt) : free_part(k, v);
         }
       }

@@ -1,0 +1,124 @@
+#pragma once
+// A slope so coarse that a whole study of it takes a second, and folders for its results.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "analysis/study.hpp"
+#include "analysis/study_table.hpp"
+
+namespace talus::analysis {
+
+/// The slope of the examples with elements of 3 m, its curve at four factors; `[study]` is added by each test.
+inline const std::string coarse_slope = R"(title = "Coarse slope"
+
+[geometry]
+box = [[0, 0], [44, 17]]
+
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
+
+[mesh]
+size = 3
+points_per_element = 3
+
+[materials.sand]
+model = "mohr_coulomb"
+grain_density = 2650
+porosity = 0.4
+young_modulus = "45 MPa"
+poisson_ratio = 0.3
+cohesion = "2 kPa"
+friction_angle = "30 deg"
+dilatancy_angle = 0
+tensile_strength = 0
+
+[regions]
+soil = "sand"
+
+[[boundary]]
+on = "bottom"
+fix = "full"
+
+[[boundary]]
+on = "left"
+fix = "normal"
+
+[[boundary]]
+on = "right"
+fix = "normal"
+
+[[stage]]
+name = "gravity"
+duration = 10
+until = "rest"
+damping = 0.75
+
+[analysis]
+kind = "strength_reduction"
+
+[strength_reduction.curve]
+from = 1.4
+to = 2.0
+step = 0.2
+refine = false
+window = 1
+damping = 0.05
+
+[strength_reduction.frozen]
+enabled = false
+)";
+
+inline const std::string cohesion_study = coarse_slope + R"(
+[study]
+factors = [1.4, 2.0]
+
+[[study.vary]]
+key = "materials.sand.cohesion"
+values = ["4 kPa", 8]
+)";
+
+inline StudyPlan plan_text(const std::string& text, const std::vector<model::Override>& overrides = {}) {
+  return plan_study(model::read_case_text(text, "slope.toml", overrides), overrides);
+}
+
+/// An empty folder of this test.
+inline std::filesystem::path make_test_folder() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "talus_study" / test->name();
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder.parent_path());
+  return folder;
+}
+
+inline StudyOptions write_to(const std::filesystem::path& folder, bool resume = false) {
+  StudyOptions options;
+  options.folder = folder;
+  options.threads = 2;
+  options.resume = resume;
+  return options;
+}
+
+inline std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The column of a table with this name; fails the test when there is none.
+inline StudyColumn get_column(const std::vector<StudyColumn>& table, const std::string& name) {
+  const auto at = std::find_if(table.begin(), table.end(), [&](const StudyColumn& c) { return c.name == name; });
+  if (at != table.end()) return *at;
+  ADD_FAILURE() << "there is no column '" << name << "'";
+  return {};
+}
+
+}  // namespace talus::analysis

@@ -1,0 +1,178 @@
+// A run that was interrupted, by a signal or by kill -9, and resumed gives the same bits as one that was not.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "output/results.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A slope that fails, small enough for a second or two, with a short curve and a frozen factor behind the stages.
+const char* const slope = R"(
+title = "Resumed slope"
+[geometry]
+box = [[0, 0], [20, 8]]
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [20, 0], [20, 2], [14, 2], [6, 7], [0, 7]]
+[mesh]
+size = 0.5
+[materials.clay]
+model = "mohr_coulomb"
+grain_density = 2650
+porosity = 0.4
+young_modulus = "20 MPa"
+poisson_ratio = 0.3
+cohesion = "3 kPa"
+friction_angle = 22
+dilatancy_angle = 0
+tensile_strength = 0
+[regions]
+soil = "clay"
+[[boundary]]
+on = "bottom"
+fix = "full"
+[[boundary]]
+on = "left"
+fix = "normal"
+[[boundary]]
+on = "right"
+fix = "normal"
+[[stage]]
+name = "gravity"
+duration = 3
+damping = 0.7
+cohesion = "100 kPa"
+gravity_ramp = 0.5
+[[stage]]
+name = "slide"
+duration = 6
+damping = 0.02
+strength_factor = 1.6
+reset_displacement = true
+[[output.monitor]]
+name = "crest"
+at = [6, 7]
+[output]
+frame_interval = 1
+checkpoint_interval = 0.05
+)";
+
+class Resume : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("talus_resume_" + std::to_string(getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "case.toml") << slope;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Starts `talus run` on the case; returns the process.
+  pid_t start(const std::string& result, const std::string& flag) {
+    const pid_t child = fork();
+    if (child == 0) {
+      const std::string input = (folder_ / "case.toml").string(), output = (folder_ / result).string();
+      execl(TALUS_PROGRAM, "talus", "run", input.c_str(), "-o", output.c_str(), "-q", "--threads", "2", flag.empty() ? nullptr : flag.c_str(), nullptr);
+      _exit(127);
+    }
+    return child;
+  }
+  /// Exit code of the process, or minus the signal that ended it.
+  static int wait_for(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+  std::string read(const fs::path& path) const {
+    std::ifstream file(folder_ / path);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  /// Every frame, and both histories, bit for bit.
+  void expect_same_results(const std::string& a, const std::string& b) const {
+    const output::ResultsReader first(folder_ / a), second(folder_ / b);
+    ASSERT_EQ(first.times(), second.times());
+    for (int i = 0; i < first.size(); ++i) {
+      const output::Frame p = first.read(i), q = second.read(i);
+      EXPECT_EQ(p.ids, q.ids);
+      EXPECT_EQ(p.positions, q.positions) << "frame " << i;
+      for (const output::Field& field : p.point_fields) EXPECT_EQ(field.values, output::find(q.point_fields, field.name)->values) << field.name << ", frame " << i;
+    }
+    EXPECT_EQ(read(fs::path(a) / "history.csv"), read(fs::path(b) / "history.csv"));
+    EXPECT_EQ(read(fs::path(a) / "monitors.csv"), read(fs::path(b) / "monitors.csv"));
+  }
+
+  /// Runs `result`, ends it with `signal` after every `pause` until it finishes by itself; returns how often it was ended.
+  int run_with_interruptions(const std::string& result, int signal, std::chrono::milliseconds pause) {
+    int ended = 0;
+    std::string flag;
+    for (int attempt = 0; attempt < 60; ++attempt) {
+      const pid_t child = start(result, flag);
+      std::this_thread::sleep_for(pause);
+      kill(child, signal);
+      const int code = wait_for(child);
+      if (code == 0) return ended;
+      EXPECT_EQ(code, signal == SIGKILL ? -SIGKILL : 5) << "SIGTERM must save and end with the code for an interruption";
+      ++ended;
+      flag = "--resume";
+      pause += std::chrono::milliseconds(150);  // so that a slow machine gets on as well
+    }
+    ADD_FAILURE() << "the run never finished";
+    return ended;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Resume, AfterSignalsEqualsContinuousBitForBit) {
+  ASSERT_EQ(wait_for(start("whole", "")), 0);
+  EXPECT_GE(run_with_interruptions("parts", SIGTERM, std::chrono::milliseconds(300)), 1) << "the case must be long enough to be interrupted";
+  expect_same_results("whole", "parts");
+}
+
+TEST_F(Resume, AfterKillEqualsContinuousBitForBit) {
+  ASSERT_EQ(wait_for(start("whole", "")), 0);
+  EXPECT_GE(run_with_interruptions("parts", SIGKILL, std::chrono::milliseconds(300)), 1) << "the case must be long enough to be killed";
+  expect_same_results("whole", "parts");
+}
+
+TEST_F(Resume, OfAChangedCaseIsRefused) {
+  const pid_t child = start("changed", "");
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  kill(child, SIGTERM);
+  ASSERT_EQ(wait_for(child), 5);
+  std::ofstream(folder_ / "case.toml") << std::string(slope) + "\n[gravity]\nacceleration = 5\n";
+  EXPECT_EQ(wait_for(start("changed", "--resume")), 2);
+}
+
+TEST_F(Resume, OfAFinishedRunChangesNothing) {
+  ASSERT_EQ(wait_for(start("whole", "")), 0);
+  const std::string before = read("whole/summary.json");
+  ASSERT_EQ(wait_for(start("whole", "--resume")), 0);
+  EXPECT_EQ(read("whole/summary.json"), before);
+}
+
+TEST_F(Resume, AnExistingFolderIsNeverOverwrittenUnasked) {
+  fs::create_directories(folder_ / "taken");
+  std::ofstream(folder_ / "taken" / "notes.txt") << "mine";
+  EXPECT_EQ(wait_for(start("taken", "")), 3);
+  EXPECT_EQ(read("taken/notes.txt"), "mine");
+  ASSERT_EQ(wait_for(start("taken", "--overwrite")), 0);
+  EXPECT_EQ(read("taken/notes.txt"), "mine") << "--overwrite replaces results, nothing else";
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,113 @@
+#pragma once
+// Cases on a box, without a mesh generator: named sides, regions by height or by any other rule, rollers.
+
+#include <cmath>
+#include <functional>
+
+#include "analysis/prepare.hpp"
+#include "analysis/stage.hpp"
+#include "support/soil_body.hpp"
+
+namespace talus::support {
+
+/// Names the sides of a mesh of the box [0, size]: left right bottom top (front back).
+template <int D>
+void name_sides(mesh::Mesh<D>& mesh, const std::type_identity_t<Vec<D>>& size) {
+  static constexpr const char* low[] = {"left", "bottom", "front"};
+  static constexpr const char* high[] = {"right", "top", "back"};
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    for (std::size_t k = 0; k <= D; ++k) {
+      if (mesh.neighbours[e][k] >= 0) continue;
+      typename mesh::Mesh<D>::Side side;
+      std::size_t n = 0;
+      for (std::size_t j = 0; j <= D; ++j) {
+        if (j != k) side[n++] = mesh.elements[e][j];
+      }
+      for (std::size_t d = 0; d < D; ++d) {
+        bool is_low = true, is_high = true;
+        for (int i : side) {
+          is_low = is_low && std::abs(mesh.nodes[static_cast<std::size_t>(i)][d]) < 1e-9;
+          is_high = is_high && std::abs(mesh.nodes[static_cast<std::size_t>(i)][d] - size[d]) < 1e-9;
+        }
+        if (is_low) mesh.sides[low[d]].push_back(side);
+        if (is_high) mesh.sides[high[d]].push_back(side);
+      }
+    }
+  }
+}
+
+/// A jittered mesh of the box with its sides named; `region` gives each centroid's region (-1: empty).
+template <int D>
+mesh::Mesh<D> make_box_mesh(const std::array<int, D>& cells, const std::type_identity_t<Vec<D>>& size,
+                            std::vector<std::string> names, const Filling<D>& region, double jitter = 0.15) {
+  mesh::Mesh<D> mesh = make_mesh<D>(cells, size, jitter);
+  name_sides(mesh, size);
+  mesh.region_names = std::move(names);
+  Vec<D> middle;
+  middle.fill(1.0 / (D + 1));
+  for (int e = 0; e < mesh.element_count(); ++e)
+    mesh.element_region[static_cast<std::size_t>(e)] = region(mesh::to_global(mesh, e, middle));
+  return mesh;
+}
+
+inline model::Material make_elastic(double young_modulus = 10e6, double poisson_ratio = 0.3, double density = 1800) {
+  return {.model = model::MaterialModel::linear_elastic,
+          .grain_density = density,
+          .porosity = 0,
+          .young_modulus = young_modulus,
+          .poisson_ratio = poisson_ratio};
+}
+
+inline model::Boundary make_boundary(const std::string& on, model::Fix fix) {
+  model::Boundary b;
+  b.on = on;
+  b.fix = fix;
+  return b;
+}
+
+/// One material "soil" in the region "soil"; rollers on every face but the top.
+template <int D>
+model::Case make_box_case(const model::Material& soil) {
+  model::Case data;
+  data.points_per_element = D == 2 ? 3 : 4;
+  data.materials["soil"] = soil;
+  data.regions["soil"] = "soil";
+  for (const char* name : {"left", "right", "bottom", "front", "back"}) {
+    if (D == 2 && std::string(name).ends_with("k")) continue;
+    if (D == 2 && std::string(name) == "front") continue;
+    data.boundaries.push_back(make_boundary(name, model::Fix::normal));
+  }
+  return data;
+}
+
+/// A plan that runs `duration` seconds under the case's gravity.
+template <int D>
+analysis::StagePlan<D> make_stage(const model::Case& data, const mpm::Body<D>& body, double duration,
+                                  model::StepSettings step) {
+  analysis::StagePlan<D> plan;
+  plan.name = "test";
+  plan.duration = duration;
+  plan.step = step;
+  plan.gravity = analysis::find_gravity<D>(data.gravity);
+  plan.soil_height = analysis::find_soil_height(body, data.gravity);
+  return plan;
+}
+
+/// The same until rest, with a strict criterion.
+template <int D>
+analysis::StagePlan<D> make_rest_stage(const model::Case& data, const mpm::Body<D>& body, double longest,
+                                       model::StepSettings step, double force_ratio = 1e-6) {
+  analysis::StagePlan<D> plan = make_stage(data, body, longest, step);
+  plan.until_rest = true;
+  plan.rest = {.force_ratio = force_ratio, .speed_ratio = force_ratio, .energy_ratio = 1, .hold = 0.01};
+  return plan;
+}
+
+/// Runs a stage from its start.
+template <int D>
+analysis::StageEnd run(mpm::Body<D>& body, const analysis::StagePlan<D>& plan) {
+  analysis::StageState state;
+  return analysis::run_stage(body, plan, state);
+}
+
+}  // namespace talus::support

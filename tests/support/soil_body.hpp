@@ -1,0 +1,128 @@
+#pragma once
+// Bodies for the engine's tests: a mesh of a box, points in the elements that a function chooses, and rollers.
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "mesh/points.hpp"
+#include "mpm/build.hpp"
+#include "mpm/observe.hpp"
+#include "reference/cases.hpp"
+
+namespace talus::support {
+
+template <int D>
+using Filling = std::type_identity_t<std::function<int(const Vec<D>& centroid)>>;  ///< material number, -1: no soil
+template <int D>
+using Start = std::type_identity_t<std::function<void(mpm::InitialPoint<D>&, const Vec<D>& x)>>;  ///< velocity, stress
+
+struct Substance {
+  material::Law law;
+  double density = 1800;  ///< [kg/m³]
+};
+
+/// Points of equal volume (points_per_element as in mesh::point_positions) where `filling` says so.
+template <int D>
+mpm::Body<D> fill_body(mesh::Mesh<D> mesh, const std::vector<Substance>& substances, int points_per_element,
+                       const Filling<D>& filling, const Start<D>& start = {}, int chunks = 0) {
+  std::vector<mpm::InitialPoint<D>> points;
+  std::vector<int> in_element(mesh.elements.size(), 0);
+  Vec<D> middle;
+  middle.fill(1.0 / (D + 1));
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    mpm::InitialPoint<D> p;
+    p.element = e;
+    p.material = filling(mesh::to_global(mesh, e, middle));
+    if (p.material < 0) continue;
+    const std::size_t at = static_cast<std::size_t>(e);
+    p.volume = mesh.volumes[at] / points_per_element;
+    p.mass = p.volume * substances[static_cast<std::size_t>(p.material)].density;
+    for (const auto& xi : mesh::point_positions<D>(points_per_element)) {
+      p.xi = xi;
+      if (start) start(p, mesh::to_global(mesh, e, xi));
+      points.push_back(p);
+    }
+    in_element[at] = points_per_element;
+  }
+  std::vector<material::Law> laws;
+  std::vector<std::string> names;
+  for (const Substance& s : substances) {
+    laws.push_back(s.law);
+    names.push_back("soil" + std::to_string(names.size()));
+  }
+  return mpm::make_body<D>(mpm::make_layout<D>(std::move(mesh), in_element, chunks), std::move(laws), std::move(names),
+                           points);
+}
+
+/// The constraint of a node, made if it has none.
+template <int D>
+mpm::Constraint<D>& get_constraint(mpm::Body<D>& body, std::size_t node) {
+  int& index = body.conditions.constraint_of_node[node];
+  if (index < 0) {
+    index = static_cast<int>(body.conditions.constraints.size());
+    body.conditions.constraints.emplace_back();
+  }
+  return body.conditions.constraints[static_cast<std::size_t>(index)];
+}
+
+/// Suppresses motion along the axis `component` at every node that `chosen` accepts.
+template <int D>
+void fix_nodes(mpm::Body<D>& body, int component,
+               const std::type_identity_t<std::function<bool(const Vec<D>&)>>& chosen) {
+  for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
+    if (!chosen(body.mesh().nodes[i])) continue;
+    mpm::Constraint<D>& c = get_constraint(body, i);
+    Vec<D> axis{};
+    axis[static_cast<std::size_t>(component)] = 1;
+    bool known = false;
+    for (int k = 0; k < c.fixed_count; ++k) known = known || c.fixed[k] == axis;
+    if (!known) c.fixed[c.fixed_count++] = axis;
+  }
+}
+
+/// Rollers on the faces of the box [0, size] except the upper end of `open_axis`.
+template <int D>
+void fix_faces(mpm::Body<D>& body, const Vec<D>& size, int open_axis) {
+  for (int d = 0; d < D; ++d) {
+    const std::size_t s = static_cast<std::size_t>(d);
+    fix_nodes<D>(body, d, [&](const Vec<D>& x) { return std::abs(x[s]) < 1e-9; });
+    if (d != open_axis) fix_nodes<D>(body, d, [&](const Vec<D>& x) { return std::abs(x[s] - size[s]) < 1e-9; });
+  }
+}
+
+/// A regular (jitter 0) or jittered mesh of the box from 0 to `size` [m].
+template <int D>
+mesh::Mesh<D> make_mesh(const std::array<int, D>& cells, const std::type_identity_t<Vec<D>>& size,
+                        double jitter = 0.15) {
+  return reference::make_box<D>(cells, size, jitter);
+}
+
+/// Steps `count` times.
+template <int D>
+void run_steps(mpm::Body<D>& body, const mpm::StepOptions<D>& options, int count) {
+  for (int n = 0; n < count; ++n) mpm::step(body, options);
+}
+
+/// Calls work(view) for every point on the grid.
+template <int D, class Work>
+void for_each_point(const mpm::Body<D>& body, Work&& work) {
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (mpm::is_present(body, id)) work(id, mpm::view_point(body, id));
+  }
+}
+
+/// Every combination of integration and smoothing, with its name.
+struct Mode {
+  std::string name;
+  bool mixed;
+  model::Smoothing smoothing;
+};
+inline std::vector<Mode> all_modes() {
+  using enum model::Smoothing;
+  return {{"points", false, none},          {"mixed", true, none},
+          {"points strain", false, strain}, {"mixed strain", true, strain},
+          {"points stable", false, stable}, {"mixed stable", true, stable}};
+}
+
+}  // namespace talus::support
