@@ -1,17 +1,11 @@
 #!/usr/bin/env bash
-# The speed table: 2D and 3D, small and large, one thread and all of them. The machine's name goes above it, because
-# only ratios measured on one machine in one session mean anything (docs/performance.md).
+# The speed tables of docs/performance.md. Only ratios measured in one run mean anything; the machine stands above them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-program=${1:-build/release}/bench/step_speed
-[ -x "$program" ] || { echo "bench: there is no $program; was TALUS_BUILD_BENCH off?" >&2; exit 1; }
-export OMP_WAIT_POLICY=passive
-sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | sort | uniq -c
-echo "load before: $(cut -d' ' -f1-3 /proc/loadavg); commit $(git describe --always --dirty 2>/dev/null || echo unknown)"
-for dimension in 2 3; do
-  for size in small large; do
-    for threads in 1 "$(nproc)"; do
-      "$program" "$dimension" "$size" "$threads"
-    done
-  done
-done
+build=${1:-build/release}
+[ -x "$build/bin/step_speed" ] || { echo "bench: there is no $build/bin/step_speed; was TALUS_BUILD_BENCH off?" >&2; exit 1; }
+/usr/bin/python3 bench/compare.py "$build"
+echo
+echo "The dry slope's whole curve on one thread (stages and 16 trials):"
+/usr/bin/time -f "%U s of one core, %M KiB" "$build/bin/talus" run examples/dry_slope/case.toml -o "$build/bench_dry_slope" --overwrite --threads 1 -q \
+  --set strength_reduction.frozen.enabled=false --set strength_reduction.curve.runout=[] --set strength_reduction.curve.refine=false

@@ -3,7 +3,7 @@
 # and the program prints it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-talus=${1:-build/release/talus}
+talus=${1:-build/release/bin/talus}
 "$talus" manual >docs/manual/input-keys.md
 "$talus" schema >docs/manual/case.schema.json
 "$talus" template >docs/manual/template.toml

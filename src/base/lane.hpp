@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#if defined(__AVX512F__) || defined(__AVX2__)
+#if !defined(__CUDACC__) && (defined(__AVX512F__) || defined(__AVX2__))
 #include <immintrin.h>
 #endif
 
@@ -32,6 +32,7 @@ inline constexpr int lane_width = 4;
 inline constexpr int lane_width = 2;
 #endif
 
+#if !defined(__CUDACC__)  // nvcc knows no vector types
 /// One truth value per lane.
 struct Mask {
   typedef std::int64_t Vector __attribute__((vector_size(8 * lane_width)));
@@ -69,6 +70,8 @@ struct Pack {
   TALUS_KERNEL friend Mask operator==(Pack a, Pack b) { return Mask(static_cast<Mask::Vector>(a.value == b.value)); }
 };
 
+#endif
+
 /// Width and mask type of a lane type.
 template <class T>
 struct LaneTraits;
@@ -77,25 +80,32 @@ struct LaneTraits<double> {
   using mask = bool;
   static constexpr int width = 1;
 };
+#if !defined(__CUDACC__)
 template <>
 struct LaneTraits<Pack> {
   using mask = Mask;
   static constexpr int width = lane_width;
 };
+#endif
 template <class T>
 using MaskOf = typename LaneTraits<T>::mask;
 
 // Selection, comparison and reduction, for a double and for a Pack ------------------------------------------------
 
 TALUS_KERNEL double select(bool c, double a, double b) { return c ? a : b; }
-TALUS_KERNEL Pack select(Mask c, Pack a, Pack b) { return c.bits ? a.value : b.value; }
 TALUS_KERNEL double lane_max(double a, double b) { return a > b ? a : b; }
-TALUS_KERNEL Pack lane_max(Pack a, Pack b) { return a.value > b.value ? a.value : b.value; }
 TALUS_KERNEL double lane_min(double a, double b) { return a < b ? a : b; }
-TALUS_KERNEL Pack lane_min(Pack a, Pack b) { return a.value < b.value ? a.value : b.value; }
 TALUS_KERNEL double lane_abs(double a) { return a < 0 ? -a : a; }
-TALUS_KERNEL Pack lane_abs(Pack a) { return a.value < 0 ? -a.value : a.value; }
 TALUS_KERNEL double lane_sqrt(double a) { return std::sqrt(a); }
+TALUS_KERNEL bool any(bool m) { return m; }
+TALUS_KERNEL bool all(bool m) { return m; }
+TALUS_KERNEL void store(double* p, double a) { *p = a; }
+
+#if !defined(__CUDACC__)
+TALUS_KERNEL Pack select(Mask c, Pack a, Pack b) { return c.bits ? a.value : b.value; }
+TALUS_KERNEL Pack lane_max(Pack a, Pack b) { return a.value > b.value ? a.value : b.value; }
+TALUS_KERNEL Pack lane_min(Pack a, Pack b) { return a.value < b.value ? a.value : b.value; }
+TALUS_KERNEL Pack lane_abs(Pack a) { return a.value < 0 ? -a.value : a.value; }
 TALUS_KERNEL Pack lane_sqrt(Pack a) {
 #if defined(__AVX512F__)
   // the zero-masked form: GCC 12 warns of an uninitialised value inside the plain one
@@ -110,7 +120,6 @@ TALUS_KERNEL Pack lane_sqrt(Pack a) {
 }
 
 /// One bit per lane, lane 0 lowest.
-TALUS_KERNEL unsigned to_bits(bool m) { return m; }
 TALUS_KERNEL unsigned to_bits(Mask m) {
 #if defined(__AVX512DQ__)
   return _mm512_movepi64_mask(reinterpret_cast<__m512i>(m.bits));
@@ -124,18 +133,16 @@ TALUS_KERNEL unsigned to_bits(Mask m) {
   return r;
 #endif
 }
-TALUS_KERNEL bool any(bool m) { return m; }
 TALUS_KERNEL bool any(Mask m) { return to_bits(m) != 0; }
-TALUS_KERNEL bool all(bool m) { return m; }
 TALUS_KERNEL bool all(Mask m) { return to_bits(m) == (1u << lane_width) - 1; }
 
-/// Loads from and stores to memory aligned to the pack.
+TALUS_KERNEL void store(double* p, Pack a) { *reinterpret_cast<Pack::Vector*>(p) = a.value; }
+
+/// Loads a pack from memory that is aligned to it.
 template <class T>
 TALUS_KERNEL T load(const double* p) {
-  if constexpr (LaneTraits<T>::width == 1) return *p;
-  else return T(*reinterpret_cast<const typename T::Vector*>(p));
+  return T(*reinterpret_cast<const typename T::Vector*>(p));
 }
-TALUS_KERNEL void store(double* p, double a) { *p = a; }
-TALUS_KERNEL void store(double* p, Pack a) { *reinterpret_cast<Pack::Vector*>(p) = a.value; }
+#endif
 
 }  // namespace talus
