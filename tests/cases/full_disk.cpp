@@ -1,0 +1,62 @@
+// A disk that fills up while a case runs: one sentence, its exit code, and nothing truncated under a final name.
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "output/archive.hpp"
+#include "output/results.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `talus run` on a coarse dry slope in a child whose files may not grow beyond `limit` bytes, which is what a full disk
+/// looks like to the program. Returns its exit code; what it said goes to `folder`/said.txt.
+int run_with_limit(const fs::path& folder, rlim_t limit) {
+  const pid_t child = fork();
+  if (child == 0) {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit bound{limit, limit};
+    setrlimit(RLIMIT_FSIZE, &bound);
+    const std::string said = (folder / "said.txt").string(), out = (folder / "results").string();
+    const std::string input = std::string(TALUS_SOURCE_DIR) + "/examples/dry_slope/case.toml";
+    if (!freopen(said.c_str(), "w", stderr)) _exit(126);
+    execl(TALUS_PROGRAM, "talus", "run", input.c_str(), "-o", out.c_str(), "-q", "--set", "mesh.size=1.5", "--set", "analysis.kind=run", "--set",
+          "output.frame_interval=0.5", nullptr);
+    _exit(127);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+TEST(FullDisk, IsOneSentenceAndLeavesWholeFilesOnly) {
+  const fs::path folder = fs::temp_directory_path() / ("talus_full_disk_" + std::to_string(getpid()));
+  for (const rlim_t limit : {3000, 20000, 60000, 200000}) {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const int code = run_with_limit(folder, limit);
+    ASSERT_EQ(code, 6) << "limit " << limit;
+    std::ifstream file(folder / "said.txt");
+    const std::string said{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NE(said.find("cannot write"), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << "one sentence, not:\n" << said;
+    // Whatever has a final name can be read.
+    if (fs::exists(folder / "results" / "checkpoint.h5")) output::ArchiveReader(folder / "results" / "checkpoint.h5");
+    if (fs::exists(folder / "results" / "frames") && !fs::is_empty(folder / "results" / "frames")) {
+      const output::ResultsReader reader(folder / "results");
+      for (int i = 0; i < reader.size(); ++i) reader.read(i);
+    }
+  }
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace talus

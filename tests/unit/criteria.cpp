@@ -1,0 +1,104 @@
+// Factors of safety read off curves whose answer is known.
+
+#include "analysis/criteria.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/frozen_factor.hpp"
+
+namespace talus::analysis {
+namespace {
+
+/// Two straight lines that meet at factor 1.5.
+std::vector<CurvePoint> make_kink() {
+  std::vector<CurvePoint> curve;
+  for (int i = 0; i <= 15; ++i) {
+    const double f = 1.0 + 0.05 * i;
+    curve.push_back({f, 0.01 * (f - 1) + (f > 1.5 ? 2 * (f - 1.5) : 0)});
+  }
+  return curve;
+}
+
+TEST(Bilinear, FindsTheKinkOfTwoLinesByItself) {
+  const auto b = construct_bilinear(make_kink());
+  ASSERT_TRUE(b && b->criterion.factor);
+  EXPECT_NEAR(*b->criterion.factor, 1.5, 1e-9);
+  EXPECT_NEAR(b->first.slope, 0.01, 1e-9);
+  EXPECT_NEAR(b->last.slope, 2.01, 1e-9);
+  EXPECT_LE(b->criterion.lower, 1.5 + 1e-9);
+  EXPECT_GE(b->criterion.upper, 1.5 - 1e-9);
+}
+
+TEST(Bilinear, UsesTheBranchesThatAreNamed) {
+  auto curve = make_kink();
+  curve[10].displacement += 0.3;  // SRF 1.50, outside both named branches
+  const auto b = construct_bilinear(curve, {1.0, 1.45}, {1.60, 1.75});
+  ASSERT_TRUE(b && b->criterion.factor);
+  EXPECT_NEAR(*b->criterion.factor, 1.5, 1e-9);
+  EXPECT_EQ(b->first.factors.size(), 10u);
+  EXPECT_EQ(b->last.factors.size(), 4u);
+}
+
+/// The published curve of the dry slope (Table 3.3, reference row, and the values of figure 3.2 at the ends are not
+/// printed): with the peer's curve of the same slope the construction gives the peer's own 1.586.
+TEST(Bilinear, GivesThePeersFactorOnThePeersCurve) {
+  const std::vector<CurvePoint> peer{{1.0, 0.0},       {1.2, 0.00315},  {1.4, 0.01629},  {1.44, 0.02679}, {1.45, 0.03039}, {1.5, 0.05787},
+                                     {1.55, 0.10831}, {1.6, 0.18737}, {1.65, 0.3158}, {1.7, 0.54784}, {1.75, 1.00805}};
+  const auto b = construct_bilinear(peer, {1.0, 1.45}, {1.60, 1.75});
+  ASSERT_TRUE(b && b->criterion.factor);
+  // The peer weighted every point alike; ours weigh by distance. That moves the intersection by less than 0.01.
+  EXPECT_NEAR(*b->criterion.factor, 1.586, 0.01);
+}
+
+TEST(Bilinear, SaysWhenACurveDoesNotSteepen) {
+  std::vector<CurvePoint> curve;
+  for (int i = 0; i < 8; ++i) curve.push_back({1 + 0.1 * i, std::sqrt(i)});
+  const auto b = construct_bilinear(curve);
+  ASSERT_TRUE(b);
+  EXPECT_FALSE(b->criterion.factor);
+  EXPECT_FALSE(b->criterion.note.empty());
+}
+
+TEST(Bilinear, RefinedStretchesDoNotCountMore) {
+  auto coarse = make_kink();
+  auto fine = coarse;
+  for (const double f : {1.61, 1.62, 1.63, 1.64}) fine.push_back({f, 0.01 * (f - 1) + 2 * (f - 1.5)});
+  std::sort(fine.begin(), fine.end(), [](const auto& a, const auto& b) { return a.factor < b.factor; });
+  EXPECT_NEAR(*construct_bilinear(fine)->criterion.factor, *construct_bilinear(coarse)->criterion.factor, 1e-9);
+}
+
+TEST(DisplacementCriterion, InterpolatesBetweenTrials) {
+  const Criterion c = find_displacement_criterion({{1.0, 0.0}, {1.4, 0.1}, {1.5, 0.5}}, 0.3);
+  ASSERT_TRUE(c.factor);
+  EXPECT_NEAR(*c.factor, 1.45, 1e-12);
+  EXPECT_EQ(c.lower, 1.4);
+  EXPECT_EQ(c.upper, 1.5);
+  EXPECT_FALSE(find_displacement_criterion({{1.0, 0.0}, {1.4, 0.1}}, 0.3).factor);
+}
+
+TEST(JumpCriterion, FindsTheIntervalOfFastestGrowthAndIgnoresElasticNoise) {
+  const Criterion c = find_jump_criterion({{1.0, 1e-9}, {1.1, 1e-6}, {1.2, 0.02}, {1.3, 0.03}, {1.4, 0.9}, {1.5, 1.5}}, 0.01);
+  ASSERT_TRUE(c.factor);
+  EXPECT_EQ(c.lower, 1.3);
+  EXPECT_EQ(c.upper, 1.4);
+}
+
+TEST(Refinement, HalvesWhereTheCurveBendsAndStaysOnTheGrid) {
+  const auto curve = make_kink();
+  const auto added = choose_refinement(curve, 0.01);
+  ASSERT_EQ(added.size(), 2u);
+  EXPECT_NEAR(added[0], 1.47, 1e-9);
+  EXPECT_NEAR(added[1], 1.52, 1e-9);
+  EXPECT_TRUE(choose_refinement(curve, 0.05).empty()) << "intervals as short as the smallest are not halved";
+}
+
+TEST(Extrapolation, IsExactForALineInMeshSize) {
+  const auto factor = [](double h) { return 1.44 + 0.08 * h; };
+  EXPECT_NEAR(extrapolate_to_zero(0.75, factor(0.75), 0.375, factor(0.375)), 1.44, 1e-12);
+  EXPECT_NEAR(extrapolate_to_zero(1.0, factor(1.0), 0.4, factor(0.4)), 1.44, 1e-12);
+}
+
+}  // namespace
+}  // namespace talus::analysis
