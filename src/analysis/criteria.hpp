@@ -45,8 +45,8 @@ Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, doub
 /// The interval in which ln u grows fastest; displacements below `floor` [m] are elastic and not looked at.
 Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, double floor);
 
-/// Middle of the next interval to halve, where the curve bends most: the interval beside the point with the largest
-/// change of slope, weighted by its length. Nothing when every interval there is as short as `smallest`.
+/// Factors that halve the two intervals beside every point where the curve bends noticeably (change of slope times length,
+/// against the whole rise). Nothing when those intervals are as short as `smallest`.
 std::vector<double> choose_refinement(const std::vector<CurvePoint>& curve, double smallest);
 
 }  // namespace talus::analysis

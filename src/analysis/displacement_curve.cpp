@@ -48,6 +48,17 @@ StagePlan<D> make_trial_plan(const model::Case& data, double slope_height, int t
   return plan;
 }
 
+/// One result for the legs of a trial: how it ended, its whole time and steps, its largest speed.
+TrialResult add_up(const std::vector<TrialResult>& legs) {
+  TrialResult sum = legs.back();
+  for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
+    sum.time += legs[i].time;
+    sum.steps += legs[i].steps;
+    sum.largest_speed = std::max(sum.largest_speed, legs[i].largest_speed);
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::vector<CurvePoint> CurveResult::points() const {
@@ -61,7 +72,7 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
   const model::Curve& curve = context.data->strength_reduction.curve;
   const int side_by_side = count_parallel_trials(state.points.size(), threads);
   const int inner = side_by_side > 1 ? 1 : threads;
-  const double bin = state.mesh().altitudes.empty() ? 1 : std::sqrt(2 * state.mesh().volumes[state.points.element[0]]);
+  const double bin = mesh::measure_quality(state.mesh()).mean_size;
   CurveResult result;
   std::mutex collecting;
 
@@ -99,7 +110,7 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
       mpm::Body<D> start = state;
       mpm::reset_displacements(start);
       const Profile before = find_profile(start, bin);
-      runout = RunoutTrial{factor, results.back(), find_runout(body, before, moved_share * slope_height), before, find_profile(body, bin)};
+      runout = RunoutTrial{factor, add_up(results), find_runout(body, before, moved_share * slope_height), before, find_profile(body, bin)};
       write_profiles(files.folder / "profile.csv", before, runout->final);
     }
     const std::lock_guard lock(collecting);

@@ -73,6 +73,7 @@ std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor
   settings.frame_interval = files.frame_interval;
   settings.progress = context.progress;
   settings.label = files.label;
+  settings.monitor_points = context.monitor_points;
 
   body = start_trial(state, *context.data, factor);
   StageState stage;

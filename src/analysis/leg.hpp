@@ -17,6 +17,7 @@ struct TrialContext {
   const model::Case* data = nullptr;
   Progress* progress = nullptr;
   bool resume = false;
+  std::vector<int> monitor_points;  ///< those of the stages
 };
 
 nlohmann::json to_json(const TrialResult& trial);

@@ -25,7 +25,7 @@ void set_strength(mpm::Body<D>& body, const model::Case& data, std::optional<dou
 template <int D>
 mpm::Body<D> prepare(const model::Case& data, mesh::Mesh<D> mesh, int chunks = 0);
 
-/// Height H of the soil: extent of the body's points against gravity [m].
+/// Height H of the soil: extent against gravity of the elements that hold points [m].
 template <int D>
 double find_soil_height(const mpm::Body<D>& body, const model::Gravity& gravity);
 

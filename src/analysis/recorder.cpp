@@ -45,7 +45,7 @@ std::vector<output::Column> list_monitor_columns(const model::Case& data) {
   return columns;
 }
 
-/// The point that is nearest to each monitor at its reference position.
+/// The point that is nearest to each monitor now, at its reference position.
 template <int D>
 std::vector<int> find_monitor_points(const model::Case& data, const mpm::Body<D>& body) {
   std::vector<int> points;
@@ -87,7 +87,7 @@ int get_leg(const output::ArchiveReader& checkpoint) { return checkpoint.integer
 
 template <int D>
 Recorder<D>::Recorder(const RecorderSettings& settings, const mpm::Body<D>& body)
-    : settings_(settings), monitor_points_(find_monitor_points(*settings.data, body)) {}
+    : settings_(settings), monitor_points_(settings.monitor_points.empty() ? find_monitor_points(*settings.data, body) : settings.monitor_points) {}
 
 template <int D>
 void Recorder<D>::open_histories(bool resumes) {
@@ -123,6 +123,8 @@ Recorder<D> Recorder<D>::resume(const RecorderSettings& settings, const mpm::Bod
   r.next_frame_ = times[0];
   r.next_row_ = times[1];
   r.last_row_ = times[2];
+  r.last_frame_ = times[3];
+  r.monitor_points_ = checkpoint.integers("monitor_points");
   return r;
 }
 
@@ -141,10 +143,11 @@ StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const 
   hooks.output = [this](const mpm::Body<D>& b, StageState& s) { on_output(b, s); };
   hooks.look = [this](const mpm::Body<D>& b, const StageState& s) { on_look(b, s); };
   hooks.save_last_good = [this](const mpm::Body<D>& b, const StageState& s) {
-    write_checkpoint(b, s, leg_, "last_good.h5");
+    // Where --resume goes on, with a smaller Courant number for instance.
+    write_checkpoint(b, s, leg_, settings_.checkpoint_name);
     write_frame(b);
     if (results_) results_->finish();
-    return (settings_.folder / "last_good.h5").string();
+    return settings_.folder.string() + ", from where --resume goes on";
   };
   return hooks;
 }
@@ -203,7 +206,9 @@ void Recorder<D>::write_rows(const mpm::Body<D>& body) {
 
 template <int D>
 void Recorder<D>::write_frame(const mpm::Body<D>& body) {
-  if (results_) results_->write(make_frame(body, plan_->name, settings_.data->output.cells, settings_.data->output.nodes));
+  if (!results_ || body.time <= last_frame_) return;
+  last_frame_ = body.time;
+  results_->write(make_frame(body, plan_->name, settings_.data->output.cells, settings_.data->output.nodes));
 }
 
 template <int D>
@@ -212,7 +217,8 @@ void Recorder<D>::write_checkpoint(const mpm::Body<D>& body, const StageState& s
   archive.put("input_hash", settings_.input_hash);
   const std::vector<int> legs{leg};
   archive.put("leg", legs);
-  const std::vector<double> times{next_frame_, next_row_, last_row_};
+  const std::vector<double> times{next_frame_, next_row_, last_row_, last_frame_};
+  archive.put("monitor_points", monitor_points_);
   archive.put("recorder", times);
   put_mesh(archive, body.mesh());
   put_body(archive, body);
@@ -242,7 +248,7 @@ template <int D>
 void Recorder<D>::on_look(const mpm::Body<D>& body, const StageState& state) {
   if (is_interrupted()) {
     write_checkpoint(body, state, leg_, settings_.checkpoint_name);
-    if (results_) results_->finish();
+    if (results_ && results_->frame_count() > 0) results_->finish();
     throw Error(ExitCode::interrupted, fmt::format("interrupted in '{}' at t = {:.4g} s; the state is saved, --resume goes on from there", plan_->name, body.time));
   }
   const auto now = std::chrono::steady_clock::now();

@@ -24,6 +24,7 @@ struct RecorderSettings {
   double frame_interval = 0;         ///< [s]; 0: only at the end
   Progress* progress = nullptr;
   std::string label;                 ///< before the stage's name in the line of progress
+  std::vector<int> monitor_points;   ///< the points that are followed; empty: those nearest to the monitors now
 };
 
 /// One history of legs (stages, or one trial) in one folder.
@@ -41,6 +42,7 @@ class Recorder {
   void end_leg(const mpm::Body<D>& body, bool saves = true);
   /// Assembles the results; removes the checkpoint when `done`.
   void finish(bool done);
+  const std::vector<int>& monitor_points() const { return monitor_points_; }
 
  private:
   Recorder(const RecorderSettings& settings, const mpm::Body<D>& body);
@@ -58,7 +60,7 @@ class Recorder {
   std::vector<int> monitor_points_;
   int leg_ = 0;
   const StagePlan<D>* plan_ = nullptr;
-  double next_frame_ = 0, next_row_ = 0, row_interval_ = 0, last_row_ = -1;
+  double next_frame_ = 0, next_row_ = 0, row_interval_ = 0, last_row_ = -1, last_frame_ = -1;
   std::chrono::steady_clock::time_point next_checkpoint_, leg_start_;
   std::int64_t leg_start_steps_ = 0;
 };

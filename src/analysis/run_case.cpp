@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <functional>
+#include <regex>
 #include <set>
 
 #include "analysis/checkpoint.hpp"
@@ -23,7 +26,7 @@ using nlohmann::json;
 
 /// Everything that a run may leave in its folder; --overwrite removes these and nothing else.
 const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf", "mesh.xdmf", "frames", "history.csv", "monitors.csv", "summary.json",
-                                 "checkpoint.h5", "stages.json", "last_good.h5", "curve.csv", "profile.csv", "trials", "frozen"};
+                                 "checkpoint.h5", "stages.json", "curve.csv", "profile.csv", "trials", "frozen"};
 
 /// Unbalanced forces above this share of gravity at the end of a timed stage deserve a warning.
 constexpr double restless_force_ratio = 0.01;
@@ -46,8 +49,25 @@ void check_folder(const RunOptions& options) {
 }
 
 void clear_folder(const RunOptions& options) {
-  if (options.resume || !options.overwrite) return;
+  if (options.resume || !options.overwrite || !fs::exists(options.folder)) return;
   for (const char* name : own_files) fs::remove_all(options.folder / name);
+  // Pictures of the old results would pass for those of the new ones.
+  static const std::regex picture(R"((curve|.*_\d{4})\.(svg|png|gp))");
+  for (const auto& entry : fs::directory_iterator(options.folder)) {
+    if (std::regex_match(entry.path().filename().string(), picture)) fs::remove(entry.path());
+  }
+}
+
+/// Hash of what decides the state of a run. A run may be resumed with other outputs, and after an instability with a smaller
+/// Courant number.
+std::string hash_input(json echo) {
+  echo.erase("output");
+  const std::function<void(json&)> strip = [&](json& node) {
+    if (node.is_object()) node.erase("courant");
+    if (node.is_structured()) std::for_each(node.begin(), node.end(), strip);
+  };
+  strip(echo);
+  return hash_text(echo.dump());
 }
 
 std::optional<json> load_finished(const RunOptions& options, const std::string& input_hash) {
@@ -77,14 +97,16 @@ class CaseRun {
     body_ = prepare<D>(data_, std::move(mesh));
     slope_height_ = find_slope_height(body_, data_.gravity);
     fill_summary_head();
-    initial_ = find_profile(body_, profile_bin());
+    if (body_.conditions.constraints.empty()) warnings_.push_back("no boundary holds the soil; without [[boundary]] it falls out of the box");
+    profile_bin_ = mesh::measure_quality(body_.mesh()).mean_size;
+    initial_ = find_profile(body_, profile_bin_);
 
     clear_folder(options_);
     output::make_folder(options_.folder);
     try {
       run_stages(checkpoint.get());
       if (data_.analysis == model::AnalysisKind::strength_reduction) {
-        const TrialContext context{options_.folder, hash_, &data_, options_.progress, options_.resume};
+        const TrialContext context{options_.folder, hash_, &data_, options_.progress, options_.resume, monitor_points_};
         reduce_strength<D>(body_, context, slope_height_, options_.threads, summary_, warnings_);
         fs::remove(options_.folder / "checkpoint.h5");
       }
@@ -110,11 +132,6 @@ class CaseRun {
     std::set<std::string> sides, regions(mesh.region_names.begin(), mesh.region_names.end());
     for (const auto& [name, list] : mesh.sides) sides.insert(name);
     model::check_against_mesh(loaded_, sides, regions);
-  }
-
-  double profile_bin() const {
-    if (data_.mesh.file.empty()) return data_.mesh.size;
-    return std::sqrt(2 * body_.mesh().volumes[body_.points.element[0]]);
   }
 
   void fill_summary_head() {
@@ -177,6 +194,7 @@ class CaseRun {
       recorder.end_leg(body_);
       state = {};
     }
+    monitor_points_ = recorder.monitor_points();
     recorder.finish(data_.analysis == model::AnalysisKind::run);
     summary_["budgets"] = describe_budgets<D>(body_, find_gravity<D>(data_.gravity));
     if (data_.analysis == model::AnalysisKind::run) add_runout();
@@ -192,11 +210,13 @@ class CaseRun {
 
   /// Stage reports outlive an interruption beside the checkpoint.
   fs::path stage_file() const { return options_.folder / "stages.json"; }
-  void save_stage_reports() const { output::write_atomically(stage_file(), stages_.dump(2) + "\n"); }
+  void save_stage_reports() const { output::write_atomically(stage_file(), json{{"stages", stages_}, {"warnings", warnings_}}.dump(2) + "\n"); }
   void load_stage_reports(int count) {
     std::ifstream file(stage_file());
     if (!file) return;
-    stages_ = json::parse(file);
+    const json kept = json::parse(file);
+    stages_ = kept.at("stages");
+    warnings_ = kept.at("warnings").get<std::vector<std::string>>();
     while (static_cast<int>(stages_.size()) > count) stages_.erase(stages_.size() - 1);
   }
 
@@ -204,7 +224,7 @@ class CaseRun {
     constexpr double moved_share = 0.01;
     const Runout runout = find_runout(body_, initial_, moved_share * slope_height_);
     summary_["runout"] = to_json(runout);
-    write_profiles(options_.folder / "profile.csv", initial_, find_profile(body_, profile_bin()));
+    write_profiles(options_.folder / "profile.csv", initial_, find_profile(body_, profile_bin_));
   }
 
   void finish_summary(std::chrono::steady_clock::time_point start, double cpu_start) {
@@ -226,8 +246,9 @@ class CaseRun {
   const RunOptions& options_;
   std::string hash_;
   mpm::Body<D> body_;
-  double slope_height_ = 0;
+  double slope_height_ = 0, profile_bin_ = 0;
   Profile initial_;
+  std::vector<int> monitor_points_;
   json summary_, stages_ = json::array();
   std::vector<std::string> warnings_;
 };
@@ -235,7 +256,7 @@ class CaseRun {
 }  // namespace
 
 json run_case(const model::LoadedCase& loaded, const RunOptions& options) {
-  const std::string hash = hash_text(loaded.echo.dump());
+  const std::string hash = hash_input(loaded.echo);
   check_folder(options);
   if (auto finished = load_finished(options, hash)) return *finished;
   if (loaded.data.mesh.dimension == 2) return CaseRun<2>(loaded, options, hash).run();

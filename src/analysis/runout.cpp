@@ -42,6 +42,20 @@ double find_crest(const Profile& profile, int direction) {
 
 }  // namespace
 
+/// Where the ground, seen from the crest, reaches its lower level (or ends).
+double find_toe(const Profile& profile, double crest, int direction) {
+  const double top = *std::max_element(profile.height.begin(), profile.height.end());
+  const double low = *std::min_element(profile.height.begin(), profile.height.end());
+  const bool is_level = top - low < 0.02 * top;  // a column: its toe is its edge
+  double toe = crest;
+  for (std::size_t i = 0; i < profile.x.size(); ++i) {
+    const double ahead = direction * (profile.x[i] - toe);
+    const bool above = is_level || profile.height[i] > low + 0.02 * (top - low);
+    if (above && ahead > 0) toe = profile.x[i];
+  }
+  return toe + direction * 0.5 * profile.bin;
+}
+
 template <int D>
 Profile find_profile(const mpm::Body<D>& body, double bin) {
   std::map<long, double> top;
@@ -134,6 +148,8 @@ Runout find_runout(const mpm::Body<D>& body, const Profile& initial, double thre
   r.farthest_advance = farthest_now - farthest_before;
   r.toe = r.direction * front_now;
   r.crest = find_crest(initial, r.direction);
+  r.initial_toe = find_toe(initial, r.crest, r.direction);
+  r.toe_distance = std::max(0.0, front_now - r.direction * r.initial_toe);
   r.crest_retreat = std::max(0.0, r.direction * r.crest - rearmost);
   return r;
 }

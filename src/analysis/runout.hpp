@@ -30,6 +30,8 @@ struct Runout {
   double front_advance = 0;       ///< front that holds 99 % of the moved mass: how far it went [m]
   double farthest_advance = 0;    ///< the same for the farthest point; a few detached points are not the front [m]
   double toe = 0;                 ///< where the front is now, x [m]
+  double initial_toe = 0;         ///< where the ground met its lower level at the start, x [m]
+  double toe_distance = 0;        ///< how far the front is beyond that [m]; 0 while it has not passed it
   double crest_retreat = 0;       ///< how far behind the initial crest the moved soil begins, against the motion [m]
   double crest = 0;               ///< x of the crest at the start [m]
   double centre_advance = 0;      ///< of the centre of mass of the moved soil, along x [m]
@@ -37,7 +39,7 @@ struct Runout {
   double largest_displacement = 0;  ///< [m]
 };
 
-/// Compares the body now with its reference positions (mpm::reset_displacements). `initial` is the profile then.
+/// Compares the body now, along x and y whatever the direction of gravity, with its reference positions (mpm::reset_displacements). `initial` is the profile then.
 /// Points that moved less than `threshold` [m] are at rest.
 template <int D>
 Runout find_runout(const mpm::Body<D>& body, const Profile& initial, double threshold);

@@ -32,10 +32,26 @@ mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
   return o;
 }
 
-/// Fastest compression wave of the materials in use [m/s].
+/// Fastest compression wave of the points, √(E_c/ρ) [m/s].
 template <int D>
-double find_wave_speed(const mpm::Body<D>& body, const mpm::CriticalStep& critical, double mass_scaling) {
-  return std::sqrt(mass_scaling) * body.mesh().altitudes[critical.element] / critical.dt;
+double find_wave_speed(const mpm::Body<D>& body) {
+  double square = 0;
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const auto p = mpm::view_point(body, id);
+    square = std::max(square, material::constrained_modulus(body.laws[p.material]) * p.volume / p.mass);
+  }
+  return std::sqrt(square);
+}
+
+/// The step can fall to that of the mesh's smallest element, and below it only when soil swells without bound: a point
+/// with a quarter of its density is an explosion.
+constexpr double smallest_step_share = 0.5;
+
+template <int D>
+double find_smallest_step(const mpm::Body<D>& body, double wave_speed, double mass_scaling) {
+  const auto& altitudes = body.mesh().altitudes;
+  return smallest_step_share * *std::min_element(altitudes.begin(), altitudes.end()) * std::sqrt(mass_scaling) / wave_speed;
 }
 
 /// Where and how fast something moves that should not.
@@ -75,6 +91,14 @@ std::optional<Runaway<D>> find_runaway(const mpm::Body<D>& body, bool monitored,
   Runaway<D> r{{}, body.monitor.speed, "the grid"};
   if (body.monitor.fastest_node >= 0) r.place = body.mesh().nodes[body.monitor.fastest_node];
   return r;
+}
+
+/// The soil in element `e` or beside it has lost most of its density.
+template <int D>
+Runaway<D> find_swollen(const mpm::Body<D>& body, int e) {
+  std::array<double, D> centre;
+  centre.fill(1.0 / (D + 1));
+  return {mesh::to_global(body.mesh(), e, centre), body.monitor.speed, "soil that has swollen beyond bounds"};
 }
 
 template <int D>
@@ -138,17 +162,23 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
   }
   const double end = state.start_time + plan.duration;
   mpm::CriticalStep critical = mpm::find_critical_step(body, plan.step.mass_scaling);
-  double wave_speed = find_wave_speed(body, critical, plan.step.mass_scaling);
-  const bool watches_displacement = plan.failed_displacement > 0;
   mpm::Body<D> last_good = body;
   StageState last_good_state = state;
+  // That of the start: later densities may be those of an explosion.
+  if (state.wave_speed == 0) state.wave_speed = find_wave_speed(body);
+  const double smallest_step = find_smallest_step(body, state.wave_speed, plan.step.mass_scaling);
+  const auto give_up = [&](const Runaway<D>& runaway) {
+    const std::string saved = hooks.save_last_good ? hooks.save_last_good(last_good, last_good_state) : "";
+    throw_unstable(body, last_good, plan, runaway, state.wave_speed, saved);
+  };
+  const bool watches_displacement = plan.failed_displacement > 0;
 
   for (;;) {
     if (state.steps % look_interval == 0) {
       critical = mpm::find_critical_step(body, plan.step.mass_scaling);
       if (critical.element < 0) return StageEnd::time;  // nothing is left on the grid
-      wave_speed = find_wave_speed(body, critical, plan.step.mass_scaling);
       state.dt = plan.step.courant * critical.dt;
+      if (!(critical.dt >= smallest_step)) give_up(find_swollen<D>(body, critical.element));
       if (state.steps % (look_interval * looks_per_copy) == 0) {
         last_good = body;
         last_good_state = state;
@@ -165,10 +195,7 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
     const std::size_t lost_before = body.lost.size();
     mpm::step(body, options);
     ++state.steps;
-    if (const auto runaway = find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * wave_speed)) {
-      const std::string saved = hooks.save_last_good ? hooks.save_last_good(last_good, last_good_state) : "";
-      throw_unstable(body, last_good, plan, *runaway, wave_speed, saved);
-    }
+    if (const auto runaway = find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * state.wave_speed)) give_up(*runaway);
     if (!options.monitor) continue;
     state.largest_speed = std::max(state.largest_speed, body.monitor.speed);
     if (!plan.until_rest) continue;

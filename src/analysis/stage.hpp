@@ -34,6 +34,7 @@ struct StageState {
   double calm_since = -1;           ///< time since which the rest criterion holds [s]; -1: it does not
   double next_output = 0;           ///< simulated time of the next call of StageHooks::output [s]
   double largest_speed = 0;         ///< of a node, in the whole stage [m/s]
+  double wave_speed = 0;            ///< compression waves at the start of the stage [m/s]
 };
 
 enum class StageEnd { time, rest, failed };

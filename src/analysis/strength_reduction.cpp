@@ -117,7 +117,7 @@ FrozenResult compute_frozen_factor(const model::Case& data, const mesh::Mesh<D>&
       }
     };
     MeshFactor factor = find_frozen_factor(body, data, settings, height, threads, known, report, hooks);
-    factor.size = ready_mesh ? std::sqrt(2 * body.mesh().volumes[body.points.element[0]]) : data.mesh.size * std::pow(0.5, i);
+    factor.size = ready_mesh ? mesh::measure_quality(body.mesh()).mean_size : data.mesh.size * std::pow(0.5, i);
     if (factor.undecided) {
       warnings.push_back(fmt::format("at h = {:g} m a trial neither rested nor ran away within {:g} s; it is counted as failed", factor.size, settings.window));
     }
@@ -150,7 +150,7 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
     if (bilinear) criteria.push_back(bilinear->criterion);
     else criteria.push_back({"bilinear", std::nullopt, 0, 0, "too few factors in the branches"});
     criteria.push_back(find_displacement_criterion(points, settings.curve.displacement_ratio * slope_height));
-    criteria.back().note = fmt::format("largest displacement reaches {:g} H, H = {:g} m", settings.curve.displacement_ratio, slope_height);
+    if (criteria.back().factor) criteria.back().note = fmt::format("largest displacement reaches {:g} H, H = {:g} m", settings.curve.displacement_ratio, slope_height);
     criteria.push_back(find_jump_criterion(points, elastic_share * slope_height));
     summary["curve"] = describe_curve(curve, bilinear, criteria);
     factors["criteria"] = summary["curve"]["criteria"];

@@ -65,7 +65,7 @@ json to_json(const FrozenResult& f, double dilatancy_min, double dilatancy_max) 
 
 json to_json(const Runout& r) {
   return {{"largest_displacement", r.largest_displacement}, {"moved_volume", r.moved_volume}, {"moved_threshold", r.threshold},
-          {"direction", r.direction}, {"front_advance", r.front_advance}, {"farthest_advance", r.farthest_advance}, {"toe", r.toe},
+          {"direction", r.direction}, {"front_advance", r.front_advance}, {"farthest_advance", r.farthest_advance}, {"toe", r.toe}, {"initial_toe", r.initial_toe}, {"toe_distance", r.toe_distance},
           {"crest", r.crest}, {"crest_retreat", r.crest_retreat}, {"centre_advance", r.centre_advance}, {"centre_drop", r.centre_drop}};
 }
 
@@ -84,7 +84,7 @@ json describe_mesh(const mpm::Body<D>& body) {
   for (const double x : q.worst_place) place.push_back(x);
   return {{"dimension", D}, {"nodes", body.mesh().node_count()}, {"elements", body.mesh().element_count()}, {"soil_elements", q.element_count},
           {"points", body.points.size()}, {"smallest_altitude", q.min_altitude}, {"mean_altitude", q.mean_altitude},
-          {"smallest_altitude_at", place}, {"smallest_angle", q.min_angle}, {"critical_time_step", mpm::find_critical_step(body, 1).dt}};
+          {"smallest_altitude_at", place}, {"mean_size", q.mean_size}, {"smallest_angle", q.min_angle}, {"critical_time_step", mpm::find_critical_step(body, 1).dt}};
 }
 
 json describe_timing(const mpm::Timing& t) {
@@ -170,8 +170,8 @@ std::string write_digest(const json& s) {
   if (s.contains("runouts")) {
     for (const json& r : s.at("runouts")) {
       const json& m = r.at("runout");
-      text += fmt::format("Runout at SRF {:g}: front advances {:.3g} m, crest retreats {:.3g} m, {:.4g} m³ move, {} after {:.3g} s\n", r.at("srf").get<double>(),
-                          m.at("front_advance").get<double>(), m.at("crest_retreat").get<double>(), m.at("moved_volume").get<double>(),
+      text += fmt::format("Runout at SRF {:g}: front advances {:.3g} m and passes the toe by {:.3g} m, crest retreats {:.3g} m, {:.4g} m³ move, {} after {:.3g} s\n", r.at("srf").get<double>(),
+                          m.at("front_advance").get<double>(), m.at("toe_distance").get<double>(), m.at("crest_retreat").get<double>(), m.at("moved_volume").get<double>(),
                           r.at("end") == "rest" ? "at rest" : "still moving", r.at("time").get<double>());
     }
   }

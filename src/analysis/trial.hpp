@@ -16,7 +16,7 @@ struct TrialResult {
   double largest_speed = 0;      ///< in the whole trial [m/s]
 };
 
-/// Prepares a body for a trial: reduced strength (3.14-3.15), displacements and work from zero.
+/// Prepares a body for a trial: reduced strength (3.14-3.15), displacements from zero (time and work go on).
 template <int D>
 mpm::Body<D> start_trial(const mpm::Body<D>& state, const model::Case& data, double factor);
 

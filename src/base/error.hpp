@@ -13,7 +13,7 @@ enum class ExitCode : int {
   internal_error = 1,   ///< a defect of the program itself
   wrong_input = 2,      ///< the case file or the command line is wrong; nothing was written
   folder_exists = 3,    ///< the result folder exists and --overwrite was not given; nothing was written
-  unstable = 4,         ///< the calculation became unstable; its last good state is saved
+  unstable = 4,         ///< the calculation became unstable; the last good state of the stage or trial is saved
   interrupted = 5,      ///< SIGINT or SIGTERM; a checkpoint is saved and --resume continues
   cannot_write = 6,     ///< the disk is full or the folder is not writable; what was written before is whole
 };

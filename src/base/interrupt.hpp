@@ -3,7 +3,7 @@
 
 namespace talus {
 
-/// From now on both signals set the flag instead of ending the program; a second SIGINT ends it at once.
+/// From now on both signals set the flag instead of ending the program; a second one ends it at once.
 void catch_interrupts();
 
 /// Whether one of them has arrived.

@@ -47,7 +47,7 @@ double compute_circumradius(const Mesh<D>& mesh, int e) {
 template <int D>
 Quality<D> measure_quality(const Mesh<D>& mesh, bool soil_only) {
   Quality<D> quality;
-  double sum = 0;
+  double sum = 0, volume = 0;
   for (int e = 0; e < mesh.element_count(); ++e) {
     if (soil_only && mesh.element_region[e] == empty_region) continue;
     if (quality.worst_element < 0) {
@@ -69,6 +69,7 @@ Quality<D> measure_quality(const Mesh<D>& mesh, bool soil_only) {
         std::min(quality.min_radius_ratio, D / (inverse_inradius * compute_circumradius(mesh, e)));
     ++quality.element_count;
     sum += mesh.altitudes[e];
+    volume += mesh.volumes[e];
     if (quality.worst_element < 0 || mesh.altitudes[e] < quality.min_altitude) {
       quality.min_altitude = mesh.altitudes[e];
       quality.worst_element = e;
@@ -76,6 +77,9 @@ Quality<D> measure_quality(const Mesh<D>& mesh, bool soil_only) {
   }
   if (quality.element_count > 0) {
     quality.mean_altitude = sum / quality.element_count;
+    // A regular triangle of edge a has the area √3/4 a², a regular tetrahedron the volume a³/(6√2).
+    const double mean = volume / quality.element_count;
+    quality.mean_size = D == 2 ? std::sqrt(4 * mean / std::sqrt(3.0)) : std::cbrt(6 * std::sqrt(2.0) * mean);
     std::array<double, D> centroid;
     centroid.fill(1.0 / (D + 1));
     quality.worst_place = to_global(mesh, quality.worst_element, centroid);

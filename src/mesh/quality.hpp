@@ -11,6 +11,7 @@ struct Quality {
   int element_count = 0;
   double min_altitude = 0;      ///< governs the time step [m]
   double mean_altitude = 0;     ///< [m]
+  double mean_size = 0;         ///< edge of the regular element of the mean volume [m]
   double min_angle = 0;         ///< smallest angle of a triangle or dihedral angle of a tetrahedron [rad]
   double min_radius_ratio = 0;  ///< D × radius of the inscribed over the circumscribed ball [-]; 1 when equilateral
   int worst_element = -1;       ///< the element of min_altitude

@@ -35,7 +35,7 @@ void describe(Visitor& v, Curve& c) {
   v.key("final_branch", c.final_branch, plain().above(0).example("[1.5, 1.7]"),
         "From and to which factor the second line is fitted; empty: chosen from the data.");
   v.key("displacement_ratio", c.displacement_ratio, plain().above(0),
-        "Displacement over height of the soil that counts as failure in the second criterion.");
+        "Displacement over the relief of the ground that counts as failure in the second criterion.");
   v.key("runout", c.runout, plain().above(0).example("[1.6, 1.7]"), "Factors whose trials go on until rest.");
   v.key("runout_time", c.runout_time, quantity("s").above(0), "Longest time of such a trial.");
 }
@@ -52,7 +52,7 @@ void describe(Visitor& v, FrozenFactor& f) {
         "Gmsh's algorithm for these meshes (a ready mesh file is used as it is). Irregular ones lock least.");
   v.key("window", f.window, quantity("s").above(0), "A trial that has not decided by then is reported as undecided.");
   v.key("failed_displacement", f.failed_displacement, plain().above(0),
-        "Displacement over height of the soil that decides \"failed\".");
+        "Displacement over the relief of the ground that decides \"failed\".");
   describe(v, f.step_settings);
   v.table("rest", f.rest, "What decides \"at rest\" in a trial.");
 }

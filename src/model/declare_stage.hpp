@@ -49,7 +49,7 @@ void describe(Visitor& v, Stage& s) {
   v.key("until", s.until, plain(), "What ends the stage.");
   describe(v, s.step);
   v.key("gravity_ramp", s.gravity_ramp, quantity("s").at_least(0),
-        "Gravity grows linearly from its value before the stage over this time; 0: at once.");
+        "Gravity grows linearly from its value before the stage (zero before the first) over this time; 0: at once.");
   v.key("cohesion", s.cohesion, quantity("kPa").at_least(0).example("100"),
         "Replaces the cohesion of every Mohr–Coulomb material in this stage; if not given, the materials keep theirs.");
   v.key("strength_factor", s.strength_factor, plain().above(0).example("1.2"),
@@ -61,9 +61,9 @@ template <class Visitor>
 void describe(Visitor& v, RestCriterion& r) {
   v.key("force_ratio", r.force_ratio, plain().above(0), "Largest out-of-balance force over the external force.");
   v.key("speed_ratio", r.speed_ratio, plain().above(0),
-        "Largest nodal speed over √(gH), H being the height of the soil.");
+        "Largest nodal speed over √(gH), H being the relief of the ground (of the soil when it is level).");
   v.key("energy_ratio", r.energy_ratio, plain().above(0), "Largest kinetic energy over the external work.");
-  v.key("hold", r.hold, quantity("s").at_least(0), "How long all three must hold.");
+  v.key("hold", r.hold, quantity("s").at_least(0), "How long all must hold (the energy is not asked for at frozen geometry).");
 }
 
 }  // namespace talus::model

@@ -47,6 +47,19 @@ TALUS_KERNEL Vec<D> free_part(const Constraint<D>& c, std::type_identity_t<Vec<D
   return f;
 }
 
+/// Share of a force that neither the fixed directions nor a wall that presses back can take: a block that sticks to a
+/// frictional wall is at rest.
+template <int D>
+Vec<D> unsupported_part(const Constraint<D>& c, bool pressed, Vec<D> f) {
+  if (c.has_wall && pressed) {
+    const double into = std::max(0.0, dot(f, c.wall_normal));
+    for (int d = 0; d < D; ++d) f[d] -= into * c.wall_normal[d];
+    const double along = norm(f), held = c.friction * into;
+    for (double& x : f) x *= along > held ? 1 - held / along : 0.0;
+  }
+  return free_part(c, f);
+}
+
 template <int D>
 void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, PieceSums& sums) {
   const Layout<D>& layout = *body.layout;
@@ -103,7 +116,8 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
         }
         if (c >= 0) {
           const Constraint<D>& constraint = body.conditions.constraints[static_cast<std::size_t>(c)];
-          f = free_part(constraint, f);
+          const bool pressed = constraint.has_wall && body.conditions.pressed[static_cast<std::size_t>(c)];
+          f = unsupported_part<D>(constraint, pressed, f);
           f_ext = free_part(constraint, f_ext);
           v = free_part(constraint, v);
         }
