@@ -115,16 +115,17 @@ Recorder<D> Recorder<D>::start(const RecorderSettings& settings, const mpm::Body
 template <int D>
 Recorder<D> Recorder<D>::resume(const RecorderSettings& settings, const mpm::Body<D>& body, const output::ArchiveReader& checkpoint) {
   Recorder r(settings, body);
-  if (settings.keeps_frames) r.results_.emplace(output::ResultsWriter::resume(settings.folder, body.time));
-  r.open_histories(true);
-  if (r.history_) r.history_->truncate_after(body.time);
-  if (r.monitors_) r.monitors_->truncate_after(body.time);
   const auto& times = checkpoint.reals("recorder");
   r.next_frame_ = times[0];
   r.next_row_ = times[1];
   r.last_row_ = times[2];
   r.last_frame_ = times[3];
   r.monitor_points_ = checkpoint.integers("monitor_points");
+  // Not up to body.time: what was written after the checkpoint at that very time is written again.
+  if (settings.keeps_frames) r.results_.emplace(output::ResultsWriter::resume(settings.folder, r.last_frame_));
+  r.open_histories(true);
+  if (r.history_) r.history_->truncate_after(r.last_row_);
+  if (r.monitors_) r.monitors_->truncate_after(r.last_row_);
   return r;
 }
 

@@ -58,18 +58,6 @@ void clear_folder(const RunOptions& options) {
   }
 }
 
-/// Hash of what decides the state of a run. A run may be resumed with other outputs, and after an instability with a smaller
-/// Courant number.
-std::string hash_input(json echo) {
-  echo.erase("output");
-  const std::function<void(json&)> strip = [&](json& node) {
-    if (node.is_object()) node.erase("courant");
-    if (node.is_structured()) std::for_each(node.begin(), node.end(), strip);
-  };
-  strip(echo);
-  return hash_text(echo.dump());
-}
-
 std::optional<json> load_finished(const RunOptions& options, const std::string& input_hash) {
   if (!options.resume) return std::nullopt;
   std::ifstream file(options.folder / "summary.json");
@@ -254,6 +242,16 @@ class CaseRun {
 };
 
 }  // namespace
+
+std::string hash_input(json echo) {
+  echo.erase("output");
+  const std::function<void(json&)> strip = [&](json& node) {
+    if (node.is_object()) node.erase("courant");
+    if (node.is_structured()) std::for_each(node.begin(), node.end(), strip);
+  };
+  strip(echo);
+  return hash_text(echo.dump());
+}
 
 json run_case(const model::LoadedCase& loaded, const RunOptions& options) {
   const std::string hash = hash_input(loaded.echo);

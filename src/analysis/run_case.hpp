@@ -17,6 +17,10 @@ struct RunOptions {
   Progress* progress = nullptr;   ///< where progress is shown, or nowhere
 };
 
+/// Hash of what decides the state of a run. A run may be resumed with other outputs, and after an instability with a smaller
+/// Courant number, so neither counts.
+std::string hash_input(nlohmann::json echo);
+
 /// Runs the case and writes its folder: results.vtkhdf, histories, checkpoint, trials, summary.json. Returns the summary.
 /// Throws InputError before anything is written when names do not fit the mesh; Error (folder_exists, cannot_write,
 /// unstable, interrupted) as its code says.

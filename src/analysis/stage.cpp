@@ -44,9 +44,9 @@ double find_wave_speed(const mpm::Body<D>& body) {
   return std::sqrt(square);
 }
 
-/// The step can fall to that of the mesh's smallest element, and below it only when soil swells without bound: a point
-/// with a quarter of its density is an explosion.
-constexpr double smallest_step_share = 0.5;
+/// The step can fall to that of the mesh's smallest element, and below it only when soil swells. Points that separate in a
+/// collapse do; a density of 1/2500 is an explosion that drags the step down with it.
+constexpr double smallest_step_share = 0.02;
 
 template <int D>
 double find_smallest_step(const mpm::Body<D>& body, double wave_speed, double mass_scaling) {

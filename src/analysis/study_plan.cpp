@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "analysis/recorder.hpp"
+#include "analysis/run_case.hpp"
 #include "output/history.hpp"
 
 namespace talus::analysis {
@@ -210,7 +210,7 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
       const std::string text = choice[k] ? strip_quotes(study.vary[k].values[*choice[k]]) : "";
       variant.values.push_back(entry != nullptr ? write_value(entry->at("value")) : text);
     }
-    variant.input_hash = hash_text(variant.loaded.echo.dump());
+    variant.input_hash = hash_input(variant.loaded.echo);
     plan.variants.push_back(std::move(variant));
   }
   const auto has_curve = [](const Variant& v) {
