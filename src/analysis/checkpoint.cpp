@@ -95,19 +95,23 @@ mesh::Mesh<D> get_mesh(const ArchiveReader& archive) {
   mesh.element_region = archive.integers("mesh/region");
   const auto split = [](const std::string& text) {
     std::vector<std::string> lines;
-    for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) lines.push_back(text.substr(begin, end - begin));
+    for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+      lines.push_back(text.substr(begin, end - begin));
     return lines;
   };
   mesh.region_names = split(archive.text("mesh/region_names"));
   int number = 0;
-  for (const std::string& name : split(archive.text("mesh/side_names"))) unflatten(archive.integers(fmt::format("mesh/sides_{}", number++)), mesh.sides[name]);
+  for (const std::string& name : split(archive.text("mesh/side_names")))
+    unflatten(archive.integers(fmt::format("mesh/sides_{}", number++)), mesh.sides[name]);
   mesh::finish(mesh, mesh::Order::as_given);
   return mesh;
 }
 
 template <int D>
 void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
-  visit_reals(body, [&](const char* name, const auto& values) { archive.put(name, std::span<const double>(values.data(), values.size())); });
+  visit_reals(body, [&](const char* name, const auto& values) {
+    archive.put(name, std::span<const double>(values.data(), values.size()));
+  });
   visit_integers(body, [&](const char* name, const auto& values) {
     const std::vector<int> plain(values.begin(), values.end());
     archive.put(name, plain);
@@ -122,8 +126,14 @@ void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
     lost.insert(lost.end(), l.momentum.begin(), l.momentum.end());
   }
   archive.put("lost", lost);
-  const std::vector<double> scalars{body.time, body.work.external, body.work.damped, body.work.dissipated,
-                                    body.monitor.out_of_balance, body.monitor.external, body.monitor.kinetic_energy, body.monitor.speed};
+  const std::vector<double> scalars{body.time,
+                                    body.work.external,
+                                    body.work.damped,
+                                    body.work.dissipated,
+                                    body.monitor.out_of_balance,
+                                    body.monitor.external,
+                                    body.monitor.kinetic_energy,
+                                    body.monitor.speed};
   archive.put("scalars", scalars);
   const std::vector<std::int64_t> counts{body.step_count, lane_width, body.monitor.fastest_node};
   archive.put("counts", counts);
@@ -133,8 +143,10 @@ template <int D>
 void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
   const auto& counts = archive.long_integers("counts");
   if (counts[1] != lane_width) {
-    throw Error(ExitCode::wrong_input, fmt::format("the checkpoint was written by a build for vectors of {} doubles, this one has {}; "
-                                                   "resume with the same build (TALUS_ARCH)", counts[1], lane_width));
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the checkpoint was written by a build for vectors of {} doubles, this one has {}; "
+                            "resume with the same build (TALUS_ARCH)",
+                            counts[1], lane_width));
   }
   visit_reals(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
   visit_integers(body, [&](const char* name, auto& values) { copy_into(values, archive.integers(name)); });
@@ -162,7 +174,8 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
 }
 
 void put_stage(ArchiveWriter& archive, const StageState& s) {
-  const std::vector<double> reals{s.start_time, s.dt, s.gravity_share, s.calm_since, s.next_output, s.largest_speed, s.wave_speed};
+  const std::vector<double> reals{s.start_time,    s.dt,        s.gravity_share, s.calm_since, s.next_output,
+                                  s.largest_speed, s.wave_speed};
   archive.put("stage/reals", reals);
   const std::vector<std::int64_t> integers{s.started ? 1 : 0, s.steps};
   archive.put("stage/integers", integers);
@@ -174,10 +187,10 @@ StageState get_stage(const ArchiveReader& archive) {
   return {i[0] != 0, r[0], i[1], r[1], r[2], r[3], r[4], r[5], r[6]};
 }
 
-#define TALUS_INSTANTIATE(D)                                                    \
-  template void put_mesh<D>(ArchiveWriter&, const mesh::Mesh<D>&);              \
-  template mesh::Mesh<D> get_mesh<D>(const ArchiveReader&);                     \
-  template void put_body<D>(ArchiveWriter&, const mpm::Body<D>&);               \
+#define TALUS_INSTANTIATE(D)                                       \
+  template void put_mesh<D>(ArchiveWriter&, const mesh::Mesh<D>&); \
+  template mesh::Mesh<D> get_mesh<D>(const ArchiveReader&);        \
+  template void put_body<D>(ArchiveWriter&, const mpm::Body<D>&);  \
   template void get_body<D>(const ArchiveReader&, mpm::Body<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

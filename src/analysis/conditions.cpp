@@ -74,9 +74,11 @@ std::pair<Vec<D>, double> find_outward_normal(const mesh::Mesh<D>& mesh, int e, 
 
 /// Normal of a wall, out of the soil: away from the element that holds soil, or else along gravity.
 template <int D>
-Vec<D> find_wall_normal(const mpm::Body<D>& body, const std::vector<SideElement>& elements, const std::type_identity_t<Vec<D>>& gravity) {
+Vec<D> find_wall_normal(const mpm::Body<D>& body, const std::vector<SideElement>& elements,
+                        const std::type_identity_t<Vec<D>>& gravity) {
   for (const SideElement& s : elements) {
-    if (elements.size() == 1 || body.points.count[s.element] > 0) return find_outward_normal(body.mesh(), s.element, s.opposite).first;
+    if (elements.size() == 1 || body.points.count[s.element] > 0)
+      return find_outward_normal(body.mesh(), s.element, s.opposite).first;
   }
   Vec<D> n = find_outward_normal(body.mesh(), elements.front().element, elements.front().opposite).first;
   if (dot(n, gravity) < 0) {
@@ -87,7 +89,8 @@ Vec<D> find_wall_normal(const mpm::Body<D>& body, const std::vector<SideElement>
 
 /// Normals at each node of the named sides, those of one smooth line averaged.
 template <int D>
-std::map<int, std::vector<Vec<D>>> find_node_normals(const mpm::Body<D>& body, const std::vector<typename mesh::Mesh<D>::Side>& sides,
+std::map<int, std::vector<Vec<D>>> find_node_normals(const mpm::Body<D>& body,
+                                                     const std::vector<typename mesh::Mesh<D>::Side>& sides,
                                                      const std::type_identity_t<Vec<D>>& gravity) {
   std::map<int, std::vector<Vec<D>>> sums;
   for (const auto& [side, elements] : map_sides<D>(body.mesh(), sides)) {
@@ -95,9 +98,12 @@ std::map<int, std::vector<Vec<D>>> find_node_normals(const mpm::Body<D>& body, c
     const Vec<D> n = find_wall_normal(body, elements, gravity);
     for (int node : side) {
       auto& list = sums[node];
-      const auto same = std::find_if(list.begin(), list.end(), [&](const Vec<D>& s) { return dot(s, n) > smooth_cosine * norm(s); });
-      if (same == list.end()) list.push_back(n);
-      else for (std::size_t d = 0; d < D; ++d) (*same)[d] += n[d];
+      const auto same =
+          std::find_if(list.begin(), list.end(), [&](const Vec<D>& s) { return dot(s, n) > smooth_cosine * norm(s); });
+      if (same == list.end())
+        list.push_back(n);
+      else
+        for (std::size_t d = 0; d < D; ++d) (*same)[d] += n[d];
     }
   }
   for (auto& [node, list] : sums) {
@@ -143,7 +149,8 @@ template <int D>
 void apply_boundary(mpm::Body<D>& body, const model::Boundary& boundary, const std::type_identity_t<Vec<D>>& gravity) {
   const auto& sides = find_sides(body.mesh(), boundary.on);
   mpm::Conditions<D>& conditions = body.conditions;
-  if (boundary.fix == model::Fix::velocity) conditions.prescribed.push_back({truncate<D>(boundary.velocity), boundary.factor});
+  if (boundary.fix == model::Fix::velocity)
+    conditions.prescribed.push_back({truncate<D>(boundary.velocity), boundary.factor});
   for (const auto& [node, normals] : find_node_normals(body, sides, gravity)) {
     mpm::Constraint<D>& c = get_constraint(conditions, node);
     switch (boundary.fix) {
@@ -194,7 +201,8 @@ void apply_traction(mpm::Body<D>& body, const model::Traction& traction) {
       std::vector<std::pair<double, int>> near;
       const int block = s.element / lane_width;
       for (int k = 0; k < static_cast<int>(body.points.count[s.element]); ++k) {
-        const int id = body.points.id[static_cast<std::size_t>((body.points.block_start[block] + k) * lane_width + s.element % lane_width)];
+        const int id = body.points.id[static_cast<std::size_t>((body.points.block_start[block] + k) * lane_width +
+                                                               s.element % lane_width)];
         const auto xi = mesh::to_local(mesh, s.element, mpm::view_point(body, id).position);
         double shape = 1;
         for (double x : xi) shape -= x;

@@ -18,7 +18,7 @@ struct Criterion {
   std::string name;
   std::optional<double> factor;  ///< nothing when the curve does not hold it
   double lower = 0, upper = 0;
-  std::string note;              ///< why there is none, or what to know
+  std::string note;  ///< why there is none, or what to know
 };
 
 /// u = slope·SRF + intercept, fitted to the listed factors.
@@ -33,9 +33,9 @@ struct Bilinear {
   Criterion criterion;
 };
 
-/// The two lines of the curve (sorted by factor). `first` and `last` give [from, to] of each branch; when empty the branches
-/// are chosen from the data: the cut into two runs of at least two points with the smallest weighted sum of squares,
-/// each point weighing half the distance of its neighbours, so that refined stretches do not count more.
+/// The two lines of the curve (sorted by factor). `first` and `last` give [from, to] of each branch; when empty the
+/// branches are chosen from the data: the cut into two runs of at least two points with the smallest weighted sum of
+/// squares, each point weighing half the distance of its neighbours, so that refined stretches do not count more.
 std::optional<Bilinear> construct_bilinear(const std::vector<CurvePoint>& curve, const std::vector<double>& first = {},
                                            const std::vector<double>& last = {});
 
@@ -45,8 +45,8 @@ Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, doub
 /// The interval in which ln u grows fastest; displacements below `floor` [m] are elastic and not looked at.
 Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, double floor);
 
-/// Factors that halve the two intervals beside every point where the curve bends noticeably (change of slope times length,
-/// against the whole rise). Nothing when those intervals are as short as `smallest`.
+/// Factors that halve the two intervals beside every point where the curve bends noticeably (change of slope times
+/// length, against the whole rise). Nothing when those intervals are as short as `smallest`.
 std::vector<double> choose_refinement(const std::vector<CurvePoint>& curve, double smallest);
 
 }  // namespace talus::analysis

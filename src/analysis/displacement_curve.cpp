@@ -30,7 +30,8 @@ std::vector<double> list_factors(const model::Curve& curve) {
   for (int i = 0; i <= count; ++i) factors.push_back(std::round((curve.from + i * curve.step) * 1e6) / 1e6);
   for (const double f : curve.runout) factors.push_back(f);
   std::sort(factors.begin(), factors.end());
-  factors.erase(std::unique(factors.begin(), factors.end(), [](double a, double b) { return std::abs(a - b) < 1e-9; }), factors.end());
+  factors.erase(std::unique(factors.begin(), factors.end(), [](double a, double b) { return std::abs(a - b) < 1e-9; }),
+                factors.end());
   return factors;
 }
 
@@ -110,7 +111,8 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
       mpm::Body<D> start = state;
       mpm::reset_displacements(start);
       const Profile before = find_profile(start, bin);
-      runout = RunoutTrial{factor, add_up(results), find_runout(body, before, moved_share * slope_height), before, find_profile(body, bin)};
+      runout = RunoutTrial{factor, add_up(results), find_runout(body, before, moved_share * slope_height), before,
+                           find_profile(body, bin)};
       write_profiles(files.folder / "profile.csv", before, runout->final);
     }
     const std::lock_guard lock(collecting);
@@ -132,7 +134,8 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     sort_results();
     factors.clear();
     if (!curve.refine) break;
-    for (const double f : choose_refinement(result.points(), curve.refine_step)) factors.push_back(std::round(f * 1e6) / 1e6);
+    for (const double f : choose_refinement(result.points(), curve.refine_step))
+      factors.push_back(std::round(f * 1e6) / 1e6);
   }
   return result;
 }

@@ -18,7 +18,7 @@ struct RunoutTrial {
 };
 
 struct CurveResult {
-  std::vector<TrialResult> trials;   ///< by factor, each at the end of the window
+  std::vector<TrialResult> trials;  ///< by factor, each at the end of the window
   std::vector<RunoutTrial> runouts;
   std::vector<CurvePoint> points() const;
 };

@@ -10,7 +10,9 @@ namespace {
 /// A list of fields that grows point by point.
 class Fields {
  public:
-  void add(const std::string& name, const std::string& unit, int components) { fields_.push_back({name, unit, components, {}}); }
+  void add(const std::string& name, const std::string& unit, int components) {
+    fields_.push_back({name, unit, components, {}});
+  }
   void push(std::size_t field, double value) { fields_[field].values.push_back(value); }
   std::vector<output::Field> take() { return std::move(fields_); }
 
@@ -49,7 +51,9 @@ output::MeshFrame make_mesh_frame(const mpm::Body<D>& body, bool cells, bool nod
         m += body.nodes.sums[static_cast<std::size_t>(body.layout->node_rows[r]) * mpm::sums_stride];
       }
       mass.values.push_back(m);
-      const double* motion = &body.nodes.motion[static_cast<std::size_t>(body.layout->node_rows[body.layout->row_start[i]]) * mpm::motion_stride<D>];
+      const double* motion =
+          &body.nodes.motion[static_cast<std::size_t>(body.layout->node_rows[body.layout->row_start[i]]) *
+                             mpm::motion_stride<D>];
       for (int d = 0; d < 3; ++d) velocity.values.push_back(d < D ? motion[D + d] : 0.0);
     }
     frame.node_fields = {velocity, mass};

@@ -28,8 +28,9 @@ double FrozenResult::uncertainty() const {
 }
 
 template <int D>
-MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data, const model::FrozenFactor& settings, double soil_height,
-                              int threads, const KnownTrials& known, const TrialReport& report, const StageHooks<D>& hooks) {
+MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data, const model::FrozenFactor& settings,
+                              double soil_height, int threads, const KnownTrials& known, const TrialReport& report,
+                              const StageHooks<D>& hooks) {
   MeshFactor result;
   result.points = state.points.size();
   StagePlan<D> plan;
@@ -112,13 +113,14 @@ MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data
   }
   result.lower = low;
   result.upper = high;
-  std::sort(result.trials.begin(), result.trials.end(), [](const TrialResult& a, const TrialResult& b) { return a.factor < b.factor; });
+  std::sort(result.trials.begin(), result.trials.end(),
+            [](const TrialResult& a, const TrialResult& b) { return a.factor < b.factor; });
   return result;
 }
 
-template MeshFactor find_frozen_factor<2>(const mpm::Body<2>&, const model::Case&, const model::FrozenFactor&, double, int, const KnownTrials&, const TrialReport&,
-                                          const StageHooks<2>&);
-template MeshFactor find_frozen_factor<3>(const mpm::Body<3>&, const model::Case&, const model::FrozenFactor&, double, int, const KnownTrials&, const TrialReport&,
-                                          const StageHooks<3>&);
+template MeshFactor find_frozen_factor<2>(const mpm::Body<2>&, const model::Case&, const model::FrozenFactor&, double,
+                                          int, const KnownTrials&, const TrialReport&, const StageHooks<2>&);
+template MeshFactor find_frozen_factor<3>(const mpm::Body<3>&, const model::Case&, const model::FrozenFactor&, double,
+                                          int, const KnownTrials&, const TrialReport&, const StageHooks<3>&);
 
 }  // namespace talus::analysis

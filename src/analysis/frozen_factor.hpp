@@ -12,11 +12,11 @@ namespace talus::analysis {
 
 /// The factor on one mesh.
 struct MeshFactor {
-  double size = 0;                 ///< element size h [m]
+  double size = 0;  ///< element size h [m]
   int points = 0;
-  double lower = 0, upper = 0;     ///< largest stable and smallest failed factor
-  bool undecided = false;          ///< some trial neither rested nor ran away; it counts as failed
-  std::vector<TrialResult> trials; ///< in the order of their factors
+  double lower = 0, upper = 0;      ///< largest stable and smallest failed factor
+  bool undecided = false;           ///< some trial neither rested nor ran away; it counts as failed
+  std::vector<TrialResult> trials;  ///< in the order of their factors
   double factor() const { return 0.5 * (lower + upper); }
 };
 
@@ -37,8 +37,9 @@ using KnownTrials = std::map<double, TrialResult>;
 /// Bisects on the body `state` (at rest under real strength, geometry frozen all along). The factors that are tried do
 /// not depend on `threads`: every round tries two factors that cut the bracket into three.
 template <int D>
-MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data, const model::FrozenFactor& settings, double soil_height,
-                              int threads, const KnownTrials& known = {}, const TrialReport& report = {}, const StageHooks<D>& hooks = {});
+MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data, const model::FrozenFactor& settings,
+                              double soil_height, int threads, const KnownTrials& known = {},
+                              const TrialReport& report = {}, const StageHooks<D>& hooks = {});
 
 /// Linear extrapolation of two factors at sizes `coarse` > `fine` to size 0.
 double extrapolate_to_zero(double coarse, double factor_coarse, double fine, double factor_fine);

@@ -10,20 +10,31 @@ namespace {
 
 const char* to_word(StageEnd end) {
   switch (end) {
-    case StageEnd::rest: return "rest";
-    case StageEnd::failed: return "failed";
-    case StageEnd::time: return "time";
+    case StageEnd::rest:
+      return "rest";
+    case StageEnd::failed:
+      return "failed";
+    case StageEnd::time:
+      return "time";
   }
   return "time";
 }
 
-StageEnd end_from_word(const std::string& word) { return word == "rest" ? StageEnd::rest : (word == "failed" ? StageEnd::failed : StageEnd::time); }
+StageEnd end_from_word(const std::string& word) {
+  return word == "rest" ? StageEnd::rest : (word == "failed" ? StageEnd::failed : StageEnd::time);
+}
 
 }  // namespace
 
 nlohmann::json to_json(const TrialResult& t) {
-  return {{"srf", t.factor},           {"end", to_word(t.end)},     {"displacement", t.displacement}, {"time", t.time}, {"steps", t.steps},
-          {"force_ratio", t.force_ratio}, {"nodal_speed", t.speed}, {"largest_nodal_speed", t.largest_speed}};
+  return {{"srf", t.factor},
+          {"end", to_word(t.end)},
+          {"displacement", t.displacement},
+          {"time", t.time},
+          {"steps", t.steps},
+          {"force_ratio", t.force_ratio},
+          {"nodal_speed", t.speed},
+          {"largest_nodal_speed", t.largest_speed}};
 }
 
 TrialResult trial_from_json(const nlohmann::json& j) {
@@ -62,8 +73,8 @@ void save_trial(const std::filesystem::path& folder, const TrialResult& trial) {
 }
 
 template <int D>
-std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor, const std::vector<StagePlan<D>>& legs, const TrialContext& context,
-                                        const TrialFiles& files, mpm::Body<D>& body) {
+std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor, const std::vector<StagePlan<D>>& legs,
+                                        const TrialContext& context, const TrialFiles& files, mpm::Body<D>& body) {
   RecorderSettings settings;
   settings.folder = files.folder;
   settings.input_hash = context.input_hash;
@@ -78,13 +89,15 @@ std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor
   body = start_trial(state, *context.data, factor);
   StageState stage;
   std::size_t first = 0;
-  const auto checkpoint = context.resume ? open_checkpoint(files.folder / settings.checkpoint_name, context.input_hash) : nullptr;
+  const auto checkpoint =
+      context.resume ? open_checkpoint(files.folder / settings.checkpoint_name, context.input_hash) : nullptr;
   if (checkpoint) {
     get_body(*checkpoint, body);
     stage = get_stage(*checkpoint);
     first = static_cast<std::size_t>(get_leg(*checkpoint));
   }
-  Recorder<D> recorder = checkpoint ? Recorder<D>::resume(settings, body, *checkpoint) : Recorder<D>::start(settings, body);
+  Recorder<D> recorder =
+      checkpoint ? Recorder<D>::resume(settings, body, *checkpoint) : Recorder<D>::start(settings, body);
   std::vector<TrialResult> results;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const auto leg_folder = files.folder / ("leg_" + std::to_string(i));
@@ -103,9 +116,9 @@ std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor
   return results;
 }
 
-template std::vector<TrialResult> run_trial_legs<2>(const mpm::Body<2>&, double, const std::vector<StagePlan<2>>&, const TrialContext&, const TrialFiles&,
-                                                    mpm::Body<2>&);
-template std::vector<TrialResult> run_trial_legs<3>(const mpm::Body<3>&, double, const std::vector<StagePlan<3>>&, const TrialContext&, const TrialFiles&,
-                                                    mpm::Body<3>&);
+template std::vector<TrialResult> run_trial_legs<2>(const mpm::Body<2>&, double, const std::vector<StagePlan<2>>&,
+                                                    const TrialContext&, const TrialFiles&, mpm::Body<2>&);
+template std::vector<TrialResult> run_trial_legs<3>(const mpm::Body<3>&, double, const std::vector<StagePlan<3>>&,
+                                                    const TrialContext&, const TrialFiles&, mpm::Body<3>&);
 
 }  // namespace talus::analysis

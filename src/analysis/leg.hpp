@@ -12,7 +12,7 @@ namespace talus::analysis {
 
 /// What all trials of a case share.
 struct TrialContext {
-  std::filesystem::path folder;    ///< of the case
+  std::filesystem::path folder;  ///< of the case
   std::string input_hash;
   const model::Case* data = nullptr;
   Progress* progress = nullptr;
@@ -32,7 +32,7 @@ KnownTrials load_trials(const std::filesystem::path& path);
 
 struct TrialFiles {
   std::filesystem::path folder;
-  bool keeps_frames = false;       ///< the last frame, or one every `frame_interval`
+  bool keeps_frames = false;  ///< the last frame, or one every `frame_interval`
   bool keeps_history = false;
   double frame_interval = 0;
   std::string label;
@@ -41,7 +41,7 @@ struct TrialFiles {
 /// Runs one trial from `state` with reduced strength, in legs one after the other; resumes it when the context says so
 /// and a checkpoint is there. `body` receives the state at the end. Results of each leg are returned.
 template <int D>
-std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor, const std::vector<StagePlan<D>>& legs, const TrialContext& context,
-                                        const TrialFiles& files, mpm::Body<D>& body);
+std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor, const std::vector<StagePlan<D>>& legs,
+                                        const TrialContext& context, const TrialFiles& files, mpm::Body<D>& body);
 
 }  // namespace talus::analysis

@@ -22,12 +22,14 @@ int find_material(const std::vector<std::string>& names, const std::string& name
 
 /// Material number of each region of the mesh.
 template <int D>
-std::vector<int> assign_materials(const model::Case& data, const mesh::Mesh<D>& mesh, const std::vector<std::string>& names) {
+std::vector<int> assign_materials(const model::Case& data, const mesh::Mesh<D>& mesh,
+                                  const std::vector<std::string>& names) {
   std::vector<int> material;
   for (const std::string& region : mesh.region_names) {
     const auto given = data.regions.find(region);
     if (given == data.regions.end()) {
-      throw Error(ExitCode::wrong_input, fmt::format("region '{}' of the mesh has no material; add it to [regions]", region));
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("region '{}' of the mesh has no material; add it to [regions]", region));
     }
     material.push_back(find_material(names, given->second));
   }
@@ -86,7 +88,8 @@ material::Law make_law(const model::Material& m, std::optional<double> cohesion,
 template <int D>
 void set_strength(mpm::Body<D>& body, const model::Case& data, std::optional<double> cohesion, double factor) {
   body.laws.clear();
-  for (const std::string& name : body.material_names) body.laws.push_back(make_law(data.materials.at(name), cohesion, factor));
+  for (const std::string& name : body.material_names)
+    body.laws.push_back(make_law(data.materials.at(name), cohesion, factor));
 }
 
 template <int D>
@@ -99,7 +102,8 @@ Vec<D> find_gravity(const model::Gravity& gravity) {
 template <int D>
 mpm::Body<D> prepare(const model::Case& data, mesh::Mesh<D> mesh, int chunks) {
   const std::vector<std::string> names = list_materials(data);
-  if (names.size() > 32) throw Error(ExitCode::wrong_input, fmt::format("{} materials are too many; at most 32 are possible", names.size()));
+  if (names.size() > 32)
+    throw Error(ExitCode::wrong_input, fmt::format("{} materials are too many; at most 32 are possible", names.size()));
   const std::vector<int> material_of_region = assign_materials(data, mesh, names);
   const auto positions = mesh::point_positions<D>(data.points_per_element);
   std::vector<mpm::InitialPoint<D>> points;
@@ -122,7 +126,8 @@ mpm::Body<D> prepare(const model::Case& data, mesh::Mesh<D> mesh, int chunks) {
     }
     in_element[e] = data.points_per_element;
   }
-  if (points.empty()) throw Error(ExitCode::wrong_input, "no element of the mesh holds soil; check the polygons and the mesh size");
+  if (points.empty())
+    throw Error(ExitCode::wrong_input, "no element of the mesh holds soil; check the polygons and the mesh size");
   if (data.initial.stress == model::InitialStress::k0) set_k0_stress<D>(data, mesh, material_of_region, names, points);
 
   std::vector<material::Law> laws;
@@ -149,10 +154,10 @@ double find_soil_height(const mpm::Body<D>& body, const model::Gravity& gravity)
   return highest - lowest;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                             \
-  template void set_strength<D>(mpm::Body<D>&, const model::Case&, std::optional<double>, double);       \
-  template Vec<D> find_gravity<D>(const model::Gravity&);                                                \
-  template mpm::Body<D> prepare<D>(const model::Case&, mesh::Mesh<D>, int);                              \
+#define TALUS_INSTANTIATE(D)                                                                       \
+  template void set_strength<D>(mpm::Body<D>&, const model::Case&, std::optional<double>, double); \
+  template Vec<D> find_gravity<D>(const model::Gravity&);                                          \
+  template mpm::Body<D> prepare<D>(const model::Case&, mesh::Mesh<D>, int);                        \
   template double find_soil_height<D>(const mpm::Body<D>&, const model::Gravity&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -22,9 +22,18 @@ const char* const axes[] = {"x", "y", "z"};
 
 template <int D>
 std::vector<output::Column> list_columns(const model::Case& data) {
-  std::vector<output::Column> columns{{"time", "s"},          {"step", "-"},           {"time_step", "s"},     {"kinetic_energy", "J"},
-                                      {"potential_energy", "J"}, {"elastic_energy", "J"}, {"plastic_work", "J"}, {"damping_work", "J"},
-                                      {"external_work", "J"}, {"force_ratio", "-"},    {"nodal_speed", "m/s"}, {"points", "-"},
+  std::vector<output::Column> columns{{"time", "s"},
+                                      {"step", "-"},
+                                      {"time_step", "s"},
+                                      {"kinetic_energy", "J"},
+                                      {"potential_energy", "J"},
+                                      {"elastic_energy", "J"},
+                                      {"plastic_work", "J"},
+                                      {"damping_work", "J"},
+                                      {"external_work", "J"},
+                                      {"force_ratio", "-"},
+                                      {"nodal_speed", "m/s"},
+                                      {"points", "-"},
                                       {"mass", "kg"}};
   for (int d = 0; d < D; ++d) columns.push_back({fmt::format("momentum_{}", axes[d]), "kg m/s"});
   for (int d = 0; d < D; ++d) columns.push_back({fmt::format("centre_{}", axes[d]), data.output.length_unit});
@@ -36,7 +45,8 @@ template <int D>
 std::vector<output::Column> list_monitor_columns(const model::Case& data) {
   std::vector<output::Column> columns{{"time", "s"}};
   for (const model::Monitor& m : data.output.monitors) {
-    for (int d = 0; d < D; ++d) columns.push_back({fmt::format("{}.displacement_{}", m.name, axes[d]), data.output.displacement_unit});
+    for (int d = 0; d < D; ++d)
+      columns.push_back({fmt::format("{}.displacement_{}", m.name, axes[d]), data.output.displacement_unit});
     for (int d = 0; d < D; ++d) columns.push_back({fmt::format("{}.velocity_{}", m.name, axes[d]), "m/s"});
     columns.push_back({m.name + ".mean_stress", data.output.stress_unit});
     columns.push_back({m.name + ".deviatoric_stress", data.output.stress_unit});
@@ -54,7 +64,8 @@ std::vector<int> find_monitor_points(const model::Case& data, const mpm::Body<D>
     double shortest = std::numeric_limits<double>::max();
     for (int id = 0; id < body.points.size(); ++id) {
       double square = 0;
-      for (std::size_t d = 0; d < D; ++d) square += (body.points.reference[id][d] - m.at[d]) * (body.points.reference[id][d] - m.at[d]);
+      for (std::size_t d = 0; d < D; ++d)
+        square += (body.points.reference[id][d] - m.at[d]) * (body.points.reference[id][d] - m.at[d]);
       if (square < shortest) {
         shortest = square;
         nearest = id;
@@ -73,21 +84,28 @@ std::string hash_text(const std::string& text) {
   return fmt::format("{:016x}", h);
 }
 
-std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::path& path, const std::string& input_hash) {
+std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::path& path,
+                                                       const std::string& input_hash) {
   if (!std::filesystem::exists(path)) return nullptr;
   auto archive = std::make_unique<output::ArchiveReader>(path);
   if (archive->text("input_hash") != input_hash) {
-    throw Error(ExitCode::wrong_input, fmt::format("'{}' belongs to another case: the input has changed since it was written; resume with the "
-                                                   "same input, or start anew with --overwrite", path.string()));
+    throw Error(ExitCode::wrong_input,
+                fmt::format("'{}' belongs to another case: the input has changed since it was written; resume with the "
+                            "same input, or start anew with --overwrite",
+                            path.string()));
   }
   return archive;
 }
 
-int get_leg(const output::ArchiveReader& checkpoint) { return checkpoint.integers("leg").front(); }
+int get_leg(const output::ArchiveReader& checkpoint) {
+  return checkpoint.integers("leg").front();
+}
 
 template <int D>
 Recorder<D>::Recorder(const RecorderSettings& settings, const mpm::Body<D>& body)
-    : settings_(settings), monitor_points_(settings.monitor_points.empty() ? find_monitor_points(*settings.data, body) : settings.monitor_points) {}
+    : settings_(settings),
+      monitor_points_(settings.monitor_points.empty() ? find_monitor_points(*settings.data, body)
+                                                      : settings.monitor_points) {}
 
 template <int D>
 void Recorder<D>::open_histories(bool resumes) {
@@ -97,7 +115,8 @@ void Recorder<D>::open_histories(bool resumes) {
   };
   if (!settings_.keeps_history) return;
   history_.emplace(open("history.csv", list_columns<D>(*settings_.data)));
-  if (!settings_.data->output.monitors.empty()) monitors_.emplace(open("monitors.csv", list_monitor_columns<D>(*settings_.data)));
+  if (!settings_.data->output.monitors.empty())
+    monitors_.emplace(open("monitors.csv", list_monitor_columns<D>(*settings_.data)));
 }
 
 template <int D>
@@ -113,7 +132,8 @@ Recorder<D> Recorder<D>::start(const RecorderSettings& settings, const mpm::Body
 }
 
 template <int D>
-Recorder<D> Recorder<D>::resume(const RecorderSettings& settings, const mpm::Body<D>& body, const output::ArchiveReader& checkpoint) {
+Recorder<D> Recorder<D>::resume(const RecorderSettings& settings, const mpm::Body<D>& body,
+                                const output::ArchiveReader& checkpoint) {
   Recorder r(settings, body);
   const auto& times = checkpoint.reals("recorder");
   r.next_frame_ = times[0];
@@ -130,7 +150,8 @@ Recorder<D> Recorder<D>::resume(const RecorderSettings& settings, const mpm::Bod
 }
 
 template <int D>
-StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const mpm::Body<D>& body, const StageState& state) {
+StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const mpm::Body<D>& body,
+                                     const StageState& state) {
   leg_ = index;
   plan_ = &plan;
   const double wanted = settings_.data->output.history_interval;
@@ -179,9 +200,20 @@ void Recorder<D>::write_rows(const mpm::Body<D>& body) {
   const double stress = units::get_si_factor(settings_.data->output.stress_unit);
   const auto t = mpm::sum_points(body, plan_->gravity);
   const double ratio = body.monitor.external > 0 ? body.monitor.out_of_balance / body.monitor.external : 0;
-  std::vector<double> row{body.time,           static_cast<double>(body.step_count), body.step_count > 0 ? plan_->step.courant * mpm::find_critical_step(body, plan_->step.mass_scaling).dt : 0.0,
-                          t.kinetic,           t.potential,       t.elastic,           body.work.dissipated, body.work.damped,
-                          body.work.external,  ratio,             body.monitor.speed,  static_cast<double>(t.points), t.mass};
+  std::vector<double> row{
+      body.time,
+      static_cast<double>(body.step_count),
+      body.step_count > 0 ? plan_->step.courant * mpm::find_critical_step(body, plan_->step.mass_scaling).dt : 0.0,
+      t.kinetic,
+      t.potential,
+      t.elastic,
+      body.work.dissipated,
+      body.work.damped,
+      body.work.external,
+      ratio,
+      body.monitor.speed,
+      static_cast<double>(t.points),
+      t.mass};
   for (const double p : t.momentum) row.push_back(p);
   for (const double x : t.centre) row.push_back(x / length);
   row.push_back(mpm::find_largest_displacement(body).value / displacement);
@@ -213,7 +245,8 @@ void Recorder<D>::write_frame(const mpm::Body<D>& body) {
 }
 
 template <int D>
-void Recorder<D>::write_checkpoint(const mpm::Body<D>& body, const StageState& state, int leg, const std::string& name) const {
+void Recorder<D>::write_checkpoint(const mpm::Body<D>& body, const StageState& state, int leg,
+                                   const std::string& name) const {
   output::ArchiveWriter archive;
   archive.put("input_hash", settings_.input_hash);
   const std::vector<int> legs{leg};
@@ -250,13 +283,16 @@ void Recorder<D>::on_look(const mpm::Body<D>& body, const StageState& state) {
   if (is_interrupted()) {
     write_checkpoint(body, state, leg_, settings_.checkpoint_name);
     if (results_ && results_->frame_count() > 0) results_->finish();
-    throw Error(ExitCode::interrupted, fmt::format("interrupted in '{}' at t = {:.4g} s; the state is saved, --resume goes on from there", plan_->name, body.time));
+    throw Error(ExitCode::interrupted,
+                fmt::format("interrupted in '{}' at t = {:.4g} s; the state is saved, --resume goes on from there",
+                            plan_->name, body.time));
   }
   const auto now = std::chrono::steady_clock::now();
   if (now >= next_checkpoint_) {
     write_checkpoint(body, state, leg_, settings_.checkpoint_name);
-    next_checkpoint_ = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                                              std::chrono::duration<double>(settings_.data->output.checkpoint_interval));
+    next_checkpoint_ = std::chrono::steady_clock::now() +
+                       std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                           std::chrono::duration<double>(settings_.data->output.checkpoint_interval));
   }
   if (settings_.progress && settings_.progress->is_due()) show_progress(body, state);
 }
@@ -268,10 +304,11 @@ void Recorder<D>::show_progress(const mpm::Body<D>& body, const StageState& stat
   const double left = plan_->duration - (body.time - state.start_time);
   const std::string remaining = speed > 0 && state.dt > 0 ? format_duration(left / state.dt / speed) : "?";
   const double displacement = units::get_si_factor(settings_.data->output.displacement_unit);
-  settings_.progress->show(fmt::format("{}{}: {:.3f} of {}{:g} s, {:.0f} steps/s, {} left, u_max {:.4g} {}, E_kin {:.3g} J", settings_.label, plan_->name,
-                                       body.time - state.start_time, plan_->until_rest ? "at most " : "", plan_->duration, speed, remaining,
-                                       mpm::find_largest_displacement(body).value / displacement, settings_.data->output.displacement_unit,
-                                       body.monitor.kinetic_energy));
+  settings_.progress->show(
+      fmt::format("{}{}: {:.3f} of {}{:g} s, {:.0f} steps/s, {} left, u_max {:.4g} {}, E_kin {:.3g} J", settings_.label,
+                  plan_->name, body.time - state.start_time, plan_->until_rest ? "at most " : "", plan_->duration,
+                  speed, remaining, mpm::find_largest_displacement(body).value / displacement,
+                  settings_.data->output.displacement_unit, body.monitor.kinetic_energy));
 }
 
 template class Recorder<2>;

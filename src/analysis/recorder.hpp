@@ -17,14 +17,14 @@ namespace talus::analysis {
 struct RecorderSettings {
   std::filesystem::path folder;
   std::string checkpoint_name = "checkpoint.h5";
-  std::string input_hash;            ///< of the case; a checkpoint of another one is refused
+  std::string input_hash;  ///< of the case; a checkpoint of another one is refused
   const model::Case* data = nullptr;
   bool keeps_history = true;
   bool keeps_frames = true;
-  double frame_interval = 0;         ///< [s]; 0: only at the end
+  double frame_interval = 0;  ///< [s]; 0: only at the end
   Progress* progress = nullptr;
-  std::string label;                 ///< before the stage's name in the line of progress
-  std::vector<int> monitor_points;   ///< the points that are followed; empty: those nearest to the monitors now
+  std::string label;                ///< before the stage's name in the line of progress
+  std::vector<int> monitor_points;  ///< the points that are followed; empty: those nearest to the monitors now
 };
 
 /// One history of legs (stages, or one trial) in one folder.
@@ -34,7 +34,8 @@ class Recorder {
   /// A new one; what lies in the folder's files is replaced.
   static Recorder start(const RecorderSettings& settings, const mpm::Body<D>& body);
   /// Goes on from the checkpoint at `time`: rows and frames after it are dropped.
-  static Recorder resume(const RecorderSettings& settings, const mpm::Body<D>& body, const output::ArchiveReader& checkpoint);
+  static Recorder resume(const RecorderSettings& settings, const mpm::Body<D>& body,
+                         const output::ArchiveReader& checkpoint);
 
   /// Hooks for run_stage of leg `index`. The plan must outlive the leg.
   StageHooks<D> begin_leg(int index, const StagePlan<D>& plan, const mpm::Body<D>& body, const StageState& state);
@@ -66,7 +67,8 @@ class Recorder {
 };
 
 /// The checkpoint in `folder`, when there is one. Throws Error (wrong_input) when it belongs to another case.
-std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::path& path, const std::string& input_hash);
+std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::path& path,
+                                                       const std::string& input_hash);
 
 /// Number of the leg that a checkpoint stands in.
 int get_leg(const output::ArchiveReader& checkpoint);

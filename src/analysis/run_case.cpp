@@ -25,8 +25,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Everything that a run may leave in its folder; --overwrite removes these and nothing else.
-const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf", "mesh.xdmf", "frames", "history.csv", "monitors.csv", "summary.json",
-                                 "checkpoint.h5", "stages.json", "curve.csv", "profile.csv", "trials", "frozen"};
+const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf",  "mesh.xdmf",     "frames",
+                                 "history.csv",    "monitors.csv", "summary.json", "checkpoint.h5", "stages.json",
+                                 "curve.csv",      "profile.csv",  "trials",       "frozen"};
 
 /// Unbalanced forces above this share of gravity at the end of a timed stage deserve a warning.
 constexpr double restless_force_ratio = 0.01;
@@ -34,7 +35,9 @@ constexpr double restless_force_ratio = 0.01;
 double process_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -44,8 +47,11 @@ void check_folder(const RunOptions& options) {
     throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; results need a folder", options.folder.string()));
   }
   if (fs::is_empty(options.folder) || options.overwrite) return;
-  throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' holds something already; give another one with -o, replace it with --overwrite, "
-                                                   "or go on with --resume", options.folder.string()));
+  throw Error(
+      ExitCode::folder_exists,
+      fmt::format("the folder '{}' holds something already; give another one with -o, replace it with --overwrite, "
+                  "or go on with --resume",
+                  options.folder.string()));
 }
 
 void clear_folder(const RunOptions& options) {
@@ -65,7 +71,9 @@ std::optional<json> load_finished(const RunOptions& options, const std::string& 
   json summary = json::parse(file, nullptr, false);
   if (summary.is_discarded() || summary.value("status", "") != "finished") return std::nullopt;
   if (summary.at("provenance").at("input_hash") != input_hash) {
-    throw Error(ExitCode::wrong_input, fmt::format("'{}' holds the results of another input; start anew with --overwrite", options.folder.string()));
+    throw Error(
+        ExitCode::wrong_input,
+        fmt::format("'{}' holds the results of another input; start anew with --overwrite", options.folder.string()));
   }
   return summary;
 }
@@ -85,7 +93,8 @@ class CaseRun {
     body_ = prepare<D>(data_, std::move(mesh));
     slope_height_ = find_slope_height(body_, data_.gravity);
     fill_summary_head();
-    if (body_.conditions.constraints.empty()) warnings_.push_back("no boundary holds the soil; without [[boundary]] it falls out of the box");
+    if (body_.conditions.constraints.empty())
+      warnings_.push_back("no boundary holds the soil; without [[boundary]] it falls out of the box");
     profile_bin_ = mesh::measure_quality(body_.mesh()).mean_size;
     initial_ = find_profile(body_, profile_bin_);
 
@@ -101,7 +110,9 @@ class CaseRun {
       summary_["status"] = "finished";
     } catch (const Error& error) {
       if (options_.progress) options_.progress->clear();
-      summary_["status"] = error.code() == ExitCode::interrupted ? "interrupted" : (error.code() == ExitCode::unstable ? "unstable" : "failed");
+      summary_["status"] = error.code() == ExitCode::interrupted
+                               ? "interrupted"
+                               : (error.code() == ExitCode::unstable ? "unstable" : "failed");
       summary_["error"] = error.what();
       // A disk that is full for the results is full for this too; the first error is the one to report.
       try {
@@ -127,7 +138,9 @@ class CaseRun {
     summary_["provenance"] = describe_provenance(loaded_, hash_, options_.threads);
     summary_["mesh"] = describe_mesh(body_);
     summary_["slope_height"] = slope_height_;
-    summary_["units"] = {{"length", data_.output.length_unit}, {"displacement", data_.output.displacement_unit}, {"stress", data_.output.stress_unit}};
+    summary_["units"] = {{"length", data_.output.length_unit},
+                         {"displacement", data_.output.displacement_unit},
+                         {"stress", data_.output.stress_unit}};
     json outlines = json::array();
     for (const mesh::Polygon& p : data_.mesh.polygons) {
       json outline = json::array();
@@ -153,7 +166,8 @@ class CaseRun {
       first = get_leg(*checkpoint);
       load_stage_reports(first);
     }
-    Recorder<D> recorder = checkpoint ? Recorder<D>::resume(settings, body_, *checkpoint) : Recorder<D>::start(settings, body_);
+    Recorder<D> recorder =
+        checkpoint ? Recorder<D>::resume(settings, body_, *checkpoint) : Recorder<D>::start(settings, body_);
     const int count = static_cast<int>(data_.stages.size());
     for (int i = first; i < count; ++i) {
       const model::Stage& stage = data_.stages[i];
@@ -190,15 +204,22 @@ class CaseRun {
 
   void warn_about(const model::Stage& stage, const StageReport& report, bool last) {
     if (stage.until == model::Until::rest && report.end != StageEnd::rest) {
-      warnings_.push_back(fmt::format("stage '{}' was not at rest after {:g} s: its unbalanced force is {:.2g} of gravity", stage.name, stage.duration, report.force_ratio));
-    } else if (stage.until == model::Until::time && report.force_ratio > restless_force_ratio && (!last || data_.analysis == model::AnalysisKind::strength_reduction)) {
-      warnings_.push_back(fmt::format("stage '{}' ended with an unbalanced force of {:.2g} of gravity; what follows starts from a moving slope", stage.name, report.force_ratio));
+      warnings_.push_back(
+          fmt::format("stage '{}' was not at rest after {:g} s: its unbalanced force is {:.2g} of gravity", stage.name,
+                      stage.duration, report.force_ratio));
+    } else if (stage.until == model::Until::time && report.force_ratio > restless_force_ratio &&
+               (!last || data_.analysis == model::AnalysisKind::strength_reduction)) {
+      warnings_.push_back(fmt::format(
+          "stage '{}' ended with an unbalanced force of {:.2g} of gravity; what follows starts from a moving slope",
+          stage.name, report.force_ratio));
     }
   }
 
   /// Stage reports outlive an interruption beside the checkpoint.
   fs::path stage_file() const { return options_.folder / "stages.json"; }
-  void save_stage_reports() const { output::write_atomically(stage_file(), json{{"stages", stages_}, {"warnings", warnings_}}.dump(2) + "\n"); }
+  void save_stage_reports() const {
+    output::write_atomically(stage_file(), json{{"stages", stages_}, {"warnings", warnings_}}.dump(2) + "\n");
+  }
   void load_stage_reports(int count) {
     std::ifstream file(stage_file());
     if (!file) return;
@@ -219,11 +240,14 @@ class CaseRun {
     if (!body_.lost.empty()) {
       double mass = 0;
       for (const auto& l : body_.lost) mass += l.mass;
-      warnings_.push_back(fmt::format("{} points with {:.4g} kg left the grid (the first at t = {:.4g} s); enlarge the box if they matter", body_.lost.size(), mass, body_.lost.front().time));
+      warnings_.push_back(fmt::format(
+          "{} points with {:.4g} kg left the grid (the first at t = {:.4g} s); enlarge the box if they matter",
+          body_.lost.size(), mass, body_.lost.front().time));
     }
     summary_["stages"] = stages_;
     summary_["warnings"] = warnings_;
-    summary_["timing"] = {{"wall", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}, {"cpu", process_seconds() - cpu_start},
+    summary_["timing"] = {{"wall", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
+                          {"cpu", process_seconds() - cpu_start},
                           {"stage_steps", describe_timing(body_.timing)}};
     output::write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");
     if (summary_["status"] == "finished") fs::remove(stage_file());

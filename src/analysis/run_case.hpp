@@ -10,20 +10,20 @@
 namespace talus::analysis {
 
 struct RunOptions {
-  std::filesystem::path folder;   ///< where results go; made when it does not exist
+  std::filesystem::path folder;  ///< where results go; made when it does not exist
   int threads = 1;
-  bool resume = false;            ///< go on from the folder's checkpoint; a finished run is not run again
-  bool overwrite = false;         ///< replace results that are there
-  Progress* progress = nullptr;   ///< where progress is shown, or nowhere
+  bool resume = false;           ///< go on from the folder's checkpoint; a finished run is not run again
+  bool overwrite = false;        ///< replace results that are there
+  Progress* progress = nullptr;  ///< where progress is shown, or nowhere
 };
 
-/// Hash of what decides the state of a run. A run may be resumed with other outputs, and after an instability with a smaller
-/// Courant number, so neither counts.
+/// Hash of what decides the state of a run. A run may be resumed with other outputs, and after an instability with a
+/// smaller Courant number, so neither counts.
 std::string hash_input(nlohmann::json echo);
 
-/// Runs the case and writes its folder: results.vtkhdf, histories, checkpoint, trials, summary.json. Returns the summary.
-/// Throws InputError before anything is written when names do not fit the mesh; Error (folder_exists, cannot_write,
-/// unstable, interrupted) as its code says.
+/// Runs the case and writes its folder: results.vtkhdf, histories, checkpoint, trials, summary.json. Returns the
+/// summary. Throws InputError before anything is written when names do not fit the mesh; Error (folder_exists,
+/// cannot_write, unstable, interrupted) as its code says.
 nlohmann::json run_case(const model::LoadedCase& loaded, const RunOptions& options);
 
 }  // namespace talus::analysis

@@ -90,8 +90,10 @@ double find_slope_height(const mpm::Body<D>& body, const model::Gravity& gravity
       double steepness = 0;
       for (int d = 0; d < D; ++d) {
         double gradient = 0;
-        if (k > 0) gradient = mesh.gradients[e][(k - 1) * D + d];
-        else for (int j = 0; j < D; ++j) gradient -= mesh.gradients[e][j * D + d];
+        if (k > 0)
+          gradient = mesh.gradients[e][(k - 1) * D + d];
+        else
+          for (int j = 0; j < D; ++j) gradient -= mesh.gradients[e][j * D + d];
         up += gradient * gravity.direction[d];
         steepness += gradient * gradient;
       }
@@ -125,7 +127,8 @@ Runout find_runout(const mpm::Body<D>& body, const Profile& initial, double thre
   }
   r.direction = moment < 0 ? -1 : 1;
   std::vector<std::pair<double, double>> before, now;
-  double farthest_before = std::numeric_limits<double>::lowest(), farthest_now = farthest_before, rearmost = std::numeric_limits<double>::max();
+  double farthest_before = std::numeric_limits<double>::lowest(), farthest_now = farthest_before,
+         rearmost = std::numeric_limits<double>::max();
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
     const auto p = mpm::view_point(body, id);
@@ -154,9 +157,9 @@ Runout find_runout(const mpm::Body<D>& body, const Profile& initial, double thre
   return r;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                     \
-  template Profile find_profile<D>(const mpm::Body<D>&, double);                                 \
-  template double find_slope_height<D>(const mpm::Body<D>&, const model::Gravity&);              \
+#define TALUS_INSTANTIATE(D)                                                        \
+  template Profile find_profile<D>(const mpm::Body<D>&, double);                    \
+  template double find_slope_height<D>(const mpm::Body<D>&, const model::Gravity&); \
   template Runout find_runout<D>(const mpm::Body<D>&, const Profile&, double);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

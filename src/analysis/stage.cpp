@@ -44,22 +44,23 @@ double find_wave_speed(const mpm::Body<D>& body) {
   return std::sqrt(square);
 }
 
-/// The step can fall to that of the mesh's smallest element, and below it only when soil swells. Points that separate in a
-/// collapse do; a density of 1/2500 is an explosion that drags the step down with it.
+/// The step can fall to that of the mesh's smallest element, and below it only when soil swells. Points that separate
+/// in a collapse do; a density of 1/2500 is an explosion that drags the step down with it.
 constexpr double smallest_step_share = 0.02;
 
 template <int D>
 double find_smallest_step(const mpm::Body<D>& body, double wave_speed, double mass_scaling) {
   const auto& altitudes = body.mesh().altitudes;
-  return smallest_step_share * *std::min_element(altitudes.begin(), altitudes.end()) * std::sqrt(mass_scaling) / wave_speed;
+  return smallest_step_share * *std::min_element(altitudes.begin(), altitudes.end()) * std::sqrt(mass_scaling) /
+         wave_speed;
 }
 
 /// Where and how fast something moves that should not.
 template <int D>
 struct Runaway {
-  Vec<D> place{};      ///< [m]
-  double speed = 0;    ///< [m/s]
-  std::string what;    ///< "the grid", "a point that left the grid"
+  Vec<D> place{};    ///< [m]
+  double speed = 0;  ///< [m/s]
+  std::string what;  ///< "the grid", "a point that left the grid"
 };
 
 /// Name of the material of the point nearest to `x`.
@@ -79,9 +80,11 @@ std::string find_nearest_material(const mpm::Body<D>& body, const std::type_iden
   return name;
 }
 
-/// What moves faster than soil can: a node of the last monitored step, or a point that left the grid since `lost_before`.
+/// What moves faster than soil can: a node of the last monitored step, or a point that left the grid since
+/// `lost_before`.
 template <int D>
-std::optional<Runaway<D>> find_runaway(const mpm::Body<D>& body, bool monitored, std::size_t lost_before, double limit) {
+std::optional<Runaway<D>> find_runaway(const mpm::Body<D>& body, bool monitored, std::size_t lost_before,
+                                       double limit) {
   for (std::size_t i = lost_before; i < body.lost.size(); ++i) {
     const auto& l = body.lost[i];
     const double speed = norm(l.momentum) / l.mass;
@@ -102,16 +105,18 @@ Runaway<D> find_swollen(const mpm::Body<D>& body, int e) {
 }
 
 template <int D>
-[[noreturn]] void throw_unstable(const mpm::Body<D>& body, const mpm::Body<D>& last_good, const StagePlan<D>& plan, const Runaway<D>& r,
-                                 double wave_speed, const std::string& saved) {
+[[noreturn]] void throw_unstable(const mpm::Body<D>& body, const mpm::Body<D>& last_good, const StagePlan<D>& plan,
+                                 const Runaway<D>& r, double wave_speed, const std::string& saved) {
   std::string place = fmt::format("({:.4g}, {:.4g}", r.place[0], r.place[1]);
   if constexpr (D == 3) place += fmt::format(", {:.4g}", r.place[2]);
   const std::string speed = std::isfinite(r.speed) ? fmt::format("{:.3g} m/s", r.speed) : "no finite speed";
-  throw Error(ExitCode::unstable,
-              fmt::format("the calculation became unstable in stage '{}' at t = {:.4g} s (step {}): {} at {}) m, in material '{}', has {}, while "
-                          "compression waves run at {:.3g} m/s; try a smaller courant number (now {:g}){}",
-                          plan.name, body.time, body.step_count, r.what, place, find_nearest_material<D>(last_good, r.place), speed, wave_speed,
-                          plan.step.courant, saved.empty() ? "" : "; the last good state is in " + saved));
+  throw Error(
+      ExitCode::unstable,
+      fmt::format("the calculation became unstable in stage '{}' at t = {:.4g} s (step {}): {} at {}) m, in material "
+                  "'{}', has {}, while "
+                  "compression waves run at {:.3g} m/s; try a smaller courant number (now {:g}){}",
+                  plan.name, body.time, body.step_count, r.what, place, find_nearest_material<D>(last_good, r.place),
+                  speed, wave_speed, plan.step.courant, saved.empty() ? "" : "; the last good state is in " + saved));
 }
 
 }  // namespace
@@ -132,8 +137,10 @@ template <int D>
 bool is_calm(const mpm::Body<D>& body, const StagePlan<D>& plan) {
   const mpm::Monitor& m = body.monitor;
   const double reference_speed = std::sqrt(norm(plan.gravity) * plan.soil_height);
-  const bool slow = m.kinetic_energy <= plan.rest.energy_ratio * std::abs(body.work.external) || plan.step.geometry == model::Geometry::frozen;
-  return m.out_of_balance < plan.rest.force_ratio * m.external && m.speed < plan.rest.speed_ratio * reference_speed && slow;
+  const bool slow = m.kinetic_energy <= plan.rest.energy_ratio * std::abs(body.work.external) ||
+                    plan.step.geometry == model::Geometry::frozen;
+  return m.out_of_balance < plan.rest.force_ratio * m.external && m.speed < plan.rest.speed_ratio * reference_speed &&
+         slow;
 }
 
 template <int D>
@@ -184,7 +191,8 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
         last_good_state = state;
       }
       if (hooks.look) hooks.look(body, state);
-      if (watches_displacement && mpm::find_largest_displacement(body).value > plan.failed_displacement) return StageEnd::failed;
+      if (watches_displacement && mpm::find_largest_displacement(body).value > plan.failed_displacement)
+        return StageEnd::failed;
     }
     if (hooks.output && body.time >= state.next_output) hooks.output(body, state);
     const double left = end - body.time;
@@ -195,7 +203,8 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
     const std::size_t lost_before = body.lost.size();
     mpm::step(body, options);
     ++state.steps;
-    if (const auto runaway = find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * state.wave_speed)) give_up(*runaway);
+    if (const auto runaway = find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * state.wave_speed))
+      give_up(*runaway);
     if (!options.monitor) continue;
     state.largest_speed = std::max(state.largest_speed, body.monitor.speed);
     if (!plan.until_rest) continue;
@@ -210,10 +219,10 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
   }
 }
 
-#define TALUS_INSTANTIATE(D)                                                                                              \
-  template Vec<D> find_stage_gravity<D>(const StagePlan<D>&, const StageState&, double);                                  \
-  template bool is_calm<D>(const mpm::Body<D>&, const StagePlan<D>&);                                                     \
-  template StagePlan<D> make_plan<D>(const model::Case&, const model::Stage&, double, int);                               \
+#define TALUS_INSTANTIATE(D)                                                                \
+  template Vec<D> find_stage_gravity<D>(const StagePlan<D>&, const StageState&, double);    \
+  template bool is_calm<D>(const mpm::Body<D>&, const StagePlan<D>&);                       \
+  template StagePlan<D> make_plan<D>(const model::Case&, const model::Stage&, double, int); \
   template StageEnd run_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&, const StageHooks<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

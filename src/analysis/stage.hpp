@@ -13,28 +13,28 @@ namespace talus::analysis {
 template <int D>
 struct StagePlan {
   std::string name;
-  double duration = 0;              ///< [s]; the longest time when until_rest
+  double duration = 0;  ///< [s]; the longest time when until_rest
   bool until_rest = false;
   model::StepSettings step;
   model::RestCriterion rest;
-  Vec<D> gravity{};                 ///< at full strength [m/s²]
-  double gravity_ramp = 0;          ///< [s]
-  double soil_height = 0;           ///< H of the rest criterion [m]
-  double failed_displacement = 0;   ///< stop when a point has moved farther [m]; 0: never
+  Vec<D> gravity{};                ///< at full strength [m/s²]
+  double gravity_ramp = 0;         ///< [s]
+  double soil_height = 0;          ///< H of the rest criterion [m]
+  double failed_displacement = 0;  ///< stop when a point has moved farther [m]; 0: never
   int threads = 1;
 };
 
 /// Where a stage stands. With the body, all that is needed to go on bit for bit.
 struct StageState {
   bool started = false;
-  double start_time = 0;            ///< [s]
+  double start_time = 0;  ///< [s]
   std::int64_t steps = 0;
-  double dt = 0;                    ///< last time step [s]
-  double gravity_share = 0;         ///< of full gravity, at the start of the stage
-  double calm_since = -1;           ///< time since which the rest criterion holds [s]; -1: it does not
-  double next_output = 0;           ///< simulated time of the next call of StageHooks::output [s]
-  double largest_speed = 0;         ///< of a node, in the whole stage [m/s]
-  double wave_speed = 0;            ///< compression waves at the start of the stage [m/s]
+  double dt = 0;             ///< last time step [s]
+  double gravity_share = 0;  ///< of full gravity, at the start of the stage
+  double calm_since = -1;    ///< time since which the rest criterion holds [s]; -1: it does not
+  double next_output = 0;    ///< simulated time of the next call of StageHooks::output [s]
+  double largest_speed = 0;  ///< of a node, in the whole stage [m/s]
+  double wave_speed = 0;     ///< compression waves at the start of the stage [m/s]
 };
 
 enum class StageEnd { time, rest, failed };

@@ -33,8 +33,9 @@ mesh::Plan plan_mesh(mesh::Plan plan, const model::FrozenFactor& settings, int i
 
 /// Runs the stages of the case at frozen geometry, each to rest.
 template <int D>
-void run_frozen_stages(mpm::Body<D>& body, const model::Case& data, const model::FrozenFactor& settings, double slope_height, int threads,
-                       Progress* progress, const std::string& label, std::vector<std::string>& warnings) {
+void run_frozen_stages(mpm::Body<D>& body, const model::Case& data, const model::FrozenFactor& settings,
+                       double slope_height, int threads, Progress* progress, const std::string& label,
+                       std::vector<std::string>& warnings) {
   double share = 0;
   for (const model::Stage& stage : data.stages) {
     StagePlan<D> plan = make_plan<D>(data, stage, slope_height, threads);
@@ -53,10 +54,13 @@ void run_frozen_stages(mpm::Body<D>& body, const model::Case& data, const model:
     StageHooks<D> hooks;
     hooks.look = [&](const mpm::Body<D>& b, const StageState&) {
       throw_if_interrupted();
-      if (progress && progress->is_due()) progress->show(fmt::format("{}{} at frozen geometry: {:.3f} s", label, plan.name, b.time));
+      if (progress && progress->is_due())
+        progress->show(fmt::format("{}{} at frozen geometry: {:.3f} s", label, plan.name, b.time));
     };
     if (run_stage(body, plan, state, hooks) != StageEnd::rest) {
-      warnings.push_back(fmt::format("stage '{}' did not come to rest at frozen geometry within {:g} s; the slope may be unstable as it stands", stage.name, plan.duration));
+      warnings.push_back(fmt::format(
+          "stage '{}' did not come to rest at frozen geometry within {:g} s; the slope may be unstable as it stands",
+          stage.name, plan.duration));
     }
     share = 1;
   }
@@ -81,14 +85,16 @@ json trials_to_json(const std::vector<TrialResult>& trials) {
 }  // namespace
 
 template <int D>
-FrozenResult compute_frozen_factor(const model::Case& data, const mesh::Mesh<D>& base, const TrialContext& context, int threads,
-                                   std::vector<std::string>& warnings) {
+FrozenResult compute_frozen_factor(const model::Case& data, const mesh::Mesh<D>& base, const TrialContext& context,
+                                   int threads, std::vector<std::string>& warnings) {
   const model::FrozenFactor& settings = data.strength_reduction.frozen;
   FrozenResult result;
   const bool ready_mesh = !data.mesh.file.empty();
   int meshes = settings.meshes;
   if (ready_mesh && meshes > 1) {
-    warnings.push_back("the mesh is a ready file, which cannot be halved: the factor of safety is that of one mesh and not extrapolated");
+    warnings.push_back(
+        "the mesh is a ready file, which cannot be halved: the factor of safety is that of one mesh and not "
+        "extrapolated");
     meshes = 1;
   }
   for (int i = 0; i < meshes; ++i) {
@@ -113,13 +119,16 @@ FrozenResult compute_frozen_factor(const model::Case& data, const mesh::Mesh<D>&
     hooks.look = [&](const mpm::Body<D>& b, const StageState& s) {
       throw_if_interrupted();
       if (context.progress && context.progress->is_due()) {
-        context.progress->show(fmt::format("{}frozen trials: {} done, {:.2f} s in this one, nodes at {:.2g} m/s", label, done.size(), b.time - s.start_time, b.monitor.speed));
+        context.progress->show(fmt::format("{}frozen trials: {} done, {:.2f} s in this one, nodes at {:.2g} m/s", label,
+                                           done.size(), b.time - s.start_time, b.monitor.speed));
       }
     };
     MeshFactor factor = find_frozen_factor(body, data, settings, height, threads, known, report, hooks);
     factor.size = ready_mesh ? mesh::measure_quality(body.mesh()).mean_size : data.mesh.size * std::pow(0.5, i);
     if (factor.undecided) {
-      warnings.push_back(fmt::format("at h = {:g} m a trial neither rested nor ran away within {:g} s; it is counted as failed", factor.size, settings.window));
+      warnings.push_back(
+          fmt::format("at h = {:g} m a trial neither rested nor ran away within {:g} s; it is counted as failed",
+                      factor.size, settings.window));
     }
     result.meshes.push_back(std::move(factor));
   }
@@ -129,16 +138,17 @@ FrozenResult compute_frozen_factor(const model::Case& data, const mesh::Mesh<D>&
     // The coarse mesh differs from the limit by twice as much as the fine one; far apart, a straight line is a guess.
     constexpr double far_apart = 0.1;
     if (std::abs(coarse.factor() - fine.factor()) > far_apart * fine.factor()) {
-      warnings.push_back(fmt::format("the factors of the two meshes differ by {:.0f} %: refine the mesh before trusting the extrapolated factor",
-                                     100 * std::abs(coarse.factor() / fine.factor() - 1)));
+      warnings.push_back(fmt::format(
+          "the factors of the two meshes differ by {:.0f} %: refine the mesh before trusting the extrapolated factor",
+          100 * std::abs(coarse.factor() / fine.factor() - 1)));
     }
   }
   return result;
 }
 
 template <int D>
-void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, double slope_height, int threads, json& summary,
-                     std::vector<std::string>& warnings) {
+void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, double slope_height, int threads,
+                     json& summary, std::vector<std::string>& warnings) {
   const model::Case& data = *context.data;
   const model::StrengthReduction& settings = data.strength_reduction;
   json& factors = summary["factor_of_safety"] = json::object();
@@ -147,17 +157,22 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
     const std::vector<CurvePoint> points = curve.points();
     const auto bilinear = construct_bilinear(points, settings.curve.initial_branch, settings.curve.final_branch);
     std::vector<Criterion> criteria;
-    if (bilinear) criteria.push_back(bilinear->criterion);
-    else criteria.push_back({"bilinear", std::nullopt, 0, 0, "too few factors in the branches"});
+    if (bilinear)
+      criteria.push_back(bilinear->criterion);
+    else
+      criteria.push_back({"bilinear", std::nullopt, 0, 0, "too few factors in the branches"});
     criteria.push_back(find_displacement_criterion(points, settings.curve.displacement_ratio * slope_height));
-    if (criteria.back().factor) criteria.back().note = fmt::format("largest displacement reaches {:g} H, H = {:g} m", settings.curve.displacement_ratio, slope_height);
+    if (criteria.back().factor)
+      criteria.back().note = fmt::format("largest displacement reaches {:g} H, H = {:g} m",
+                                         settings.curve.displacement_ratio, slope_height);
     criteria.push_back(find_jump_criterion(points, elastic_share * slope_height));
     summary["curve"] = describe_curve(curve, bilinear, criteria);
     factors["criteria"] = summary["curve"]["criteria"];
     std::string table = "srf,largest displacement [m],end,force ratio,nodal speed [m/s]\n";
     for (const TrialResult& t : curve.trials) {
-      table += fmt::format("{},{},{},{},{}\n", output::to_shortest(t.factor), output::to_shortest(t.displacement), to_json(t).at("end").get<std::string>(),
-                           output::to_shortest(t.force_ratio), output::to_shortest(t.speed));
+      table += fmt::format("{},{},{},{},{}\n", output::to_shortest(t.factor), output::to_shortest(t.displacement),
+                           to_json(t).at("end").get<std::string>(), output::to_shortest(t.force_ratio),
+                           output::to_shortest(t.speed));
     }
     output::write_atomically(context.folder / "curve.csv", table);
     json runouts = json::array();
@@ -167,7 +182,8 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
       j["profile"] = to_json(r.final);
       runouts.push_back(std::move(j));
       if (r.trial.end != StageEnd::rest) {
-        warnings.push_back(fmt::format("the runout at SRF {:g} was still moving after {:g} s; raise runout_time", r.factor, r.trial.time));
+        warnings.push_back(fmt::format("the runout at SRF {:g} was still moving after {:g} s; raise runout_time",
+                                       r.factor, r.trial.time));
       }
     }
     if (!runouts.empty()) summary["runouts"] = runouts;
@@ -178,15 +194,20 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
     factors["frozen"] = to_json(frozen, low, high);
     factors["value"] = frozen.factor();
     if (summary.contains("curve")) {
-      Criterion c{"frozen", frozen.factor(), frozen.factor() - frozen.uncertainty(), frozen.factor() + frozen.uncertainty(), "rest or run-away at frozen geometry"};
+      Criterion c{"frozen", frozen.factor(), frozen.factor() - frozen.uncertainty(),
+                  frozen.factor() + frozen.uncertainty(), "rest or run-away at frozen geometry"};
       summary["curve"]["criteria"].push_back(to_json(c));
     }
   }
 }
 
-template FrozenResult compute_frozen_factor<2>(const model::Case&, const mesh::Mesh<2>&, const TrialContext&, int, std::vector<std::string>&);
-template FrozenResult compute_frozen_factor<3>(const model::Case&, const mesh::Mesh<3>&, const TrialContext&, int, std::vector<std::string>&);
-template void reduce_strength<2>(const mpm::Body<2>&, const TrialContext&, double, int, json&, std::vector<std::string>&);
-template void reduce_strength<3>(const mpm::Body<3>&, const TrialContext&, double, int, json&, std::vector<std::string>&);
+template FrozenResult compute_frozen_factor<2>(const model::Case&, const mesh::Mesh<2>&, const TrialContext&, int,
+                                               std::vector<std::string>&);
+template FrozenResult compute_frozen_factor<3>(const model::Case&, const mesh::Mesh<3>&, const TrialContext&, int,
+                                               std::vector<std::string>&);
+template void reduce_strength<2>(const mpm::Body<2>&, const TrialContext&, double, int, json&,
+                                 std::vector<std::string>&);
+template void reduce_strength<3>(const mpm::Body<3>&, const TrialContext&, double, int, json&,
+                                 std::vector<std::string>&);
 
 }  // namespace talus::analysis

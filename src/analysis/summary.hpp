@@ -15,12 +15,12 @@ namespace talus::analysis {
 struct StageReport {
   std::string name;
   StageEnd end = StageEnd::time;
-  double start = 0, time = 0;       ///< [s]
+  double start = 0, time = 0;  ///< [s]
   std::int64_t steps = 0;
-  double time_step = 0;             ///< last [s]
-  double displacement = 0;          ///< largest at the end [m]
+  double time_step = 0;     ///< last [s]
+  double displacement = 0;  ///< largest at the end [m]
   double force_ratio = 0, speed = 0;
-  double wall = 0;                  ///< [s]
+  double wall = 0;  ///< [s]
 };
 
 nlohmann::json to_json(const StageReport& stage);
@@ -44,7 +44,8 @@ template <int D>
 nlohmann::json describe_budgets(const mpm::Body<D>& body, const Vec<D>& gravity);
 
 /// The curve block that `talus plot` draws, with every criterion.
-nlohmann::json describe_curve(const CurveResult& curve, const std::optional<Bilinear>& bilinear, const std::vector<Criterion>& criteria);
+nlohmann::json describe_curve(const CurveResult& curve, const std::optional<Bilinear>& bilinear,
+                              const std::vector<Criterion>& criteria);
 
 void write_profiles(const std::filesystem::path& path, const Profile& before, const Profile& after);
 

@@ -16,7 +16,8 @@ mpm::Body<D> start_trial(const mpm::Body<D>& state, const model::Case& data, dou
 }
 
 template <int D>
-TrialResult run_trial(mpm::Body<D>& body, double factor, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks) {
+TrialResult run_trial(mpm::Body<D>& body, double factor, const StagePlan<D>& plan, StageState& state,
+                      const StageHooks<D>& hooks) {
   TrialResult r;
   r.factor = factor;
   r.end = run_stage(body, plan, state, hooks);

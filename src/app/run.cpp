@@ -28,7 +28,8 @@ void run(const RunCommand& command) {
   catch_interrupts();
   Progress progress(!command.quiet);
   analysis::RunOptions options;
-  options.folder = command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_results" : command.folder;
+  options.folder =
+      command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_results" : command.folder;
   options.threads = command.threads > 0 ? command.threads : default_threads();
   options.resume = command.resume;
   options.overwrite = command.overwrite;
@@ -43,9 +44,11 @@ void add_run(CLI::App& app) {
   CLI::App* command = app.add_subcommand("run", "Calculate a case");
   const auto options = std::make_shared<RunCommand>();
   options->input.add_to(*command);
-  command->add_option("-o,--output", options->folder, "Folder for the results (default: the case's name with _results)");
+  command->add_option("-o,--output", options->folder,
+                      "Folder for the results (default: the case's name with _results)");
   command->add_option("--threads", options->threads, "Threads to use (default: all cores)")->check(CLI::PositiveNumber);
-  CLI::Option* resume = command->add_flag("--resume", options->resume, "Go on with an interrupted run in the same folder");
+  CLI::Option* resume =
+      command->add_flag("--resume", options->resume, "Go on with an interrupted run in the same folder");
   command->add_flag("--overwrite", options->overwrite, "Replace results that are in the folder")->excludes(resume);
   command->add_flag("-q,--quiet", options->quiet, "Print errors only");
   command->callback([options] { run(*options); });

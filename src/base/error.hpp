@@ -10,12 +10,12 @@ namespace talus {
 /// Exit codes of the program, listed in docs/manual/command-line.md.
 enum class ExitCode : int {
   success = 0,
-  internal_error = 1,   ///< a defect of the program itself
-  wrong_input = 2,      ///< the case file or the command line is wrong; nothing was written
-  folder_exists = 3,    ///< the result folder exists and --overwrite was not given; nothing was written
-  unstable = 4,         ///< the calculation became unstable; the last good state of the stage or trial is saved
-  interrupted = 5,      ///< SIGINT or SIGTERM; a checkpoint is saved and --resume continues
-  cannot_write = 6,     ///< the disk is full or the folder is not writable; what was written before is whole
+  internal_error = 1,  ///< a defect of the program itself
+  wrong_input = 2,     ///< the case file or the command line is wrong; nothing was written
+  folder_exists = 3,   ///< the result folder exists and --overwrite was not given; nothing was written
+  unstable = 4,        ///< the calculation became unstable; the last good state of the stage or trial is saved
+  interrupted = 5,     ///< SIGINT or SIGTERM; a checkpoint is saved and --resume continues
+  cannot_write = 6,    ///< the disk is full or the folder is not writable; what was written before is whole
 };
 
 /// An error that is the user's to read: one sentence that says what, where and what was expected.

@@ -26,12 +26,17 @@ void catch_interrupts() {
   std::signal(SIGTERM, handle);
 }
 
-bool is_interrupted() { return interrupted.load(std::memory_order_relaxed); }
-
-void throw_if_interrupted() {
-  if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted; what was calculated is saved, --resume goes on from there");
+bool is_interrupted() {
+  return interrupted.load(std::memory_order_relaxed);
 }
 
-void request_interrupt(bool wanted) { interrupted.store(wanted); }
+void throw_if_interrupted() {
+  if (is_interrupted())
+    throw Error(ExitCode::interrupted, "interrupted; what was calculated is saved, --resume goes on from there");
+}
+
+void request_interrupt(bool wanted) {
+  interrupted.store(wanted);
+}
 
 }  // namespace talus

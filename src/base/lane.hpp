@@ -62,9 +62,18 @@ struct Pack {
   TALUS_KERNEL friend Pack operator*(Pack a, Pack b) { return a.value * b.value; }
   TALUS_KERNEL friend Pack operator/(Pack a, Pack b) { return a.value / b.value; }
   TALUS_KERNEL Pack operator-() const { return -value; }
-  TALUS_KERNEL Pack& operator+=(Pack b) { value += b.value; return *this; }
-  TALUS_KERNEL Pack& operator-=(Pack b) { value -= b.value; return *this; }
-  TALUS_KERNEL Pack& operator*=(Pack b) { value *= b.value; return *this; }
+  TALUS_KERNEL Pack& operator+=(Pack b) {
+    value += b.value;
+    return *this;
+  }
+  TALUS_KERNEL Pack& operator-=(Pack b) {
+    value -= b.value;
+    return *this;
+  }
+  TALUS_KERNEL Pack& operator*=(Pack b) {
+    value *= b.value;
+    return *this;
+  }
   TALUS_KERNEL friend Mask operator<(Pack a, Pack b) { return Mask(static_cast<Mask::Vector>(a.value < b.value)); }
   TALUS_KERNEL friend Mask operator>(Pack a, Pack b) { return Mask(static_cast<Mask::Vector>(a.value > b.value)); }
   TALUS_KERNEL friend Mask operator==(Pack a, Pack b) { return Mask(static_cast<Mask::Vector>(a.value == b.value)); }
@@ -92,20 +101,44 @@ using MaskOf = typename LaneTraits<T>::mask;
 
 // Selection, comparison and reduction, for a double and for a Pack ------------------------------------------------
 
-TALUS_KERNEL double select(bool c, double a, double b) { return c ? a : b; }
-TALUS_KERNEL double lane_max(double a, double b) { return a > b ? a : b; }
-TALUS_KERNEL double lane_min(double a, double b) { return a < b ? a : b; }
-TALUS_KERNEL double lane_abs(double a) { return a < 0 ? -a : a; }
-TALUS_KERNEL double lane_sqrt(double a) { return std::sqrt(a); }
-TALUS_KERNEL bool any(bool m) { return m; }
-TALUS_KERNEL bool all(bool m) { return m; }
-TALUS_KERNEL void store(double* p, double a) { *p = a; }
+TALUS_KERNEL double select(bool c, double a, double b) {
+  return c ? a : b;
+}
+TALUS_KERNEL double lane_max(double a, double b) {
+  return a > b ? a : b;
+}
+TALUS_KERNEL double lane_min(double a, double b) {
+  return a < b ? a : b;
+}
+TALUS_KERNEL double lane_abs(double a) {
+  return a < 0 ? -a : a;
+}
+TALUS_KERNEL double lane_sqrt(double a) {
+  return std::sqrt(a);
+}
+TALUS_KERNEL bool any(bool m) {
+  return m;
+}
+TALUS_KERNEL bool all(bool m) {
+  return m;
+}
+TALUS_KERNEL void store(double* p, double a) {
+  *p = a;
+}
 
 #if !defined(__CUDACC__)
-TALUS_KERNEL Pack select(Mask c, Pack a, Pack b) { return c.bits ? a.value : b.value; }
-TALUS_KERNEL Pack lane_max(Pack a, Pack b) { return a.value > b.value ? a.value : b.value; }
-TALUS_KERNEL Pack lane_min(Pack a, Pack b) { return a.value < b.value ? a.value : b.value; }
-TALUS_KERNEL Pack lane_abs(Pack a) { return a.value < 0 ? -a.value : a.value; }
+TALUS_KERNEL Pack select(Mask c, Pack a, Pack b) {
+  return c.bits ? a.value : b.value;
+}
+TALUS_KERNEL Pack lane_max(Pack a, Pack b) {
+  return a.value > b.value ? a.value : b.value;
+}
+TALUS_KERNEL Pack lane_min(Pack a, Pack b) {
+  return a.value < b.value ? a.value : b.value;
+}
+TALUS_KERNEL Pack lane_abs(Pack a) {
+  return a.value < 0 ? -a.value : a.value;
+}
 TALUS_KERNEL Pack lane_sqrt(Pack a) {
 #if defined(__AVX512F__)
   // the zero-masked form: GCC 12 warns of an uninitialised value inside the plain one
@@ -133,10 +166,16 @@ TALUS_KERNEL unsigned to_bits(Mask m) {
   return r;
 #endif
 }
-TALUS_KERNEL bool any(Mask m) { return to_bits(m) != 0; }
-TALUS_KERNEL bool all(Mask m) { return to_bits(m) == (1u << lane_width) - 1; }
+TALUS_KERNEL bool any(Mask m) {
+  return to_bits(m) != 0;
+}
+TALUS_KERNEL bool all(Mask m) {
+  return to_bits(m) == (1u << lane_width) - 1;
+}
 
-TALUS_KERNEL void store(double* p, Pack a) { *reinterpret_cast<Pack::Vector*>(p) = a.value; }
+TALUS_KERNEL void store(double* p, Pack a) {
+  *reinterpret_cast<Pack::Vector*>(p) = a.value;
+}
 
 /// Loads a pack from memory that is aligned to it.
 template <class T>

@@ -36,6 +36,8 @@ void parallel_for(int pieces, int threads, Work&& work) {
 }
 
 /// Threads of this machine that a run uses when the user names no number.
-inline int default_threads() { return omp_get_max_threads(); }
+inline int default_threads() {
+  return omp_get_max_threads();
+}
 
 }  // namespace talus

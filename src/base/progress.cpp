@@ -14,9 +14,13 @@ constexpr std::chrono::milliseconds interval{200};
 
 Progress::Progress(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() { clear(); }
+Progress::~Progress() {
+  clear();
+}
 
-bool Progress::is_due() const { return enabled_ && std::chrono::steady_clock::now().time_since_epoch() >= next_.load(); }
+bool Progress::is_due() const {
+  return enabled_ && std::chrono::steady_clock::now().time_since_epoch() >= next_.load();
+}
 
 void Progress::show(const std::string& line) {
   const std::lock_guard lock(mutex_);

@@ -9,7 +9,9 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-double product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double product(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 std::array<double, 4> invert(double a11, double a12, double a21, double a22) {
   const double det = a11 * a22 - a12 * a21;
@@ -38,7 +40,8 @@ MohrCoulomb::MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength
 
   const auto stiffness = [&](const Vector& b) {
     const double volumetric = elastic.lambda * (b[0] + b[1] + b[2]);
-    return Vector{volumetric + 2 * elastic.mu * b[0], volumetric + 2 * elastic.mu * b[1], volumetric + 2 * elastic.mu * b[2]};
+    return Vector{volumetric + 2 * elastic.mu * b[0], volumetric + 2 * elastic.mu * b[1],
+                  volumetric + 2 * elastic.mu * b[2]};
   };
   // Normals of the yield planes (1,3), (1,2), (2,3), and the plastic directions through the elastic stiffness.
   const Vector a13{k_, 0, -1}, a12{k_, -1, 0}, a23{0, k_, -1};

@@ -36,7 +36,9 @@ class MohrCoulomb {
   const MohrCoulombStrength& strength() const { return strength_; }
   double constrained_modulus() const { return elastic_.constrained_modulus(); }
   template <int NS>
-  double elastic_energy(const double* sigma) const { return elastic_.elastic_energy<NS>(sigma); }
+  double elastic_energy(const double* sigma) const {
+    return elastic_.elastic_energy<NS>(sigma);
+  }
 
   /// Stress at the end of a step with strain increment `d_epsilon`. Lanes outside `active` may hold anything.
   template <int NS, class T>
@@ -48,8 +50,10 @@ class MohrCoulomb {
       // A cone inside the pyramid rules most points out before any principal stress is computed.
       const T p = (sigma[0] + sigma[1] + sigma[2]) * (1.0 / 3);
       const T x = sigma[0] - p, y = sigma[1] - p, z = sigma[2] - p;
-      const T root_j2 = lane_sqrt(0.5 * (x * x + y * y + z * z) + sigma[3] * sigma[3] + sigma[4] * sigma[4] + sigma[5] * sigma[5]);
-      const auto outside = active && (root_j2 > cone_offset_ - cone_slope_ * p || p + two_over_root3 * root_j2 > T(tension_limit_));
+      const T root_j2 =
+          lane_sqrt(0.5 * (x * x + y * y + z * z) + sigma[3] * sigma[3] + sigma[4] * sigma[4] + sigma[5] * sigma[5]);
+      const auto outside =
+          active && (root_j2 > cone_offset_ - cone_slope_ * p || p + two_over_root3 * root_j2 > T(tension_limit_));
       if (!any(outside)) return {false, T(0.0), T(0.0)};
       return return_to_surface<NS>(SpacePrincipal<T>(sigma, cosine_), sigma, state, outside);
     }
@@ -93,7 +97,7 @@ class MohrCoulomb {
  private:
   /// Return to a line where two shear planes meet: the trial stress minus two multipliers times two directions.
   struct Edge {
-    double inverse[4];       ///< inverse of the planes' hardening matrix
+    double inverse[4];           ///< inverse of the planes' hardening matrix
     double first[3], second[3];  ///< C:b of the two planes
     template <class T>
     TALUS_KERNEL void apply(T f, T g, T s1, T s2, T s3, T& a, T& b, T& c) const {
@@ -107,8 +111,8 @@ class MohrCoulomb {
 
   template <int NS, class T, class Principal>
   TALUS_KERNEL Response<T> return_to_surface(const Principal& trial, T* sigma, T* state, MaskOf<T> active) const {
-    const auto yields =
-        active && (k_ * trial.s1 - trial.s3 > T(intercept_ + tolerance_) || trial.s1 > T(tensile_strength_ + tolerance_));
+    const auto yields = active && (k_ * trial.s1 - trial.s3 > T(intercept_ + tolerance_) ||
+                                   trial.s1 > T(tensile_strength_ + tolerance_));
     if (!any(yields)) return {false, T(0.0), T(0.0)};
     T n1 = trial.s1, n2 = trial.s2, n3 = trial.s3;
     return_principal(n1, n2, n3);
@@ -164,7 +168,7 @@ class MohrCoulomb {
   Edge edge_low_, edge_high_;                ///< s2 = s3 and s1 = s2
   double shear_direction_[3];                ///< C:b of the shear plane [Pa]
   double corner_inverse_[4];
-  double cone_slope_, cone_offset_;          ///< √J2 <= offset - slope·p is inside the pyramid
+  double cone_slope_, cone_offset_;  ///< √J2 <= offset - slope·p is inside the pyramid
   double compliance_trace_, half_over_mu_;
   CosineThird cosine_;
 };

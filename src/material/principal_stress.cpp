@@ -16,7 +16,8 @@ CosineThird::CosineThird() {
   for (int k = 0; k < n; ++k) {
     for (int i = 0; i < n; ++i) {
       const Real u = (std::cos(angle(i)) + 1) / 2;
-      chebyshev[static_cast<std::size_t>(k)] += std::cos(2 / 3.0L * std::acos(u)) * std::cos(static_cast<Real>(k) * angle(i)) * 2 / n;
+      chebyshev[static_cast<std::size_t>(k)] +=
+          std::cos(2 / 3.0L * std::acos(u)) * std::cos(static_cast<Real>(k) * angle(i)) * 2 / n;
     }
   }
   chebyshev[0] /= 2;

@@ -2,9 +2,9 @@
 // Principal stresses in closed form and the return to the tensor, without eigenvectors, trigonometry or branches.
 //
 // Three dimensions: with p the mean stress, q = √(J2/3) and t = cos3θ = J3/(2q³), s1 = p + 2q·c(t) and
-// s3 = p - 2q·c(-t), where c(t) = cos(acos(t)/3) = cos(⅔ acos u), u = √((1+t)/2). On u in [0, 1] this is analytic, and a
-// polynomial of degree 16 gives it to 1.1e-15. An isotropic function with principal values n_i is put back on the axes
-// of σ by divided differences (Newton's form of the spectral polynomial), exact also for equal principal values.
+// s3 = p - 2q·c(-t), where c(t) = cos(acos(t)/3) = cos(⅔ acos u), u = √((1+t)/2). On u in [0, 1] this is analytic, and
+// a polynomial of degree 16 gives it to 1.1e-15. An isotropic function with principal values n_i is put back on the
+// axes of σ by divided differences (Newton's form of the spectral polynomial), exact also for equal principal values.
 
 #include <array>
 #include <cmath>
@@ -64,15 +64,18 @@ struct PlanePrincipal {
 /// Principal stresses of a three-dimensional state.
 template <class T>
 struct SpacePrincipal {
-  T p, q;            ///< mean stress and √(J2/3) [Pa]
+  T p, q;              ///< mean stress and √(J2/3) [Pa]
   T dev[3], shear[3];  ///< deviator's diagonal; xy, yz, zx [Pa]
-  T d1, d2, d3;      ///< principal deviators, decreasing [Pa]
-  T s1, s2, s3;      ///< s1 >= s2 >= s3 [Pa]
+  T d1, d2, d3;        ///< principal deviators, decreasing [Pa]
+  T s1, s2, s3;        ///< s1 >= s2 >= s3 [Pa]
 
   TALUS_KERNEL SpacePrincipal(const T* sigma, const CosineThird& cosine) {
     p = (sigma[0] + sigma[1] + sigma[2]) * (1.0 / 3);
     TALUS_UNROLL
-    for (int i = 0; i < 3; ++i) { dev[i] = sigma[i] - p; shear[i] = sigma[3 + i]; }
+    for (int i = 0; i < 3; ++i) {
+      dev[i] = sigma[i] - p;
+      shear[i] = sigma[3 + i];
+    }
     const T xy2 = shear[0] * shear[0], yz2 = shear[1] * shear[1], zx2 = shear[2] * shear[2];
     const T j2 = 0.5 * (dev[0] * dev[0] + dev[1] * dev[1] + dev[2] * dev[2]) + xy2 + yz2 + zx2;
     const T j3 = dev[0] * (dev[1] * dev[2] - yz2) - dev[1] * zx2 - dev[2] * xy2 + 2.0 * shear[0] * shear[1] * shear[2];

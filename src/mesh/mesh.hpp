@@ -18,17 +18,17 @@ struct Mesh {
   using Element = std::array<int, D + 1>;
   using Side = std::array<int, D>;  ///< the nodes of an edge (2D) or a triangle (3D)
 
-  std::vector<Point> nodes;                            ///< coordinates [m]
-  std::vector<Element> elements;                       ///< node numbers; positive orientation
-  std::vector<int> element_region;                     ///< index into region_names, or empty_region
-  std::vector<std::string> region_names;               ///< the soil polygons or physical groups
-  std::map<std::string, std::vector<Side>> sides;      ///< named boundary sides and lines
+  std::vector<Point> nodes;                        ///< coordinates [m]
+  std::vector<Element> elements;                   ///< node numbers; positive orientation
+  std::vector<int> element_region;                 ///< index into region_names, or empty_region
+  std::vector<std::string> region_names;           ///< the soil polygons or physical groups
+  std::map<std::string, std::vector<Side>> sides;  ///< named boundary sides and lines
 
   // Derived by finish().
-  std::vector<Element> neighbours;                     ///< element across the side opposite local node k; -1 outside
-  std::vector<double> volumes;                         ///< area [m²] per metre of thickness (2D) or volume [m³]
-  std::vector<std::array<double, D * D>> gradients;    ///< [k*D+d] = ∂ξ_{k+1}/∂x_d [1/m]
-  std::vector<double> altitudes;                       ///< smallest altitude of each element [m], L_min of (2.84)
+  std::vector<Element> neighbours;                   ///< element across the side opposite local node k; -1 outside
+  std::vector<double> volumes;                       ///< area [m²] per metre of thickness (2D) or volume [m³]
+  std::vector<std::array<double, D * D>> gradients;  ///< [k*D+d] = ∂ξ_{k+1}/∂x_d [1/m]
+  std::vector<double> altitudes;                     ///< smallest altitude of each element [m], L_min of (2.84)
 
   int node_count() const { return static_cast<int>(nodes.size()); }
   int element_count() const { return static_cast<int>(elements.size()); }

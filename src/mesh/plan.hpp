@@ -28,14 +28,14 @@ struct Refinement {
 enum class Algorithm { frontal, delaunay, meshadapt };
 
 struct Plan {
-  std::string file;                 ///< a ready Gmsh mesh (.msh, version 4); then nothing below but `dimension` is used
+  std::string file;  ///< a ready Gmsh mesh (.msh, version 4); then nothing below but `dimension` is used
   int dimension = 2;
   std::array<double, 2> box_min{};  ///< background box [m]
   std::array<double, 2> box_max{};  ///< [m]
   double thickness = 0;             ///< 3D only: extrusion along z, from 0 to thickness [m]
   std::vector<Polygon> polygons;
   std::vector<Line> lines;
-  double size = 0;                  ///< general element size [m]
+  double size = 0;  ///< general element size [m]
   Algorithm algorithm = Algorithm::delaunay;
   std::vector<Refinement> refinements;
 };

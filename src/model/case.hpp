@@ -125,9 +125,9 @@ struct Curve {
 /// Talus's factor of safety: rest or run-away at frozen geometry (strength-reduction theory page).
 struct FrozenFactor {
   bool enabled = true;
-  double from = 1.0, to = 2.0;       ///< bracket to start from [-]; widened when it does not hold the factor
-  double resolution = 0.01;          ///< width of the final bracket [-]
-  int meshes = 2;                    ///< 1: one mesh of the case's size; 2: and one of half its size, extrapolated linearly
+  double from = 1.0, to = 2.0;  ///< bracket to start from [-]; widened when it does not hold the factor
+  double resolution = 0.01;     ///< width of the final bracket [-]
+  int meshes = 2;               ///< 1: one mesh of the case's size; 2: and one of half its size, extrapolated linearly
   mesh::Algorithm algorithm = mesh::Algorithm::meshadapt;  ///< of both meshes
   double window = 60;                ///< a trial without decision by then is reported as undecided [s]
   double failed_displacement = 0.1;  ///< u/H that decides "failed" [-]

@@ -47,7 +47,8 @@ void describe(Visitor& v, FrozenFactor& f) {
   v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");
   v.key("resolution", f.resolution, plain().above(0), "Width of the last bracket.");
   v.key("meshes", f.meshes, plain().at_least(1).at_most(2),
-        "1: one mesh of the case's element size. 2: also one of half that size, and the factor extrapolated to size zero.");
+        "1: one mesh of the case's element size. 2: also one of half that size, and the factor extrapolated to size "
+        "zero.");
   v.key("algorithm", f.algorithm, plain(),
         "Gmsh's algorithm for these meshes (a ready mesh file is used as it is). Irregular ones lock least.");
   v.key("window", f.window, quantity("s").above(0), "A trial that has not decided by then is reported as undecided.");

@@ -36,7 +36,8 @@ void describe(Visitor& v, GeometryBlock& g) {
   v.key("thickness", plan.thickness, quantity("m").above(0).needed_with("dimension", plan.dimension, 3).example("5"),
         "Length of the extrusion along z, from the side front (z = 0) to the side back (z = thickness).");
   v.tables("polygon", plan.polygons, 1,
-           "A region of soil at the start. Regions may share edges, or one may lie inside another and replace it there; they must not overlap otherwise. What no polygon covers is empty.");
+           "A region of soil at the start. Regions may share edges, or one may lie inside another and replace it "
+           "there; they must not overlap otherwise. What no polygon covers is empty.");
   v.tables("line", plan.lines, 0, "A named line that element sides follow.");
 }
 

@@ -29,7 +29,8 @@ void describe(Visitor& v, Output& o) {
   v.key("cells", o.cells, plain(), "Store the fields of the elements as well.");
   v.key("nodes", o.nodes, plain(), "Store the fields of the nodes as well.");
   v.key("length_unit", o.length_unit, plain(), "Unit of lengths in histories and plots.");
-  v.key("displacement_unit", o.displacement_unit, plain(), "Unit of displacements in histories, study tables and plots.");
+  v.key("displacement_unit", o.displacement_unit, plain(),
+        "Unit of displacements in histories, study tables and plots.");
   v.key("stress_unit", o.stress_unit, plain(), "Unit of stresses in histories and plots.");
   v.tables("monitor", o.monitors, 0, "A material point whose motion and stress are recorded.");
 }

@@ -63,7 +63,8 @@ void describe(Visitor& v, RestCriterion& r) {
   v.key("speed_ratio", r.speed_ratio, plain().above(0),
         "Largest nodal speed over √(gH), H being the relief of the ground (of the soil when it is level).");
   v.key("energy_ratio", r.energy_ratio, plain().above(0), "Largest kinetic energy over the external work.");
-  v.key("hold", r.hold, quantity("s").at_least(0), "How long all must hold (the energy is not asked for at frozen geometry).");
+  v.key("hold", r.hold, quantity("s").at_least(0),
+        "How long all must hold (the energy is not asked for at frozen geometry).");
 }
 
 }  // namespace talus::model

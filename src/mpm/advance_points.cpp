@@ -58,8 +58,8 @@ struct FullElement {
 };
 
 template <int D, class Law>
-FullElement<D, Law> update_full_elements(const Pass<D>& pass, const Law& law, int b, Pack count, const Rotation<D, Pack>& rotation,
-                                         const Pack* d_epsilon, Pack pending) {
+FullElement<D, Law> update_full_elements(const Pass<D>& pass, const Law& law, int b, Pack count,
+                                         const Rotation<D, Pack>& rotation, const Pack* d_epsilon, Pack pending) {
   using P = Points<D>;
   constexpr int NS = P::stress_size;
   const P& points = pass.body.points;
@@ -114,7 +114,10 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     Pack motion[2 * D];
     load_rows<2 * D, motion_stride<D>>(body.nodes.motion.data(), rows + k * lane_width, motion);
     TALUS_UNROLL
-    for (int d = 0; d < D; ++d) { a[k][d] = motion[d]; v[k][d] = motion[D + d]; }
+    for (int d = 0; d < D; ++d) {
+      a[k][d] = motion[d];
+      v[k][d] = motion[D + d];
+    }
   }
   TALUS_UNROLL
   for (int i = 0; i < D * D; ++i) g[i] = load<Pack>(&body.layout->gradients[(block * D * D + i) * lane_width]);
@@ -192,7 +195,8 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
         for (int i = 0; i < Law::state_size; ++i) q[i] = select(element.full, element.state[i], q[i]);
         response.any_plastic = response.any_plastic || element.response.any_plastic;
         response.dissipation = select(element.full, element.response.dissipation, response.dissipation);
-        response.plastic_mean_stress = select(element.full, element.response.plastic_mean_stress, response.plastic_mean_stress);
+        response.plastic_mean_stress =
+            select(element.full, element.response.plastic_mean_stress, response.plastic_mean_stress);
       }
     }
     if constexpr (Law::is_plastic) {
@@ -283,11 +287,15 @@ MoverLists advance_points(Body<D>& body, const StepOptions<D>& options) {
     const auto advance = [&](const auto& law, int b) {
       if (far && b + ahead < end && body.points.block_used[b + ahead] > 0) prefetch_block(body, b + ahead);
       if (body.points.block_used[b] == 0) return;
-      if (options.mixed) advance_block<true>(pass, law, b);
-      else advance_block<false>(pass, law, b);
+      if (options.mixed)
+        advance_block<true>(pass, law, b);
+      else
+        advance_block<false>(pass, law, b);
     };
     if (body.laws.size() == 1) {
-      visit_laws(body.laws, 1u, [&](const auto& law) { for (int b = begin; b < end; ++b) advance(law, b); });
+      visit_laws(body.laws, 1u, [&](const auto& law) {
+        for (int b = begin; b < end; ++b) advance(law, b);
+      });
     } else {
       for (int b = begin; b < end; ++b) {
         visit_laws(body.laws, body.points.block_materials[b], [&](const auto& law) { advance(law, b); });

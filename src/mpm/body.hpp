@@ -35,32 +35,33 @@ template <int D>
 struct Layout {
   mesh::Mesh<D> mesh;
   int blocks = 0, chunks = 0, rows = 0;
-  std::vector<int> chunk_start;         ///< first block of each chunk, [chunks + 1]
-  AlignedVector<int> connectivity;      ///< [block][D+1][lane] node row
+  std::vector<int> chunk_start;           ///< first block of each chunk, [chunks + 1]
+  AlignedVector<int> connectivity;        ///< [block][D+1][lane] node row
   std::vector<int> row_start, node_rows;  ///< rows of node i: node_rows[row_start[i] … row_start[i+1])
-  AlignedVector<double> gradients;      ///< [block][D*D][lane] ∂ξ_k/∂x_d [1/m]
-  AlignedVector<double> volumes;        ///< [block][lane] V_e [m³, or m² per metre]
+  AlignedVector<double> gradients;        ///< [block][D*D][lane] ∂ξ_k/∂x_d [1/m]
+  AlignedVector<double> volumes;          ///< [block][lane] V_e [m³, or m² per metre]
 };
 
 template <int D>
 struct Points {
   static constexpr int stress_size = material::stress_size<D>;
   // Fields of a slot, in packs.
-  static constexpr int xi = 0, velocity = D, stress = 2 * D, volume = 2 * D + stress_size, mass = volume + 1, state = mass + 1;
+  static constexpr int xi = 0, velocity = D, stress = 2 * D, volume = 2 * D + stress_size, mass = volume + 1,
+                       state = mass + 1;
 
-  int fields = state;                      ///< packs per slot: state + state variables of the models in use
-  AlignedVector<double> data;              ///< [slot][field][lane]
-  std::vector<int> id;                     ///< [slot][lane] point number
-  std::vector<std::int64_t> block_start;   ///< first slot of each block
+  int fields = state;                           ///< packs per slot: state + state variables of the models in use
+  AlignedVector<double> data;                   ///< [slot][field][lane]
+  std::vector<int> id;                          ///< [slot][lane] point number
+  std::vector<std::int64_t> block_start;        ///< first slot of each block
   std::vector<int> block_capacity, block_used;  ///< slots a block owns, and the highest one in use
-  AlignedVector<double> count;             ///< [block][lane] points in the element
+  AlignedVector<double> count;                  ///< [block][lane] points in the element
   std::vector<std::uint32_t> block_materials;   ///< bit set of the materials a block holds
 
   // By point number.
-  std::vector<int> element;                ///< -1 when the point has left the grid
-  std::vector<std::int64_t> place;         ///< slot * lane_width + lane
+  std::vector<int> element;         ///< -1 when the point has left the grid
+  std::vector<std::int64_t> place;  ///< slot * lane_width + lane
   std::vector<std::uint8_t> material;
-  std::vector<Vec<D>> reference;           ///< where displacements are counted from [m]
+  std::vector<Vec<D>> reference;                               ///< where displacements are counted from [m]
   std::vector<std::array<double, stress_size>> strain_offset;  ///< strain of the point minus strain of its element [-]
 
   int size() const { return static_cast<int>(element.size()); }
@@ -71,21 +72,22 @@ struct Points {
 /// [block][…][lane] arrays of the elements.
 template <int D>
 struct Elements {
-  AlignedVector<double> moments;         ///< [moment_size] [kg]
-  AlignedVector<double> strain;          ///< [stress_size] strain summed since the element exists [-]
-  AlignedVector<double> fill_limit;      ///< mixed integration: an element is full when ΣV_p exceeds this [m³]
-  AlignedVector<double> return_pressure; ///< change of mean stress still to be given to the points (stable smoothing) [Pa]
-  AlignedVector<double> force_volume;    ///< volume that the internal force of the last pass was taken over [m³]
-  AlignedVector<double> plastic_mean;    ///< mean-stress change of the last plastic return, element mean [Pa]
+  AlignedVector<double> moments;     ///< [moment_size] [kg]
+  AlignedVector<double> strain;      ///< [stress_size] strain summed since the element exists [-]
+  AlignedVector<double> fill_limit;  ///< mixed integration: an element is full when ΣV_p exceeds this [m³]
+  AlignedVector<double>
+      return_pressure;  ///< change of mean stress still to be given to the points (stable smoothing) [Pa]
+  AlignedVector<double> force_volume;  ///< volume that the internal force of the last pass was taken over [m³]
+  AlignedVector<double> plastic_mean;  ///< mean-stress change of the last plastic return, element mean [Pa]
 };
 
 template <int D>
 struct Nodes {
-  AlignedVector<double> sums;      ///< [row][sums_stride]: m [kg], p [kg m/s], -f_int [N]
-  AlignedVector<double> motion;    ///< [row][motion_stride]: a [m/s²], v [m/s]
-  AlignedVector<double> average;   ///< [row][2]: Σ value V_e, Σ V_e of a nodal average
-  AlignedVector<double> smoothed;  ///< [row] a nodal average
-  std::vector<Vec<D>> load;        ///< forces of tractions at the start of the step [N]; empty when there are none
+  AlignedVector<double> sums;        ///< [row][sums_stride]: m [kg], p [kg m/s], -f_int [N]
+  AlignedVector<double> motion;      ///< [row][motion_stride]: a [m/s²], v [m/s]
+  AlignedVector<double> average;     ///< [row][2]: Σ value V_e, Σ V_e of a nodal average
+  AlignedVector<double> smoothed;    ///< [row] a nodal average
+  std::vector<Vec<D>> load;          ///< forces of tractions at the start of the step [N]; empty when there are none
   std::vector<Vec<D>> displacement;  ///< frozen geometry: summed v Δt [m]
 };
 
@@ -115,14 +117,14 @@ struct Timing {
 template <int D>
 struct Lost {
   int id = 0;
-  double time = 0, mass = 0;  ///< [s], [kg]
+  double time = 0, mass = 0;      ///< [s], [kg]
   Vec<D> position{}, momentum{};  ///< [m], [kg m/s]
 };
 
 template <int D>
 struct Body {
   std::shared_ptr<const Layout<D>> layout;
-  std::vector<material::Law> laws;          ///< by material number
+  std::vector<material::Law> laws;  ///< by material number
   std::vector<std::string> material_names;
   Conditions<D> conditions;
   Points<D> points;
@@ -132,9 +134,9 @@ struct Body {
   Work work;
   Monitor monitor;
   Timing timing;
-  double time = 0;                          ///< [s]
+  double time = 0;  ///< [s]
   std::int64_t step_count = 0;
-  double smallest_mass = 0;                 ///< of a point [kg]; nodes far below it are left out
+  double smallest_mass = 0;  ///< of a point [kg]; nodes far below it are left out
 
   const mesh::Mesh<D>& mesh() const { return layout->mesh; }
 };

@@ -20,7 +20,8 @@ std::vector<int> cut_into_chunks(const std::vector<int>& weight, int chunks) {
   std::vector<int> start{0};
   for (int b = 0; b < blocks; ++b) {
     sum += weight[b];
-    if (static_cast<int>(start.size()) < chunks && sum * chunks >= total * static_cast<std::int64_t>(start.size())) start.push_back(b + 1);
+    if (static_cast<int>(start.size()) < chunks && sum * chunks >= total * static_cast<std::int64_t>(start.size()))
+      start.push_back(b + 1);
   }
   start.push_back(blocks);
   start.erase(std::unique(start.begin(), start.end()), start.end());
@@ -35,7 +36,8 @@ void number_rows(Layout<D>& layout) {
   std::vector<int> seen(static_cast<std::size_t>(nodes), -1);
   layout.connectivity.assign(static_cast<std::size_t>(layout.blocks) * (D + 1) * lane_width, 0);
   for (int c = 0; c < layout.chunks; ++c) {
-    const int begin = layout.chunk_start[c] * lane_width, end = std::min(elements, layout.chunk_start[c + 1] * lane_width);
+    const int begin = layout.chunk_start[c] * lane_width,
+              end = std::min(elements, layout.chunk_start[c + 1] * lane_width);
     std::vector<int> mine;
     for (int e = begin; e < end; ++e) {
       for (int i : mesh.elements[e]) {
@@ -51,7 +53,8 @@ void number_rows(Layout<D>& layout) {
       for (int k = 0; k <= D; ++k) {
         // Lanes behind the last element point at some row of the chunk and add zero to it.
         const int node = e < elements ? mesh.elements[e][k] : mesh.elements[begin][k];
-        const std::size_t at = (static_cast<std::size_t>(e / lane_width) * (D + 1) + static_cast<std::size_t>(k)) * lane_width;
+        const std::size_t at =
+            (static_cast<std::size_t>(e / lane_width) * (D + 1) + static_cast<std::size_t>(k)) * lane_width;
         layout.connectivity[at + static_cast<std::size_t>(e % lane_width)] = rows[node].back();
       }
     }
@@ -67,7 +70,8 @@ void number_rows(Layout<D>& layout) {
 }  // namespace
 
 template <int D>
-std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vector<int>& points_in_element, int chunks) {
+std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vector<int>& points_in_element,
+                                             int chunks) {
   auto layout = std::make_shared<Layout<D>>();
   layout->mesh = std::move(mesh);
   const int elements = layout->mesh.element_count();
@@ -86,22 +90,24 @@ std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vect
   layout->volumes.assign(static_cast<std::size_t>(layout->blocks) * lane_width, 0.0);
   for (int e = 0; e < elements; ++e) {
     const std::size_t b = static_cast<std::size_t>(e / lane_width), lane = static_cast<std::size_t>(e % lane_width);
-    for (std::size_t i = 0; i < D * D; ++i) layout->gradients[(b * D * D + i) * lane_width + lane] = layout->mesh.gradients[e][i];
+    for (std::size_t i = 0; i < D * D; ++i)
+      layout->gradients[(b * D * D + i) * lane_width + lane] = layout->mesh.gradients[e][i];
     layout->volumes[b * lane_width + lane] = layout->mesh.volumes[e];
   }
   return layout;
 }
 
 template <int D>
-Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws, std::vector<std::string> names,
-                  const std::vector<InitialPoint<D>>& initial) {
+Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws,
+                  std::vector<std::string> names, const std::vector<InitialPoint<D>>& initial) {
   using P = Points<D>;
   Body<D> body;
   body.layout = std::move(layout);
   body.laws = std::move(laws);
   body.material_names = std::move(names);
   const Layout<D>& l = *body.layout;
-  const std::size_t blocks = static_cast<std::size_t>(l.blocks), rows = static_cast<std::size_t>(l.rows), nodes = l.mesh.nodes.size();
+  const std::size_t blocks = static_cast<std::size_t>(l.blocks), rows = static_cast<std::size_t>(l.rows),
+                    nodes = l.mesh.nodes.size();
 
   int states = 0;
   for (const material::Law& law : body.laws) states = std::max(states, material::state_size(law));
@@ -118,12 +124,14 @@ Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material:
 
   std::vector<int> in_element(blocks * lane_width, 0), used(blocks, 0);
   for (const InitialPoint<D>& p : initial) ++in_element[p.element];
-  for (std::size_t e = 0; e < in_element.size(); ++e) used[e / lane_width] = std::max(used[e / lane_width], in_element[e]);
+  for (std::size_t e = 0; e < in_element.size(); ++e)
+    used[e / lane_width] = std::max(used[e / lane_width], in_element[e]);
   allocate_slots(points, used);
 
   body.elements.moments.assign(blocks * moment_size<D> * lane_width, 0.0);
   body.elements.strain.assign(blocks * P::stress_size * lane_width, 0.0);
-  for (auto* field : {&body.elements.fill_limit, &body.elements.return_pressure, &body.elements.force_volume, &body.elements.plastic_mean}) {
+  for (auto* field : {&body.elements.fill_limit, &body.elements.return_pressure, &body.elements.force_volume,
+                      &body.elements.plastic_mean}) {
     field->assign(blocks * lane_width, 0.0);
   }
   body.nodes.sums.assign(rows * sums_stride, 0.0);
@@ -179,8 +187,10 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
 
 template std::shared_ptr<const Layout<2>> make_layout<2>(mesh::Mesh<2>, const std::vector<int>&, int);
 template std::shared_ptr<const Layout<3>> make_layout<3>(mesh::Mesh<3>, const std::vector<int>&, int);
-template Body<2> make_body<2>(std::shared_ptr<const Layout<2>>, std::vector<material::Law>, std::vector<std::string>, const std::vector<InitialPoint<2>>&);
-template Body<3> make_body<3>(std::shared_ptr<const Layout<3>>, std::vector<material::Law>, std::vector<std::string>, const std::vector<InitialPoint<3>>&);
+template Body<2> make_body<2>(std::shared_ptr<const Layout<2>>, std::vector<material::Law>, std::vector<std::string>,
+                              const std::vector<InitialPoint<2>>&);
+template Body<3> make_body<3>(std::shared_ptr<const Layout<3>>, std::vector<material::Law>, std::vector<std::string>,
+                              const std::vector<InitialPoint<3>>&);
 template void gather_nodal_sums<2>(Body<2>&, const StepOptions<2>&);
 template void gather_nodal_sums<3>(Body<3>&, const StepOptions<3>&);
 

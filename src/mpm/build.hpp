@@ -9,22 +9,23 @@ namespace talus::mpm {
 template <int D>
 struct InitialPoint {
   int element = 0;
-  Vec<D> xi{};                                        ///< local coordinates
-  Vec<D> velocity{};                                  ///< [m/s]
+  Vec<D> xi{};                                            ///< local coordinates
+  Vec<D> velocity{};                                      ///< [m/s]
   std::array<double, material::stress_size<D>> stress{};  ///< [Pa]
-  double mass = 0;                                    ///< [kg]
-  double volume = 0;                                  ///< [m³]
+  double mass = 0;                                        ///< [kg]
+  double volume = 0;                                      ///< [m³]
   int material = 0;
 };
 
 /// Blocks, chunks and node rows of a mesh. `points_in_element` balances the chunks; `chunks` = 0 chooses their number
 /// from the size of the problem alone (never from the number of threads).
 template <int D>
-std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vector<int>& points_in_element, int chunks = 0);
+std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vector<int>& points_in_element,
+                                             int chunks = 0);
 
 /// A body at rest at time 0, without constraints. Point numbers are the positions in `points`.
 template <int D>
-Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws, std::vector<std::string> names,
-                  const std::vector<InitialPoint<D>>& points);
+Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws,
+                  std::vector<std::string> names, const std::vector<InitialPoint<D>>& points);
 
 }  // namespace talus::mpm

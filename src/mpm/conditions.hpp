@@ -1,5 +1,6 @@
 #pragma once
-// Boundary conditions as the step uses them: per constrained node and per traction, resolved from the names of the case.
+// Boundary conditions as the step uses them: per constrained node and per traction, resolved from the names of the
+// case.
 
 #include <cstdint>
 #include <type_traits>
@@ -17,14 +18,14 @@ struct Constraint {
   int fixed_count = 0;
   Vec<D> fixed[D]{};
   bool has_wall = false;
-  Vec<D> wall_normal{};      ///< unit, out of the soil
-  double friction = 0;       ///< Coulomb's μ of the wall [-]
-  int prescribed = -1;       ///< index into Conditions::prescribed, or -1
+  Vec<D> wall_normal{};  ///< unit, out of the soil
+  double friction = 0;   ///< Coulomb's μ of the wall [-]
+  int prescribed = -1;   ///< index into Conditions::prescribed, or -1
 };
 
 template <int D>
 struct Prescribed {
-  Vec<D> velocity{};         ///< [m/s], times `factor`
+  Vec<D> velocity{};  ///< [m/s], times `factor`
   model::TimeTable factor;
 };
 
@@ -32,8 +33,8 @@ struct Prescribed {
 template <int D>
 struct Load {
   struct Entry {
-    int index;               ///< node, or point
-    Vec<D> force;            ///< [N]
+    int index;     ///< node, or point
+    Vec<D> force;  ///< [N]
   };
   bool on_points = false;
   std::vector<Entry> entries;
@@ -42,16 +43,17 @@ struct Load {
 
 template <int D>
 struct Conditions {
-  std::vector<int> constraint_of_node;   ///< index into constraints, or -1
-  std::vector<Constraint<D>> constraints;   ///< each belongs to one node
-  std::vector<std::uint8_t> pressed;        ///< by constraint: the wall stopped the node in this step's accelerations
+  std::vector<int> constraint_of_node;     ///< index into constraints, or -1
+  std::vector<Constraint<D>> constraints;  ///< each belongs to one node
+  std::vector<std::uint8_t> pressed;       ///< by constraint: the wall stopped the node in this step's accelerations
   std::vector<Prescribed<D>> prescribed;
   std::vector<Load<D>> loads;
 };
 
 /// The velocity [m/s] that a node may have at time `t` [s] instead of `wanted`.
 template <int D>
-Vec<D> constrain_velocity(const Conditions<D>& conditions, const Constraint<D>& c, std::type_identity_t<Vec<D>> wanted, double t) {
+Vec<D> constrain_velocity(const Conditions<D>& conditions, const Constraint<D>& c, std::type_identity_t<Vec<D>> wanted,
+                          double t) {
   if (c.prescribed >= 0) {
     const Prescribed<D>& p = conditions.prescribed[static_cast<std::size_t>(c.prescribed)];
     const double f = p.factor.at(t);

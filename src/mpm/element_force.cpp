@@ -78,7 +78,8 @@ void add_point_mass(Body<D>& body, int e, const double* fields) {
     double* row = node_row(body, e, k);
     for (int q = 0; q <= D; ++q) row[q] += out[k][q];
   }
-  double* moments = &body.elements.moments[static_cast<std::size_t>(e / lane_width) * moment_size<D> * lane_width + static_cast<std::size_t>(e % lane_width)];
+  double* moments = &body.elements.moments[static_cast<std::size_t>(e / lane_width) * moment_size<D> * lane_width +
+                                           static_cast<std::size_t>(e % lane_width)];
   for (int i = 0; i < moment_size<D>; ++i) moments[i * lane_width] += sums.moments[i];
 }
 

@@ -98,7 +98,7 @@ struct Rotation;
 
 template <class T>
 struct Rotation<2, T> {
-  T cosine, sine;  ///< of twice the angle
+  T cosine, sine;        ///< of twice the angle
   Rotation() = default;  ///< no rotation at all: not to be applied
   TALUS_KERNEL explicit Rotation(const T grad[2][2]) {
     const T t = 0.25 * (grad[0][1] - grad[1][0]);  // W_xy / 2 = tan(half the angle)
@@ -122,7 +122,8 @@ struct Rotation<3, T> {
   Rotation() = default;
   TALUS_KERNEL explicit Rotation(const T grad[3][3]) {
     // axial vector of W/2: (W/2) x = a × x, then R = ((1-a²) I + 2aaᵀ + 2[a]×) / (1+a²)  (Cayley)
-    const T a[3] = {0.25 * (grad[2][1] - grad[1][2]), 0.25 * (grad[0][2] - grad[2][0]), 0.25 * (grad[1][0] - grad[0][1])};
+    const T a[3] = {0.25 * (grad[2][1] - grad[1][2]), 0.25 * (grad[0][2] - grad[2][0]),
+                    0.25 * (grad[1][0] - grad[0][1])};
     const T square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
     const T scale = 1.0 / (1.0 + square);
     const T diagonal = (1.0 - square) * scale, twice = 2.0 * scale;
@@ -173,13 +174,15 @@ TALUS_KERNEL T smallest_shape(const T* xi) {
 template <int D>
 inline constexpr int force_size = D == 2 ? 3 : 6;
 template <int D>
-TALUS_KERNEL constexpr int force_component(int i) { return D == 2 && i == 2 ? 3 : i; }
+TALUS_KERNEL constexpr int force_component(int i) {
+  return D == 2 && i == 2 ? 3 : i;
+}
 
 /// Sums over the points of an element, and what they give to its nodes.
 template <int D, class T>
 struct ElementSums {
   T moments[moment_size<D>];
-  T momentum[D + 1][D];  ///< Σ m v, Σ m ξ_k v [kg m/s]
+  T momentum[D + 1][D];     ///< Σ m v, Σ m ξ_k v [kg m/s]
   T stress[force_size<D>];  ///< Σ V σ [N m]
 
   TALUS_KERNEL ElementSums() {

@@ -16,7 +16,8 @@ struct OneLaw {
   L law;  // a copy: its parameters then live in registers, not behind a pointer that a store might alias
 
   template <int NS>
-  TALUS_KERNEL material::Response<Pack> update(Pack* sigma, const Pack* d_epsilon, Pack* state, Mask active, Pack) const {
+  TALUS_KERNEL material::Response<Pack> update(Pack* sigma, const Pack* d_epsilon, Pack* state, Mask active,
+                                               Pack) const {
     return law.template update<NS>(sigma, d_epsilon, state, active);
   }
 };

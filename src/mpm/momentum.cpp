@@ -168,7 +168,8 @@ void solve_momentum(Body<D>& body, const StepOptions<D>& o) {
       all.fastest = s.fastest;
     }
   }
-  body.monitor = {std::sqrt(all.out_of_balance2), std::sqrt(all.external2), all.kinetic, std::sqrt(all.speed2), all.fastest};
+  body.monitor = {std::sqrt(all.out_of_balance2), std::sqrt(all.external2), all.kinetic, std::sqrt(all.speed2),
+                  all.fastest};
 }
 
 template <int D>
@@ -186,11 +187,13 @@ void remap_momentum(Body<D>& body, const StepOptions<D>& o) {
           __builtin_prefetch(&body.nodes.motion[static_cast<std::size_t>(ahead[i]) * motion_stride<D>], 0, 3);
           __builtin_prefetch(&body.nodes.sums[static_cast<std::size_t>(ahead[i]) * sums_stride], 1, 3);
         }
-        for (int i = 0; i < moment_size<D>; ++i) __builtin_prefetch(moments + (2 * moment_size<D> + i) * lane_width, 0, 3);
+        for (int i = 0; i < moment_size<D>; ++i)
+          __builtin_prefetch(moments + (2 * moment_size<D> + i) * lane_width, 0, 3);
       }
       Pack a[D + 1][D], change[D + 1][D], m[moment_size<D>];
       TALUS_UNROLL
-      for (int k = 0; k <= D; ++k) load_rows<D, motion_stride<D>>(body.nodes.motion.data(), rows + k * lane_width, a[k]);
+      for (int k = 0; k <= D; ++k)
+        load_rows<D, motion_stride<D>>(body.nodes.motion.data(), rows + k * lane_width, a[k]);
       TALUS_UNROLL
       for (int q = 0; q < moment_size<D>; ++q) m[q] = load<Pack>(moments + q * lane_width);
       remap_element<D, Pack>(m, a, o.dt, change);
@@ -214,12 +217,13 @@ void remap_momentum(Body<D>& body, const StepOptions<D>& o) {
         if (constraint >= 0) {
           const Constraint<D>& k = body.conditions.constraints[static_cast<std::size_t>(constraint)];
           if (k.has_wall && body.conditions.pressed[static_cast<std::size_t>(constraint)]) {
-            // What the wall holds does not leave it within the step: the remap mixes in neighbours' accelerations, and a
-            // rebound from them would strain the soil by a motion that no force has paid for.
+            // What the wall holds does not leave it within the step: the remap mixes in neighbours' accelerations, and
+            // a rebound from them would strain the soil by a motion that no force has paid for.
             const double away = std::min(0.0, dot(v, k.wall_normal));
             for (int d = 0; d < D; ++d) v[d] -= away * k.wall_normal[d];
           }
-          v = k.has_wall || k.prescribed >= 0 ? constrain_velocity(body.conditions, k, v, body.time + o.dt) : free_part(k, v);
+          v = k.has_wall || k.prescribed >= 0 ? constrain_velocity(body.conditions, k, v, body.time + o.dt)
+                                              : free_part(k, v);
         }
       }
       for (int k = 0; k < copies; ++k) {

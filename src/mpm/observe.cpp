@@ -29,7 +29,8 @@ Vec<D> find_displacement(const Body<D>& body, int id, const std::array<double, D
   for (double x : xi) first -= x;
   for (int d = 0; d < D; ++d) {
     u[d] -= body.points.reference[id][d];
-    for (int k = 0; k <= D; ++k) u[d] += (k == 0 ? first : xi[k - 1]) * body.nodes.displacement[body.mesh().elements[e][k]][d];
+    for (int k = 0; k <= D; ++k)
+      u[d] += (k == 0 ? first : xi[k - 1]) * body.nodes.displacement[body.mesh().elements[e][k]][d];
   }
   return u;
 }
@@ -47,10 +48,12 @@ PointView<D> view_point(const Body<D>& body, int id) {
   v.position = mesh::to_global(body.mesh(), v.element, xi);
   v.displacement = find_displacement<D>(body, id, xi);
   for (int d = 0; d < D; ++d) v.velocity[d] = f[(P::velocity + d) * lane_width];
-  const std::size_t block = static_cast<std::size_t>(v.element / lane_width), lane = static_cast<std::size_t>(v.element % lane_width);
+  const std::size_t block = static_cast<std::size_t>(v.element / lane_width),
+                    lane = static_cast<std::size_t>(v.element % lane_width);
   for (std::size_t i = 0; i < P::stress_size; ++i) {
     v.stress[i] = f[(P::stress + i) * lane_width] + (i < 3 ? body.elements.return_pressure[v.element] : 0.0);
-    v.strain[i] = body.points.strain_offset[id][i] + body.elements.strain[(block * P::stress_size + i) * lane_width + lane];
+    v.strain[i] =
+        body.points.strain_offset[id][i] + body.elements.strain[(block * P::stress_size + i) * lane_width + lane];
   }
   v.volume = f[P::volume * lane_width];
   v.mass = f[P::mass * lane_width];
@@ -61,7 +64,9 @@ PointView<D> view_point(const Body<D>& body, int id) {
 template <int D>
 void reset_displacements(Body<D>& body) {
   for (int id = 0; id < body.points.size(); ++id) {
-    if (is_present(body, id)) body.points.reference[id] = mesh::to_global(body.mesh(), body.points.element[id], read_xi<D>(find_fields(body, id)));
+    if (is_present(body, id))
+      body.points.reference[id] =
+          mesh::to_global(body.mesh(), body.points.element[id], read_xi<D>(find_fields(body, id)));
   }
   std::fill(body.nodes.displacement.begin(), body.nodes.displacement.end(), Vec<D>{});
 }
@@ -87,8 +92,11 @@ Totals<D> sum_points(const Body<D>& body, const std::type_identity_t<Vec<D>>& gr
     t.mass += p.mass;
     t.kinetic += 0.5 * p.mass * dot(p.velocity, p.velocity);
     t.potential -= p.mass * dot(gravity, p.position);
-    t.elastic += p.volume * std::visit([&](const auto& law) { return law.template elastic_energy<Points<D>::stress_size>(p.stress.data()); },
-                                       body.laws[p.material]);
+    t.elastic += p.volume * std::visit(
+                                [&](const auto& law) {
+                                  return law.template elastic_energy<Points<D>::stress_size>(p.stress.data());
+                                },
+                                body.laws[p.material]);
     for (int d = 0; d < D; ++d) {
       t.momentum[d] += p.mass * p.velocity[d];
       t.centre[d] += p.mass * p.position[d];
@@ -115,7 +123,8 @@ CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
       const std::int64_t slot = body.points.block_start[b] + k;
       const double* p = body.points.slot(slot) + lane;
       const int id = body.points.id[static_cast<std::size_t>(slot * lane_width + lane)];
-      speed2 = std::max(speed2, moduli[body.points.material[id]] * p[Points<D>::volume * lane_width] / p[Points<D>::mass * lane_width]);
+      speed2 = std::max(speed2, moduli[body.points.material[id]] * p[Points<D>::volume * lane_width] /
+                                    p[Points<D>::mass * lane_width]);
     }
     if (speed2 == 0) continue;
     const auto look = [&](int i) {
@@ -134,11 +143,11 @@ CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
   return critical;
 }
 
-#define TALUS_INSTANTIATE(D)                                                   \
-  template PointView<D> view_point<D>(const Body<D>&, int);                    \
-  template void reset_displacements<D>(Body<D>&);                              \
-  template LargestDisplacement find_largest_displacement<D>(const Body<D>&);   \
-  template Totals<D> sum_points<D>(const Body<D>&, const Vec<D>&);             \
+#define TALUS_INSTANTIATE(D)                                                 \
+  template PointView<D> view_point<D>(const Body<D>&, int);                  \
+  template void reset_displacements<D>(Body<D>&);                            \
+  template LargestDisplacement find_largest_displacement<D>(const Body<D>&); \
+  template Totals<D> sum_points<D>(const Body<D>&, const Vec<D>&);           \
   template CriticalStep find_critical_step<D>(const Body<D>&, double);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

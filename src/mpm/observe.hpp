@@ -9,16 +9,18 @@ namespace talus::mpm {
 template <int D>
 struct PointView {
   int element = -1, material = 0;
-  Vec<D> position{}, velocity{}, displacement{};                ///< [m], [m/s]; displacement from the reference [m]
-  std::array<double, material::stress_size<D>> stress{};        ///< [Pa]
-  std::array<double, material::stress_size<D>> strain{};        ///< summed increments, engineering shear [-]
-  double mass = 0, volume = 0;                                  ///< [kg], [m³]
-  double plastic_strain = 0;                                    ///< deviatoric, 0 for elastic models [-]
+  Vec<D> position{}, velocity{}, displacement{};          ///< [m], [m/s]; displacement from the reference [m]
+  std::array<double, material::stress_size<D>> stress{};  ///< [Pa]
+  std::array<double, material::stress_size<D>> strain{};  ///< summed increments, engineering shear [-]
+  double mass = 0, volume = 0;                            ///< [kg], [m³]
+  double plastic_strain = 0;                              ///< deviatoric, 0 for elastic models [-]
 };
 
 /// False when the point has left the grid.
 template <int D>
-bool is_present(const Body<D>& body, int id) { return body.points.element[id] >= 0; }
+bool is_present(const Body<D>& body, int id) {
+  return body.points.element[id] >= 0;
+}
 
 /// View of a point that is present. With frozen geometry the displacement is that of the nodes.
 template <int D>
@@ -46,8 +48,8 @@ struct Totals {
 template <int D>
 Totals<D> sum_points(const Body<D>& body, const std::type_identity_t<Vec<D>>& gravity);
 
-/// Largest stable step (2.84) [s] for Courant number 1 and mass scaling β: the smallest over the elements that hold points
-/// and their neighbours of altitude / √(E_c/(βρ)), with the density of the points of the element.
+/// Largest stable step (2.84) [s] for Courant number 1 and mass scaling β: the smallest over the elements that hold
+/// points and their neighbours of altitude / √(E_c/(βρ)), with the density of the points of the element.
 struct CriticalStep {
   double dt = 0;
   int element = -1;

@@ -76,7 +76,8 @@ template <int D>
 void hand_over(Body<D>& body, Record<D>& r, int from) {
   constexpr int NS = Points<D>::stress_size;
   const auto at = [](int e, int i) {
-    return (static_cast<std::size_t>(e / lane_width) * NS + static_cast<std::size_t>(i)) * lane_width + static_cast<std::size_t>(e % lane_width);
+    return (static_cast<std::size_t>(e / lane_width) * NS + static_cast<std::size_t>(i)) * lane_width +
+           static_cast<std::size_t>(e % lane_width);
   };
   for (int i = 0; i < NS; ++i) {
     body.points.strain_offset[r.id][i] += body.elements.strain[at(from, i)] - body.elements.strain[at(r.element, i)];
@@ -96,10 +97,13 @@ void add_point_force(Body<D>& body, const Record<D>& r) {
   }
   for (int i = 0; i < D * D; ++i) g[i] = body.mesh().gradients[r.element][i];
   ElementSums<D, double>::force_to_nodes(stress, g, out);
-  const std::size_t b = static_cast<std::size_t>(r.element / lane_width), lane = static_cast<std::size_t>(r.element % lane_width);
+  const std::size_t b = static_cast<std::size_t>(r.element / lane_width),
+                    lane = static_cast<std::size_t>(r.element % lane_width);
   for (int k = 0; k <= D; ++k) {
     const int row = body.layout->connectivity[(b * (D + 1) + static_cast<std::size_t>(k)) * lane_width + lane];
-    for (int d = 0; d < D; ++d) body.nodes.sums[static_cast<std::size_t>(row) * sums_stride + static_cast<std::size_t>(1 + D + d)] += out[k][1 + D + d];
+    for (int d = 0; d < D; ++d)
+      body.nodes.sums[static_cast<std::size_t>(row) * sums_stride + static_cast<std::size_t>(1 + D + d)] +=
+          out[k][1 + D + d];
   }
 }
 
@@ -107,7 +111,8 @@ void add_point_force(Body<D>& body, const Record<D>& r) {
 template <int D>
 void wake_block(Body<D>& body, int b) {
   if (body.points.block_used[b] > 0) return;
-  std::fill_n(body.elements.moments.begin() + static_cast<std::int64_t>(b) * moment_size<D> * lane_width, moment_size<D> * lane_width, 0.0);
+  std::fill_n(body.elements.moments.begin() + static_cast<std::int64_t>(b) * moment_size<D> * lane_width,
+              moment_size<D> * lane_width, 0.0);
 }
 
 /// Puts the records into their elements; with mixed integration, elements whose filling or surface changes have their
@@ -151,7 +156,8 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
       for (int lane = 0; lane < lane_width; ++lane) {
         if (!(m->lanes >> lane & 1)) continue;
         const int e = m->block * lane_width + lane;
-        records.push_back(read_point(body.points, (body.points.block_start[m->block] + m->slot) * lane_width + lane, e));
+        records.push_back(
+            read_point(body.points, (body.points.block_start[m->block] + m->slot) * lane_width + lane, e));
         remove_point(body.points, m->block, m->slot, lane);
         sources.push_back(e);
       }

@@ -43,7 +43,8 @@ inline __attribute__((always_inline)) void load_rows(const double* base, const i
   if constexpr (lane_width == 8 && Stride == 8) {
     detail::V8 r[8];
     TALUS_UNROLL
-    for (int l = 0; l < 8; ++l) r[l] = *reinterpret_cast<const detail::V8*>(base + static_cast<std::int64_t>(rows[l]) * 8);
+    for (int l = 0; l < 8; ++l)
+      r[l] = *reinterpret_cast<const detail::V8*>(base + static_cast<std::int64_t>(rows[l]) * 8);
     detail::transpose(r);
     TALUS_UNROLL
     for (int c = 0; c < N; ++c) out[c].value = reinterpret_cast<Pack::Vector&>(r[First + c]);
@@ -84,8 +85,10 @@ inline __attribute__((always_inline)) void add_rows(double* base, const int* row
     TALUS_UNROLL
     for (int c = 0; c < 8; ++c) {
       const int i = c - First;
-      if (i >= 0 && i < N) r[c] = reinterpret_cast<const detail::V8&>(values[i].value);
-      else r[c] = detail::V8{};
+      if (i >= 0 && i < N)
+        r[c] = reinterpret_cast<const detail::V8&>(values[i].value);
+      else
+        r[c] = detail::V8{};
     }
     detail::transpose(r);
     TALUS_UNROLL

@@ -44,7 +44,8 @@ void average_at_nodes(Body<D>& body, int threads, Value&& value) {
         row[0] = row[1] = 0;
       }
       const double mean = weight > 0 ? sum / weight : 0;
-      for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) body.nodes.smoothed[layout.node_rows[r]] = mean;
+      for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r)
+        body.nodes.smoothed[layout.node_rows[r]] = mean;
     }
   });
 }
@@ -56,13 +57,15 @@ void smooth_volumetric_strain(Body<D>& body, const StepOptions<D>& o) {
   average_at_nodes(body, o.threads, [&](int b, const int* rows) {
     Pack v[D + 1][2 * D];
     TALUS_UNROLL
-    for (int k = 0; k <= D; ++k) load_rows<2 * D, motion_stride<D>>(body.nodes.motion.data(), rows + k * lane_width, v[k]);
+    for (int k = 0; k <= D; ++k)
+      load_rows<2 * D, motion_stride<D>>(body.nodes.motion.data(), rows + k * lane_width, v[k]);
     Pack divergence(0.0);
     const double* g = &body.layout->gradients[static_cast<std::size_t>(b) * D * D * lane_width];
     TALUS_UNROLL
     for (int k = 0; k < D; ++k) {
       TALUS_UNROLL
-      for (int d = 0; d < D; ++d) divergence += (v[k + 1][D + d] - v[0][D + d]) * load<Pack>(g + (k * D + d) * lane_width);
+      for (int d = 0; d < D; ++d)
+        divergence += (v[k + 1][D + d] - v[0][D + d]) * load<Pack>(g + (k * D + d) * lane_width);
     }
     return divergence * o.dt;
   });
@@ -96,7 +99,8 @@ void smooth_plastic_return(Body<D>& body, const StepOptions<D>& o) {
       TALUS_UNROLL
       for (int i = 0; i < D; ++i) stress[i] = force;
       TALUS_UNROLL
-      for (int i = 0; i < D * D; ++i) g[i] = load<Pack>(&layout.gradients[(static_cast<std::size_t>(b) * D * D + i) * lane_width]);
+      for (int i = 0; i < D * D; ++i)
+        g[i] = load<Pack>(&layout.gradients[(static_cast<std::size_t>(b) * D * D + i) * lane_width]);
       ElementSums<D, Pack>::force_to_nodes(stress, g, out);
       TALUS_UNROLL
       for (int k = 0; k <= D; ++k) add_rows<D, 1 + D>(body.nodes.sums.data(), rows + k * lane_width, &out[k][1 + D]);

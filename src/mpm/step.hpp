@@ -12,15 +12,15 @@ namespace talus::mpm {
 
 template <int D>
 struct StepOptions {
-  double dt = 0;                                    ///< [s]
-  Vec<D> gravity{};                                 ///< [m/s²]
-  double damping = 0;                               ///< α of (2.89)
-  double mass_scaling = 1;                          ///< β of (2.91)
-  bool mixed = false;                               ///< mixed integration (2.92-2.93)
+  double dt = 0;            ///< [s]
+  Vec<D> gravity{};         ///< [m/s²]
+  double damping = 0;       ///< α of (2.89)
+  double mass_scaling = 1;  ///< β of (2.91)
+  bool mixed = false;       ///< mixed integration (2.92-2.93)
   model::Smoothing smoothing = model::Smoothing::none;
-  bool moving = true;                               ///< false: frozen geometry, small strain
-  bool objective = true;                            ///< rotate stresses with the soil
-  bool monitor = false;                             ///< fill Body::monitor in this step
+  bool moving = true;     ///< false: frozen geometry, small strain
+  bool objective = true;  ///< rotate stresses with the soil
+  bool monitor = false;   ///< fill Body::monitor in this step
   int threads = 1;
 };
 

@@ -28,8 +28,9 @@ struct Collapse {
 Collapse run_example(double aspect) {
   const std::string path = std::string(TALUS_SOURCE_DIR) + "/examples/column_collapse/case.toml";
   const std::string a = std::to_string(aspect);
-  const model::LoadedCase loaded = model::read_case(
-      path, {{"geometry.polygon.column.points", "[[0, 0], [1, 0], [1, " + a + "], [0, " + a + "]]"}, {"stage.collapse.duration", "2"}});
+  const model::LoadedCase loaded =
+      model::read_case(path, {{"geometry.polygon.column.points", "[[0, 0], [1, 0], [1, " + a + "], [0, " + a + "]]"},
+                              {"stage.collapse.duration", "2"}});
   const model::Case& data = loaded.data;
   mpm::Body<2> body = analysis::prepare<2>(data, mesh::generate<2>(data.mesh));
   const double height = analysis::find_soil_height(body, data.gravity);
@@ -39,7 +40,8 @@ Collapse run_example(double aspect) {
   c.before = mpm::sum_points(body, gravity);
   for (const model::Stage& stage : data.stages) {
     analysis::StageState state;
-    EXPECT_EQ(analysis::run_stage(body, analysis::make_plan<2>(data, stage, height, 1), state), analysis::StageEnd::time);
+    EXPECT_EQ(analysis::run_stage(body, analysis::make_plan<2>(data, stage, height, 1), state),
+              analysis::StageEnd::time);
   }
   c.after = mpm::sum_points(body, gravity);
   c.runout = analysis::find_runout(body, initial, 0.01 * height);

@@ -28,7 +28,8 @@ json run(const std::string& file, const std::vector<model::Override>& overrides)
   options.folder = folder;
   options.threads = default_threads();
   options.overwrite = true;
-  json summary = analysis::run_case(model::read_case(std::string(TALUS_SOURCE_DIR) + "/examples/" + file, overrides), options);
+  json summary =
+      analysis::run_case(model::read_case(std::string(TALUS_SOURCE_DIR) + "/examples/" + file, overrides), options);
   fs::remove_all(folder);
   return summary;
 }
@@ -57,15 +58,18 @@ TEST(DrySlope, DisplacementsAreThoseOfAnIndependentCodeOnTheSameMesh) {
     if (theirs == peer.end() || theirs->second < 1) continue;
     ++compared;
     // The two codes end their initial stages a few steps apart, which SRF 1.75 amplifies to half a percent.
-    EXPECT_NEAR(ours / theirs->second, 1, 0.01) << "SRF " << factor << ": " << ours << " mm, independent " << theirs->second << " mm";
+    EXPECT_NEAR(ours / theirs->second, 1, 0.01)
+        << "SRF " << factor << ": " << ours << " mm, independent " << theirs->second << " mm";
   }
   EXPECT_GE(compared, 4);
-  EXPECT_NEAR(summary.at("mesh").at("critical_time_step").get<double>(), 2.1e-3, 0.02e-3) << "the printed critical time step";
+  EXPECT_NEAR(summary.at("mesh").at("critical_time_step").get<double>(), 2.1e-3, 0.02e-3)
+      << "the printed critical time step";
 }
 
 TEST(DrySlope, FrozenFactorAgreesWithSlicesForAssociatedFlow) {
   // 1.44 by Bishop, Spencer and Morgenstern-Price and by quadratic finite elements.
-  const json summary = run("dry_slope/case.toml", {{"materials.sand.dilatancy_angle", "30"}, {"strength_reduction.curve.enabled", "false"}});
+  const json summary = run("dry_slope/case.toml",
+                           {{"materials.sand.dilatancy_angle", "30"}, {"strength_reduction.curve.enabled", "false"}});
   const json& frozen = summary.at("factor_of_safety").at("frozen");
   EXPECT_NEAR(frozen.at("factor").get<double>(), 1.44, 0.02 * 1.44);
   for (const json& mesh : frozen.at("meshes")) EXPECT_FALSE(mesh.at("undecided").get<bool>());

@@ -1,9 +1,9 @@
 // A disk that fills up while a case runs: one sentence, its exit code, and nothing truncated under a final name.
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `talus run` on a coarse dry slope in a child whose files may not grow beyond `limit` bytes, which is what a full disk
-/// looks like to the program. Returns its exit code; what it said goes to `folder`/said.txt.
+/// `talus run` on a coarse dry slope in a child whose files may not grow beyond `limit` bytes, which is what a full
+/// disk looks like to the program. Returns its exit code; what it said goes to `folder`/said.txt.
 int run_with_limit(const fs::path& folder, rlim_t limit) {
   const pid_t child = fork();
   if (child == 0) {
@@ -28,8 +28,8 @@ int run_with_limit(const fs::path& folder, rlim_t limit) {
     const std::string said = (folder / "said.txt").string(), out = (folder / "results").string();
     const std::string input = std::string(TALUS_SOURCE_DIR) + "/examples/dry_slope/case.toml";
     if (!freopen(said.c_str(), "w", stderr)) _exit(126);
-    execl(TALUS_PROGRAM, "talus", "run", input.c_str(), "-o", out.c_str(), "-q", "--set", "mesh.size=1.5", "--set", "analysis.kind=run", "--set",
-          "output.frame_interval=0.5", nullptr);
+    execl(TALUS_PROGRAM, "talus", "run", input.c_str(), "-o", out.c_str(), "-q", "--set", "mesh.size=1.5", "--set",
+          "analysis.kind=run", "--set", "output.frame_interval=0.5", nullptr);
     _exit(127);
   }
   int status = 0;

@@ -25,9 +25,11 @@ struct Slide {
 };
 
 /// Runs the example's stages with another friction; `along` points down the plane.
-Slide run_example(const std::string& file, const std::string& plane, double friction, const std::array<double, 2>& along) {
+Slide run_example(const std::string& file, const std::string& plane, double friction,
+                  const std::array<double, 2>& along) {
   const std::string path = std::string(TALUS_SOURCE_DIR) + "/examples/sliding_block/" + file;
-  const model::LoadedCase loaded = model::read_case(path, {{"boundary." + plane + ".friction", std::to_string(friction)}});
+  const model::LoadedCase loaded =
+      model::read_case(path, {{"boundary." + plane + ".friction", std::to_string(friction)}});
   mpm::Body<2> body = analysis::prepare<2>(loaded.data, mesh::generate<2>(loaded.data.mesh));
   const double height = analysis::find_soil_height(body, loaded.data.gravity);
   const auto project = [&](const Vec<2>& v) { return v[0] * along[0] + v[1] * along[1]; };
@@ -39,7 +41,8 @@ Slide run_example(const std::string& file, const std::string& plane, double fric
     before = mpm::sum_points<2>(body, {});
     start = body.time;
     analysis::StageState state;
-    EXPECT_EQ(analysis::run_stage(body, analysis::make_plan<2>(loaded.data, stage, height, 1), state), analysis::StageEnd::time);
+    EXPECT_EQ(analysis::run_stage(body, analysis::make_plan<2>(loaded.data, stage, height, 1), state),
+              analysis::StageEnd::time);
   }
   const mpm::Totals<2> after = mpm::sum_points<2>(body, {});
   EXPECT_TRUE(body.lost.empty());

@@ -105,9 +105,12 @@ struct Variant {
 
 model::Smoothing translate(reference::Smoothing s) {
   switch (s) {
-    case reference::Smoothing::none: return model::Smoothing::none;
-    case reference::Smoothing::strain: return model::Smoothing::strain;
-    case reference::Smoothing::stable: return model::Smoothing::stable;
+    case reference::Smoothing::none:
+      return model::Smoothing::none;
+    case reference::Smoothing::strain:
+      return model::Smoothing::strain;
+    case reference::Smoothing::stable:
+      return model::Smoothing::stable;
   }
   return model::Smoothing::none;
 }
@@ -153,10 +156,11 @@ void expect_same(reference::Body<D> plain, const Variant& v, int steps, bool mus
 
 std::vector<Variant> all_variants() {
   using enum reference::Smoothing;
-  return {{"points", false, none, false, false, 1}, {"points objective", false, none, true, false, 1}, {"mixed", true, none, true, false, 1},
-          {"mixed scaled", true, none, true, false, 4}, {"smoothed", false, strain, true, false, 1}, {"mixed smoothed", true, strain, true, false, 1},
-          {"stable", false, stable, true, false, 1}, {"mixed stable", true, stable, true, false, 1}, {"frozen stable", true, stable, true, true, 1},
-          {"frozen", true, none, false, true, 1}};
+  return {{"points", false, none, false, false, 1},       {"points objective", false, none, true, false, 1},
+          {"mixed", true, none, true, false, 1},          {"mixed scaled", true, none, true, false, 4},
+          {"smoothed", false, strain, true, false, 1},    {"mixed smoothed", true, strain, true, false, 1},
+          {"stable", false, stable, true, false, 1},      {"mixed stable", true, stable, true, false, 1},
+          {"frozen stable", true, stable, true, true, 1}, {"frozen", true, none, false, true, 1}};
 }
 
 /// Sheared, so that points change their elements within the few steps of a test.

@@ -84,7 +84,8 @@ class Resume : public testing::Test {
     const pid_t child = fork();
     if (child == 0) {
       const std::string input = (folder_ / "case.toml").string(), output = (folder_ / result).string();
-      execl(TALUS_PROGRAM, "talus", "run", input.c_str(), "-o", output.c_str(), "-q", "--threads", "2", flag.empty() ? nullptr : flag.c_str(), nullptr);
+      execl(TALUS_PROGRAM, "talus", "run", input.c_str(), "-o", output.c_str(), "-q", "--threads", "2",
+            flag.empty() ? nullptr : flag.c_str(), nullptr);
       _exit(127);
     }
     return child;
@@ -109,13 +110,15 @@ class Resume : public testing::Test {
       const output::Frame p = first.read(i), q = second.read(i);
       EXPECT_TRUE(p.ids == q.ids) << "frame " << i;
       EXPECT_TRUE(p.positions == q.positions) << "frame " << i;
-      for (const output::Field& field : p.point_fields) EXPECT_TRUE(field.values == output::find(q.point_fields, field.name)->values) << field.name << ", frame " << i;
+      for (const output::Field& field : p.point_fields)
+        EXPECT_TRUE(field.values == output::find(q.point_fields, field.name)->values) << field.name << ", frame " << i;
     }
     EXPECT_TRUE(read(fs::path(a) / "history.csv") == read(fs::path(b) / "history.csv"));
     EXPECT_TRUE(read(fs::path(a) / "monitors.csv") == read(fs::path(b) / "monitors.csv"));
   }
 
-  /// Runs `result`, ends it with `signal` after every `pause` until it finishes by itself; returns how often it was ended.
+  /// Runs `result`, ends it with `signal` after every `pause` until it finishes by itself; returns how often it was
+  /// ended.
   int run_with_interruptions(const std::string& result, int signal, std::chrono::milliseconds pause) {
     int ended = 0;
     std::string flag;
@@ -125,7 +128,8 @@ class Resume : public testing::Test {
       kill(child, signal);
       const int code = wait_for(child);
       if (code == 0) return ended;
-      EXPECT_EQ(code, signal == SIGKILL ? -SIGKILL : 5) << "SIGTERM must save and end with the code for an interruption";
+      EXPECT_EQ(code, signal == SIGKILL ? -SIGKILL : 5)
+          << "SIGTERM must save and end with the code for an interruption";
       ++ended;
       flag = "--resume";
       pause += std::chrono::milliseconds(150);  // so that a slow machine gets on as well
@@ -139,13 +143,15 @@ class Resume : public testing::Test {
 
 TEST_F(Resume, AfterSignalsEqualsContinuousBitForBit) {
   ASSERT_EQ(wait_for(start("whole", "")), 0);
-  EXPECT_GE(run_with_interruptions("parts", SIGTERM, std::chrono::milliseconds(300)), 1) << "the case must be long enough to be interrupted";
+  EXPECT_GE(run_with_interruptions("parts", SIGTERM, std::chrono::milliseconds(300)), 1)
+      << "the case must be long enough to be interrupted";
   expect_same_results("whole", "parts");
 }
 
 TEST_F(Resume, AfterKillEqualsContinuousBitForBit) {
   ASSERT_EQ(wait_for(start("whole", "")), 0);
-  EXPECT_GE(run_with_interruptions("parts", SIGKILL, std::chrono::milliseconds(300)), 1) << "the case must be long enough to be killed";
+  EXPECT_GE(run_with_interruptions("parts", SIGKILL, std::chrono::milliseconds(300)), 1)
+      << "the case must be long enough to be killed";
   expect_same_results("whole", "parts");
 }
 

@@ -12,7 +12,8 @@ TEST(PrincipalStress, PolynomialIsAsExactAsItSays) {
   const material::CosineThird cosine;
   for (int i = 0; i <= 1000; ++i) {
     const double u = i / 1000.0;
-    EXPECT_NEAR(cosine(u), static_cast<double>(std::cos(2 / 3.0L * std::acos(static_cast<long double>(u)))), 2e-15) << u;
+    EXPECT_NEAR(cosine(u), static_cast<double>(std::cos(2 / 3.0L * std::acos(static_cast<long double>(u)))), 2e-15)
+        << u;
   }
 }
 

@@ -44,8 +44,9 @@ TEST(Bilinear, UsesTheBranchesThatAreNamed) {
 /// The published curve of the dry slope (Table 3.3, reference row, and the values of figure 3.2 at the ends are not
 /// printed): with the peer's curve of the same slope the construction gives the peer's own 1.586.
 TEST(Bilinear, GivesThePeersFactorOnThePeersCurve) {
-  const std::vector<CurvePoint> peer{{1.0, 0.0},       {1.2, 0.00315},  {1.4, 0.01629},  {1.44, 0.02679}, {1.45, 0.03039}, {1.5, 0.05787},
-                                     {1.55, 0.10831}, {1.6, 0.18737}, {1.65, 0.3158}, {1.7, 0.54784}, {1.75, 1.00805}};
+  const std::vector<CurvePoint> peer{{1.0, 0.0},      {1.2, 0.00315}, {1.4, 0.01629},  {1.44, 0.02679},
+                                     {1.45, 0.03039}, {1.5, 0.05787}, {1.55, 0.10831}, {1.6, 0.18737},
+                                     {1.65, 0.3158},  {1.7, 0.54784}, {1.75, 1.00805}};
   const auto b = construct_bilinear(peer, {1.0, 1.45}, {1.60, 1.75});
   ASSERT_TRUE(b && b->criterion.factor);
   // The peer weighted every point alike; ours weigh by distance. That moves the intersection by less than 0.01.
@@ -79,7 +80,8 @@ TEST(DisplacementCriterion, InterpolatesBetweenTrials) {
 }
 
 TEST(JumpCriterion, FindsTheIntervalOfFastestGrowthAndIgnoresElasticNoise) {
-  const Criterion c = find_jump_criterion({{1.0, 1e-9}, {1.1, 1e-6}, {1.2, 0.02}, {1.3, 0.03}, {1.4, 0.9}, {1.5, 1.5}}, 0.01);
+  const Criterion c =
+      find_jump_criterion({{1.0, 1e-9}, {1.1, 1e-6}, {1.2, 0.02}, {1.3, 0.03}, {1.4, 0.9}, {1.5, 1.5}}, 0.01);
   ASSERT_TRUE(c.factor);
   EXPECT_EQ(c.lower, 1.3);
   EXPECT_EQ(c.upper, 1.4);
