@@ -203,13 +203,14 @@ std::string write_digest(const json& s) {
     const json& f = s.at("factor_of_safety");
     if (f.contains("frozen")) {
       const json& z = f.at("frozen");
-      text += fmt::format("Factor of safety {:.3f} ± {:.3f}", z.at("factor").get<double>(),
-                          z.at("uncertainty").get<double>());
-      if (!z.at("extrapolated").is_null()) {
+      text += fmt::format("Factor of safety {:.3f}", z.at("factor").get<double>());
+      if (z.at("extrapolated").is_null()) {
+        text += fmt::format(" (one mesh, not extrapolated; bracket ± {:.3f})", z.at("uncertainty").get<double>());
+      } else {
         text += " (";
         for (const json& m : z.at("meshes"))
           text += fmt::format("{:.3f} at h = {:g} m, ", m.at("factor").get<double>(), m.at("size").get<double>());
-        text += "extrapolated to h = 0)";
+        text += fmt::format("extrapolated to h = 0; brackets ± {:.3f})", z.at("uncertainty").get<double>());
       }
       text += fmt::format(", dilatancy angle {:.3g}°\n", z.at("dilatancy_angle_max").get<double>());
     }
