@@ -1,0 +1,11 @@
+// Reads a case with the installed library and prints its title.
+
+#include <cstdio>
+
+#include "model/read.hpp"
+
+int main(int count, char** arguments) {
+  if (count != 2) return 1;
+  std::puts(talus::model::read_case(arguments[1]).data.title.c_str());
+  return 0;
+}
