@@ -47,8 +47,8 @@ def run(program, case, aspect, size, extra, folder):
     released = number(start, "potential_energy [J]") - number(end, "potential_energy [J]")
     return {
         "a": aspect, "runout": summary["runout"]["toe"] - 1, "height": max(h for _, h in profile),
-        "farthest": 1 + summary["runout"]["farthest_advance"] - 1,
-        "area": size * sum(h for _, h in profile) / aspect,
+        "farthest": summary["runout"]["farthest_advance"],
+        "area": sum(h for _, h in profile) * min(b[0] - a[0] for a, b in zip(profile, profile[1:])) / aspect,
         "lost_points": summary["budgets"]["lost"]["points"],
         "mass_error": abs(number(end, "mass [kg]") + summary["budgets"]["lost"]["mass"] - number(start, "mass [kg]")) / number(start, "mass [kg]"),
         "work_error": (number(end, "external_work [J]") - released) / released,

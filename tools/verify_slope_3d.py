@@ -2,7 +2,7 @@
 """Factors of safety of examples/slope_3d over the width between the end walls, beside an upper bound for clay.
 
 Usage: tools/verify_slope_3d.py PROGRAM FOLDER [--size H] [--quick]
-Writes slope_3d.csv (appended when it exists) to FOLDER. --size 2 takes 5 minutes on one core, --size 1 about one hour.
+Writes slope_3d.csv (appended when it exists) to FOLDER. --size 2 takes 5 minutes on one core, --size 1 about 45.
 --quick: the section and smooth walls only.
 
 The bound: soil with cohesion only fails as a rigid cylinder that turns about an axis along z. It slides on its base and,
