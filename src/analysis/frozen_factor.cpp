@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include "analysis/prepare.hpp"
 #include "base/parallel.hpp"
@@ -28,11 +27,8 @@ double FrozenResult::uncertainty() const {
 }
 
 template <int D>
-MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data, const model::FrozenFactor& settings,
-                              double soil_height, int threads, const KnownTrials& known, const TrialReport& report,
-                              const StageHooks<D>& hooks) {
-  MeshFactor result;
-  result.points = state.points.size();
+StagePlan<D> make_frozen_plan(const model::Case& data, const model::FrozenFactor& settings, double slope_height,
+                              int threads) {
   StagePlan<D> plan;
   plan.name = "frozen trial";
   plan.duration = settings.window;
@@ -40,25 +36,18 @@ MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data
   plan.step = settings.step_settings;
   plan.rest = settings.rest;
   plan.gravity = find_gravity<D>(data.gravity);
-  plan.soil_height = soil_height;
-  plan.failed_displacement = settings.failed_displacement * soil_height;
-  const int side_by_side = count_parallel_trials(state.points.size(), threads);
-  plan.threads = side_by_side > 1 ? 1 : threads;
+  plan.soil_height = slope_height;
+  plan.failed_displacement = settings.failed_displacement * slope_height;
+  plan.threads = threads;
+  return plan;
+}
 
-  std::mutex reporting;
-  const auto is_stable = [&](std::vector<double> factors) {
+MeshFactor search_frozen_factor(const model::FrozenFactor& settings, int side_by_side,
+                                const std::function<TrialResult(double)>& run_trial) {
+  MeshFactor result;
+  const auto is_stable = [&](const std::vector<double>& factors) {
     std::vector<TrialResult> trials(factors.size());
-    parallel_for(static_cast<int>(factors.size()), side_by_side, [&](int i) {
-      if (const auto before = known.find(factors[i]); before != known.end()) {
-        trials[i] = before->second;
-        return;
-      }
-      mpm::Body<D> body = start_trial(state, data, factors[i]);
-      StageState stage;
-      trials[i] = run_trial(body, factors[i], plan, stage, hooks);
-      const std::lock_guard lock(reporting);
-      if (report) report(trials[i]);
-    });
+    parallel_for(static_cast<int>(factors.size()), side_by_side, [&](int i) { trials[i] = run_trial(factors[i]); });
     std::vector<bool> stable;
     for (const TrialResult& t : trials) {
       result.trials.push_back(t);
@@ -118,9 +107,26 @@ MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data
   return result;
 }
 
-template MeshFactor find_frozen_factor<2>(const mpm::Body<2>&, const model::Case&, const model::FrozenFactor&, double,
-                                          int, const KnownTrials&, const TrialReport&, const StageHooks<2>&);
-template MeshFactor find_frozen_factor<3>(const mpm::Body<3>&, const model::Case&, const model::FrozenFactor&, double,
-                                          int, const KnownTrials&, const TrialReport&, const StageHooks<3>&);
+template <int D>
+MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data, const model::FrozenFactor& settings,
+                              double slope_height, int threads) {
+  const int side_by_side = count_parallel_trials(state.points.size(), threads);
+  const StagePlan<D> plan = make_frozen_plan<D>(data, settings, slope_height, side_by_side > 1 ? 1 : threads);
+  MeshFactor factor = search_frozen_factor(settings, side_by_side, [&](double f) {
+    mpm::Body<D> body = start_trial(state, data, f);
+    StageState stage;
+    return run_trial(body, f, plan, stage);
+  });
+  factor.points = state.points.size();
+  return factor;
+}
+
+#define TALUS_INSTANTIATE(D)                                                                                     \
+  template StagePlan<D> make_frozen_plan<D>(const model::Case&, const model::FrozenFactor&, double, int);        \
+  template MeshFactor find_frozen_factor<D>(const mpm::Body<D>&, const model::Case&, const model::FrozenFactor&, \
+                                            double, int);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
 
 }  // namespace talus::analysis

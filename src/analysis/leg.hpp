@@ -29,6 +29,7 @@ void save_trial(const std::filesystem::path& folder, const TrialResult& trial);
 
 /// A list of trials in a file, by factor; nothing when there is no such file.
 KnownTrials load_trials(const std::filesystem::path& path);
+void save_trials(const std::filesystem::path& path, const std::vector<TrialResult>& trials);
 
 struct TrialFiles {
   std::filesystem::path folder;

@@ -155,6 +155,35 @@ TEST_F(Resume, AfterKillEqualsContinuousBitForBit) {
   expect_same_results("whole", "parts");
 }
 
+/// Stages, curve trials, a runout, frozen stages and frozen trials: whatever the kill hits, the factors are the same.
+TEST_F(Resume, OfAStrengthReductionAfterKillsGivesTheSameFactors) {
+  std::string text = slope;
+  text.replace(text.find("size = 0.5"), 10, "size = 0.7");
+  text.erase(text.find("strength_factor = 1.6"), 21);
+  std::ofstream(folder_ / "case.toml") << text << R"(
+[analysis]
+kind = "strength_reduction"
+[strength_reduction.curve]
+from = 1.0
+to = 1.4
+step = 0.2
+refine = false
+window = 2
+runout = [1.4]
+runout_time = 5
+[strength_reduction.frozen]
+meshes = 1
+resolution = 0.05
+)";
+  ASSERT_EQ(wait_for(start("whole", "")), 0);
+  EXPECT_GE(run_with_interruptions("parts", SIGKILL, std::chrono::milliseconds(200)), 2);
+  const auto whole = nlohmann::json::parse(read("whole/summary.json")),
+             parts = nlohmann::json::parse(read("parts/summary.json"));
+  EXPECT_EQ(whole.at("factor_of_safety"), parts.at("factor_of_safety"));
+  EXPECT_EQ(whole.at("curve"), parts.at("curve"));
+  EXPECT_EQ(whole.at("runouts"), parts.at("runouts"));
+}
+
 TEST_F(Resume, OfAChangedCaseIsRefused) {
   const pid_t child = start("changed", "");
   std::this_thread::sleep_for(std::chrono::milliseconds(400));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "analysis/frozen_factor.hpp"
 
@@ -94,6 +95,64 @@ TEST(Refinement, HalvesWhereTheCurveBendsAndStaysOnTheGrid) {
   EXPECT_NEAR(added[0], 1.47, 1e-9);
   EXPECT_NEAR(added[1], 1.52, 1e-9);
   EXPECT_TRUE(choose_refinement(curve, 0.05).empty()) << "intervals as short as the smallest are not halved";
+}
+
+/// Trials of a slope that fails above `critical`; counts them.
+struct IdealSlope {
+  double critical;
+  int trials = 0;
+  TrialResult operator()(double factor) {
+    ++trials;
+    TrialResult t;
+    t.factor = factor;
+    t.end = factor < critical ? StageEnd::rest : StageEnd::failed;
+    return t;
+  }
+};
+
+TEST(FrozenSearch, BracketsTheFactorToTheResolution) {
+  model::FrozenFactor settings;
+  for (const double critical : {1.0001, 1.3, 1.4444, 1.77, 1.9999}) {
+    IdealSlope slope{critical};
+    const MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
+    EXPECT_LE(found.lower, critical);
+    EXPECT_GE(found.upper, critical);
+    EXPECT_LE(found.upper - found.lower, settings.resolution * (1 + 1e-9));
+    EXPECT_LE(slope.trials, 14) << critical;
+    EXPECT_FALSE(found.undecided);
+  }
+}
+
+TEST(FrozenSearch, LeavesTheFirstBracketWhenTheFactorIsOutside) {
+  model::FrozenFactor settings;
+  for (const double critical : {0.4, 0.95, 2.05, 5.0}) {
+    IdealSlope slope{critical};
+    const MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
+    EXPECT_LE(found.lower, critical);
+    EXPECT_GE(found.upper, critical);
+    EXPECT_LE(found.upper - found.lower, settings.resolution * (1 + 1e-9)) << critical;
+  }
+}
+
+TEST(FrozenSearch, CountsAnUndecidedTrialAsFailedAndSaysSo) {
+  const MeshFactor found = search_frozen_factor({}, 1, [](double factor) {
+    TrialResult t;
+    t.factor = factor;
+    t.end = factor < 1.5 ? StageEnd::rest : StageEnd::time;
+    return t;
+  });
+  EXPECT_TRUE(found.undecided);
+  EXPECT_NEAR(found.factor(), 1.5, 0.01);
+}
+
+TEST(FrozenSearch, TriesTheSameFactorsForAnyNumberOfThreads) {
+  const auto list = [](int side_by_side) {
+    std::vector<double> factors;
+    for (const TrialResult& t : search_frozen_factor({}, side_by_side, IdealSlope{1.39}).trials)
+      factors.push_back(t.factor);
+    return factors;
+  };
+  EXPECT_EQ(list(1), list(2));
 }
 
 TEST(Extrapolation, IsExactForALineInMeshSize) {

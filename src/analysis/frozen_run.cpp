@@ -1,0 +1,202 @@
+#include "analysis/frozen_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "analysis/checkpoint.hpp"
+#include "analysis/prepare.hpp"
+#include "analysis/runout.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/quality.hpp"
+#include "output/atomic_file.hpp"
+
+namespace talus::analysis {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Displacements of the stages decide nothing at frozen geometry, so a stage may take longer than the case's own.
+constexpr double longest_frozen_stage = 60;
+/// Factors of the two meshes farther apart than this make a straight line a guess.
+constexpr double far_apart = 0.1;
+
+/// The case's plan for mesh `i` of the frozen factor: every element size halved i times, by that factor's mesher.
+mesh::Plan plan_mesh(mesh::Plan plan, const model::FrozenFactor& settings, int i) {
+  plan.algorithm = settings.algorithm;
+  const double share = std::pow(0.5, i);
+  plan.size *= share;
+  for (mesh::Refinement& r : plan.refinements) r.size *= share;
+  return plan;
+}
+
+/// A stage of the case at frozen geometry, to rest.
+template <int D>
+StagePlan<D> make_frozen_stage(const model::Case& data, const model::Stage& stage, double slope_height, int threads) {
+  const model::FrozenFactor& settings = data.strength_reduction.frozen;
+  StagePlan<D> plan = make_plan<D>(data, stage, slope_height, threads);
+  plan.name += " at frozen geometry";
+  plan.step.geometry = model::Geometry::frozen;
+  plan.step.integration = settings.step_settings.integration;
+  plan.step.smoothing = settings.step_settings.smoothing;
+  plan.step.courant = settings.step_settings.courant;
+  // Undamped or nearly undamped stages would swing for long without changing where they come to rest.
+  plan.step.damping = std::max(stage.step.damping, settings.step_settings.damping);
+  plan.until_rest = true;
+  plan.duration = std::max(stage.duration, longest_frozen_stage);
+  plan.rest = settings.rest;
+  return plan;
+}
+
+/// One mesh: where its files are, and how its stages and trials are run and resumed.
+template <int D>
+class FrozenMesh {
+ public:
+  FrozenMesh(const TrialContext& context, int number, int count, int threads)
+      : context_(context),
+        data_(*context.data),
+        settings_(data_.strength_reduction.frozen),
+        number_(number),
+        threads_(threads),
+        folder_(context.folder / "frozen" / fmt::format("mesh_{}", number)) {
+    recording_.folder = folder_;
+    recording_.input_hash = context.input_hash;
+    recording_.data = &data_;
+    recording_.keeps_frames = recording_.keeps_history = false;
+    recording_.progress = context.progress;
+    recording_.label = fmt::format("mesh {} of {}: ", number + 1, count);
+  }
+
+  MeshFactor compute(const mesh::Mesh<D>& base, std::vector<std::string>& warnings) {
+    run_stages(base, warnings);
+    if (context_.resume) {
+      known_ = load_trials(folder_ / "trials.json");
+      for (const auto& [factor, trial] : known_) done_.push_back(trial);
+    }
+    const int side_by_side = count_parallel_trials(state_.points.size(), threads_);
+    const StagePlan<D> plan = make_frozen_plan<D>(data_, settings_, height_, side_by_side > 1 ? 1 : threads_);
+    MeshFactor factor = search_frozen_factor(settings_, side_by_side, [&](double f) { return run_one(f, plan); });
+    factor.points = state_.points.size();
+    factor.size = data_.mesh.file.empty() ? data_.mesh.size * std::pow(0.5, number_)
+                                          : mesh::measure_quality(state_.mesh()).mean_size;
+    if (factor.undecided) {
+      warnings.push_back(
+          fmt::format("at h = {:g} m a trial neither rested nor ran away within {:g} s; it is counted as failed",
+                      factor.size, settings_.window));
+    }
+    fs::remove(folder_ / recording_.checkpoint_name);
+    return factor;
+  }
+
+ private:
+  void run_stages(const mesh::Mesh<D>& base, std::vector<std::string>& warnings) {
+    const auto checkpoint =
+        context_.resume ? open_checkpoint(folder_ / recording_.checkpoint_name, context_.input_hash) : nullptr;
+    const bool ready = !data_.mesh.file.empty();
+    state_ = prepare<D>(data_, checkpoint ? get_mesh<D>(*checkpoint)
+                               : ready    ? base
+                                          : mesh::generate<D>(plan_mesh(data_.mesh, settings_, number_)));
+    height_ = find_slope_height(state_, data_.gravity);
+    StageState stage_state;
+    int first = 0;
+    if (checkpoint) {
+      get_body(*checkpoint, state_);
+      stage_state = get_stage(*checkpoint);
+      first = get_leg(*checkpoint);
+    }
+    Recorder<D> recorder =
+        checkpoint ? Recorder<D>::resume(recording_, state_, *checkpoint) : Recorder<D>::start(recording_, state_);
+    const int threads = count_parallel_trials(state_.points.size(), threads_) > 1 ? 1 : threads_;
+    for (int i = first; i < static_cast<int>(data_.stages.size()); ++i) {
+      const model::Stage& stage = data_.stages[i];
+      const StagePlan<D> plan = make_frozen_stage<D>(data_, stage, height_, threads);
+      set_strength(state_, data_, stage.cohesion, stage.strength_factor.value_or(1));
+      if (i > 0 && !stage_state.started) stage_state.gravity_share = 1;
+      const StageHooks<D> hooks = recorder.begin_leg(i, plan, state_, stage_state);
+      if (run_stage(state_, plan, stage_state, hooks) != StageEnd::rest) {
+        warnings.push_back(
+            fmt::format("stage '{}' did not come to rest at frozen geometry within {:g} s; the slope may be unstable "
+                        "as it stands",
+                        stage.name, plan.duration));
+      }
+      recorder.end_leg(state_);
+      stage_state = {};
+    }
+  }
+
+  /// Safe to call from several threads.
+  TrialResult run_one(double factor, const StagePlan<D>& plan) {
+    if (const auto before = known_.find(factor); before != known_.end()) return before->second;
+    RecorderSettings recording = recording_;
+    recording.checkpoint_name = fmt::format("trial_{:.9f}.h5", factor);
+    recording.label += fmt::format("SRF {:.3f}, ", factor);
+    mpm::Body<D> body = start_trial(state_, data_, factor);
+    StageState stage;
+    const auto checkpoint =
+        context_.resume ? open_checkpoint(folder_ / recording.checkpoint_name, context_.input_hash) : nullptr;
+    if (checkpoint) {
+      get_body(*checkpoint, body);
+      stage = get_stage(*checkpoint);
+    }
+    Recorder<D> recorder =
+        checkpoint ? Recorder<D>::resume(recording, body, *checkpoint) : Recorder<D>::start(recording, body);
+    const StageHooks<D> hooks = recorder.begin_leg(0, plan, body, stage);
+    const TrialResult result = run_trial(body, factor, plan, stage, hooks);
+    {
+      const std::lock_guard lock(keeping_);
+      done_.push_back(result);
+      save_trials(folder_ / "trials.json", done_);
+    }
+    recorder.finish(true);
+    return result;
+  }
+
+  const TrialContext& context_;
+  const model::Case& data_;
+  const model::FrozenFactor& settings_;
+  int number_, threads_;
+  fs::path folder_;
+  RecorderSettings recording_;
+  mpm::Body<D> state_;
+  double height_ = 0;
+  KnownTrials known_;
+  std::vector<TrialResult> done_;
+  std::mutex keeping_;
+};
+
+}  // namespace
+
+template <int D>
+FrozenResult compute_frozen_factor(const mesh::Mesh<D>& base, const TrialContext& context, int threads,
+                                   std::vector<std::string>& warnings) {
+  FrozenResult result;
+  int meshes = context.data->strength_reduction.frozen.meshes;
+  if (!context.data->mesh.file.empty() && meshes > 1) {
+    warnings.push_back(
+        "the mesh is a ready file, which cannot be halved: the factor of safety is that of one mesh and not "
+        "extrapolated");
+    meshes = 1;
+  }
+  for (int i = 0; i < meshes; ++i) {
+    result.meshes.push_back(FrozenMesh<D>(context, i, meshes, threads).compute(base, warnings));
+  }
+  if (result.meshes.size() == 2) {
+    const MeshFactor &coarse = result.meshes[0], &fine = result.meshes[1];
+    result.extrapolated = extrapolate_to_zero(coarse.size, coarse.factor(), fine.size, fine.factor());
+    if (std::abs(coarse.factor() - fine.factor()) > far_apart * fine.factor()) {
+      warnings.push_back(fmt::format(
+          "the factors of the two meshes differ by {:.0f} %: refine the mesh before trusting the extrapolated factor",
+          100 * std::abs(coarse.factor() / fine.factor() - 1)));
+    }
+  }
+  return result;
+}
+
+template FrozenResult compute_frozen_factor<2>(const mesh::Mesh<2>&, const TrialContext&, int,
+                                               std::vector<std::string>&);
+template FrozenResult compute_frozen_factor<3>(const mesh::Mesh<3>&, const TrialContext&, int,
+                                               std::vector<std::string>&);
+
+}  // namespace talus::analysis
