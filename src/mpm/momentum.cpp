@@ -93,11 +93,23 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
           const Vec<D> next = constrain_velocity(body.conditions, constraint, {}, body.time + o.dt);
           for (int d = 0; d < D; ++d) a[d] = (next[d] - now[d]) / o.dt;
         } else if (constraint.has_wall) {
+          // The out-of-balance force that damping is a share of holds the wall's reaction, or a resting block would be
+          // shaken by a share of its own weight.
+          Vec<D> f, v;
+          for (int d = 0; d < D; ++d) {
+            f[d] = t[1 + D + d] + f_ext[d];
+            v[d] = t[1 + d] * inverse_mass;
+          }
+          const bool pressed = dot(v, constraint.wall_normal) + o.dt * inverse * dot(f, constraint.wall_normal) > 0;
+          body.conditions.pressed[static_cast<std::size_t>(c)] = pressed;
+          const Vec<D> left = unsupported_part<D>(constraint, pressed, f);
           Vec<D> wanted;
-          for (int d = 0; d < D; ++d) wanted[d] = t[1 + d] * inverse_mass + o.dt * a[d];
+          for (int d = 0; d < D; ++d) {
+            f_damp[d] = v[d] != 0 ? -std::copysign(alpha * std::abs(left[d]), v[d]) : 0.0;
+            wanted[d] = v[d] + o.dt * inverse * (f[d] + f_damp[d]);
+          }
           const Vec<D> allowed = constrain_velocity(body.conditions, constraint, wanted, body.time + o.dt);
-          body.conditions.pressed[static_cast<std::size_t>(c)] = dot(wanted, constraint.wall_normal) > 0;
-          for (int d = 0; d < D; ++d) a[d] += (allowed[d] - wanted[d]) / o.dt;
+          for (int d = 0; d < D; ++d) a[d] = (allowed[d] - v[d]) / o.dt;
         } else {
           a = free_part(constraint, a);
         }

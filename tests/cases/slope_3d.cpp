@@ -28,7 +28,8 @@ double find_factor(const std::string& file, std::vector<model::Override> overrid
     stage.step.smoothing = data.strength_reduction.frozen.step_settings.smoothing;
     analysis::set_strength(body, data, stage.cohesion, 1);
     analysis::StageState state;
-    EXPECT_EQ(analysis::run_stage(body, analysis::make_plan<D>(data, stage, height, 1), state), analysis::StageEnd::rest);
+    EXPECT_EQ(analysis::run_stage(body, analysis::make_plan<D>(data, stage, height, 1), state),
+              analysis::StageEnd::rest);
   }
   const analysis::MeshFactor factor =
       analysis::find_frozen_factor(body, data, data.strength_reduction.frozen, height, 1);
@@ -41,9 +42,9 @@ std::vector<model::Override> make_slab(double width, bool rough) {
   return {{"geometry.thickness", std::to_string(width)}, {"boundary.front.fix", fix}, {"boundary.back.fix", fix}};
 }
 
-// Between smooth walls nothing moves across the section, so the exact factors are equal. The meshes are not: a tetrahedron
-// can follow the flow of soil less well than a triangle of the same size, and is a few per cent too strong; the more so
-// the coarser. 10 % is what meshes of a quarter of the height leave.
+// Between smooth walls nothing moves across the section, so the exact factors are equal. The meshes are not: a
+// tetrahedron can follow the flow of soil less well than a triangle of the same size, and is a few per cent too strong;
+// the more so the coarser. 10 % is what meshes of a quarter of the height leave.
 TEST(SlopeInThreeDimensions, SmoothWallsLeaveTheFactorOfTheSection) {
   const double section = find_factor<2>("section.toml", {});
   const double slab = find_factor<3>("case.toml", make_slab(5, false));

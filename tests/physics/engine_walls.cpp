@@ -91,6 +91,29 @@ TYPED_TEST(EngineWalls, BlockSticksBelowTheAngleOfFriction) {
   EXPECT_LT(mpm::find_largest_displacement(body).value, 0.01);
 }
 
+TEST(EngineWallsPlane, StickingBlockComesToRest) {
+  // The wall's reaction, and its friction up to μ times as much, is no unbalanced force.
+  const double theta = 0.3;
+  mpm::Body<2> body = make_block_on_floor<2>(theta);
+  for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
+    if (body.mesh().nodes[i][1] > 1e-9) continue;
+    auto& c = support::get_constraint(body, i);
+    c.has_wall = true;
+    c.wall_normal[1] = -1;
+    c.friction = 0.6;
+  }
+  analysis::StagePlan<2> plan;
+  plan.name = "lying";
+  plan.duration = 20;
+  plan.until_rest = true;
+  plan.step.damping = 0.7;
+  plan.gravity = {gravity * std::sin(theta), -gravity * std::cos(theta)};
+  plan.soil_height = 0.2;
+  analysis::StageState state;
+  EXPECT_EQ(analysis::run_stage(body, plan, state), analysis::StageEnd::rest);
+  EXPECT_LT(body.time, 20);
+}
+
 TEST(EngineWallsPlane, BlockOnAFrictionalWallMayLeaveIt) {
   mpm::Body<2> body = make_block_on_floor<2>(0);
   for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
