@@ -18,7 +18,8 @@ FLAGS = ["-std=c++20", "-O3", "-march=native", "-mprefer-vector-width=512", "-fn
 # dimension, case, warm steps, steps, repetitions, prefetch distance of the yardstick (its own best choice)
 CASES = [(2, "small", 200, 1000, 5, 0), (2, "mid", 50, 100, 3, 1), (2, "large", 5, 10, 3, 1),
          (3, "small", 200, 300, 3, 0), (3, "mid", 20, 40, 3, 3), (3, "large", 5, 10, 2, 3)]
-ENVIRONMENT = dict(os.environ, OMP_WAIT_POLICY="passive")  # waiting threads sleep: the machine may be shared
+# As the program sets them for itself: waiting threads sleep after a short spin, because the machine may be shared.
+ENVIRONMENT = dict(os.environ, OMP_WAIT_POLICY="passive", GOMP_SPINCOUNT="20000")
 
 
 def run(command, **extra):

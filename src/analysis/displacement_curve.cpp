@@ -130,7 +130,7 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     const int count = static_cast<int>(factors.size());
     // The weakest last takes longest with runouts; start it first so that the others fill in beside it.
     std::reverse(factors.begin(), factors.end());
-    parallel_for(count, side_by_side, [&](int i) { run_one(factors[i], fmt::format("[{} of {}] ", i + 1, count)); });
+    parallel_tasks(count, side_by_side, [&](int i) { run_one(factors[i], fmt::format("[{} of {}] ", i + 1, count)); });
     sort_results();
     factors.clear();
     if (!curve.refine) break;

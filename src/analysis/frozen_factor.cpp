@@ -47,7 +47,7 @@ MeshFactor search_frozen_factor(const model::FrozenFactor& settings, int side_by
   MeshFactor result;
   const auto is_stable = [&](const std::vector<double>& factors) {
     std::vector<TrialResult> trials(factors.size());
-    parallel_for(static_cast<int>(factors.size()), side_by_side, [&](int i) { trials[i] = run_trial(factors[i]); });
+    parallel_tasks(static_cast<int>(factors.size()), side_by_side, [&](int i) { trials[i] = run_trial(factors[i]); });
     std::vector<bool> stable;
     for (const TrialResult& t : trials) {
       result.trials.push_back(t);

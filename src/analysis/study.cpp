@@ -62,7 +62,7 @@ class StudyRun {
   std::vector<StudyRow> run() {
     check_folder(plan_, options_);
     output::make_folder(options_.folder);
-    parallel_for(static_cast<int>(rows_.size()), options_.threads,
+    parallel_tasks(static_cast<int>(rows_.size()), options_.threads,
                  [this](int i) { run_one(static_cast<std::size_t>(i)); });
     if (options_.progress) options_.progress->clear();
     write_study_tables(plan_, rows_, options_.folder);

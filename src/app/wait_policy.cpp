@@ -13,7 +13,7 @@ void let_waiting_threads_sleep(char** argv) {
   if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv(mark) != nullptr) return;
   setenv("OMP_WAIT_POLICY", "passive", 0);
   // A short spin keeps the many small loops of a step from paying a system call each.
-  setenv("GOMP_SPINCOUNT", "1000", 0);
+  setenv("GOMP_SPINCOUNT", "20000", 0);
   setenv(mark, "1", 1);
   execv("/proc/self/exe", argv);
 }

@@ -10,29 +10,62 @@
 
 namespace talus {
 
-/// Calls work(0) … work(pieces-1), each once, on at most `threads` threads; waits for all. The pieces may run in any
-/// order. The first exception (by piece number) is thrown again here.
+namespace detail {
+
+/// Runs pieces and keeps the first exception by piece number, since none may leave a parallel region.
+template <class Work>
+class GuardedWork {
+ public:
+  GuardedWork(int pieces, Work& work) : first_piece_(pieces), work_(work) {}
+  void run(int piece) {
+    try {
+      work_(piece);
+    } catch (...) {
+#pragma omp critical(talus_parallel)
+      if (piece < first_piece_) {
+        first_piece_ = piece;
+        first_ = std::current_exception();
+      }
+    }
+  }
+  void rethrow() const {
+    if (first_) std::rethrow_exception(first_);
+  }
+
+ private:
+  int first_piece_;
+  Work& work_;
+  std::exception_ptr first_;
+};
+
+}  // namespace detail
+
+/// Calls work(0) … work(pieces-1), each once, on at most `threads` threads; waits for all. For many pieces of equal
+/// size: a thread gets the same ones every time, so what it has in its cache stays useful. The first exception (by
+/// piece number) is thrown again here.
 template <class Work>
 void parallel_for(int pieces, int threads, Work&& work) {
   if (threads <= 1 || pieces <= 1) {
     for (int i = 0; i < pieces; ++i) work(i);
     return;
   }
-  std::exception_ptr first;
-  int first_piece = pieces;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-  for (int i = 0; i < pieces; ++i) {
-    try {
-      work(i);
-    } catch (...) {
-#pragma omp critical(talus_parallel_for)
-      if (i < first_piece) {
-        first_piece = i;
-        first = std::current_exception();
-      }
-    }
+  detail::GuardedWork guarded(pieces, work);
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (int i = 0; i < pieces; ++i) guarded.run(i);
+  guarded.rethrow();
+}
+
+/// The same for a few long pieces of unequal size, such as trials: a thread takes the next one when it is done.
+template <class Work>
+void parallel_tasks(int pieces, int threads, Work&& work) {
+  if (threads <= 1 || pieces <= 1) {
+    for (int i = 0; i < pieces; ++i) work(i);
+    return;
   }
-  if (first) std::rethrow_exception(first);
+  detail::GuardedWork guarded(pieces, work);
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+  for (int i = 0; i < pieces; ++i) guarded.run(i);
+  guarded.rethrow();
 }
 
 /// Threads of this machine that a run uses when the user names no number.
