@@ -111,7 +111,12 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
           const Vec<D> allowed = constrain_velocity(body.conditions, constraint, wanted, body.time + o.dt);
           for (int d = 0; d < D; ++d) a[d] = (allowed[d] - v[d]) / o.dt;
         } else {
+          // The node stands along its fixed directions, so what speed its points bring there is taken from them.
+          Vec<D> v;
+          for (int d = 0; d < D; ++d) v[d] = t[1 + d] * inverse_mass;
+          const Vec<D> kept = free_part(constraint, v);
           a = free_part(constraint, a);
+          for (int d = 0; d < D; ++d) a[d] -= (v[d] - kept[d]) / o.dt;
         }
       }
       // Work along the nodes' paths: exact for the nodal kinetic energy, ΔE = Σ f·(v + a Δt/2) Δt.

@@ -147,7 +147,7 @@ TEST(EngineEnergy, ErrorOfASwingingBarShrinksLinearlyWithTheTimeStep) {
   }
 }
 
-TEST(EngineEnergy, ErrorOfADampedBarShrinksLinearlyWithTheMesh) {
+TEST(EngineEnergy, ErrorOfADampedBarShrinksAtLeastLinearlyWithTheMesh) {
   // The work of local damping is booked on the nodes' paths, the points' energy on theirs: they differ by O(h).
   double error[2];
   int n = 0;
@@ -166,8 +166,8 @@ TEST(EngineEnergy, ErrorOfADampedBarShrinksLinearlyWithTheMesh) {
     EXPECT_GT(body.work.damped, 0.3 * start);
     error[n++] = std::abs(sum_energy<2>(body, {}) / start - 1);
   }
-  EXPECT_LT(error[0], 0.007);
-  EXPECT_NEAR(error[0] / error[1], 2, 0.3);
+  EXPECT_LT(error[0], 2e-4);
+  EXPECT_LT(error[1], 0.5 * error[0]);
 }
 
 TEST(EngineEnergy, FallIsPaidForByPotentialEnergy) {
@@ -212,7 +212,7 @@ TEST(EngineEnergy, PlasticCollapseDissipatesWhatItsFallSetFree) {
   const auto t = mpm::sum_points(body, o.gravity);
   const double released = before - t.potential;
   EXPECT_GT(released, 500);
-  EXPECT_LT(std::abs(sum_energy<2>(body, o.gravity) - start), 0.3 * released);
+  EXPECT_LT(std::abs(sum_energy<2>(body, o.gravity) - start), 0.01 * released);
   EXPECT_GT(body.work.dissipated, 0.8 * released);
   EXPECT_LT(t.kinetic, 0.05 * released);
 }

@@ -93,7 +93,10 @@ void solve_momentum(Body<D>& body, const Settings& settings) {
       const double sign = node.momentum[d] > 0 ? 1 : node.momentum[d] < 0 ? -1 : 0;
       force[d] -= settings.damping * sign * std::abs(force[d]);
     }
-    node.acceleration = body.constraints[i].apply(force / (settings.mass_scaling * node.mass));
+    // In its fixed directions the node stands: it takes the speed that its points bring there.
+    const Vector<D> brought = node.momentum / node.mass;
+    node.acceleration = body.constraints[i].apply(force / (settings.mass_scaling * node.mass)) -
+                        (brought - body.constraints[i].apply(brought)) / settings.time_step;
   }
 }
 
