@@ -11,6 +11,7 @@
 #include "analysis/runout.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/quality.hpp"
+#include "mpm/observe.hpp"
 #include "output/atomic_file.hpp"
 
 namespace talus::analysis {
@@ -20,6 +21,8 @@ namespace fs = std::filesystem;
 
 /// Displacements of the stages decide nothing at frozen geometry, so a stage may take longer than the case's own.
 constexpr double longest_frozen_stage = 60;
+/// The state at the start of the stage that runs, beside its checkpoint.
+constexpr const char* stage_start = "stage_start.h5";
 /// Factors of the two meshes farther apart than this make a straight line a guess.
 constexpr double far_apart = 0.1;
 
@@ -87,6 +90,7 @@ class FrozenMesh {
                       factor.size, settings_.window));
     }
     fs::remove(folder_ / recording_.checkpoint_name);
+    fs::remove(folder_ / stage_start);
     return factor;
   }
 
@@ -111,17 +115,29 @@ class FrozenMesh {
     const int threads = count_parallel_trials(state_.points.size(), threads_) > 1 ? 1 : threads_;
     for (int i = first; i < static_cast<int>(data_.stages.size()); ++i) {
       const model::Stage& stage = data_.stages[i];
-      const StagePlan<D> plan = make_frozen_stage<D>(data_, stage, height_, threads);
+      StagePlan<D> plan = make_frozen_stage<D>(data_, stage, height_, threads);
+      // The first stage brings the weight on and may settle the slope by any amount; a later one shows whether it
+      // stands.
+      if (i > 0) plan.failed_displacement = settings_.failed_displacement * height_;
       set_strength(state_, data_, stage.cohesion, stage.strength_factor.value_or(1));
       if (i > 0 && !stage_state.started) stage_state.gravity_share = 1;
       const StageHooks<D> hooks = recorder.begin_leg(i, plan, state_, stage_state);
+      mpm::Body<D> before = state_;
+      if (stage_state.started && fs::exists(folder_ / stage_start)) {
+        get_body(output::ArchiveReader(folder_ / stage_start), before);
+      }
+      if (!stage_state.started) mpm::reset_displacements(state_);
       if (run_stage(state_, plan, stage_state, hooks) != StageEnd::rest) {
-        warnings.push_back(
-            fmt::format("stage '{}' did not come to rest at frozen geometry within {:g} s; the slope may be unstable "
-                        "as it stands",
-                        stage.name, plan.duration));
+        // A slope that fails as it stands has a factor below one; its trials start from before it moved.
+        if (i > 0) state_ = before;
+        const std::string warning = fmt::format(
+            "stage '{}' did not come to rest at frozen geometry: the slope does not stand with the strength of this "
+            "stage{}",
+            stage.name, i > 0 ? ", and the trials start from the state before it" : "");
+        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
       }
       recorder.end_leg(state_);
+      fs::copy_file(folder_ / recording_.checkpoint_name, folder_ / stage_start, fs::copy_options::overwrite_existing);
       stage_state = {};
     }
   }

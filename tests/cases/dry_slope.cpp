@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 #include "analysis/run_case.hpp"
 #include "analysis/trial.hpp"
@@ -73,6 +75,25 @@ TEST(DrySlope, FrozenFactorAgreesWithSlicesForAssociatedFlow) {
   const json& frozen = summary.at("factor_of_safety").at("frozen");
   EXPECT_NEAR(frozen.at("factor").get<double>(), 1.44, 0.02 * 1.44);
   for (const json& mesh : frozen.at("meshes")) EXPECT_FALSE(mesh.at("undecided").get<bool>());
+}
+
+TEST(DrySlope, FactorBelowOneScalesWithTheStrength) {
+  // c and tanφ over 1.7 give F/1.7, also when the slope then fails under its own weight.
+  const auto find = [](const char* cohesion, double tan_phi) {
+    const json summary =
+        run("dry_slope/case.toml",
+            {{"mesh.size", "1.5"},
+             {"strength_reduction.frozen.meshes", "1"},
+             {"strength_reduction.curve.enabled", "false"},
+             {"stage.1.duration", "1"},
+             {"materials.sand.cohesion", cohesion},
+             {"materials.sand.friction_angle", std::to_string(std::atan(tan_phi) * 180 / std::numbers::pi)}});
+    return summary.at("factor_of_safety").at("value").get<double>();
+  };
+  const double whole = find("2", std::tan(30 * std::numbers::pi / 180));
+  const double weak = find("1.17647059", std::tan(30 * std::numbers::pi / 180) / 1.7);
+  EXPECT_LT(weak, 1);
+  EXPECT_NEAR(weak, whole / 1.7, 0.015);
 }
 
 TEST(GriffithsLane, ExampleOneAgreesWithFiniteElements) {
