@@ -164,10 +164,10 @@ class MohrCoulomb {
   MohrCoulombStrength strength_;
   double k_, intercept_, tolerance_;
   double tensile_strength_, tension_limit_;  ///< σ_t, and with the tolerance [Pa]
-  double plane_[3];                          ///< C:b / (a:C:b) of the shear plane
-  Edge edge_low_, edge_high_;                ///< s2 = s3 and s1 = s2
-  double shear_direction_[3];                ///< C:b of the shear plane [Pa]
-  double corner_inverse_[4];
+  double plane_[3]{};                        ///< C:b / (a:C:b) of the shear plane
+  Edge edge_low_{}, edge_high_{};            ///< s2 = s3 and s1 = s2
+  double shear_direction_[3]{};              ///< C:b of the shear plane [Pa]
+  double corner_inverse_[4]{};
   double cone_slope_, cone_offset_;  ///< √J2 <= offset - slope·p is inside the pyramid
   double compliance_trace_, half_over_mu_;
   CosineThird cosine_;
