@@ -7,6 +7,7 @@
 #include <fstream>
 #include <mutex>
 
+#include "analysis/onset.hpp"
 #include "analysis/prepare.hpp"
 #include "analysis/summary.hpp"
 #include "base/parallel.hpp"
@@ -20,8 +21,8 @@ namespace {
 constexpr int most_refinements = 4;
 /// Points that moved less than this share of the slope's height did not take part in the slide.
 constexpr double moved_share = 0.01;
-/// Frames of a runout when the case names no interval.
-constexpr int runout_frames = 100;
+/// Frames of a runout in the window of the curve when the case names no interval: most of the slide happens there.
+constexpr int frames_per_window = 25;
 
 std::vector<double> list_factors(const model::Curve& curve) {
   std::vector<double> factors;
@@ -101,7 +102,7 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
       legs[1].until_rest = true;
       files.keeps_history = true;
       const double interval = context.data->output.frame_interval;
-      files.frame_interval = interval > 0 ? interval : (curve.window + curve.runout_time) / runout_frames;
+      files.frame_interval = interval > 0 ? interval : curve.window / frames_per_window;
     }
     mpm::Body<D> body;
     const auto results = run_trial_legs(state, factor, legs, context, files, body);
@@ -111,8 +112,13 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
       mpm::Body<D> start = state;
       mpm::reset_displacements(start);
       const Profile before = find_profile(start, bin);
-      runout = RunoutTrial{factor, add_up(results), find_runout(body, before, moved_share * slope_height), before,
-                           find_profile(body, bin)};
+      runout = RunoutTrial{factor,
+                           add_up(results),
+                           find_runout(body, before, moved_share * slope_height),
+                           before,
+                           find_profile(body, bin),
+                           find_failure_time(files.folder / "history.csv", curve.displacement_ratio * slope_height)};
+      if (runout->failure_time) *runout->failure_time -= state.time;
       write_profiles(files.folder / "profile.csv", before, runout->final);
     }
     const std::lock_guard lock(collecting);

@@ -3,6 +3,8 @@
 
 #include <map>
 
+#include <optional>
+
 #include "analysis/criteria.hpp"
 #include "analysis/leg.hpp"
 #include "analysis/runout.hpp"
@@ -15,6 +17,8 @@ struct RunoutTrial {
   TrialResult trial;
   Runout runout;
   Profile initial, final;
+  std::optional<double>
+      failure_time;  ///< from the trial's start [s]: largest displacement reaches displacement_ratio H
 };
 
 struct CurveResult {

@@ -166,6 +166,7 @@ class FrozenMesh {
       save_trials(folder_ / "trials.json", done_);
     }
     recorder.finish(true);
+    context_.add_timing(body.timing);
     return result;
   }
 

@@ -120,6 +120,7 @@ std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor
     recorder.end_leg(body, !last);
   }
   recorder.finish(true);
+  context.add_timing(body.timing);
   return results;
 }
 

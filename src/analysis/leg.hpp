@@ -2,6 +2,7 @@
 // A trial in a folder of its own: it keeps its result, and can be resumed while it runs.
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "analysis/frozen_factor.hpp"
@@ -18,6 +19,8 @@ struct TrialContext {
   Progress* progress = nullptr;
   bool resume = false;
   std::vector<int> monitor_points;  ///< those of the stages
+  /// Told how long the parts of a trial took; called from any thread.
+  std::function<void(const mpm::Timing&)> add_timing = [](const mpm::Timing&) {};
 };
 
 nlohmann::json to_json(const TrialResult& trial);

@@ -7,10 +7,13 @@
 #include <chrono>
 #include <fstream>
 #include <functional>
+#include <mutex>
 #include <regex>
 #include <set>
 
 #include "analysis/checkpoint.hpp"
+#include "analysis/named_results.hpp"
+#include "analysis/onset.hpp"
 #include "analysis/prepare.hpp"
 #include "analysis/strength_reduction.hpp"
 #include "base/error.hpp"
@@ -25,9 +28,10 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Everything that a run may leave in its folder; --overwrite removes these and nothing else.
-const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf",  "mesh.xdmf",     "frames",
-                                 "history.csv",    "monitors.csv", "summary.json", "checkpoint.h5", "stages.json",
-                                 "curve.csv",      "profile.csv",  "trials",       "frozen"};
+const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf",  "mesh.xdmf",
+                                 "frames",         "history.csv",  "monitors.csv", "summary.json",
+                                 "checkpoint.h5",  "stages.json",  "curve.csv",    "profile.csv",
+                                 "trials",         "frozen",       "mesh.h5",      "report.html"};
 
 /// Unbalanced forces above this share of gravity at the end of a timed stage deserve a warning.
 constexpr double restless_force_ratio = 0.01;
@@ -78,6 +82,16 @@ std::optional<json> load_finished(const RunOptions& options, const std::string& 
   return summary;
 }
 
+/// What a finished run compares with, and its title block, may have changed since: neither needs the run again.
+void renew_finished(json& summary, const model::Case& data, const fs::path& folder) {
+  const json before = summary;
+  summary["title"] = data.title;
+  summary["project"] = describe_project(data);
+  summary["results"] = list_results(data, summary);
+  summary["comparisons"] = compare_results(data, summary);
+  if (summary != before) output::write_atomically(folder / "summary.json", summary.dump(2) + "\n");
+}
+
 template <int D>
 class CaseRun {
  public:
@@ -91,6 +105,7 @@ class CaseRun {
     mesh::Mesh<D> mesh = checkpoint ? get_mesh<D>(*checkpoint) : mesh::generate<D>(data_.mesh);
     check_names(mesh);
     body_ = prepare<D>(data_, std::move(mesh));
+    preparation_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     slope_height_ = find_slope_height(body_, data_.gravity);
     fill_summary_head();
     if (body_.conditions.constraints.empty())
@@ -100,10 +115,17 @@ class CaseRun {
 
     clear_folder(options_);
     output::make_folder(options_.folder);
+    keep_mesh();
     try {
       run_stages(checkpoint.get());
       if (data_.analysis == model::AnalysisKind::strength_reduction) {
-        const TrialContext context{options_.folder, hash_, &data_, options_.progress, options_.resume, monitor_points_};
+        const TrialContext context{options_.folder,
+                                   hash_,
+                                   &data_,
+                                   options_.progress,
+                                   options_.resume,
+                                   monitor_points_,
+                                   [this](const mpm::Timing& timing) { add_trial_timing(timing); }};
         reduce_strength<D>(body_, context, slope_height_, options_.threads, summary_, warnings_);
         fs::remove(options_.folder / "checkpoint.h5");
       }
@@ -135,6 +157,7 @@ class CaseRun {
 
   void fill_summary_head() {
     summary_["title"] = data_.title;
+    summary_["project"] = describe_project(data_);
     summary_["provenance"] = describe_provenance(loaded_, hash_, options_.threads);
     summary_["mesh"] = describe_mesh(body_);
     summary_["slope_height"] = slope_height_;
@@ -149,6 +172,13 @@ class CaseRun {
     }
     summary_["outlines"] = outlines;
     summary_["input"] = loaded_.echo;
+  }
+
+  /// For the report: the elements and the sides that the boundaries name.
+  void keep_mesh() const {
+    output::ArchiveWriter archive;
+    put_mesh(archive, body_.mesh());
+    archive.write(options_.folder / "mesh.h5");
   }
 
   void run_stages(const output::ArchiveReader* checkpoint) {
@@ -215,6 +245,29 @@ class CaseRun {
     }
   }
 
+  void add_trial_timing(const mpm::Timing& timing) {
+    const std::lock_guard lock(adding_);
+    trial_timing_ += timing;
+  }
+
+  /// Seconds of all threads by part, for people.
+  json list_parts() const {
+    json parts = json::array();
+    const auto add = [&](const char* name, const char* title, double seconds) {
+      if (seconds > 0) parts.push_back({{"name", name}, {"title", title}, {"seconds", seconds}});
+    };
+    mpm::Timing steps = body_.timing;
+    steps += trial_timing_;
+    add("preparation", "mesh and material points", preparation_);
+    add("solve_momentum", "momentum balance at the nodes", steps.solve_momentum);
+    add("remap_momentum", "remapping of the momentum", steps.remap_momentum);
+    add("smooth_strain", "smoothing of the strain", steps.smooth_strain);
+    add("advance_points", "material points: motion, strain, stress", steps.advance_points);
+    add("smooth_return", "smoothing of the stress return", steps.smooth_return);
+    add("relocate", "points that changed their element", steps.relocate);
+    return parts;
+  }
+
   /// Stage reports outlive an interruption beside the checkpoint.
   fs::path stage_file() const { return options_.folder / "stages.json"; }
   void save_stage_reports() const {
@@ -233,6 +286,9 @@ class CaseRun {
     constexpr double moved_share = 0.01;
     const Runout runout = find_runout(body_, initial_, moved_share * slope_height_);
     summary_["runout"] = to_json(runout);
+    if (const auto time = find_failure_time(options_.folder / "history.csv",
+                                            data_.strength_reduction.curve.displacement_ratio * slope_height_))
+      summary_["failure_time"] = *time;
     write_profiles(options_.folder / "profile.csv", initial_, find_profile(body_, profile_bin_));
   }
 
@@ -248,7 +304,10 @@ class CaseRun {
     summary_["warnings"] = warnings_;
     summary_["timing"] = {{"wall", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
                           {"cpu", process_seconds() - cpu_start},
-                          {"stage_steps", describe_timing(body_.timing)}};
+                          {"stage_steps", describe_timing(body_.timing)},
+                          {"parts", list_parts()}};
+    summary_["results"] = list_results(data_, summary_);
+    summary_["comparisons"] = compare_results(data_, summary_);
     output::write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");
     if (summary_["status"] == "finished") fs::remove(stage_file());
   }
@@ -258,7 +317,9 @@ class CaseRun {
   const RunOptions& options_;
   std::string hash_;
   mpm::Body<D> body_;
-  double slope_height_ = 0, profile_bin_ = 0;
+  double slope_height_ = 0, profile_bin_ = 0, preparation_ = 0;
+  mpm::Timing trial_timing_;
+  std::mutex adding_;
   Profile initial_;
   std::vector<int> monitor_points_;
   json summary_, stages_ = json::array();
@@ -268,7 +329,7 @@ class CaseRun {
 }  // namespace
 
 std::string hash_input(json echo) {
-  echo.erase("output");
+  for (const char* block : {"output", "project", "compare"}) echo.erase(block);
   const std::function<void(json&)> strip = [&](json& node) {
     if (node.is_object()) node.erase("courant");
     if (node.is_structured()) std::for_each(node.begin(), node.end(), strip);
@@ -280,7 +341,10 @@ std::string hash_input(json echo) {
 json run_case(const model::LoadedCase& loaded, const RunOptions& options) {
   const std::string hash = hash_input(loaded.echo);
   check_folder(options);
-  if (auto finished = load_finished(options, hash)) return *finished;
+  if (auto finished = load_finished(options, hash)) {
+    renew_finished(*finished, loaded.data, options.folder);
+    return *finished;
+  }
   if (loaded.data.mesh.dimension == 2) return CaseRun<2>(loaded, options, hash).run();
   return CaseRun<3>(loaded, options, hash).run();
 }

@@ -64,6 +64,7 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
       json j = to_json(r.trial);
       j["runout"] = to_json(r.runout);
       j["profile"] = to_json(r.final);
+      if (r.failure_time) j["failure_time"] = *r.failure_time;
       runouts.push_back(std::move(j));
       if (r.trial.end != StageEnd::rest) {
         warnings.push_back(fmt::format("the runout at SRF {:g} was still moving after {:g} s; raise runout_time",

@@ -63,7 +63,7 @@ class StudyRun {
     check_folder(plan_, options_);
     output::make_folder(options_.folder);
     parallel_tasks(static_cast<int>(rows_.size()), options_.threads,
-                 [this](int i) { run_one(static_cast<std::size_t>(i)); });
+                   [this](int i) { run_one(static_cast<std::size_t>(i)); });
     if (options_.progress) options_.progress->clear();
     write_study_tables(plan_, rows_, options_.folder);
     draw_study(plan_, rows_, options_.folder / "study.svg");

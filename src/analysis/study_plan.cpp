@@ -164,6 +164,7 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
   const model::Study& study = base.data.study;
   StudyPlan plan;
   plan.title = base.data.title;
+  plan.mode = study.mode == model::StudyMode::grid ? "grid" : "one_at_a_time";
   plan.file = base.file;
   plan.factors = study.factors;
   plan.displacement_unit = base.data.output.displacement_unit;

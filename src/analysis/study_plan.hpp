@@ -26,6 +26,7 @@ struct Variant {
 
 struct StudyPlan {
   std::string title, file;
+  std::string mode;  ///< how the values are combined, as in the case
   std::string displacement_unit, length_unit;
   std::vector<StudyKey> keys;
   std::vector<double> factors;     ///< strength reduction factors whose displacement the table lists

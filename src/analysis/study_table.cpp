@@ -220,9 +220,39 @@ std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyR
   return text + (remarks.empty() ? "" : "\n" + remarks);
 }
 
+json describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
+  json vary = json::array(), columns = json::array(), variants = json::array();
+  for (std::size_t k = 0; k < plan.keys.size(); ++k) {
+    json values = json::array();
+    for (const Variant& v : plan.variants)
+      if (std::find(values.begin(), values.end(), v.values[k]) == values.end()) values.push_back(v.values[k]);
+    vary.push_back({{"key", plan.keys[k].path}, {"unit", plan.keys[k].unit}, {"values", values}});
+  }
+  for (const StudyColumn& c : make_study_table(plan, rows)) {
+    json cells = json::array();
+    for (const StudyCell& cell : c.cells) cells.push_back({{"full", cell.full}, {"shown", cell.shown}});
+    columns.push_back({{"name", c.name}, {"title", c.title}, {"unit", c.unit}, {"cells", cells}});
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    variants.push_back({{"name", plan.variants[i].label},
+                        {"folder", plan.variants[i].name},
+                        {"status", rows[i].status},
+                        {"reason", rows[i].reason}});
+  return {{"format", 1},
+          {"title", plan.title},
+          {"case_file", plan.file},
+          {"mode", plan.mode},
+          {"vary", vary},
+          {"columns", columns},
+          {"variants", variants},
+          {"notes", plan.notes},
+          {"units", {{"displacement", plan.displacement_unit}, {"length", plan.length_unit}}}};
+}
+
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder) {
   const std::string safe = "the results of the variants are whole";
   output::write_atomically(folder / "study.csv", write_study_csv(make_study_table(plan, rows)), safe);
+  output::write_atomically(folder / "study.json", describe_study(plan, rows).dump(2) + "\n", safe);
   output::write_atomically(folder / "study.md", write_study_markdown(plan, rows), safe);
 }
 

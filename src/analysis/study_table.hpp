@@ -29,7 +29,10 @@ std::string write_study_csv(const std::vector<StudyColumn>& table);
 /// The same as Markdown, with the reasons of what is missing and the warnings of the runs below.
 std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyRow>& rows);
 
-/// study.csv and study.md in `folder`. Throws Error (cannot_write).
+/// Plan, table and how each variant went, for the report; numbers in `full` are in the unit of their column.
+nlohmann::json describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows);
+
+/// study.csv, study.json and study.md in `folder`. Throws Error (cannot_write).
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder);
 
 /// The displacement curves of all variants; nothing is drawn when there is none. Errors as for output::draw.

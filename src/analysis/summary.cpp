@@ -106,6 +106,12 @@ json describe_provenance(const model::LoadedCase& loaded, const std::string& inp
           {"started", now_as_text()}, {"case_file", loaded.file},  {"input_hash", input_hash}};
 }
 
+json describe_project(const model::Case& data) {
+  const model::Project& p = data.project;
+  return {{"title", data.title},        {"project", p.name},      {"client", p.client}, {"author", p.author},
+          {"checked_by", p.checked_by}, {"revision", p.revision}, {"notes", p.notes}};
+}
+
 template <int D>
 json describe_mesh(const mpm::Body<D>& body) {
   const mesh::Quality<D> q = mesh::measure_quality(body.mesh());

@@ -12,6 +12,7 @@ mpm::Body<D> start_trial(const mpm::Body<D>& state, const model::Case& data, dou
   mpm::Body<D> body = state;
   set_strength(body, data, {}, factor);
   mpm::reset_displacements(body);
+  body.timing = {};
   return body;
 }
 

@@ -168,8 +168,29 @@ struct Study {
   std::vector<double> factors;  ///< strength reduction factors whose displacement the table lists [-]
 };
 
+/// What the title block of a report shows besides the title.
+struct Project {
+  std::string name, client, author, checked_by, revision, notes;
+};
+
+/// A number as the user writes it, with its unit: 1.58, "212 mm", "5 %".
+struct Amount {
+  double number = 0;
+  std::string unit;  ///< empty for a plain number
+  std::string text;  ///< as in the file, for people
+};
+
+/// A published or measured value that a result is held against.
+struct Compare {
+  std::string name;  ///< of the result, see result_names.hpp
+  Amount value;
+  Amount tolerance;  ///< in per cent of the value, or in its unit
+  std::string source;
+};
+
 struct Case {
   std::string title;
+  Project project;
   mesh::Plan mesh;
   int points_per_element = 3;
   std::map<std::string, Material> materials;
@@ -183,6 +204,7 @@ struct Case {
   AnalysisKind analysis = AnalysisKind::run;
   StrengthReduction strength_reduction;
   Output output;
+  std::vector<Compare> compare;
   Study study;
 };
 

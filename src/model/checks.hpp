@@ -17,6 +17,8 @@ void check_materials(const Case& data, Findings& findings);
 void check_conditions(const Case& data, Findings& findings);
 /// Stages, strength reduction and names of monitors.
 void check_analysis(const Case& data, Findings& findings);
+/// Names, units and tolerances of the values that results are held against.
+void check_compare(const Case& data, Findings& findings);
 
 /// Reports boundaries and tractions on sides that are not in `sides`.
 void check_sides(const Case& data, const std::set<std::string>& sides, Findings& findings);

@@ -346,6 +346,31 @@ json Codec<TimeTable>::schema(const Spec& spec) {
   return write_array_schema(row, 1, -1);
 }
 
+bool Codec<Amount>::decode(const Decoding& in, const toml::node& node, const std::string& path, Amount& out) {
+  if (const auto number = node.value<double>(); number && !node.is_boolean()) {
+    if (!std::isfinite(*number)) return in.fail(node, path, fmt::format("'{}' must be a finite number", in.key));
+    out = {*number, "", fmt::format("{:.15g}", *number)};
+  } else if (const auto* text = node.as_string()) {
+    try {
+      const units::Quantity quantity = units::parse_quantity(text->get());
+      units::get_si_factor(quantity.unit);
+      out = {quantity.value, quantity.unit, text->get()};
+    } catch (const Error& error) {
+      return in.fail(node, path, error.what());
+    }
+  } else {
+    return in.fail_type(node, path, "a number or a text with a unit, such as \"212 mm\"");
+  }
+  if (!in.spec.allows(out.number))
+    return in.fail(node, path, fmt::format("'{}' is {}; it must be {}", in.key, out.text, in.spec.write_range()));
+  in.record(node, path);
+  return true;
+}
+
+nlohmann::json Codec<Amount>::encode(const Amount& value, const Spec&) {
+  return value.unit.empty() ? json(value.number) : json(value.text);
+}
+
 bool Codec<TomlTexts>::decode(const Decoding& in, const toml::node& node, const std::string& path, TomlTexts& out) {
   const toml::array* list = find_list(in, node, path, 1, std::size_t(-1), "a list of at least one value");
   if (list == nullptr) return false;

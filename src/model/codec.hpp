@@ -176,6 +176,15 @@ struct Codec<TimeTable> {
   static nlohmann::json schema(const Spec& spec);
 };
 
+/// A number, or a text with a number and a unit of any dimension.
+template <>
+struct Codec<Amount> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Amount& out);
+  static nlohmann::json encode(const Amount& value, const Spec& spec);
+  static std::string name(const Spec&) { return "number or text with unit"; }
+  static nlohmann::json schema(const Spec&) { return {{"type", {"number", "string"}}}; }
+};
+
 /// Any TOML values, kept as TOML texts.
 struct TomlTexts {
   std::vector<std::string>& texts;

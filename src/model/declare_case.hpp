@@ -7,6 +7,7 @@
 #include "model/declare_material.hpp"
 #include "model/declare_mesh.hpp"
 #include "model/declare_output.hpp"
+#include "model/declare_report.hpp"
 #include "model/declare_stage.hpp"
 #include "model/declare_start.hpp"
 
@@ -19,6 +20,7 @@ namespace talus::model {
 template <class Visitor>
 void describe(Visitor& v, Case& c) {
   v.key("title", c.title, plain().example(R"("Dry homogeneous slope")"), "Title of the case in reports and plots.");
+  v.table("project", c.project, "The title block of the report.");
   v.table("geometry", GeometryBlock{c.mesh}, "The section: regions of soil in a background box.");
   v.table("mesh", MeshBlock{c}, "The background mesh and the material points in it.");
   v.named("materials", c.materials, "sand", "A material, under a name of your choice.");
@@ -32,6 +34,7 @@ void describe(Visitor& v, Case& c) {
   v.table("analysis", AnalysisBlock{c.analysis}, "What is calculated.");
   v.table("strength_reduction", c.strength_reduction, "How the factor of safety is found.");
   v.table("output", c.output, "What is stored, and the units of tables and plots.");
+  v.tables("compare", c.compare, 0, "A published or measured value that a result is held against in the report.");
   v.table("study", c.study, "What `talus study` varies.");
 }
 

@@ -73,6 +73,7 @@ std::optional<LoadedCase> read_without_study(const std::string& text, const std:
   check_materials(loaded.data, findings);
   check_conditions(loaded.data, findings);
   check_analysis(loaded.data, findings);
+  check_compare(loaded.data, findings);
   if (!findings.empty()) return std::nullopt;
   loaded.echo = echo(loaded.data, findings.places);
   normalise_directions(loaded.data);

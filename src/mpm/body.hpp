@@ -111,6 +111,16 @@ struct Monitor {
 /// Wall time spent in the lines of the step [s].
 struct Timing {
   double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, smooth_return = 0, relocate = 0;
+
+  Timing& operator+=(const Timing& other) {
+    solve_momentum += other.solve_momentum;
+    remap_momentum += other.remap_momentum;
+    smooth_strain += other.smooth_strain;
+    advance_points += other.advance_points;
+    smooth_return += other.smooth_return;
+    relocate += other.relocate;
+    return *this;
+  }
 };
 
 /// A point that has left the grid.

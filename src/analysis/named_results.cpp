@@ -1,0 +1,154 @@
+#include "analysis/named_results.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/units.hpp"
+#include "model/result_names.hpp"
+
+namespace talus::analysis {
+namespace {
+
+using nlohmann::json;
+
+/// Two factors are one when they differ by less.
+constexpr double same_factor = 1e-9;
+
+std::optional<double> get_number(const json& object, const char* key) {
+  if (!object.is_object() || !object.contains(key) || !object.at(key).is_number()) return std::nullopt;
+  return object.at(key).get<double>();
+}
+
+const json* find_member(const json& list, const char* key, const std::string& value) {
+  for (const json& entry : list)
+    if (entry.value(key, "") == value) return &entry;
+  return nullptr;
+}
+
+const json& get(const json& object, const char* key) {
+  static const json nothing;
+  return object.is_object() && object.contains(key) ? object.at(key) : nothing;
+}
+
+std::optional<double> find_factor(const json& summary, const std::string& criterion) {
+  const json& factors = get(summary, "factor_of_safety");
+  if (criterion.empty()) return get_number(factors, "value");
+  if (criterion == "frozen") return get_number(get(factors, "frozen"), "factor");
+  const json& list = get(factors, "criteria");
+  const json* found = list.is_array() ? find_member(list, "name", criterion) : nullptr;
+  return found == nullptr ? std::nullopt : get_number(*found, "factor");
+}
+
+std::optional<double> find_displacement(const json& summary, double factor) {
+  const json& points = get(get(summary, "curve"), "points");
+  if (!points.is_array()) return std::nullopt;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double here = points[i].at("srf"), u = points[i].at("displacement");
+    if (std::abs(here - factor) < same_factor) return u;
+    if (here < factor || i == 0) continue;
+    const double before = points[i - 1].at("srf"), u_before = points[i - 1].at("displacement");
+    return u_before + (u - u_before) * (factor - before) / (here - before);
+  }
+  return std::nullopt;
+}
+
+std::optional<double> find_in_runout(const json& entry, const std::string& key) {
+  if (key == "failure_time") return get_number(entry, "failure_time");
+  if (key == "rest_time") return entry.value("end", "") == "rest" ? get_number(entry, "time") : std::nullopt;
+  return get_number(get(entry, "runout"), key.c_str());
+}
+
+/// "stage[gravity].displacement" split into "stage", "gravity", "displacement".
+struct Path {
+  std::string block, index, key;
+};
+
+Path split(const std::string& name) {
+  Path path;
+  const auto open = name.find('['), close = name.rfind(']');
+  if (open != std::string::npos && close != std::string::npos && close > open) {
+    path.block = name.substr(0, open);
+    path.index = name.substr(open + 1, close - open - 1);
+    if (close + 2 < name.size()) path.key = name.substr(close + 2);
+    return path;
+  }
+  const auto dot = name.find('.');
+  path.block = name.substr(0, dot);
+  if (dot != std::string::npos) path.key = name.substr(dot + 1);
+  return path;
+}
+
+json describe_unit(const std::string& unit, const model::Output& output) {
+  const std::string shown = unit == "m" ? output.length_unit : unit;
+  return {{"name", shown}, {"si", units::get_si_factor(shown)}};
+}
+
+}  // namespace
+
+std::optional<double> find_result(const json& summary, const std::string& name) {
+  if (const auto factor = model::find_trial_factor(name)) return find_displacement(summary, *factor);
+  const Path path = split(name);
+  if (path.block == "factor_of_safety") return find_factor(summary, path.key);
+  if (path.block == "mesh") return get_number(get(summary, "mesh"), path.key.c_str());
+  if (path.block == "stage") {
+    const json& stages = get(summary, "stages");
+    const json* stage = stages.is_array() ? find_member(stages, "name", path.index) : nullptr;
+    return stage == nullptr ? std::nullopt : get_number(*stage, path.key.c_str());
+  }
+  if (path.block != "runout") return std::nullopt;
+  if (path.index.empty()) {
+    const json& stages = get(summary, "stages");
+    json entry{{"runout", get(summary, "runout")}};
+    if (const auto time = get_number(summary, "failure_time")) entry["failure_time"] = *time;
+    if (stages.is_array() && !stages.empty())
+      entry.update({{"end", stages.back().at("end")}, {"time", stages.back().at("time")}});
+    return find_in_runout(entry, path.key);
+  }
+  const json& runouts = get(summary, "runouts");
+  if (!runouts.is_array()) return std::nullopt;
+  for (const json& entry : runouts)
+    if (fmt::format("{:g}", entry.at("srf").get<double>()) == path.index) return find_in_runout(entry, path.key);
+  return std::nullopt;
+}
+
+json list_results(const model::Case& data, const json& summary) {
+  json list = json::array();
+  for (const model::ResultName& result : model::list_result_names(data))
+    if (const auto value = find_result(summary, result.name))
+      list.push_back({{"name", result.name},
+                      {"title", result.title},
+                      {"value", *value},
+                      {"unit", describe_unit(result.unit, data.output)}});
+  return list;
+}
+
+json compare_results(const model::Case& data, const json& summary) {
+  json list = json::array();
+  for (const model::Compare& compare : data.compare) {
+    const auto result = model::find_result_name(data, compare.name);
+    if (!result) continue;
+    const std::string unit = compare.value.unit.empty() ? result->unit : compare.value.unit;
+    const double published = model::to_si(compare.value), tolerance = model::find_tolerance(compare);
+    const auto computed = find_result(summary, compare.name);
+    json entry{{"name", compare.name},
+               {"title", result->title},
+               {"unit", {{"name", unit}, {"si", units::get_si_factor(unit)}}},
+               {"computed", nullptr},
+               {"published", published},
+               {"tolerance", tolerance},
+               {"tolerance_text", compare.tolerance.text},
+               {"source", compare.source},
+               {"passes", false},
+               {"note", computed ? "" : "the run did not come to this result"}};
+    if (computed) {
+      entry["computed"] = *computed;
+      // A difference that equals the tolerance passes, whatever the last digit of the subtraction says.
+      entry["passes"] = std::abs(*computed - published) <= tolerance * (1 + 1e-12);
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace talus::analysis

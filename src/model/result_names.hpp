@@ -1,0 +1,34 @@
+#pragma once
+// Names of the numbers that a case yields: what [[compare]] may name, and how `results` of summary.json is labelled.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/case.hpp"
+
+namespace talus::model {
+
+/// A result before it is known.
+struct ResultName {
+  std::string name;   ///< "runout[1.75].moved_volume"
+  std::string title;  ///< "moved volume, runout at SRF 1.75"
+  std::string unit;   ///< SI, as UDUNITS writes it; empty for a plain number
+};
+
+/// All results that the case yields, in the order of the report, without those of single trials of the curve.
+std::vector<ResultName> list_result_names(const Case& data);
+
+/// The factor of "curve.displacement[1.45]"; nothing for another name.
+std::optional<double> find_trial_factor(const std::string& name);
+
+/// The result called `name`, also of a trial of the curve; nothing when the case does not yield it.
+std::optional<ResultName> find_result_name(const Case& data, const std::string& name);
+
+/// `amount` in SI. A plain number is SI already.
+double to_si(const Amount& amount);
+
+/// Largest difference [SI] that `compare` lets pass: per cent are those of its value.
+double find_tolerance(const Compare& compare);
+
+}  // namespace talus::model

@@ -1,0 +1,78 @@
+// Results under the names of [[compare]]: values from the summary, what passes, and the time of failure.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "analysis/named_results.hpp"
+#include "analysis/onset.hpp"
+
+namespace talus::analysis {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const json summary = json::parse(R"({
+  "curve": {"points": [{"srf": 1.0, "displacement": 0.0}, {"srf": 1.4, "displacement": 0.016},
+                       {"srf": 1.5, "displacement": 0.066}]},
+  "factor_of_safety": {"value": 1.39, "frozen": {"factor": 1.39}, "criteria": [{"name": "bilinear", "factor": 1.58},
+                       {"name": "jump", "factor": null}]},
+  "stages": [{"name": "real strength", "displacement": 0.001, "time": 20.0, "end": "time"}],
+  "runouts": [{"srf": 1.75, "end": "rest", "time": 8.2, "failure_time": 0.88, "runout": {"moved_volume": 91.3}}]
+})");
+
+TEST(NamedResults, AreFoundWhereTheSummaryHoldsThem) {
+  EXPECT_EQ(find_result(summary, "factor_of_safety"), 1.39);
+  EXPECT_EQ(find_result(summary, "factor_of_safety.bilinear"), 1.58);
+  EXPECT_EQ(find_result(summary, "factor_of_safety.jump"), std::nullopt);
+  EXPECT_EQ(find_result(summary, "stage[real strength].displacement"), 0.001);
+  EXPECT_EQ(find_result(summary, "runout[1.75].moved_volume"), 91.3);
+  EXPECT_EQ(find_result(summary, "runout[1.75].failure_time"), 0.88);
+  EXPECT_EQ(find_result(summary, "runout[1.75].rest_time"), 8.2);
+  EXPECT_EQ(find_result(summary, "runout[1.6].rest_time"), std::nullopt);
+}
+
+TEST(NamedResults, AreInterpolatedBetweenTrials) {
+  EXPECT_EQ(find_result(summary, "curve.displacement[1.4]"), 0.016);
+  EXPECT_DOUBLE_EQ(*find_result(summary, "curve.displacement[1.45]"), 0.041);
+  EXPECT_EQ(find_result(summary, "curve.displacement[1.6]"), std::nullopt);
+}
+
+TEST(Comparison, PassesWithinItsToleranceAndNotBeyond) {
+  model::Case data;
+  data.analysis = model::AnalysisKind::strength_reduction;
+  const auto add = [&](const char* name, model::Amount value, model::Amount tolerance) {
+    data.compare.push_back({name, value, tolerance, "by hand"});
+  };
+  add("factor_of_safety", {1.36, "", "1.36"}, {0.03, "", "0.03"});
+  add("factor_of_safety", {1.36, "", "1.36"}, {0.029, "", "0.029"});
+  add("curve.displacement[1.4]", {17, "mm", "17 mm"}, {6, "%", "6 %"});
+  add("factor_of_safety.jump", {1.6, "", "1.6"}, {10, "%", "10 %"});
+  const json list = compare_results(data, summary);
+  ASSERT_EQ(list.size(), 4u);
+  EXPECT_TRUE(list[0].at("passes"));
+  EXPECT_FALSE(list[1].at("passes"));
+  EXPECT_TRUE(list[2].at("passes"));
+  EXPECT_DOUBLE_EQ(list[2].at("published"), 0.017);
+  EXPECT_EQ(list[2].at("unit").at("name"), "mm");
+  EXPECT_FALSE(list[3].at("passes"));
+  EXPECT_TRUE(list[3].at("computed").is_null());
+}
+
+TEST(FailureTime, IsTheLastCrossingOfTheLimit) {
+  const fs::path file = fs::temp_directory_path() / ("talus_onset_" + std::to_string(getpid()) + ".csv");
+  // A stage settles by 40 mm, displacements start from zero, and the slope fails between 3 s and 4 s.
+  std::ofstream(file) << "time [s],largest_displacement [mm]\n0,0\n1,40\n2,0\n3,10\n4,50\n5,900\n";
+  const auto time = find_failure_time(file, 0.03);
+  ASSERT_TRUE(time);
+  EXPECT_DOUBLE_EQ(*time, 3.5);
+  EXPECT_FALSE(find_failure_time(file, 1.0)) << "it never moved that far";
+  fs::remove(file);
+  EXPECT_FALSE(find_failure_time(file, 0.03));
+}
+
+}  // namespace
+}  // namespace talus::analysis
