@@ -304,11 +304,13 @@ void Recorder<D>::show_progress(const mpm::Body<D>& body, const StageState& stat
   const double left = plan_->duration - (body.time - state.start_time);
   const std::string remaining = speed > 0 && state.dt > 0 ? format_duration(left / state.dt / speed) : "?";
   const double displacement = units::get_si_factor(settings_.data->output.displacement_unit);
+  const double time = body.time - state.start_time;
   settings_.progress->show(
-      fmt::format("{}{}: {:.3f} of {}{:g} s, {:.0f} steps/s, {} left, u_max {:.4g} {}, E_kin {:.3g} J", settings_.label,
-                  plan_->name, body.time - state.start_time, plan_->until_rest ? "at most " : "", plan_->duration,
-                  speed, remaining, mpm::find_largest_displacement(body).value / displacement,
-                  settings_.data->output.displacement_unit, body.monitor.kinetic_energy));
+      {fmt::format("{}{}: {:.3f} of {}{:g} s, {:.0f} steps/s, {} left, u_max {:.4g} {}, E_kin {:.3g} J",
+                   settings_.label, plan_->name, time, plan_->until_rest ? "at most " : "", plan_->duration, speed,
+                   remaining, mpm::find_largest_displacement(body).value / displacement,
+                   settings_.data->output.displacement_unit, body.monitor.kinetic_energy),
+       settings_.label, plan_->name, time, plan_->duration});
 }
 
 template class Recorder<2>;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 namespace talus {
 namespace {
@@ -14,6 +15,8 @@ constexpr std::chrono::milliseconds interval{200};
 
 Progress::Progress(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO) != 0) {}
 
+Progress::Progress(Listener listener) : enabled_(true), listener_(std::move(listener)) {}
+
 Progress::~Progress() {
   clear();
 }
@@ -23,11 +26,19 @@ bool Progress::is_due() const {
 }
 
 void Progress::show(const std::string& line) {
+  show(ProgressReport{line, {}, {}, 0, 0});
+}
+
+void Progress::show(const ProgressReport& report) {
   const std::lock_guard lock(mutex_);
   if (!enabled_) return;
-  fmt::print(stderr, "\r\033[K{}", line);
-  std::fflush(stderr);
-  shown_ = true;
+  if (listener_) {
+    listener_(report);
+  } else {
+    fmt::print(stderr, "\r\033[K{}", report.line);
+    std::fflush(stderr);
+    shown_ = true;
+  }
   next_ = std::chrono::steady_clock::now().time_since_epoch() + interval;
 }
 

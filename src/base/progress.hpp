@@ -1,28 +1,45 @@
 #pragma once
-// One line on the terminal that is written over as work goes on; nothing when standard error is no terminal.
+// One line on the terminal that is written over as work goes on; nothing when standard error is no terminal. A program
+// that has this one inside hears of the progress instead.
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <string>
 
 namespace talus {
 
+/// How far a calculation is: the line for a person, and the same as values.
+struct ProgressReport {
+  std::string line;
+  std::string label;    ///< which of several, "[3 of 24] "; empty for the stages of a case
+  std::string stage;    ///< name of the stage or trial; empty where there is only a line
+  double time = 0;      ///< simulated time since its start [s]
+  double duration = 0;  ///< its whole time, or the longest that it may take to rest [s]; 0: not known
+};
+
 class Progress {
  public:
+  using Listener = std::function<void(const ProgressReport&)>;
+
   /// Shows something only when standard error is a terminal and `wanted`.
   explicit Progress(bool wanted = true);
+  /// Tells `listener` instead, from the threads that calculate, one at a time; it must be quick and must not throw.
+  explicit Progress(Listener listener);
   ~Progress();
 
   /// Whether a new line would be shown now; lines come at most five times a second. Cheap, so ask before composing.
   bool is_due() const;
   /// Replaces the line. Safe to call from several threads.
   void show(const std::string& line);
+  void show(const ProgressReport& report);
   /// Removes the line, so that other output starts on a clean one.
   void clear();
 
  private:
   bool enabled_;
+  Listener listener_;
   bool shown_ = false;
   std::atomic<std::chrono::steady_clock::duration> next_{};  ///< earliest time of the next line
   std::mutex mutex_;

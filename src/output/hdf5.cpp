@@ -180,7 +180,10 @@ Handle create(const std::filesystem::path& path) {
 Handle open(const std::filesystem::path& path) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
   require(H5Pset_file_locking(access, false, true), "the file's locks");
-  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "the file itself"};
+  hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  // Where this process has the file open already, as h5py may have in Python, the locks must be those of that time.
+  if (file < 0) file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  return {file, H5Fclose, "the file itself"};
 }
 
 template <class T>

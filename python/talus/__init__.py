@@ -1,0 +1,49 @@
+"""Talus: slope stability and runout by the material point method.
+
+    case = talus.Case.read("case.toml")        # or talus.Case(geometry=dict(...), materials=dict(...), ...)
+    case.materials["sand"].cohesion = "3 kPa"  # the names and units of `talus manual`
+    results = talus.run(case, "results")
+    print(results.factor_of_safety)
+    talus.plot.plot_section(results)
+"""
+
+import os as _os
+
+# OpenMP reads this when it is loaded, with the extension module below. Threads that spin while they wait take the cores
+# from those that they wait for (src/app/wait_policy.cpp does the same for the program).
+_wait_policy = {"OMP_WAIT_POLICY": "passive", "GOMP_SPINCOUNT": "20000"}
+if "OMP_WAIT_POLICY" in _os.environ:
+    _wait_policy = {}
+_wait_policy = {name: value for name, value in _wait_policy.items() if name not in _os.environ}
+_os.environ.update(_wait_policy)
+from . import _core  # noqa: E402
+
+for _name in _wait_policy:
+    del _os.environ[_name]
+
+from . import plot  # noqa: E402
+from .calculation import Progress, run  # noqa: E402
+from .case import Case, describe  # noqa: E402
+from .errors import CannotWrite, Error, Finding, FolderExists, InputError, Interrupted, Unstable  # noqa: E402
+from .results import Frame, History, Mesh, Results  # noqa: E402
+
+__version__: str = _core.version
+
+__all__ = [
+    "CannotWrite",
+    "Case",
+    "Error",
+    "Finding",
+    "FolderExists",
+    "Frame",
+    "History",
+    "InputError",
+    "Interrupted",
+    "Mesh",
+    "Progress",
+    "Results",
+    "Unstable",
+    "describe",
+    "plot",
+    "run",
+]
