@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 FLOORS = {"base": 0, "material": 1, "mesh": 1, "model": 2, "mpm": 3, "fem": 3, "lem": 3,
-          "analysis": 4, "output": 4, "app": 5}
+          "analysis": 4, "output": 4, "report": 4, "app": 5}
 LONGEST = 500
 # file → why it may be longer
 MAY_BE_LONGER = {}
@@ -23,7 +23,7 @@ FOLDERS = ["src", "tests", "bench", "tools", "python", "web", "cuda"]
 def list_sources(root, folders):
     for folder in folders:
         for path in sorted((root / folder).rglob("*")):
-            if path.is_file() and path.suffix in SOURCES:
+            if path.is_file() and path.suffix in SOURCES and "node_modules" not in path.parts:
                 yield path, path.relative_to(root).as_posix()
 
 

@@ -127,12 +127,12 @@ json compare_results(const model::Case& data, const json& summary) {
   json list = json::array();
   for (const model::Compare& compare : data.compare) {
     const auto result = model::find_result_name(data, compare.name);
-    if (!result) continue;
-    const std::string unit = compare.value.unit.empty() ? result->unit : compare.value.unit;
+    const auto known = result ? result : model::find_possible_name(data, compare.name);
+    const std::string unit = compare.value.unit.empty() && known ? known->unit : compare.value.unit;
     const double published = model::to_si(compare.value), tolerance = model::find_tolerance(compare);
-    const auto computed = find_result(summary, compare.name);
+    const auto computed = result ? find_result(summary, compare.name) : std::nullopt;
     json entry{{"name", compare.name},
-               {"title", result->title},
+               {"title", known ? known->title : compare.name},
                {"unit", {{"name", unit}, {"si", units::get_si_factor(unit)}}},
                {"computed", nullptr},
                {"published", published},
@@ -140,7 +140,9 @@ json compare_results(const model::Case& data, const json& summary) {
                {"tolerance_text", compare.tolerance.text},
                {"source", compare.source},
                {"passes", false},
-               {"note", computed ? "" : "the run did not come to this result"}};
+               {"note", computed ? ""
+                        : result ? "the run did not come to this result"
+                                 : "the case leaves this result out"}};
     if (computed) {
       entry["computed"] = *computed;
       // A difference that equals the tolerance passes, whatever the last digit of the subtraction says.

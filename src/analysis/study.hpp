@@ -30,10 +30,10 @@ struct StudyRow {
   nlohmann::json summary;  ///< the run's, as far as it came; null when there is none
 };
 
-/// Runs all variants and writes study.csv, study.md and, where there are curves, study.svg; the tables are renewed
-/// whenever a variant ends. A variant that fails does not stop the others: its row says why. Rows are in the order of
-/// the plan. Throws Error (folder_exists), Error (wrong_input) when --resume meets results of another input, both
-/// before anything is written; Error (cannot_write) for the study's own files.
+/// Runs all variants and writes study.csv, study.json, study.md and, where there are curves, study.svg; the tables are
+/// renewed whenever a variant ends. A variant that fails does not stop the others: its row says why. Rows are in the
+/// order of the plan. Throws Error (folder_exists), Error (wrong_input) when --resume meets results of another input,
+/// both before anything is written; Error (cannot_write) for the study's own files.
 std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options);
 
 /// One error for all rows that did not finish, with the code of the gravest; nothing when all did.

@@ -9,6 +9,7 @@ void add_run(CLI::App& app);
 void add_study(CLI::App& app);
 void add_collect(CLI::App& app);
 void add_plot(CLI::App& app);
+void add_report(CLI::App& app);
 void add_check(CLI::App& app);
 void add_manual(CLI::App& app);
 void add_template(CLI::App& app);

@@ -9,6 +9,7 @@
 
 #include "analysis/summary.hpp"
 #include "app/case_options.hpp"
+#include "app/closing_report.hpp"
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
@@ -20,7 +21,7 @@ struct RunCommand {
   CaseOptions input;
   std::string folder;
   int threads = 0;
-  bool resume = false, overwrite = false, quiet = false;
+  bool resume = false, overwrite = false, quiet = false, no_report = false;
 };
 
 void run(const RunCommand& command) {
@@ -34,8 +35,11 @@ void run(const RunCommand& command) {
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;
-  const nlohmann::json summary = analysis::run_case(loaded, options);
-  if (!command.quiet) fmt::print("{}Results are in {}\n", analysis::write_digest(summary), options.folder.string());
+  nlohmann::json summary;
+  do_and_report(options.folder, !command.no_report, [&] { summary = analysis::run_case(loaded, options); });
+  if (command.quiet) return;
+  fmt::print("{}Results are in {}{}\n", analysis::write_digest(summary), options.folder.string(),
+             command.no_report ? "" : "; open report.html there in a browser");
 }
 
 }  // namespace
@@ -50,6 +54,7 @@ void add_run(CLI::App& app) {
   CLI::Option* resume =
       command->add_flag("--resume", options->resume, "Go on with an interrupted run in the same folder");
   command->add_flag("--overwrite", options->overwrite, "Replace results that are in the folder")->excludes(resume);
+  command->add_flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
   command->add_flag("-q,--quiet", options->quiet, "Print errors only");
   command->callback([options] { run(*options); });
 }

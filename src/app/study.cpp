@@ -9,6 +9,7 @@
 
 #include "analysis/study_table.hpp"
 #include "app/case_options.hpp"
+#include "app/closing_report.hpp"
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
@@ -20,7 +21,7 @@ struct StudyCommand {
   CaseOptions input;
   std::string folder;
   int threads = 0;
-  bool resume = false, overwrite = false, quiet = false;
+  bool resume = false, overwrite = false, quiet = false, no_report = false;
 };
 
 void run_study(const StudyCommand& command) {
@@ -35,10 +36,11 @@ void run_study(const StudyCommand& command) {
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;
-  const std::vector<analysis::StudyRow> rows = analysis::run_study(plan, options);
+  std::vector<analysis::StudyRow> rows;
+  do_and_report(options.folder, !command.no_report, [&] { rows = analysis::run_study(plan, options); });
   if (!command.quiet)
-    fmt::print("{}\nTables and results are in {}\n", analysis::write_study_markdown(plan, rows),
-               options.folder.string());
+    fmt::print("{}\nTables and results are in {}{}\n", analysis::write_study_markdown(plan, rows),
+               options.folder.string(), command.no_report ? "" : "; open report.html there in a browser");
   if (const auto failure = analysis::find_failure(plan, rows)) throw *failure;
 }
 
@@ -54,6 +56,7 @@ void add_study(CLI::App& app) {
   CLI::Option* resume =
       command->add_flag("--resume", options->resume, "Keep finished variants and go on with interrupted ones");
   command->add_flag("--overwrite", options->overwrite, "Replace results that are in the folder")->excludes(resume);
+  command->add_flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
   command->add_flag("-q,--quiet", options->quiet, "Print errors only");
   command->callback([options] { run_study(*options); });
 }

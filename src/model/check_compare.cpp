@@ -52,17 +52,12 @@ void check_compare(const Case& data, Findings& findings) {
     const Compare& compare = data.compare[i];
     const std::string path = fmt::format("compare.{}", i);
     if (!findings.is_sound(path + ".name")) continue;
-    const std::optional<ResultName> result = find_result_name(data, compare.name);
+    const std::optional<ResultName> result = find_possible_name(data, compare.name);
     if (!result) {
       findings.add(path + ".name",
                    fmt::format("the case yields no result '{}'; {}", compare.name, suggest(data, compare.name)));
       continue;
     }
-    const auto factor = find_trial_factor(compare.name);
-    const Curve& curve = data.strength_reduction.curve;
-    if (factor && findings.is_sound("strength_reduction.curve") && (*factor < curve.from || *factor > curve.to))
-      findings.add(path + ".name", fmt::format("the curve goes from SRF {:g} to {:g}; there is no trial at {:g}",
-                                               curve.from, curve.to, *factor));
     check_amount(compare.value, *result, path + ".value", "value", findings);
     if (compare.tolerance.unit != per_cent)
       check_amount(compare.tolerance, *result, path + ".tolerance", "tolerance", findings);

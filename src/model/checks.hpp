@@ -17,7 +17,8 @@ void check_materials(const Case& data, Findings& findings);
 void check_conditions(const Case& data, Findings& findings);
 /// Stages, strength reduction and names of monitors.
 void check_analysis(const Case& data, Findings& findings);
-/// Names, units and tolerances of the values that results are held against.
+/// Names, units and tolerances of the values that results are held against. A result that this case leaves out is no
+/// fault: the report says that it was not calculated.
 void check_compare(const Case& data, Findings& findings);
 
 /// Reports boundaries and tractions on sides that are not in `sides`.

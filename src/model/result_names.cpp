@@ -12,7 +12,18 @@ namespace talus::model {
 namespace {
 
 constexpr const char* trial_prefix = "curve.displacement[";
+constexpr const char* runout_prefix = "runout[";
 constexpr const char* per_cent = "%";
+
+/// The number that stands in `text` between `prefix`, with which it begins, and the first `end`.
+std::optional<double> read_number_between(const std::string& text, const std::string& prefix, const std::string& end) {
+  const auto close = text.find(end);
+  if (!text.starts_with(prefix) || close == std::string::npos) return std::nullopt;
+  double number = 0;
+  const char *first = text.data() + prefix.size(), *last = text.data() + close;
+  const auto [stop, error] = std::from_chars(first, last, number);
+  return error == std::errc() && stop == last ? std::optional(number) : std::nullopt;
+}
 
 ResultName name_trial(const std::string& name, double factor) {
   return {name, fmt::format("largest displacement at SRF {:g}", factor), "m"};
@@ -69,12 +80,7 @@ std::vector<ResultName> list_result_names(const Case& data) {
 }
 
 std::optional<double> find_trial_factor(const std::string& name) {
-  const std::string prefix = trial_prefix;
-  if (!name.starts_with(prefix) || !name.ends_with("]")) return std::nullopt;
-  double factor = 0;
-  const char *first = name.data() + prefix.size(), *last = name.data() + name.size() - 1;
-  const auto [end, error] = std::from_chars(first, last, factor);
-  return error == std::errc() && end == last ? std::optional(factor) : std::nullopt;
+  return name.ends_with("]") ? read_number_between(name, trial_prefix, "]") : std::nullopt;
 }
 
 std::optional<ResultName> find_result_name(const Case& data, const std::string& name) {
@@ -82,6 +88,18 @@ std::optional<ResultName> find_result_name(const Case& data, const std::string& 
   if (const auto factor = find_trial_factor(name); factor && has_curve) return name_trial(name, *factor);
   for (const ResultName& known : list_result_names(data))
     if (known.name == name) return known;
+  return std::nullopt;
+}
+
+std::optional<ResultName> find_possible_name(const Case& data, const std::string& name) {
+  Case asked = data;
+  asked.strength_reduction.curve.enabled = asked.strength_reduction.frozen.enabled = true;
+  if (const auto factor = read_number_between(name, runout_prefix, "]."))
+    asked.strength_reduction.curve.runout = {*factor};
+  for (const AnalysisKind kind : {AnalysisKind::strength_reduction, AnalysisKind::run}) {
+    asked.analysis = kind;
+    if (const auto found = find_result_name(asked, name)) return found;
+  }
   return std::nullopt;
 }
 

@@ -25,6 +25,10 @@ std::optional<double> find_trial_factor(const std::string& name);
 /// The result called `name`, also of a trial of the curve; nothing when the case does not yield it.
 std::optional<ResultName> find_result_name(const Case& data, const std::string& name);
 
+/// The result called `name` of the same case when it is asked for more: a [[compare]] stays right when --set or a study
+/// leaves a calculation out. Nothing when no such case yields it.
+std::optional<ResultName> find_possible_name(const Case& data, const std::string& name);
+
 /// `amount` in SI. A plain number is SI already.
 double to_si(const Amount& amount);
 

@@ -1,0 +1,25 @@
+#include "app/closing_report.hpp"
+
+#include "base/error.hpp"
+#include "report/report.hpp"
+
+namespace talus::app {
+
+void do_and_report(const std::filesystem::path& folder, bool wants_report, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    // Input errors and a folder that is taken come before anything is written: what lies there is of another run.
+    const bool has_begun = error.code() != ExitCode::wrong_input && error.code() != ExitCode::folder_exists;
+    if (wants_report && has_begun) {
+      try {
+        report::write_report(folder);
+      } catch (const Error&) {  // the first error is the one to tell
+      }
+    }
+    throw;
+  }
+  if (wants_report) report::write_report(folder);
+}
+
+}  // namespace talus::app

@@ -1,0 +1,23 @@
+// `talus report DIR`: one HTML file that shows what a folder of results holds.
+
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "app/commands.hpp"
+
+namespace talus::app {
+
+void add_report(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("report", "Write a report of a run or a study as one HTML file");
+  const auto folder = std::make_shared<std::string>();
+  command
+      ->add_option("DIR", *folder, "folder of the results of a run, finished or not, or of a study; gets report.html")
+      ->required();
+  command->callback([folder] { fmt::print("{}\n", report::write_report(*folder).string()); });
+}
+
+}  // namespace talus::app

@@ -1,0 +1,21 @@
+#pragma once
+// The answer of a run in plain words, and the factors of safety with what they rest on.
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "report/folder.hpp"
+
+namespace talus::report {
+
+/// The factor of safety that the first sentence names: at frozen geometry, else by the first criterion of the curve
+/// that found one.
+std::optional<double> find_main_factor(const nlohmann::json& summary);
+
+/// `Answer` of web/src/contract.ts.
+nlohmann::json make_answer(const ResultFolder& folder);
+
+/// finished, interrupted, unstable, failed; "unfinished" for a run that was killed.
+std::string find_status(const nlohmann::json& summary);
+
+}  // namespace talus::report

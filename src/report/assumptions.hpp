@@ -1,0 +1,11 @@
+#pragma once
+// What the numbers of a run rest on and where they end, as sentences derived from its case and its results.
+
+#include <nlohmann/json.hpp>
+
+namespace talus::report {
+
+/// The sentences that apply, the ones that concern every reader first.
+nlohmann::json list_assumptions(const nlohmann::json& summary);
+
+}  // namespace talus::report

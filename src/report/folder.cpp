@@ -1,0 +1,98 @@
+#include "report/folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+
+#include "base/error.hpp"
+
+namespace talus::report {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+[[noreturn]] void fail(const std::string& sentence) {
+  throw Error(ExitCode::wrong_input, sentence);
+}
+
+bool holds_frames(const fs::path& folder) {
+  if (fs::exists(folder / "results.vtkhdf")) return true;
+  if (!fs::is_directory(folder / "frames")) return false;
+  const fs::directory_iterator files(folder / "frames");
+  return std::any_of(begin(files), end(files), [](const auto& file) { return file.path().extension() == ".h5"; });
+}
+
+std::vector<TrialFolder> list_trials(const fs::path& folder) {
+  static constexpr std::string_view prefix = "srf_";
+  std::vector<TrialFolder> trials;
+  if (!fs::is_directory(folder)) return trials;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_directory() || !name.starts_with(prefix)) continue;
+    TrialFolder trial;
+    trial.path = entry.path();
+    const char* end = name.data() + name.size();
+    if (std::from_chars(name.data() + prefix.size(), end, trial.factor).ptr != end) continue;
+    trial.result = read_json(entry.path() / "trial.json");
+    trial.runs_out = fs::exists(entry.path() / "history.csv");
+    trials.push_back(std::move(trial));
+  }
+  std::sort(trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.factor < b.factor; });
+  return trials;
+}
+
+/// A run that was killed before its summary has frames only; plane strain is known by its zeros.
+void note_dimension(ResultFolder& folder) {
+  if (folder.summary.contains("mesh") || !folder.frames || folder.frames->size() == 0) return;
+  const output::Frame frame = folder.frames->read(0);
+  bool plane = true;
+  for (std::size_t i = 2; i < frame.positions.size(); i += 3) plane = plane && frame.positions[i] == 0;
+  folder.summary["mesh"] = {{"dimension", plane ? 2 : 3}, {"points", frame.point_count()}};
+}
+
+}  // namespace
+
+std::shared_ptr<const output::ResultsReader> open_frames(const fs::path& folder) {
+  return holds_frames(folder) ? std::make_shared<const output::ResultsReader>(folder) : nullptr;
+}
+
+json read_json(const fs::path& path) {
+  std::ifstream file(path);
+  if (!file) return {};
+  try {
+    return json::parse(file);
+  } catch (const json::exception& error) {
+    fail(fmt::format("cannot read '{}': {}", path.string(), error.what()));
+  }
+}
+
+ResultFolder open_folder(const fs::path& path) {
+  if (!fs::is_directory(path)) fail(fmt::format("there is no folder '{}'", path.string()));
+  ResultFolder folder;
+  folder.path = path;
+  folder.summary = read_json(path / "summary.json");
+  folder.study = read_json(path / "study.json");
+  for (const auto& [name, found] : {std::pair{"summary.json", &folder.summary}, {"study.json", &folder.study}})
+    if (!found->is_null() && !found->is_object())
+      fail(fmt::format("'{}' is no result of Talus: it should hold one JSON object", (path / name).string()));
+  folder.trials = list_trials(path / "trials");
+  folder.frames = open_frames(path);
+  if (folder.summary.is_null() && folder.study.is_null() && !folder.frames && folder.trials.empty()) {
+    if (fs::exists(path / "study.csv"))
+      fail(
+          fmt::format("the study in '{}' has no study.json, which older versions did not write; "
+                      "`talus study CASE -o {} --resume` adds it without calculating anything again",
+                      path.string(), path.string()));
+    fail(fmt::format("'{}' is no folder of results: it holds neither summary.json nor study.json nor frames of a run",
+                     path.string()));
+  }
+  if (folder.summary.is_null()) folder.summary = json::object();
+  note_dimension(folder);
+  return folder;
+}
+
+}  // namespace talus::report

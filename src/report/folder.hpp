@@ -1,0 +1,41 @@
+#pragma once
+// What a results folder holds: of a finished run, of one that was interrupted or killed, or of a study.
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "output/results.hpp"
+
+namespace talus::report {
+
+/// The frames of `folder`; nullptr when it has none. Throws Error (wrong_input) when a file is damaged.
+std::shared_ptr<const output::ResultsReader> open_frames(const std::filesystem::path& folder);
+
+/// A JSON file; null when there is none. Throws Error (wrong_input) naming the file when it cannot be read.
+nlohmann::json read_json(const std::filesystem::path& path);
+
+/// A trial of the displacement curve: folder/trials/srf_1.4500.
+struct TrialFolder {
+  std::filesystem::path path;
+  double factor = 0;
+  nlohmann::json result;  ///< trial.json; null while the trial is not finished
+  bool runs_out = false;  ///< goes on after the trial until rest
+};
+
+struct ResultFolder {
+  std::filesystem::path path;
+  nlohmann::json summary;           ///< summary.json; an empty object when the run did not come to write it
+  nlohmann::json study;             ///< study.json; null for a run
+  std::vector<TrialFolder> trials;  ///< by factor
+  std::shared_ptr<const output::ResultsReader> frames;  ///< of the stages; nullptr when there are none
+
+  bool is_study() const { return !study.is_null(); }
+};
+
+/// Throws Error (wrong_input) with one sentence when `path` is no folder of results.
+ResultFolder open_folder(const std::filesystem::path& path);
+
+}  // namespace talus::report

@@ -1,0 +1,11 @@
+#pragma once
+// Which paragraphs of the methods section apply to a run (`Method` in web/src/contract.ts).
+
+#include <nlohmann/json.hpp>
+
+namespace talus::report {
+
+/// In the order in which they are read.
+nlohmann::json list_methods(const nlohmann::json& summary);
+
+}  // namespace talus::report

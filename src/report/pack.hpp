@@ -1,0 +1,57 @@
+#pragma once
+// Arrays of a report as text: quantised, compressed, in base64 (`PackedArray` in web/src/contract.ts).
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace talus::report {
+
+/// Standard base64 (RFC 4648) with padding.
+std::string encode_base64(std::span<const std::uint8_t> bytes);
+
+/// Numbers 0 … 65534 of `values` between the smallest and the largest finite one; 65535 for what is not finite.
+struct Quantised {
+  std::vector<std::uint16_t> codes;
+  double min = 0, max = 0;  ///< both 0 when no value is finite
+};
+Quantised quantise(std::span<const double> values);
+
+/// An array inside the page.
+struct PackedText {
+  std::string id;
+  std::string base64;
+};
+
+/// Collects the arrays of a report. add_* return what the document says about the array and are cheap; the work is done
+/// by compress(), array by array.
+class Packer {
+ public:
+  /// u16 with range. With `delta` every row along the first axis is stored as its difference to the row before it:
+  /// shorter where a row resembles the one before it.
+  nlohmann::json add_values(const std::string& id, std::span<const double> values,
+                            const std::vector<std::size_t>& shape, bool delta);
+  nlohmann::json add_bytes(const std::string& id, std::span<const std::uint8_t> values,
+                           const std::vector<std::size_t>& shape);
+  nlohmann::json add_numbers(const std::string& id, std::span<const std::uint32_t> values,
+                             const std::vector<std::size_t>& shape, bool delta);
+  /// f32.
+  nlohmann::json add_reals(const std::string& id, std::span<const double> values,
+                           const std::vector<std::size_t>& shape);
+
+  std::vector<PackedText> compress(int threads) const;
+
+ private:
+  struct Array {
+    std::string id;
+    std::vector<std::uint8_t> bytes;  ///< in planes
+  };
+  nlohmann::json keep(const std::string& id, const char* type, const std::vector<std::size_t>& shape, bool delta,
+                      std::vector<std::uint8_t> bytes);
+  std::vector<Array> arrays_;
+};
+
+}  // namespace talus::report

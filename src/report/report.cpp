@@ -1,0 +1,104 @@
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "output/atomic_file.hpp"
+#include "report/answer.hpp"
+#include "report/assumptions.hpp"
+#include "report/curve.hpp"
+#include "report/folder.hpp"
+#include "report/head.hpp"
+#include "report/look_up.hpp"
+#include "report/methods.hpp"
+#include "report/model.hpp"
+#include "report/page.hpp"
+#include "report/run_sequences.hpp"
+#include "report/study.hpp"
+#include "report/tables.hpp"
+
+namespace talus::report {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// What a run and a study have in common, from the summary of the run (of a study: of its first variant).
+json make_common(const ResultFolder& folder, Packer& packer) {
+  const json& summary = folder.summary;
+  const ShownUnits units = read_units(summary);
+  return {{"format", 1},
+          {"kind", "run"},
+          {"project", make_project(summary)},
+          {"status", find_status(summary)},
+          {"units",
+           {{"length", to_json(units.length)},
+            {"displacement", to_json(units.displacement)},
+            {"stress", to_json(units.stress)}}},
+          {"model", make_model(folder, find_main_factor(summary), packer)},
+          {"sequences", json::array()},
+          {"tables", json::array()},
+          {"comparisons", find_list(summary, {"comparisons"})},
+          {"assumptions", list_assumptions(summary)},
+          {"methods", list_methods(summary)},
+          {"input", summary.value("input", json::object())},
+          {"provenance", make_provenance(summary, folder.path)},
+          {"timing", make_timing(summary)}};
+}
+
+json make_run(const ResultFolder& folder, Packer& packer) {
+  json document = make_common(folder, packer);
+  if (const std::string error = get_text(folder.summary, {"error"}); !error.empty()) document["error"] = error;
+  document["answer"] = make_answer(folder);
+  document["warnings"] = find_list(folder.summary, {"warnings"});
+  if (json curve = make_curve(folder); !curve.is_null()) document["curve"] = std::move(curve);
+  document["sequences"] = pack_sequences(folder, packer);
+  document["tables"] = make_tables(folder);
+  return document;
+}
+
+json make_study_report(const ResultFolder& folder, Packer& packer) {
+  const StudyContent study = read_study(folder);
+  ResultFolder first = study.first;
+  first.path = folder.path;  // its own frames are not shown; its folder's name must not be taken for the study's
+  json document = make_common(first, packer);
+  document["kind"] = "study";
+  document["status"] = study.status;
+  document["answer"] = study.answer;
+  document["warnings"] = study.warnings;
+  document["study"] = study.table;
+  document["comparisons"] = json::array();
+  document["timing"] = study.timing;
+  return document;
+}
+
+}  // namespace
+
+Content collect_report(const fs::path& path) {
+  const ResultFolder folder = open_folder(path);
+  Packer packer;
+  Content content;
+  try {
+    content.document = folder.is_study() ? make_study_report(folder, packer) : make_run(folder, packer);
+  } catch (const json::exception& error) {
+    throw Error(ExitCode::wrong_input,
+                fmt::format("cannot make a report of '{}': its {} is not as this version writes it ({})", path.string(),
+                            folder.is_study() ? "study.json" : "summary.json", error.what()));
+  }
+  content.arrays = packer.compress(default_threads());
+  return content;
+}
+
+fs::path write_report(const fs::path& folder) {
+  const Content content = collect_report(folder);
+  const fs::path path = folder / "report.html";
+  output::write_atomically(
+      path,
+      fill_page(get_page(), content.document["project"]["title"].get<std::string>(), content.document, content.arrays),
+      "the results are whole");
+  return path;
+}
+
+}  // namespace talus::report

@@ -1,0 +1,117 @@
+#include "report/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "report/curve.hpp"
+#include "report/head.hpp"
+#include "report/look_up.hpp"
+
+namespace talus::report {
+
+using nlohmann::json;
+
+namespace {
+
+/// A number in full digits; null for a word or nothing.
+json to_number(const std::string& text) {
+  double value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return failure == std::errc() && end == text.data() + text.size() && !text.empty() ? json(value) : json();
+}
+
+json make_column(const json& column) {
+  json shown = json::array(), values = json::array();
+  for (const json& cell : find_list(column, {"cells"})) {
+    shown.push_back(get_text(cell, {"shown"}));
+    values.push_back(to_number(get_text(cell, {"full"})));
+  }
+  return {{"name", get_text(column, {"name"})},
+          {"title", get_text(column, {"title"})},
+          {"unit", get_text(column, {"unit"})},
+          {"shown", shown},
+          {"values", values}};
+}
+
+/// "FoS, frozen: 1.39 to 1.45 over 12 variants".
+void say_ranges(const json& columns, json& sentences) {
+  for (const json& c : columns) {
+    const std::string name = c["name"];
+    if (!name.starts_with("FoS") && !name.starts_with("front advance") && name != "largest displacement") continue;
+    double low = 0, high = 0;
+    int count = 0;
+    for (const json& v : c["values"]) {
+      if (!v.is_number()) continue;
+      const double value = v;
+      low = count == 0 ? value : std::min(low, value);
+      high = count == 0 ? value : std::max(high, value);
+      ++count;
+    }
+    if (count == 0) continue;
+    const std::string unit = c["unit"] == "" ? "" : " " + c["unit"].get<std::string>();
+    const std::string title = name.starts_with("FoS, ") ? "The factor of safety (" + name.substr(5) + ")"
+                                                        : "The " + c["title"].get<std::string>();
+    sentences.push_back(count == 1 ? fmt::format("{} is {:.4g}{} in the one variant that has it.", title, low, unit)
+                                   : fmt::format("{} lies between {:.4g}{} and {:.4g}{} over {} variants.", title, low,
+                                                 unit, high, unit, count));
+  }
+}
+
+}  // namespace
+
+StudyContent read_study(const ResultFolder& folder) {
+  StudyContent content;
+  content.first.summary = json::object();
+  json rows = json::array(), vary = json::array(), columns = json::array(), warnings = json::array();
+  std::map<std::string, int> statuses;
+  double wall = 0, cpu = 0;
+  for (const json& v : find_list(folder.study, {"variants"})) {
+    const std::string name = get_text(v, {"name"}), status = get_text(v, {"status"}, "not started");
+    const json summary = read_json(folder.path / get_text(v, {"folder"}, name) / "summary.json");
+    json row{{"name", name},
+             {"status", status},
+             {"reason", get_text(v, {"reason"})},
+             {"warnings", summary.is_object() ? find_list(summary, {"warnings"}) : json::array()}};
+    ++statuses[status];
+    if (!row["reason"].get<std::string>().empty())
+      warnings.push_back(fmt::format("{}: {}", name, row["reason"].get<std::string>()));
+    for (const json& w : row["warnings"]) warnings.push_back(fmt::format("{}: {}", name, w.get<std::string>()));
+    if (summary.is_object()) {
+      if (json curve = make_curve(summary); !curve.is_null()) row["curve"] = std::move(curve);
+      wall += get_number(summary, {"timing", "wall"});
+      cpu += get_number(summary, {"timing", "cpu"});
+      if (content.first.summary.empty()) content.first.summary = summary;
+    }
+    rows.push_back(std::move(row));
+  }
+  std::string keys;
+  for (const json& k : find_list(folder.study, {"vary"})) {
+    vary.push_back({{"key", get_text(k, {"key"})}, {"values", find_list(k, {"values"})}});
+    keys += fmt::format("{}{}", keys.empty() ? "" : ", ", get_text(k, {"key"}));
+  }
+  for (const json& c : find_list(folder.study, {"columns"})) columns.push_back(make_column(c));
+
+  const bool finished = statuses.size() == 1 && statuses.contains("finished");
+  content.status = finished                           ? "finished"
+                   : statuses.contains("interrupted") ? "interrupted"
+                   : statuses.contains("not started") ? "unfinished"
+                   : statuses.contains("unstable")    ? "unstable"
+                                                      : "failed";
+  json sentences = json::array();
+  sentences.push_back(fmt::format("A study of {} variant{} of one case{}; {} finished.", rows.size(),
+                                  rows.size() == 1 ? "" : "s", keys.empty() ? "" : ", which differ in " + keys,
+                                  finished ? std::string("all") : std::to_string(statuses["finished"])));
+  say_ranges(columns, sentences);
+  if (const std::string title = get_text(folder.study, {"title"}); !title.empty())
+    content.first.summary["title"] = title;
+  content.answer = {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
+  content.warnings = warnings;
+  content.timing = {{"wall", wall}, {"cpu", cpu}, {"parts", json::array()}};
+  content.table = {{"vary", vary}, {"mode", get_text(folder.study, {"mode"})}, {"columns", columns}, {"rows", rows}};
+  return content;
+}
+
+}  // namespace talus::report

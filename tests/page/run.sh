@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# The report of the dry slope, as the program writes it: held against its contract and its results by the tests of web/,
+# then opened and used in a headless Chromium. The second argument is a folder for results and screenshots.
+set -euo pipefail
+talus=$1
+folder=$2
+root=$(cd "$(dirname "$0")/../.." && pwd)
+skip() {
+  echo "SKIP: $1" >&2
+  exit 77
+}
+command -v node >/dev/null || skip "there is no Node, so the page of the reports is not tested"
+[ -d "$root/web/node_modules" ] || skip "web/node_modules is not there (the build installs it), so the page is not tested"
+
+"$talus" run "$root/examples/dry_slope/case.toml" -o "$folder/results" --overwrite --quiet
+size=$(stat -c %s "$folder/results/report.html")
+echo "report.html: $size bytes"
+[ "$size" -lt 10000000 ] || { echo "the dry slope's report must stay under 10 MB" >&2; exit 1; }
+
+cd "$root/web"
+TALUS_REPORT=$folder/results/report.html TALUS_RESULTS=$folder/results npx --no-install vitest run
+[ -x "${TALUS_CHROMIUM:-/usr/bin/chromium}" ] || skip "there is no Chromium, so the report is not opened"
+node browser/check.mjs "$folder/results/report.html" "$folder/results" "$folder/screenshots"

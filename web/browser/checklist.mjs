@@ -1,0 +1,36 @@
+// Collects what holds and what does not: one line each, all checks run even when an early one fails.
+
+export class Checklist {
+  failures = [];
+  passed = 0;
+
+  /** Notes a fact; `detail` says what was seen. */
+  expect(holds, what, detail = "") {
+    if (holds) ++this.passed;
+    else this.failures.push(what);
+    console.log(`${holds ? "  ok  " : " FAIL "} ${what}${detail === "" || holds ? "" : `: ${detail}`}`);
+    return Boolean(holds);
+  }
+
+  /** Runs a group of checks; what it throws (a control that is not there) is a failure of the group. */
+  async group(title, run) {
+    console.log(title);
+    try {
+      await run();
+    } catch (error) {
+      this.expect(false, title, String(error.message ?? error).split("\n").slice(0, 6).join(" | "));
+    }
+  }
+
+  /** A number that the log should show, without a limit. */
+  note(what) {
+    console.log(`       ${what}`);
+  }
+
+  /** Prints the verdict and returns the exit status. */
+  finish() {
+    console.log(`${this.passed} checks hold, ${this.failures.length} fail`);
+    for (const failure of this.failures) console.log(`  failed: ${failure}`);
+    return this.failures.length === 0 ? 0 : 1;
+  }
+}

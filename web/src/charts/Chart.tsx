@@ -1,0 +1,141 @@
+/** A chart: Observable Plot as wide as its box, with a crosshair for mouse, touch and keyboard. */
+import * as Plot from "@observablehq/plot";
+import { effect, type Signal, signal } from "@preact/signals";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
+
+import { Crosshair, type CrossMark } from "./crosshair";
+import { findNearest } from "./nearest";
+import { printing } from "./printing";
+
+export interface ChartProps {
+  /** Name of the chart for assistive technology. */
+  label: string;
+  draw: (width: number) => Plot.PlotOptions;
+  /** What `draw` depends on besides the width. */
+  depends: unknown[];
+  /** Axis that the crosshair runs along. */
+  along?: "x" | "y";
+  /** Ascending abscissas at which the crosshair stops. */
+  stops: ArrayLike<number>;
+  /** Abscissa of the crosshair; charts that share the signal move together. */
+  cross?: Signal<number | null>;
+  /** What the crosshair reads at a stop, and the places it marks (in the units of the axes). */
+  read: (stop: number) => { text: string; marks: CrossMark[] };
+  /** Whether the reading stands above the chart or is only spoken. */
+  showReading?: boolean;
+  /** What stands there before anything is read. */
+  hint?: string;
+  onPick?: (stop: number) => void;
+  /** Abscissa of a second line that the viewer moves; read inside an effect. */
+  ruler?: () => number | null;
+  /** Largest width in print [px]. */
+  printWidth?: number;
+}
+
+const steps: Record<string, (i: number, last: number) => number> = {
+  ArrowLeft: (i) => i - 1,
+  ArrowDown: (i) => i - 1,
+  ArrowRight: (i) => i + 1,
+  ArrowUp: (i) => i + 1,
+  PageDown: (i, last) => i - Math.max(1, Math.round(last / 10)),
+  PageUp: (i, last) => i + Math.max(1, Math.round(last / 10)),
+  Home: () => 0,
+  End: (_, last) => last,
+};
+
+export function Chart(props: ChartProps) {
+  const box = useRef<HTMLDivElement>(null);
+  const [width, setWidth] = useState(0);
+  const [own] = useState(() => signal<number | null>(null));
+  const cross = props.cross ?? own;
+  const crosshair = useRef<Crosshair | null>(null);
+  const latest = useRef(props);
+  latest.current = props;
+  const drawn = printing.value ? Math.min(width || 640, props.printWidth ?? 660) : width;
+
+  useLayoutEffect(() => {
+    const element = box.current!;
+    const measure = () => setWidth(Math.floor(element.clientWidth));
+    measure();
+    const observer = new ResizeObserver(measure);
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
+
+  useLayoutEffect(() => {
+    if (drawn <= 0) return;
+    const options = latest.current.draw(drawn);
+    const plot = Plot.plot({ ...options, width: drawn, className: "talus-plot" });
+    const svg = plot as unknown as SVGSVGElement;
+    svg.setAttribute("aria-hidden", "true");
+    box.current!.replaceChildren(svg);
+    const along = latest.current.along ?? "x";
+    const hair = new Crosshair(svg, plot.scale("x")!, plot.scale("y")!, along);
+    crosshair.current = hair;
+    const stopCross = effect(() => {
+      const { stops, read } = latest.current;
+      const i = cross.value === null ? -1 : findNearest(stops, cross.value);
+      hair.moveTo(i < 0 ? null : stops[i]!, i < 0 ? [] : read(i).marks);
+    });
+    const stopRuler = effect(() => hair.moveRuler(latest.current.ruler?.() ?? null));
+    return () => {
+      stopCross();
+      stopRuler();
+    };
+  }, [drawn, cross, ...props.depends]);
+
+  const stops = props.stops;
+  const find = () => (cross.value === null ? -1 : findNearest(stops, cross.value));
+  const at = find();
+  const reading = at < 0 ? "" : props.read(at).text;
+  const follow = (event: PointerEvent) => {
+    const x = crosshair.current?.invert(event.clientX, event.clientY) ?? null;
+    const i = x === null ? -1 : findNearest(stops, x);
+    cross.value = i < 0 ? null : stops[i]!;
+  };
+  const press = (event: KeyboardEvent) => {
+    const last = stops.length - 1;
+    const step = steps[event.key];
+    if (last < 0) return;
+    if (step) {
+      // The first key press starts from the side that it goes away from.
+      const start = at < 0 ? (/Left|Down/.test(event.key) ? last + 1 : -1) : at;
+      cross.value = stops[Math.min(last, Math.max(0, step(start, last)))]!;
+    } else if ((event.key === "Enter" || event.key === " ") && at >= 0 && props.onPick) props.onPick(at);
+    else if (event.key === "Escape") cross.value = null;
+    else return;
+    event.preventDefault();
+  };
+
+  return (
+    <div class="chart">
+      <p class={props.showReading ? "chart-reading" : "chart-reading chart-unseen"} aria-live="polite">
+        {reading || (props.showReading ? props.hint : "")}
+      </p>
+      <div
+        ref={box}
+        class={props.onPick ? "chart-box chart-picks" : "chart-box"}
+        role="slider"
+        tabIndex={0}
+        aria-label={`${props.label}. Arrow keys read it${props.onPick ? ", Enter shows it in the viewer" : ""}.`}
+        aria-valuemin={stops.length ? stops[0] : 0}
+        aria-valuemax={stops.length ? stops[stops.length - 1] : 0}
+        aria-valuenow={at < 0 ? (stops[0] ?? 0) : stops[at]}
+        aria-valuetext={at < 0 ? "nothing read yet" : `${at + 1} of ${stops.length}`}
+        onPointerMove={follow}
+        onPointerDown={follow}
+        onPointerLeave={(event) => {
+          // After a touch the reading stays, for the finger no longer hides it.
+          if (event.pointerType !== "touch") cross.value = null;
+        }}
+        onBlur={() => (cross.value = null)}
+        onClick={(event) => {
+          follow(event as unknown as PointerEvent);
+          const i = find();
+          if (i >= 0) props.onPick?.(i);
+        }}
+        onKeyDown={press}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,80 @@
+/** Factors of safety by method and criterion, each with its bracket, drawn on one common axis. */
+import { formatFactor } from "./format";
+import type { Factor } from "../contract";
+
+export const methodNames: { [method: string]: string } = {
+  mpm: "Material points",
+  lem: "Slices",
+  fem: "Finite elements",
+};
+
+/** The common axis: all brackets and the value 1, with a little room. */
+function findRange(factors: Factor[]): [number, number] {
+  const all = factors.flatMap((factor) => [factor.value, factor.lower, factor.upper]).filter((x) => x !== null);
+  const low = Math.min(1, ...all);
+  const high = Math.max(1, ...all);
+  const room = Math.max(0.02, 0.05 * (high - low));
+  return [low - room, high + room];
+}
+
+function Strip({ factor, range: [low, high] }: { factor: Factor; range: [number, number] }) {
+  const at = (x: number) => `${((x - low) / (high - low)) * 100}%`;
+  const from = factor.lower ?? factor.value;
+  const to = factor.upper ?? factor.value;
+  return (
+    <svg class="strip" width="100%" height="14" aria-hidden="true">
+      <line class="axis" x1="0" x2="100%" y1="7" y2="7" />
+      <line class="one" x1={at(1)} x2={at(1)} y1="0" y2="14" />
+      {from !== null && to !== null && <line class="span" x1={at(from)} x2={at(to)} y1="7" y2="7" />}
+      {factor.value !== null && <circle class={factor.main ? "dot main" : "dot"} cx={at(factor.value)} cy="7" r="4" />}
+    </svg>
+  );
+}
+
+export function FactorTable({ factors }: { factors: Factor[] }) {
+  const range = findRange(factors);
+  const methods = new Set(factors.map((factor) => factor.method));
+  return (
+    <table class="factors">
+      <caption class="unseen">Factor of safety by each criterion, with the bracket that the search ended with</caption>
+      <thead>
+        <tr>
+          <th scope="col">Criterion</th>
+          <th scope="col" class="number">
+            F
+          </th>
+          <th scope="col" class="number">
+            Bracket
+          </th>
+          <th scope="col" class="strip-cell">
+            <span class="unseen">
+              Drawn from {range[0].toFixed(2)} to {range[1].toFixed(2)}; the line is at 1
+            </span>
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {factors.map((factor) => (
+          <tr key={`${factor.method} ${factor.name}`} class={factor.main ? "main" : undefined}>
+            <th scope="row" title={factor.note || undefined}>
+              {methods.size > 1 && (
+                <span class="method">{methodNames[factor.method] ?? factor.method.toUpperCase()}: </span>
+              )}
+              {factor.title}
+              {factor.value === null && factor.note && <span class="note"> – {factor.note}</span>}
+            </th>
+            <td class="number">{factor.value === null ? "none" : formatFactor(factor.value)}</td>
+            <td class="number muted">
+              {factor.lower !== null && factor.upper !== null
+                ? `${formatFactor(factor.lower)}–${formatFactor(factor.upper)}`
+                : "–"}
+            </td>
+            <td class="strip-cell">
+              <Strip factor={factor} range={range} />
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}

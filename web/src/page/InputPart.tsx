@@ -1,0 +1,137 @@
+/** The whole input as it was understood: what the case file gave, and every default. */
+import { useMemo, useState } from "preact/hooks";
+
+import { report } from "../state";
+import { CopyButton } from "./CopyButton";
+import { DataTable } from "./DataTable";
+import { formatCount, formatUnit } from "./format";
+import { formatInput, listBlocks, type InputBlock, type InputRow } from "./inputRows";
+import { Lazy } from "./Lazy";
+import { Part } from "./Part";
+import { writeToml } from "./toml";
+
+function Row({ row }: { row: InputRow }) {
+  return (
+    <tr class={row.given ? "given" : "default"}>
+      <th scope="row">
+        <code>{row.key}</code>
+      </th>
+      <td class="value">{formatInput(row.value)}</td>
+      <td>{row.value === null ? "" : formatUnit(row.unit)}</td>
+      <td>
+        <span class={row.given ? "mark given" : "mark default"}>{row.given ? "given" : "default"}</span>
+      </td>
+    </tr>
+  );
+}
+
+function Block({ block, open }: { block: InputBlock; open: boolean }) {
+  const rows = block.groups.flatMap((group) => group.rows);
+  const given = rows.filter((row) => row.given).length;
+  return (
+    <details class="input-block" open={open}>
+      <summary>
+        <code>{block.name}</code>
+        <span class="note">
+          {given} given, {formatCount(rows.length - given, "default")}
+        </span>
+      </summary>
+      <DataTable caption={`Input: ${block.name}`} quiet class="input-table">
+        <thead>
+          <tr>
+            <th scope="col">Key</th>
+            <th scope="col">Value</th>
+            <th scope="col">Unit</th>
+            <th scope="col">From</th>
+          </tr>
+        </thead>
+        {block.groups.map((group) => (
+          <tbody key={group.title}>
+            {group.title && (
+              <tr class="group">
+                <th scope="rowgroup" colSpan={4}>
+                  {group.title}
+                </th>
+              </tr>
+            )}
+            {group.rows.map((row) => (
+              <Row key={row.key} row={row} />
+            ))}
+          </tbody>
+        ))}
+      </DataTable>
+    </details>
+  );
+}
+
+/** Rows whose key, heading or value holds the text; blocks and groups without any are left out. */
+function filterBlocks(blocks: InputBlock[], text: string, onlyGiven: boolean): InputBlock[] {
+  const sought = text.trim().toLowerCase();
+  const fits = (block: InputBlock, title: string, row: InputRow) =>
+    (!onlyGiven || row.given) &&
+    (!sought ||
+      `${block.name}.${row.key} ${title} ${formatInput(row.value)} ${row.unit}`.toLowerCase().includes(sought));
+  return blocks
+    .map((block) => ({
+      ...block,
+      groups: block.groups
+        .map((group) => ({ ...group, rows: group.rows.filter((row) => fits(block, group.title, row)) }))
+        .filter((group) => group.rows.length > 0),
+    }))
+    .filter((block) => block.groups.length > 0);
+}
+
+function Echo() {
+  const [text, setText] = useState("");
+  const [onlyGiven, setOnlyGiven] = useState(false);
+  const blocks = useMemo(() => listBlocks(report.value.input), []);
+  const shown = filterBlocks(blocks, text, onlyGiven);
+  const count = shown.flatMap((block) => block.groups).reduce((sum, group) => sum + group.rows.length, 0);
+  const narrowed = text.trim() !== "" || onlyGiven;
+  return (
+    <>
+      <form class="filter no-print" onSubmit={(event) => event.preventDefault()}>
+        <label>
+          Filter{" "}
+          <input
+            type="search"
+            placeholder="damping, kPa, curve …"
+            value={text}
+            onInput={(event) => setText(event.currentTarget.value)}
+          />
+        </label>
+        <label>
+          <input type="checkbox" checked={onlyGiven} onChange={() => setOnlyGiven(!onlyGiven)} /> only what the case
+          file gave
+        </label>
+        <span class="note" role="status">
+          {formatCount(count, "value")}
+        </span>
+      </form>
+      {shown.length === 0 && <p>No key, value or unit fits.</p>}
+      <div class="input-blocks">
+        {shown.map((block) => (
+          <Block key={`${block.name} ${narrowed}`} block={block} open={narrowed} />
+        ))}
+      </div>
+    </>
+  );
+}
+
+const lead =
+  "Every value that the calculation used, also those that the case file did not name. " +
+  "A copied case file gives the same calculation again.";
+
+export function InputPart() {
+  const tools = (
+    <>
+      <CopyButton label="Copy case file" text={() => writeToml(report.value.input, true)} />
+      <CopyButton label="Copy with defaults" text={() => writeToml(report.value.input, false)} />
+    </>
+  );
+  return (
+    <Part id="input" title="Input as it was understood" lead={lead} tools={tools} newPage>
+      <Lazy height={500}>{() => <Echo />}</Lazy>
+    </Part>
+  );
+}

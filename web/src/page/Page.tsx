@@ -1,0 +1,131 @@
+/** The page: the answer first, then what it rests on. */
+import type { ComponentChildren } from "preact";
+
+import { report } from "../state";
+import { CompareSection, CurveSection, HistorySection, ProfileSection, StudySection } from "../charts/Charts";
+import { Viewer } from "../viewer/Viewer";
+import { Answer } from "./Answer";
+import { listContents } from "./contents";
+import { Guard } from "./Guard";
+import { InputPart } from "./InputPart";
+import { Lazy } from "./Lazy";
+import { MethodsPart } from "./methods/MethodsPart";
+import { Part } from "./Part";
+import { ProvenancePart } from "./ProvenancePart";
+import { Statement } from "./statement/Statement";
+import { TitleBlock } from "./statement/TitleBlock";
+import { TitleLine } from "./TitleLine";
+import { TopBar } from "./TopBar";
+import { Variants } from "./Variants";
+
+function SectionPane() {
+  const is3d = report.value.model.dimension === 3;
+  return (
+    <section id="section" class="section-pane" aria-labelledby="section-title" tabIndex={-1}>
+      <h2 id="section-title" class="unseen">
+        {is3d ? "The slope in three dimensions" : "Section through the slope"}
+      </h2>
+      <Guard what="The section">
+        <Lazy height={520}>{() => <Viewer />}</Lazy>
+      </Guard>
+    </section>
+  );
+}
+
+interface ChartProps {
+  id: string;
+  title: string;
+  /** As in "The curve cannot be shown". */
+  what: string;
+  /** About what it takes [px]. */
+  height: number;
+  draw: () => ComponentChildren;
+}
+
+function ChartPart({ id, title, what, height, draw }: ChartProps) {
+  return (
+    <Part id={id} title={title} chart>
+      <Guard what={what}>
+        <Lazy height={height}>{draw}</Lazy>
+      </Guard>
+    </Part>
+  );
+}
+
+export function Page() {
+  const { kind, sequences } = report.value;
+  const entries = listContents(report.value);
+  const has = (id: string) => entries.some((entry) => entry.id === id);
+  return (
+    <>
+      <a class="skip-link" href="#main">
+        Skip the contents
+      </a>
+      <TopBar entries={entries} />
+      <main id="main" tabIndex={-1}>
+        <TitleLine />
+        <div class="print-only">
+          <TitleBlock />
+        </div>
+        <div class={kind === "run" && sequences.length > 0 ? "first-screen" : "first-screen alone"}>
+          <Answer />
+          {has("section") && <SectionPane />}
+        </div>
+        {has("study") && (
+          <ChartPart id="study" title="Study" what="The study" height={600} draw={() => <StudySection />} />
+        )}
+        {has("variants") && <Variants />}
+        {has("curve") && (
+          <ChartPart
+            id="curve"
+            title="Displacement over strength reduction factor"
+            what="The curve"
+            height={560}
+            draw={() => <CurveSection />}
+          />
+        )}
+        {has("histories") && (
+          <ChartPart
+            id="histories"
+            title="Histories"
+            what="The histories"
+            height={1000}
+            draw={() => <HistorySection />}
+          />
+        )}
+        {has("profiles") && (
+          <ChartPart id="profiles" title="Profiles" what="The profiles" height={900} draw={() => <ProfileSection />} />
+        )}
+        {has("comparison") && (
+          <ChartPart
+            id="comparison"
+            title="Comparison with published values"
+            what="The comparison"
+            height={320}
+            draw={() => <CompareSection />}
+          />
+        )}
+        <Guard what="The report for signature">
+          <Statement />
+        </Guard>
+        {has("methods") && (
+          <Guard what="The methods">
+            <MethodsPart />
+          </Guard>
+        )}
+        <Guard what="The input">
+          <InputPart />
+        </Guard>
+        <Guard what="The provenance">
+          <ProvenancePart />
+        </Guard>
+      </main>
+      <footer class="foot">
+        <p>
+          Made by Talus {report.value.provenance.version}. Everything shown is in this file; it needs no network.
+          Numbers in the results folder “{report.value.provenance.folder}” are in SI units.
+        </p>
+      </footer>
+    </>
+  );
+}

@@ -1,0 +1,70 @@
+/** Which program made this, on what, and where the time went. */
+import { report } from "../state";
+import { DataTable, Facts } from "./DataTable";
+import { formatDate, formatDuration, formatNumber } from "./format";
+import { Part } from "./Part";
+
+/** Seconds beside each other as bars on one axis. */
+function Bars({ caption, rows }: { caption: string; rows: { title: string; seconds: number }[] }) {
+  const most = Math.max(...rows.map((row) => row.seconds), 1e-12);
+  const sum = rows.reduce((total, row) => total + row.seconds, 0);
+  return (
+    <DataTable caption={caption} class="bars">
+      <tbody>
+        {rows.map((row) => (
+          <tr key={row.title}>
+            <th scope="row">{row.title}</th>
+            <td class="number">{formatDuration(row.seconds)}</td>
+            <td class="number muted">{sum > 0 ? `${formatNumber((100 * row.seconds) / sum, 2)} %` : ""}</td>
+            <td class="bar-cell">
+              <span class="bar" style={{ width: `${(100 * row.seconds) / most}%` }} />
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </DataTable>
+  );
+}
+
+export function ProvenancePart() {
+  const { provenance, timing } = report.value;
+  const parts = [...timing.parts].sort((a, b) => b.seconds - a.seconds);
+  const busy = timing.wall > 0 ? timing.cpu / timing.wall : 0;
+  return (
+    <Part id="provenance" title="Provenance and time" lead="What is needed to make the same numbers again.">
+      <div class="columns">
+        <div>
+          <h3>Program and machine</h3>
+          <Facts
+            caption="Program and machine"
+            rows={[
+              ["Program", `${provenance.program} ${provenance.version}`],
+              ["Commit", <code>{provenance.commit || "unknown"}</code>],
+              ["Compiler", `${provenance.compiler}, ${provenance.build_type}, ${provenance.architecture}`],
+              ["Lane width", `${provenance.lane_width} numbers at a time`],
+              [
+                "Machine",
+                `${provenance.machine}, ${provenance.threads} ${provenance.threads === 1 ? "thread" : "threads"}`,
+              ],
+              ["Started", formatDate(provenance.started)],
+              ["Case file", <code>{provenance.case_file}</code>],
+              ["Input hash", <code>{provenance.input_hash}</code>],
+              ["Results folder", <code>{provenance.folder}</code>],
+            ]}
+          />
+        </div>
+        <div>
+          <h3>Time</h3>
+          <Facts
+            caption="Time of the whole calculation"
+            rows={[
+              ["Wall time", formatDuration(timing.wall)],
+              ["Processor time", `${formatDuration(timing.cpu)}, ${formatNumber(busy, 2)} cores busy on average`],
+            ]}
+          />
+          {parts.length > 0 && <Bars caption="By part of the time step, over all threads" rows={parts} />}
+        </div>
+      </div>
+    </Part>
+  );
+}

@@ -1,0 +1,95 @@
+/** The bar at the top: contents, colours, printing. It stays while the page moves. */
+import { useEffect, useRef, useState } from "preact/hooks";
+
+import type { Entry } from "./contents";
+import { printReport } from "./printing";
+
+/** The part that the reader is in: the last one whose head has passed under the bar. */
+function useCurrent(entries: Entry[]): string {
+  const [current, setCurrent] = useState(entries[0]?.id ?? "");
+  useEffect(() => {
+    let asked = false;
+    const look = () => {
+      asked = false;
+      let found = entries[0]?.id ?? "";
+      for (const { id } of entries) {
+        const top = document.getElementById(id)?.getBoundingClientRect().top;
+        // The section stands beside the answer on a wide screen: there the answer is what one reads.
+        if (top !== undefined && top < 160 && !(id === "section" && scrollY < 40)) found = id;
+      }
+      const atEnd = innerHeight + scrollY >= document.documentElement.scrollHeight - 4;
+      setCurrent(atEnd && scrollY > 0 ? (entries.at(-1)?.id ?? found) : found);
+    };
+    const onScroll = () => {
+      if (!asked) requestAnimationFrame(look);
+      asked = true;
+    };
+    addEventListener("scroll", onScroll, { passive: true });
+    return () => removeEventListener("scroll", onScroll);
+  }, [entries]);
+  return current;
+}
+
+function ThemeButton() {
+  const [theme, setTheme] = useState(document.documentElement.dataset.theme ?? "light");
+  const other = theme === "dark" ? "light" : "dark";
+  const change = () => {
+    document.documentElement.dataset.theme = other;
+    setTheme(other);
+    try {
+      localStorage.setItem("talus-theme", other);
+    } catch {
+      // A page from a disk may have no storage; the choice then lasts as long as the page.
+    }
+  };
+  return (
+    <button
+      type="button"
+      onClick={change}
+      aria-label={`Change to ${other} colours`}
+      title={`Change to ${other} colours`}
+    >
+      <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
+        <circle cx="8" cy="8" r="6" fill="none" stroke="currentColor" stroke-width="1.5" />
+        <path d="M8 2a6 6 0 0 1 0 12z" fill="currentColor" />
+      </svg>
+    </button>
+  );
+}
+
+export function TopBar({ entries }: { entries: Entry[] }) {
+  const current = useCurrent(entries);
+  const list = useRef<HTMLUListElement>(null);
+  useEffect(() => {
+    // On a narrow screen the contents scroll sideways: the current entry is kept in sight.
+    const entry = list.current?.querySelector<HTMLElement>("[aria-current]");
+    if (list.current && entry) list.current.scrollLeft = entry.offsetLeft - list.current.clientWidth / 3;
+  }, [current]);
+  return (
+    <header class="top-bar no-print">
+      <a class="brand" href="#answer" aria-label="Talus: to the top of the report">
+        <svg viewBox="0 0 16 16" width="18" height="18" aria-hidden="true">
+          <path d="M1 3h5l5 8h4v3H1z" fill="currentColor" />
+        </svg>
+        <span>Talus</span>
+      </a>
+      <nav aria-label="Contents">
+        <ul ref={list}>
+          {entries.map(({ id, label }) => (
+            <li key={id}>
+              <a href={`#${id}`} aria-current={id === current ? "true" : undefined}>
+                {label}
+              </a>
+            </li>
+          ))}
+        </ul>
+      </nav>
+      <div class="tools">
+        <ThemeButton />
+        <button type="button" onClick={printReport}>
+          Print<span class="wide-only"> or PDF</span>
+        </button>
+      </div>
+    </header>
+  );
+}

@@ -1,0 +1,49 @@
+/** What became of each variant of a study: its status, why it did not finish, its warnings. */
+import { report } from "../state";
+import { DataTable } from "./DataTable";
+import { formatCount, formatSentence } from "./format";
+import { Part } from "./Part";
+
+export function Variants() {
+  const rows = report.value.study?.rows ?? [];
+  const bad = rows.filter((row) => row.status !== "finished").length;
+  const warned = rows.filter((row) => row.warnings.length > 0).length;
+  const lead = `${formatCount(rows.length, "variant")}: ${bad === 0 ? "all finished" : `${bad} did not finish`}, ${
+    warned === 0 ? "none has warnings" : `${warned} with warnings`
+  }.`;
+  return (
+    <Part id="variants" title="Variants and their warnings" lead={lead}>
+      <DataTable caption="Status and warnings of each variant" quiet>
+        <thead>
+          <tr>
+            <th scope="col">Variant</th>
+            <th scope="col">Status</th>
+            <th scope="col">Warnings</th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map((row) => (
+            <tr key={row.name}>
+              <th scope="row">{row.name}</th>
+              <td class={row.status === "finished" ? undefined : "bad"}>
+                {row.status}
+                {row.reason && <span class="note">: {row.reason}</span>}
+              </td>
+              <td class="prose">
+                {row.warnings.length === 0 ? (
+                  <span class="muted">none</span>
+                ) : (
+                  <ul class="plain">
+                    {row.warnings.map((warning, i) => (
+                      <li key={i}>{formatSentence(warning)}</li>
+                    ))}
+                  </ul>
+                )}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </DataTable>
+    </Part>
+  );
+}

@@ -1,0 +1,28 @@
+/** Which parts this report has, in the order of the page. */
+import type { Report } from "../contract";
+
+export interface Entry {
+  id: string;
+  /** In the contents, short. */
+  label: string;
+}
+
+export function listContents(report: Report): Entry[] {
+  const isStudy = report.kind === "study";
+  const has = (kind: string) => report.tables.some((table) => table.kind === kind);
+  const entries: [boolean, string, string][] = [
+    [true, "answer", "Answer"],
+    [!isStudy && report.sequences.length > 0, "section", report.model.dimension === 3 ? "View" : "Section"],
+    [isStudy && report.study !== undefined, "study", "Study"],
+    [isStudy && report.study !== undefined, "variants", "Variants"],
+    [report.curve !== undefined, "curve", "Curve"],
+    [has("history") || has("monitors"), "histories", "Histories"],
+    [report.sequences.length > 0 || has("ground"), "profiles", "Profiles"],
+    [report.comparisons.length > 0, "comparison", "Comparison"],
+    [true, "statement", "Report"],
+    [report.methods.length > 0, "methods", "Methods"],
+    [true, "input", "Input"],
+    [true, "provenance", "Provenance"],
+  ];
+  return entries.filter(([present]) => present).map(([, id, label]) => ({ id, label }));
+}

@@ -1,0 +1,57 @@
+// Numbers as engineers write them.
+import { describe, expect, it } from "vitest";
+
+import { formatDate, formatDuration, formatFactor, formatNumber, formatQuantity, formatSentence } from "./format";
+
+describe("formatNumber", () => {
+  it.each([
+    [0, "0"],
+    [2650, "2650"],
+    [45000, "45\u202f000"],
+    [0.4539518, "0.454"],
+    [5.454197, "5.454"],
+    [91.32258, "91.32"],
+    [-12.5, "−12.5"],
+    [-45000, "−45\u202f000"],
+    [123456.7, "123\u202f457"],
+    [0.0002384, "2.384 × 10⁻⁴"],
+    [2.15e9, "2.15 × 10⁹"],
+    [null, "–"],
+    [Number.NaN, "–"],
+    [Number.POSITIVE_INFINITY, "∞"],
+  ])("writes %s as %s", (value, text) => expect(formatNumber(value)).toBe(text));
+
+  it("keeps the zeros of a result when asked to", () => {
+    expect(formatNumber(2.8, 3)).toBe("2.8");
+    expect(formatNumber(2.8, 3, true)).toBe("2.80");
+  });
+});
+
+it("converts to the unit shown and leaves a missing unit away", () => {
+  expect(formatQuantity(0.02974, { name: "mm", si: 1e-3 })).toBe("29.74\u00a0mm");
+  expect(formatQuantity(1.393, { name: "-", si: 1 })).toBe("1.393");
+  expect(formatQuantity(Math.PI / 6, { name: "deg", si: Math.PI / 180 })).toBe("30°");
+  expect(formatQuantity(null, { name: "m", si: 1 })).toBe("–");
+});
+
+it("gives factors of safety three decimals", () => {
+  expect(formatFactor(1.4)).toBe("1.400");
+  expect(formatFactor(null)).toBe("–");
+});
+
+it("says durations as a person does", () => {
+  expect(formatDuration(16.887)).toBe("16.9\u00a0s");
+  expect(formatDuration(245)).toBe("4\u00a0min 05\u00a0s");
+  // Not "60 min": rounding goes first.
+  expect(formatDuration(7199.7)).toBe("2\u00a0h 00\u00a0min");
+});
+
+it("writes dates in full and leaves other texts alone", () => {
+  expect(formatDate("2026-11-20T07:47:57Z")).toBe("20 November 2026, 07:47 UTC");
+  expect(formatDate("spring")).toBe("spring");
+});
+
+it("makes sentences of the results' lines", () => {
+  expect(formatSentence("the mesh is coarse")).toBe("The mesh is coarse.");
+  expect(formatSentence("Is it?")).toBe("Is it?");
+});

@@ -1,0 +1,87 @@
+/** Writes numbers as engineers read them: few digits, real minus signs, SI names. */
+import type { Unit } from "../contract";
+
+const superscripts: { [character: string]: string } = { "-": "⁻" };
+for (let digit = 0; digit < 10; ++digit) superscripts[String(digit)] = "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]!;
+
+/** 12345.6 → "12 345.6" with narrow spaces that do not break; four digits stay together. */
+function groupDigits(text: string): string {
+  const [whole = "", fraction] = text.split(".");
+  const digits = whole.replace("-", "");
+  const grouped = digits.length > 4 ? digits.replace(/\B(?=(\d{3})+$)/g, "\u202f") : digits;
+  return (whole.startsWith("-") ? "−" : "") + grouped + (fraction === undefined ? "" : `.${fraction}`);
+}
+
+/**
+ * A number with `digits` significant ones; whole numbers below a million stay whole. No number: a dash.
+ * `keepZeros` says how well a result is known: 2.80 and not 2.8.
+ */
+export function formatNumber(value: number | null | undefined, digits = 4, keepZeros = false): string {
+  if (value === null || value === undefined || Number.isNaN(value)) return "–";
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
+  if (value === 0) return "0";
+  if (Number.isInteger(value) && Math.abs(value) < 1e6) return groupDigits(String(value));
+  const size = Math.abs(value);
+  if (size < 1e-3 || size >= 1e7) {
+    const [mantissa = "", exponent = ""] = value.toExponential(digits - 1).split("e");
+    const power = [...exponent.replace("+", "")].map((character) => superscripts[character]).join("");
+    return `${groupDigits(String(Number(mantissa)))} × 10${power}`;
+  }
+  // Digits before the point are never rounded away: 123 456.7 is not 123 500.
+  const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
+  const text = value.toFixed(decimals);
+  return groupDigits(decimals > 0 && !keepZeros ? text.replace(/\.?0+$/, "") : text);
+}
+
+/** A factor of safety: three decimals, always. */
+export function formatFactor(value: number | null | undefined): string {
+  return value === null || value === undefined ? "–" : value.toFixed(3).replace("-", "−");
+}
+
+/** The name of a unit as it follows a number; quantities without one show nothing. */
+export function formatUnit(name: string): string {
+  const shown =
+    name === "-" || name === "1" ? "" : name.replace(/m2\b/, "m²").replace(/m3\b/, "m³").replace(/s2\b/, "s²");
+  return shown === "deg" ? "°" : shown;
+}
+
+/** A value in SI, in its unit: "5.454 m". */
+export function formatQuantity(value: number | null | undefined, unit: Unit, digits = 4, keepZeros = false): string {
+  const number = formatNumber(value === null || value === undefined ? value : value / unit.si, digits, keepZeros);
+  const name = formatUnit(unit.name);
+  return number === "–" || !name ? number : name === "°" ? `${number}°` : `${number}\u00a0${name}`;
+}
+
+/** Seconds as a person says them: "16.9 s", "4 min 05 s", "2 h 10 min". */
+export function formatDuration(seconds: number): string {
+  if (seconds < 120) return `${formatNumber(seconds, 3)}\u00a0s`;
+  const whole = Math.round(seconds);
+  const pad = (n: number) => String(n).padStart(2, "0");
+  if (whole < 7200) return `${Math.floor(whole / 60)}\u00a0min ${pad(whole % 60)}\u00a0s`;
+  return `${Math.floor(whole / 3600)}\u00a0h ${pad(Math.floor((whole % 3600) / 60))}\u00a0min`;
+}
+
+/** ISO 8601 → "20 November 2026, 07:47 UTC"; a text that is no date stays as it is. */
+export function formatDate(iso: string): string {
+  const date = new Date(iso);
+  if (!iso || Number.isNaN(date.getTime())) return iso || "–";
+  const day = date.toLocaleDateString("en-GB", { day: "numeric", month: "long", year: "numeric", timeZone: "UTC" });
+  return iso.includes("T") ? `${day}, ${date.toISOString().slice(11, 16)} UTC` : day;
+}
+
+/** "3 warnings", "1 warning". */
+export function formatCount(count: number, one: string, many = `${one}s`): string {
+  return `${formatNumber(count)} ${count === 1 ? one : many}`;
+}
+
+/** A sentence of the results starts with a capital and ends with a full stop. */
+export function formatSentence(text: string): string {
+  const trimmed = text.trim();
+  if (!trimmed) return "";
+  return trimmed[0]!.toUpperCase() + trimmed.slice(1) + (/[.!?]$/.test(trimmed) ? "" : ".");
+}
+
+/** [x, y] → "(12, 15)". */
+export function formatPlace(place: number[]): string {
+  return `(${place.map((x) => formatNumber(x)).join(", ")})`;
+}

@@ -1,0 +1,107 @@
+/** Paragraphs on strength reduction and its criteria; rules as on the manual's page on the factor of safety. */
+import { findSetting, quoteNumber } from "./settings";
+import type { Writer } from "./paragraphs";
+
+export const writeStrengthReduction: Writer = () => [
+  {
+    text:
+      "The factor of safety is the factor $F$ by which the shear strength of all soil has to be divided to bring " +
+      "the slope to failure [@matsui1992; @griffiths1999]:",
+  },
+  {
+    tex: "c_F=\\frac cF,\\qquad \\varphi_F=\\arctan\\,\\frac{\\tan\\,\\varphi}F",
+    plain: "c_F = c / F,  φ_F = arctan(tan φ / F)",
+  },
+  {
+    text:
+      "The dilatancy angle is kept, but never above the reduced friction angle; the tensile strength is divided " +
+      "by $F$ as well; stiffness is not changed. Trials start from the state at rest under the real strength. The " +
+      "factor depends on the dilatancy angle, which has to be quoted with it.",
+  },
+];
+
+export const writeDisplacementCurve: Writer = ({ input }) => {
+  const ratio = quoteNumber(input, "strength_reduction.curve.displacement_ratio", "0.03");
+  const window = quoteNumber(input, "strength_reduction.curve.window", "5");
+  const smoothing = findSetting(input, "strength_reduction.curve.smoothing");
+  const locked =
+    smoothing === "none"
+      ? " The trials were calculated without smoothing; linear elements then lock, and every criterion on the " +
+        "curve is too high, by 10 % or more on the dry slope of the source. They serve for comparison with " +
+        "published curves."
+      : "";
+  return [
+    {
+      text:
+        "The curve of displacement over strength reduction factor was computed on moving geometry [@source]: each " +
+        `trial runs for ${window} s with its reduced strength, and its largest displacement $u$ is noted. The ` +
+        "bilinear criterion [@feng2021] fits one straight line to the slowly rising and one to the steep branch; " +
+        "the factor is where they meet:",
+    },
+    {
+      tex: "u_1=a_1+b_1F,\\quad u_2=a_2+b_2F\\quad\\Rightarrow\\quad F=\\frac{a_1-a_2}{b_2-b_1}",
+      plain: "u_1 = a_1 + b_1 F,  u_2 = a_2 + b_2 F  ⇒  F = (a_1 − a_2) / (b_2 − b_1)",
+    },
+    {
+      text:
+        `The displacement criterion takes the factor at which $u$ reaches ${ratio} $H$, with $H$ the height of ` +
+        `the slope; the jump criterion takes the interval in which $\\ln\\,u$ grows fastest.${locked}`,
+    },
+  ];
+};
+
+export const writeFrozenFactor: Writer = ({ input }) => {
+  const base = "strength_reduction.frozen";
+  const force = quoteNumber(input, `${base}.rest.force_ratio`, "$10^{-3}$");
+  const speed = quoteNumber(input, `${base}.rest.speed_ratio`, "$10^{-4}$");
+  const hold = quoteNumber(input, `${base}.rest.hold`, "0.5");
+  const failed = quoteNumber(input, `${base}.failed_displacement`, "0.1");
+  const window = quoteNumber(input, `${base}.window`, "60");
+  const meshes = findSetting(input, `${base}.meshes`);
+  const ready = findSetting(input, "mesh.file");
+  const extrapolated = meshes !== 1 && !ready;
+  return [
+    {
+      text:
+        "The factor of safety was found by rest or run-away at frozen geometry, that is, at small strains: " +
+        "positions and volumes of the points are kept, and a trial either comes to rest or runs away. It is at " +
+        "rest when the ratio of unbalanced to external force and the largest nodal speed are small,",
+    },
+    {
+      tex:
+        "\\frac{\\lVert\\mathbf f^{\\,ext}-\\mathbf f^{\\,int}\\rVert}" +
+        "{\\lVert\\mathbf f^{\\,ext}\\rVert}<r_f,\\qquad " +
+        "\\max_i\\,|\\mathbf v_i|<r_v\\sqrt{gH}",
+      plain: "‖f_ext − f_int‖ / ‖f_ext‖ < r_f,  max_i |v_i| < r_v √(g H)",
+    },
+    {
+      text:
+        `with $r_f$ = ${force} and $r_v$ = ${speed}, held for ${hold} s; it has failed when the largest ` +
+        `displacement exceeds ${failed} $H$. A trial that does neither within ${window} s counts as failed. The ` +
+        "interval between the largest factor at rest and the smallest that failed is narrowed until it is below " +
+        "the resolution asked for.",
+    },
+    ...(extrapolated
+      ? [
+          {
+            text:
+              "The search was done on two meshes, of element size $h$ and $h/2$, and the factor extrapolated " +
+              "along a straight line to $h=0$:",
+          },
+          { tex: "F=F_{h/2}-\\left(F_h-F_{h/2}\\right)", plain: "F = F_h/2 − (F_h − F_h/2)" },
+          {
+            text:
+              "The bracket given with the factor is the width of the last intervals, carried through the " +
+              "extrapolation. It is not the error of the mesh: the individual mesh moves the extrapolated factor " +
+              "by about 2 %.",
+          },
+        ]
+      : [
+          {
+            text:
+              "The search was done on one mesh and not extrapolated; on the dry slope of the source a single mesh " +
+              "is 3 to 5 % above its limit for small elements.",
+          },
+        ]),
+  ];
+};

@@ -1,0 +1,102 @@
+// The methods section: every paragraph can be drawn, numbered and copied.
+import katex from "katex";
+import { describe, expect, it } from "vitest";
+
+import schema from "../../../contract/report.schema.json";
+import type { InputTable, Method, Report } from "../../contract";
+import { writeMethods } from "./paragraphs";
+import { writePlainFormula, writePlainMethods, writeTexMethods } from "./plainText";
+import { quoteEach } from "./settings";
+
+const allMethods = (schema.definitions.Method as { enum: Method[] }).enum;
+
+const given = (value: unknown) => ({ value, given: true });
+const input: InputTable = {
+  analysis: { kind: given("strength_reduction") },
+  stage: [
+    { name: given("gravity"), damping: given(0.75), courant: given(0.9) },
+    { name: given("slide"), damping: given(0.05), courant: given(0.9) },
+  ],
+  strength_reduction: { curve: { damping: given(0.05), smoothing: given("none") }, frozen: { enabled: given(false) } },
+};
+
+const make = (methods: Method[], dimension: 2 | 3 = 2) =>
+  writeMethods({ methods, input, model: { dimension } } as unknown as Report);
+
+describe("writeMethods", () => {
+  it("has a paragraph for every method of the contract", () => {
+    expect(
+      make(allMethods)
+        .paragraphs.map((paragraph) => paragraph.method)
+        .sort(),
+    ).toEqual([...allMethods].sort());
+  });
+
+  it("names only what was used", () => {
+    expect(make(["runout", "mohr_coulomb"]).paragraphs.map((paragraph) => paragraph.method)).toEqual([
+      "mohr_coulomb",
+      "runout",
+    ]);
+  });
+
+  it("numbers equations and references in the order in which they come", () => {
+    const { paragraphs, cited } = make(allMethods);
+    const blocks = paragraphs.flatMap((paragraph) => paragraph.blocks);
+    const numbers = blocks.flatMap((block) => ("number" in block ? [block.number] : []));
+    expect(numbers).toEqual(numbers.map((_, i) => i + 1));
+    const cites = blocks
+      .flatMap((block) => ("pieces" in block ? block.pieces : []))
+      .filter((piece) => piece.kind === "cite")
+      .flatMap((piece) => piece.text.split(", ").map(Number));
+    expect([...new Set(cites)]).toEqual(cited.map((_, i) => i + 1));
+  });
+
+  it.each([2, 3] as const)("is written in TeX that can be drawn, in %iD", (dimension) => {
+    for (const method of allMethods) {
+      for (const block of make([method], dimension).paragraphs[0]!.blocks) {
+        const formulas =
+          "pieces" in block
+            ? block.pieces.filter((piece) => piece.kind === "math").map((piece) => piece.text)
+            : [block.tex];
+        for (const tex of formulas)
+          expect(() => katex.renderToString(tex, { output: "mathml", strict: "error" })).not.toThrow();
+      }
+    }
+  });
+
+  it("gives the formula of volumetric averaging once, whichever smoothing was used", () => {
+    const count = (methods: Method[]) => writePlainMethods(make(methods).paragraphs, []).split("Δε̄_vol,i =").length - 1;
+    expect(count(["strain_smoothing"])).toBe(1);
+    expect(count(["stable_smoothing"])).toBe(1);
+    expect(count(["strain_smoothing", "stable_smoothing"])).toBe(1);
+  });
+});
+
+describe("copies", () => {
+  it("leave no TeX in the plain text", () => {
+    const { paragraphs, cited } = make(allMethods);
+    expect(writePlainMethods(paragraphs, cited)).not.toMatch(/[\\${}]|\[@/);
+  });
+
+  it("balance the braces and dollars of the TeX", () => {
+    const { paragraphs, cited } = make(allMethods);
+    const text = writeTexMethods(paragraphs, cited);
+    expect(text.split("{").length).toBe(text.split("}").length);
+    expect(text.split("$").length % 2).toBe(1);
+    expect(text).not.toMatch(/[^\\]%/);
+  });
+
+  it("write short formulas in plain characters", () => {
+    expect(writePlainFormula("\\sigma_1\\ge\\sigma_2")).toBe("σ_1 ≥ σ_2");
+    expect(writePlainFormula("c/\\tan\\,\\varphi")).toBe("c/tan φ");
+    expect(writePlainFormula("10^{-3}")).toBe("10⁻³");
+  });
+});
+
+it("quotes settings by value, and trials only where they were asked for", () => {
+  expect(quoteEach(input, "damping")).toBe(
+    "0.75 in stage “gravity” and 0.05 in stage “slide” and the trials of the curve",
+  );
+  expect(quoteEach(input, "courant")).toBe("0.9 throughout");
+  expect(quoteEach(input, "mass_scaling")).toBe("");
+});

@@ -1,0 +1,80 @@
+/** The paragraphs of the methods section: which there are, in which order, with equations and references numbered. */
+import { writeDisplacementCurve, writeFrozenFactor, writeStrengthReduction } from "./factor";
+import { writeDamping, writeMassScaling, writeMaterialPoints, writeRunout, writeTimeStep } from "./motion";
+import { references, type ReferenceKey } from "./references";
+import {
+  writeLinearElastic,
+  writeMixedIntegration,
+  writeMohrCoulomb,
+  writePointIntegration,
+  writeStableSmoothing,
+  writeStrainSmoothing,
+} from "./soil";
+import type { Method, Report } from "../../contract";
+
+/** Text with $inline formulas$ and [@references], or an equation in TeX and as plain characters. */
+export type Block = { text: string } | { tex: string; plain: string };
+export type Writer = (report: Report) => Block[];
+
+const writers: { method: Method; title: string; write: Writer }[] = [
+  { method: "material_point_method", title: "Material point method", write: writeMaterialPoints },
+  { method: "time_step", title: "Time step", write: writeTimeStep },
+  { method: "mixed_integration", title: "Mixed integration", write: writeMixedIntegration },
+  { method: "point_integration", title: "Integration over points", write: writePointIntegration },
+  { method: "strain_smoothing", title: "Smoothing of volumetric strain", write: writeStrainSmoothing },
+  { method: "stable_smoothing", title: "Stable smoothing", write: writeStableSmoothing },
+  { method: "local_damping", title: "Local damping", write: writeDamping },
+  { method: "mass_scaling", title: "Mass scaling", write: writeMassScaling },
+  { method: "mohr_coulomb", title: "Mohr–Coulomb model", write: writeMohrCoulomb },
+  { method: "linear_elastic", title: "Linear elastic model", write: writeLinearElastic },
+  { method: "strength_reduction", title: "Strength reduction", write: writeStrengthReduction },
+  { method: "frozen_factor", title: "Rest or run-away at frozen geometry", write: writeFrozenFactor },
+  { method: "displacement_curve", title: "Criteria on the displacement curve", write: writeDisplacementCurve },
+  { method: "runout", title: "Runout", write: writeRunout },
+];
+
+/** A piece of running text. */
+export type Piece = { kind: "text" | "math" | "cite"; text: string };
+export type NumberedBlock = { pieces: Piece[] } | { tex: string; plain: string; number: number };
+
+export interface Paragraph {
+  method: Method;
+  title: string;
+  blocks: NumberedBlock[];
+}
+
+/** Cuts a text at its formulas and references; references become their numbers, "[1, 2]". */
+export function cutText(text: string, numberOf: (key: ReferenceKey) => number): Piece[] {
+  return text
+    .split(/(\$[^$]+\$|\[@[^\]]+\])/)
+    .filter(Boolean)
+    .map((piece): Piece => {
+      if (piece.startsWith("$")) return { kind: "math", text: piece.slice(1, -1) };
+      if (!piece.startsWith("[@")) return { kind: "text", text: piece };
+      const keys = piece
+        .slice(1, -1)
+        .split(";")
+        .map((key) => key.trim().slice(1) as ReferenceKey);
+      return { kind: "cite", text: keys.map(numberOf).join(", ") };
+    });
+}
+
+/** The paragraphs that apply to this report, and the references in the order in which they are first named. */
+export function writeMethods(report: Report): { paragraphs: Paragraph[]; cited: string[] } {
+  const cited: ReferenceKey[] = [];
+  const numberOf = (key: ReferenceKey) => {
+    if (!cited.includes(key)) cited.push(key);
+    return cited.indexOf(key) + 1;
+  };
+  let equations = 0;
+  const paragraphs = writers
+    .filter(({ method }) => report.methods.includes(method))
+    .map(({ method, title, write }) => ({
+      method,
+      title,
+      blocks: write(report).map((block): NumberedBlock =>
+        "text" in block ? { pieces: cutText(block.text, numberOf) } : { ...block, number: ++equations },
+      ),
+    }));
+  return { paragraphs, cited: cited.map((key) => references[key]) };
+}

@@ -1,0 +1,36 @@
+/** What the paragraphs of the methods section refer to. */
+export const references = {
+  source:
+    "Aldakhil, S. K. (2026). Application of the Material Point Method to the Stability and Runout Analysis of " +
+    "Vegetated Slopes. Dissertation, University of California, Los Angeles. “The source” of the Talus manual: formulation in chapter 2, strength reduction " +
+    "in chapter 3.",
+  sulsky1994:
+    "Sulsky, D., Chen, Z., Schreyer, H. L. (1994). A particle method for history-dependent materials. Computer " +
+    "Methods in Applied Mechanics and Engineering 118, 179–196.",
+  sulsky1995:
+    "Sulsky, D., Zhou, S.-J., Schreyer, H. L. (1995). Application of a particle-in-cell method to solid " +
+    "mechanics. Computer Physics Communications 87, 236–252.",
+  hughes1980:
+    "Hughes, T. J. R., Winget, J. (1980). Finite rotation effects in numerical integration of rate constitutive " +
+    "equations arising in large-deformation analysis. International Journal for Numerical Methods in Engineering " +
+    "15, 1862–1867.",
+  itasca:
+    "Itasca Consulting Group. FLAC – Fast Lagrangian Analysis of Continua, Theory and Background (local damping " +
+    "after P. Cundall). Minneapolis.",
+  detournay2006:
+    "Detournay, C., Dzik, E. (2006). Nodal mixed discretization for tetrahedral elements. Proceedings of the 4th " +
+    "International FLAC Symposium on Numerical Modeling in Geomechanics, Madrid.",
+  clausen2007:
+    "Clausen, J., Damkilde, L., Andersen, L. (2007). An efficient return algorithm for non-associated plasticity " +
+    "with linear yield criteria in principal stress space. Computers and Structures 85, 1795–1807.",
+  matsui1992:
+    "Matsui, T., San, K.-C. (1992). Finite element slope stability analysis by shear strength reduction " +
+    "technique. Soils and Foundations 32 (1), 59–70.",
+  griffiths1999:
+    "Griffiths, D. V., Lane, P. A. (1999). Slope stability analysis by finite elements. Géotechnique 49 (3), 387–403.",
+  feng2021:
+    "Feng and Xu (2021). Bilinear construction on the curve of displacement over strength reduction factor; as " +
+    "used in the source.",
+} as const;
+
+export type ReferenceKey = keyof typeof references;

@@ -1,0 +1,94 @@
+/** Geometry, mesh and water in numbers. */
+import type { ComponentChildren } from "preact";
+
+import { report } from "../../state";
+import { DataTable, Facts } from "../DataTable";
+import { formatNumber, formatPlace, formatQuantity } from "../format";
+import type { Unit } from "../../contract";
+
+const second: Unit = { name: "s", si: 1 };
+
+function describeWater(dimension: 2 | 3, count: number): string {
+  if (count === 0) return "Dry: no water table, no pore pressure";
+  return count === 1 ? "One water table, below" : `${count} water ${dimension === 3 ? "surfaces" : "tables"}, below`;
+}
+
+/** Coordinates in the report's unit of length, one after the other. */
+function Points({ points, unit }: { points: number[][]; unit: Unit }) {
+  return (
+    <span class="points">
+      {points.map((point, i) => (
+        <span key={i}>{formatPlace(point.map((x) => x / unit.si))} </span>
+      ))}
+    </span>
+  );
+}
+
+export function GeometryTables() {
+  const { model, units } = report.value;
+  const { mesh, polygons, water } = model;
+  const length = (x: number) => formatQuantity(x, units.length);
+  const place = (x: number[]) => formatPlace(x.map((value) => value / units.length.si));
+  const [low, high] = model.bounds;
+  const soilSize = high.map((x, d) => length(x - (low[d] ?? 0))).join(" × ");
+  const rows: [string, ComponentChildren][] = [
+    ["Dimension", model.dimension === 2 ? "2D, plane strain; quantities per metre of thickness" : "3D"],
+    ["Box", `${soilSize}, from ${place(low)} to ${place(high)} ${units.length.name}`],
+    ["Slope height H", length(model.slope_height)],
+    ["Water", describeWater(model.dimension, water.length)],
+    [
+      "Mesh",
+      `${formatNumber(mesh.elements)} linear ${model.dimension === 2 ? "triangles" : "tetrahedra"}, ` +
+        `${formatNumber(mesh.nodes)} nodes, ${formatNumber(mesh.points)} material points`,
+    ],
+    ["Element size", `mean side ${length(mesh.mean_size)}, smallest altitude ${length(mesh.smallest_altitude)}`],
+    ["Critical time step", formatQuantity(mesh.critical_time_step, second)],
+  ];
+  return (
+    <>
+      <Facts caption="Geometry, water and mesh" rows={rows} />
+      {polygons.length > 0 && (
+        <DataTable caption={`Polygons, corners in ${units.length.name}`}>
+          <thead>
+            <tr>
+              <th scope="col">Polygon</th>
+              <th scope="col">Material</th>
+              <th scope="col">Corners</th>
+            </tr>
+          </thead>
+          <tbody>
+            {polygons.map((polygon) => (
+              <tr key={polygon.name}>
+                <th scope="row">{polygon.name}</th>
+                <td>{polygon.material || "–"}</td>
+                <td class="prose">
+                  <Points points={polygon.points} unit={units.length} />
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </DataTable>
+      )}
+      {water.length > 0 && (
+        <DataTable caption={`Water tables, points in ${units.length.name}`}>
+          <thead>
+            <tr>
+              <th scope="col">Water table</th>
+              <th scope="col">Points</th>
+            </tr>
+          </thead>
+          <tbody>
+            {water.map((table) => (
+              <tr key={table.name}>
+                <th scope="row">{table.name}</th>
+                <td class="prose">
+                  <Points points={table.points} unit={units.length} />
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </DataTable>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,75 @@
+/** The materials: characteristic and design values, and what is left of them at failure. */
+import { report } from "../../state";
+import { DataTable, SymbolText } from "../DataTable";
+import { formatFactor, formatNumber, formatUnit } from "../format";
+
+export function MaterialTable() {
+  const { model, answer } = report.value;
+  const properties = model.materials.flatMap((material) => material.properties);
+  const hasDesign = properties.some((property) => property.design !== null);
+  const hasFailure = properties.some((property) => property.at_failure !== null);
+  const main = answer.factors.find((factor) => factor.main)?.value;
+  const columns = 4 + (hasDesign ? 1 : 0) + (hasFailure ? 1 : 0);
+  if (model.materials.length === 0) return <p>The results name no materials.</p>;
+  return (
+    <>
+      <DataTable caption="Properties of the materials" quiet>
+        <thead>
+          <tr>
+            <th scope="col">Property</th>
+            <th scope="col">Symbol</th>
+            <th scope="col">Unit</th>
+            <th scope="col" class="number">
+              Characteristic
+            </th>
+            {hasDesign && (
+              <th scope="col" class="number">
+                Design
+              </th>
+            )}
+            {hasFailure && (
+              <th scope="col" class="number">
+                At failure
+              </th>
+            )}
+          </tr>
+        </thead>
+        {model.materials.map((material) => (
+          <tbody key={material.name}>
+            <tr class="group">
+              <th scope="rowgroup" colSpan={columns}>
+                {material.name}
+                <span class="note">
+                  {" "}
+                  – {material.model}
+                  {material.regions.length > 0 && `, in ${material.regions.join(", ")}`}
+                </span>
+              </th>
+            </tr>
+            {material.properties.map((property) => (
+              <tr key={property.key}>
+                <th scope="row">{property.title}</th>
+                <td>{property.symbol && <SymbolText text={property.symbol} />}</td>
+                <td>{formatUnit(property.unit) || "–"}</td>
+                <td class="number">
+                  {property.characteristic === null ? "none" : formatNumber(property.characteristic)}
+                </td>
+                {hasDesign && <td class="number">{formatNumber(property.design)}</td>}
+                {hasFailure && <td class="number">{formatNumber(property.at_failure)}</td>}
+              </tr>
+            ))}
+          </tbody>
+        ))}
+      </DataTable>
+      <p class="note">
+        Characteristic values are those of the case file.
+        {hasDesign && " Design values are divided by the strength factor of the last stage."}
+        {hasFailure &&
+          (main
+            ? ` At failure: c/F and arctan(tan φ/F) with F = ${formatFactor(main)}.`
+            : " At failure: c/F and arctan(tan φ/F) at the factor of safety F.")}
+        {" A dash: the value is not changed, or does not apply."}
+      </p>
+    </>
+  );
+}

@@ -1,0 +1,92 @@
+/** Factors of safety with their spread, and every other number of the results. */
+import { report } from "../../state";
+import { DataTable } from "../DataTable";
+import { methodNames } from "../FactorTable";
+import { formatFactor, formatNumber, formatQuantity, formatSentence } from "../format";
+import type { Factor } from "../../contract";
+
+/** How far the highest of several factors lies above the lowest. */
+function describeSpread(factors: Factor[]): string {
+  const values = factors.map((factor) => factor.value).filter((value) => value !== null);
+  if (values.length < 2) return "";
+  const low = Math.min(...values);
+  const high = Math.max(...values);
+  const apart = formatNumber((100 * (high - low)) / low, 2);
+  return (
+    `The criteria lie between ${formatFactor(low)} and ${formatFactor(high)}, ${apart} % apart. ` +
+    "They answer different questions; the brackets are the width of each search and not the error of the mesh."
+  );
+}
+
+function FactorRows({ factors }: { factors: Factor[] }) {
+  return (
+    <DataTable caption="Factors of safety, with the bracket of each search">
+      <thead>
+        <tr>
+          <th scope="col">Method</th>
+          <th scope="col">Criterion</th>
+          <th scope="col" class="number">
+            F
+          </th>
+          <th scope="col" class="number">
+            from
+          </th>
+          <th scope="col" class="number">
+            to
+          </th>
+          <th scope="col">Found how</th>
+        </tr>
+      </thead>
+      <tbody>
+        {factors.map((factor) => (
+          <tr key={`${factor.method} ${factor.name}`} class={factor.main ? "main" : undefined}>
+            <td>{methodNames[factor.method] ?? factor.method.toUpperCase()}</td>
+            <th scope="row">
+              {factor.title}
+              {factor.main && <span class="note"> (the answer)</span>}
+            </th>
+            <td class="number">{factor.value === null ? "none" : formatFactor(factor.value)}</td>
+            <td class="number">{formatFactor(factor.lower)}</td>
+            <td class="number">{formatFactor(factor.upper)}</td>
+            <td class="prose">{formatSentence(factor.note) || "–"}</td>
+          </tr>
+        ))}
+      </tbody>
+    </DataTable>
+  );
+}
+
+export function ResultTables() {
+  const { factors, results, sentences } = report.value.answer;
+  return (
+    <>
+      {sentences.length > 0 && <p>{sentences.map(formatSentence).join(" ")}</p>}
+      {factors.length > 0 && <FactorRows factors={factors} />}
+      {factors.length > 1 && <p class="note">{describeSpread(factors)}</p>}
+      {results.length > 0 && (
+        <DataTable caption="All results, by the names that comparisons use">
+          <thead>
+            <tr>
+              <th scope="col">Result</th>
+              <th scope="col" class="number">
+                Value
+              </th>
+              <th scope="col">Name</th>
+            </tr>
+          </thead>
+          <tbody>
+            {results.map((result) => (
+              <tr key={result.name}>
+                <th scope="row">{result.title}</th>
+                <td class="number">{formatQuantity(result.value, result.unit, 4, true)}</td>
+                <td>
+                  <code>{result.name}</code>
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </DataTable>
+      )}
+    </>
+  );
+}

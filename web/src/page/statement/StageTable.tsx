@@ -1,0 +1,49 @@
+/** The stages of the calculation and how each ended. */
+import { report } from "../../state";
+import { DataTable } from "../DataTable";
+import { formatDuration, formatNumber, formatSentence } from "../format";
+
+const ends: { [end: string]: string } = {
+  rest: "at rest",
+  time: "when its time was up",
+  failed: "by failing",
+  unstable: "unstable",
+  interrupted: "by an interruption",
+};
+
+export function StageTable() {
+  const { stages } = report.value.model;
+  if (stages.length === 0) return <p>No stage has been calculated.</p>;
+  return (
+    <DataTable caption="Stages" quiet>
+      <thead>
+        <tr>
+          <th scope="col">Stage</th>
+          <th scope="col">Settings</th>
+          <th scope="col">Ended</th>
+          <th scope="col" class="number">
+            Simulated
+          </th>
+          <th scope="col" class="number">
+            Steps
+          </th>
+          <th scope="col" class="number">
+            Wall time
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {stages.map((stage, i) => (
+          <tr key={i}>
+            <th scope="row">{stage.name}</th>
+            <td class="prose">{formatSentence(stage.text) || "Defaults."}</td>
+            <td>{(ends[stage.end] ?? stage.end) || "–"}</td>
+            <td class="number">{formatNumber(stage.time)}&nbsp;s</td>
+            <td class="number">{formatNumber(stage.steps)}</td>
+            <td class="number">{formatDuration(stage.wall)}</td>
+          </tr>
+        ))}
+      </tbody>
+    </DataTable>
+  );
+}

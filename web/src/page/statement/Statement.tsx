@@ -1,0 +1,65 @@
+/** The part to be signed: what was calculated, with what, how it came out, and how far to trust it. */
+import type { ComponentChildren } from "preact";
+
+import { report } from "../../state";
+import { formatSentence } from "../format";
+import { Part } from "../Part";
+import { WarningList } from "../Warnings";
+import { GeometryTables } from "./GeometryTables";
+import { MaterialTable } from "./MaterialTable";
+import { ResultTables } from "./ResultTables";
+import { StageTable } from "./StageTable";
+import { SupportTables } from "./SupportTables";
+import { TitleBlock } from "./TitleBlock";
+
+/** Two stand beside each other where there is room, unless one asks for the whole width. */
+function Block({ title, wide, children }: { title: string; wide?: boolean; children: ComponentChildren }) {
+  return (
+    <div class={wide ? "block wide" : "block"}>
+      <h3>{title}</h3>
+      {children}
+    </div>
+  );
+}
+
+export function Statement() {
+  const { assumptions, warnings } = report.value;
+  return (
+    <Part id="statement" title="Report" lead="The calculation in tables, to be checked, printed and signed." newPage>
+      <div class="no-print">
+        <TitleBlock />
+      </div>
+      <div class="blocks">
+        <Block title="Geometry and water">
+          <GeometryTables />
+        </Block>
+        <Block title="Materials">
+          <MaterialTable />
+        </Block>
+        <Block title="Supports, loads and monitors">
+          <SupportTables />
+        </Block>
+        <Block title="Stages">
+          <StageTable />
+        </Block>
+        <Block title="Results by method" wide>
+          <ResultTables />
+        </Block>
+        <Block title="Assumptions and limits of validity">
+          {assumptions.length === 0 ? (
+            <p>None are stated.</p>
+          ) : (
+            <ol class="sentences">
+              {assumptions.map((text, i) => (
+                <li key={i}>{formatSentence(text)}</li>
+              ))}
+            </ol>
+          )}
+        </Block>
+        <Block title="Warnings">
+          {warnings.length === 0 ? <p>The calculation gave no warnings.</p> : <WarningList warnings={warnings} />}
+        </Block>
+      </div>
+    </Part>
+  );
+}

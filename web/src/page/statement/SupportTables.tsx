@@ -1,0 +1,62 @@
+/** Boundary conditions, loads, and the monitored places. */
+import { report } from "../../state";
+import { DataTable } from "../DataTable";
+import { formatPlace, formatSentence } from "../format";
+
+export function SupportTables() {
+  const { model, units } = report.value;
+  const { boundaries, loads, monitors } = model;
+  const place = (x: number[]) => `${formatPlace(x.map((value) => value / units.length.si))}\u00a0${units.length.name}`;
+  return (
+    <>
+      {boundaries.length === 0 ? (
+        <p>No boundary is held.</p>
+      ) : (
+        <DataTable caption="Boundary conditions">
+          <thead>
+            <tr>
+              <th scope="col">Where</th>
+              <th scope="col">Condition</th>
+              <th scope="col">Meaning</th>
+            </tr>
+          </thead>
+          <tbody>
+            {boundaries.map((boundary, i) => (
+              <tr key={i}>
+                <th scope="row">{boundary.on}</th>
+                <td>{boundary.fix}</td>
+                <td class="prose">{formatSentence(boundary.text)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </DataTable>
+      )}
+      {loads.length === 0 ? (
+        <p>Loads: gravity only.</p>
+      ) : (
+        <DataTable caption="Loads besides gravity">
+          <thead>
+            <tr>
+              <th scope="col">Load</th>
+              <th scope="col">Description</th>
+            </tr>
+          </thead>
+          <tbody>
+            {loads.map((load, i) => (
+              <tr key={i}>
+                <th scope="row">{load.name}</th>
+                <td class="prose">{formatSentence(load.text)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </DataTable>
+      )}
+      {monitors.length > 0 && (
+        <p>
+          Monitored points:{" "}
+          {monitors.map((monitor) => `${monitor.name} at ${place(monitor.at)} (point ${monitor.id})`).join("; ")}.
+        </p>
+      )}
+    </>
+  );
+}

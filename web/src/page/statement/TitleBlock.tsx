@@ -1,0 +1,40 @@
+/** The title block of the report, as on a drawing, with lines to sign on. */
+import { report } from "../../state";
+import { formatDate } from "../format";
+
+export function TitleBlock() {
+  const { project, provenance } = report.value;
+  const cells: [string, string][] = [
+    ["Title", project.title],
+    ["Project", project.project],
+    ["Client", project.client],
+    ["Author", project.author],
+    ["Checked by", project.checked_by],
+    ["Revision", project.revision],
+    ["Calculated", formatDate(project.date)],
+    ["Program", `Talus ${provenance.version}, commit ${provenance.commit || "unknown"}`],
+    ["Case file", provenance.case_file],
+    ["Input hash", provenance.input_hash],
+  ];
+  return (
+    <div class="title-block">
+      <dl>
+        {cells.map(([name, value]) => (
+          <div key={name} class={name === "Title" ? "wide" : undefined}>
+            <dt>{name}</dt>
+            <dd>{value || <span class="muted">not given</span>}</dd>
+          </div>
+        ))}
+      </dl>
+      {project.notes && <p class="notes">{project.notes}</p>}
+      <div class="signatures print-only">
+        {["Author", "Checked"].map((who) => (
+          <p key={who}>
+            <span>{who}: name, signature</span>
+            <span>Date</span>
+          </p>
+        ))}
+      </div>
+    </div>
+  );
+}

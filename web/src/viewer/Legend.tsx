@@ -1,0 +1,69 @@
+/** What the lines and symbols in the section mean. */
+import { report } from "../state";
+import { writeNumber, writeUnit } from "./format";
+import { inSpace, layers } from "./settings";
+import { movedThreshold, slipSurface, strainRidge } from "./shown";
+import { chooseSymbol } from "./supports";
+
+const symbols = {
+  hatching: "M1 3h24M5 3 1 11M11 3l-4 8M17 3l-4 8M23 3l-4 8",
+  dashes: "M1 3h24M5 3 3.5 6M2.5 8 1 11M14 3l-1.5 3M11.5 8 10 11M23 3l-1.5 3M20.5 8 19 11",
+  rollers: "M1 2h24M1 11h24M10 6.5a3 3 0 1 1-6 0 3 3 0 1 1 6 0M22 6.5a3 3 0 1 1-6 0 3 3 0 1 1 6 0",
+};
+
+function Entry(props: { path: string; text: string; colour?: string; dash?: string; width?: number }) {
+  return (
+    <li>
+      {props.path && (
+        <svg viewBox="0 0 26 13" width="26" height="13" aria-hidden="true">
+          <path
+            d={props.path}
+            fill="none"
+            stroke={props.colour ?? "currentColor"}
+            stroke-width={props.width ?? 1.1}
+            stroke-dasharray={props.dash}
+          />
+        </svg>
+      )}
+      {props.text}
+    </li>
+  );
+}
+
+export function Legend() {
+  const { model } = report.value;
+  const on = layers.value;
+  const supports = new Map<string, { path: string; on: string[] }>();
+  for (const boundary of model.boundaries) {
+    // A model in space has no lines of supports to draw: they are named only.
+    const path = boundary.lines.length ? symbols[chooseSymbol(boundary.fix)] : "";
+    const known = supports.get(boundary.text) ?? { path, on: [] };
+    known.on.push(boundary.on);
+    supports.set(boundary.text, known);
+  }
+  const bar = "M1 6.5h24";
+  const { length } = report.value.units;
+  const limit = `${writeNumber(movedThreshold.value / length.si)} ${writeUnit(length)}`;
+  return (
+    <ul class="viewer-legend" aria-label="Legend">
+      {on.slip && slipSurface.value.length > 0 && (
+        <Entry path={bar} colour="#c2185b" width={2.4} text={`Slip surface: above it soil moved over ${limit}`} />
+      )}
+      {on.ridge && strainRidge.value.length > 0 && (
+        <Entry path={bar} colour="#b35900" dash="6 3" width={2} text="Axis of the largest deviatoric strain" />
+      )}
+      {on.outline && <Entry path={bar} dash="5 3" text="Original outline" />}
+      {on.water && model.water.length > 0 && (
+        <Entry path={bar} colour="#2f7fd6" dash="8 2 2 2" width={1.8} text="Water table" />
+      )}
+      {on.boundaries &&
+        [...supports].map(([text, support]) => (
+          <Entry
+            key={text}
+            path={inSpace.value && support.path ? bar : support.path}
+            text={`${support.on.join(", ")}: ${text}`}
+          />
+        ))}
+    </ul>
+  );
+}

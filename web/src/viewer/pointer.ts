@@ -1,0 +1,77 @@
+/** Mouse, pen and fingers on the stage: pan, zoom, turn, pick. */
+import { inSpace } from "./settings";
+import { pickAt } from "./picking";
+import type { Stage } from "./stage";
+
+/** Listens on the element that holds the stage; returns what ends that. */
+export function listenToPointer(host: HTMLElement, stage: Stage): () => void {
+  const held = new Map<number, { x: number; y: number }>();
+  let travelled = 0;
+  const place = (event: PointerEvent | WheelEvent) => {
+    const box = host.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  };
+
+  function press(event: PointerEvent): void {
+    if (event.button > 2) return;
+    host.setPointerCapture(event.pointerId);
+    held.set(event.pointerId, place(event));
+    if (held.size === 1) travelled = 0;
+  }
+
+  function move(event: PointerEvent): void {
+    const before = held.get(event.pointerId);
+    if (!before) return;
+    const now = place(event);
+    const [dx, dy] = [now.x - before.x, now.y - before.y];
+    travelled += Math.hypot(dx, dy);
+    held.set(event.pointerId, now);
+    if (travelled < 4) return;
+    const other = [...held].find(([id]) => id !== event.pointerId)?.[1];
+    if (other) {
+      // Two fingers: the middle moves the model, their distance zooms.
+      const measure = (at: { x: number; y: number }) => Math.hypot(at.x - other.x, at.y - other.y);
+      const [from, to] = [measure(before), measure(now)];
+      stage.camera.pan(dx / 2, dy / 2);
+      if (from > 10) stage.camera.zoom(to / from, (now.x + other.x) / 2, (now.y + other.y) / 2);
+    } else if (inSpace.value && !event.shiftKey && !(event.buttons & 6)) {
+      stage.camera.rotate(dx, dy);
+    } else {
+      stage.camera.pan(dx, dy);
+    }
+    stage.moved();
+  }
+
+  function release(event: PointerEvent): void {
+    if (!held.delete(event.pointerId) || event.type === "pointercancel") return;
+    if (travelled < 4 && held.size === 0 && event.button === 0) {
+      const { x, y } = place(event);
+      pickAt(stage, x, y);
+    }
+  }
+
+  function turnWheel(event: WheelEvent): void {
+    // The page scrolls past the viewer until the reader has clicked into it, or holds the control key.
+    if (!event.ctrlKey && !host.contains(document.activeElement)) return;
+    event.preventDefault();
+    const { x, y } = place(event);
+    stage.camera.zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0015)), x, y);
+    stage.moved();
+  }
+
+  const stopMenu = (event: Event) => event.preventDefault();
+  host.addEventListener("pointerdown", press);
+  host.addEventListener("pointermove", move);
+  host.addEventListener("pointerup", release);
+  host.addEventListener("pointercancel", release);
+  host.addEventListener("wheel", turnWheel, { passive: false });
+  host.addEventListener("contextmenu", stopMenu);
+  return () => {
+    host.removeEventListener("pointerdown", press);
+    host.removeEventListener("pointermove", move);
+    host.removeEventListener("pointerup", release);
+    host.removeEventListener("pointercancel", release);
+    host.removeEventListener("wheel", turnWheel);
+    host.removeEventListener("contextmenu", stopMenu);
+  };
+}

@@ -1,0 +1,71 @@
+/** What the reader has set in the viewer: colours, limits, layers, the view in space, playing. */
+import { signal } from "@preact/signals";
+
+import { report, sequenceIndex, frameIndex, fieldName } from "../state";
+import type { ColourMapName } from "./colours";
+
+/** null: viridis, or blue–white–red for a quantity that has both signs. */
+export const colourMap = signal<ColourMapName | null>(null);
+
+export type LimitMode = "all" | "frame" | "hand";
+export const limitMode = signal<LimitMode>("all");
+/** Limits set by hand [SI]. */
+export const handLimits = signal<[number, number]>([0, 1]);
+
+export const layerTitles = {
+  points: "Material points",
+  slip: "Slip surface",
+  ridge: "Axis of the largest strain",
+  outline: "Original outline",
+  boundaries: "Boundary conditions",
+  monitors: "Monitored points",
+  water: "Water table",
+  mesh: "Background mesh",
+  rulers: "Rulers",
+} as const;
+export type LayerName = keyof typeof layerTitles;
+export const layers = signal<Record<LayerName, boolean>>({
+  points: true,
+  slip: true,
+  ridge: false,
+  outline: true,
+  boundaries: true,
+  monitors: true,
+  water: true,
+  mesh: false,
+  rulers: true,
+});
+
+/** Whether the section is turned in space; always true for a model in three dimensions. */
+export const inSpace = signal(false);
+/** Shares of the box, 0 to 1, along x, y and z between which points are shown. */
+export const cut = signal<[number, number][]>([[0, 1], [0, 1], [0, 1]]);
+
+export const playing = signal(false);
+/** Multiple of 12 frames per second. */
+export const speed = signal(1);
+
+let opened = false;
+
+/**
+ * Sets the sequence, frame and field where the failure is seen best: the end of the runout at the largest factor, else
+ * of the stages. Does so once, and not when something else was chosen before.
+ */
+export function openAtFailure(): void {
+  inSpace.value = report.value.model.dimension === 3;
+  if (opened || sequenceIndex.value !== 0 || frameIndex.value !== 0) return;
+  opened = true;
+  const sequences = report.value.sequences;
+  let best = Math.max(0, sequences.findIndex((s) => s.id === "stages"));
+  let largest = -Infinity;
+  sequences.forEach((s, i) => {
+    const factor = s.frames.at(-1)?.factor ?? 0;
+    if (s.id.startsWith("runout") && factor > largest) [best, largest] = [i, factor];
+  });
+  const telling = sequences[best];
+  if (!telling) return;
+  sequenceIndex.value = best;
+  frameIndex.value = telling.frames.length - 1;
+  const fields = telling.fields.map((f) => f.name);
+  if (!fields.includes(fieldName.value)) fieldName.value = fields[0] ?? "";
+}

@@ -1,0 +1,121 @@
+/** The numbers behind the picture: slip surface, projection, colours, ticks, size of points. */
+import { describe, expect, it } from "vitest";
+
+import { Camera } from "./camera";
+import { findColour, tabulateColours } from "./colours";
+import { makeTicks, writeNumber } from "./format";
+import { measureSpacing } from "./shown";
+import { findMovedLimit } from "./moved";
+import { findStrainRidge } from "./ridge";
+
+/** A square grid of points in a box of 40 m by 15 m with a band of strain around a height over x. */
+function makeBand(height: (x: number) => number, strength: number) {
+  const spacing = 0.25;
+  const at: number[] = [];
+  for (let x = spacing / 2; x < 40; x += spacing) for (let y = spacing / 2; y < 15; y += spacing) at.push(x, y);
+  const positions = Float32Array.from(at);
+  const strain = Float32Array.from({ length: at.length / 2 }, (_, i) => {
+    const [x, y] = [at[2 * i]!, at[2 * i + 1]!];
+    const inside = x > 8 && x < 32 ? 1 : 0;
+    return 0.002 + 0.001 * Math.sin(7 * x + 3 * y) + strength * inside * Math.exp(-(((y - height(x)) / 0.6) ** 2));
+  });
+  return { positions, strain, spacing };
+}
+
+describe("slip surface", () => {
+  it("is the circle above which soil moved", () => {
+    const circle = (x: number) => 24 - Math.sqrt(20 ** 2 - (x - 20) ** 2);
+    const { positions, spacing } = makeBand(circle, 0);
+    const displacement = Float32Array.from({ length: positions.length / 2 }, (_, i) =>
+      positions[2 * i + 1]! > circle(positions[2 * i]!) ? 0.5 : 0.02,
+    );
+    const line = findMovedLimit(positions, displacement, spacing, 0.1);
+    expect(line.length).toBeGreaterThan(40);
+    for (const [x, y] of line.slice(3, -3)) expect(Math.abs(y - circle(x))).toBeLessThan(spacing);
+    expect(findMovedLimit(positions, displacement, spacing, 0.6)).toEqual([]);
+  });
+});
+
+describe("ridge of the strain", () => {
+  it("follows a circular band, and only where it is", () => {
+    const circle = (x: number) => 24 - Math.sqrt(20 ** 2 - (x - 20) ** 2);
+    const { positions, strain, spacing } = makeBand(circle, 0.3);
+    const line = findStrainRidge(positions, strain, spacing);
+    expect(line.length).toBeGreaterThan(40);
+    expect(line[0]![0]).toBeGreaterThan(7);
+    expect(line.at(-1)![0]).toBeLessThan(33);
+    expect(line.at(-1)![0] - line[0]![0]).toBeGreaterThan(22);
+    for (const [x, y] of line.slice(3, -3)) expect(Math.abs(y - circle(x))).toBeLessThan(spacing);
+  });
+
+  it("is empty where nothing stands out", () => {
+    const { positions, strain, spacing } = makeBand(() => 7, 0);
+    expect(findStrainRidge(positions, strain, spacing)).toEqual([]);
+  });
+});
+
+describe("camera", () => {
+  it("keeps the point under the pixel when it zooms, also in space", () => {
+    const camera = new Camera();
+    Object.assign(camera, { width: 800, height: 400, azimuth: 0.7, elevation: 0.4 });
+    camera.fit([0, 0, 0], [44, 15, 20]);
+    const [x, y] = camera.makeProjection()(30, 5, 12);
+    camera.zoom(3, x, y);
+    const [x2, y2] = camera.makeProjection()(30, 5, 12);
+    expect(x2).toBeCloseTo(x, 8);
+    expect(y2).toBeCloseTo(y, 8);
+  });
+
+  it("fits the box between its margins, upright and true to scale", () => {
+    const camera = new Camera();
+    Object.assign(camera, { width: 1000, height: 400, margins: { left: 60, right: 100, top: 30, bottom: 50 } });
+    camera.fit([0, 0, 0], [42, 10, 0]);
+    const project = camera.makeProjection();
+    const [low, high] = [project(0, 0, 0), project(42, 10, 0)];
+    expect(low[0]).toBeCloseTo(60, 8);
+    expect(high[0]).toBeCloseTo(900, 8);
+    expect(low[1] - high[1]).toBeCloseTo(200, 8);
+    expect((low[1] + high[1]) / 2).toBeCloseTo(190, 8);
+  });
+
+  it("has axes at right angles whose depth points towards the reader", () => {
+    const camera = new Camera();
+    camera.rotate(90, 50);
+    const { right: r, up: u, near: n } = camera.findAxes();
+    const cross = [r[1] * u[2] - r[2] * u[1], r[2] * u[0] - r[0] * u[2], r[0] * u[1] - r[1] * u[0]];
+    cross.forEach((c, k) => expect(c).toBeCloseTo(n[k]!, 12));
+  });
+});
+
+describe("colours", () => {
+  it("are those of matplotlib", () => {
+    const table = tabulateColours("viridis");
+    expect([...table.slice(0, 3)]).toEqual([0x44, 0x01, 0x54]);
+    // The middle of viridis is #21918c.
+    [0x21, 0x91, 0x8c].forEach((c, k) => expect(Math.abs(table[4 * 128 + k]! - c)).toBeLessThanOrEqual(2));
+    expect([...table.slice(4 * 255, 4 * 255 + 3)]).toEqual([0xfd, 0xe7, 0x25]);
+  });
+
+  it("stay at the ends beyond the limits", () => {
+    expect([-5, 0.5, 9, NaN].map((value) => findColour(value, 0, 1))).toEqual([0, 128, 255, -1]);
+  });
+});
+
+describe("texts", () => {
+  it("tell neighbouring ticks apart", () => {
+    expect(makeTicks(-0.25, 0.5, 4).map((t) => t.text)).toEqual(["−0.2", "0.0", "0.2", "0.4"]);
+    expect(makeTicks(0, 0.00247, 5).map((t) => t.text)).toEqual(["0.0000", "0.0005", "0.0010", "0.0015", "0.0020"]);
+    expect(makeTicks(-220, -4, 5).map((t) => t.text)).toEqual(["−200", "−150", "−100", "−50"]);
+  });
+
+  it("show significant digits only", () => {
+    const texts = [0, 0.62, -12.3456, 0.00123456, 1718.4, 3.2e-8, NaN].map(writeNumber);
+    expect(texts).toEqual(["0", "0.620", "−12.35", "0.00123", "1718", "3.20e−8", "–"]);
+  });
+});
+
+it("finds the spacing of a grid", () => {
+  const at: number[] = [];
+  for (let x = 0; x < 60; ++x) for (let y = 0; y < 60; ++y) at.push(x * 0.5, y * 0.5);
+  expect(measureSpacing(Float32Array.from(at), 2, 1)).toBeCloseTo(0.5, 2);
+});

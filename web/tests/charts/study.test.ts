@@ -1,0 +1,56 @@
+// The table of a study: order of its rows, groups of lines, and differences from published values.
+import { expect, test } from "vitest";
+
+import { measureDifference } from "../../src/charts/differences";
+import { findNumeric, makeStudyColumns, nameGroup, orderRows } from "../../src/charts/studyData";
+
+const column = (name: string, values: (number | null)[], shown = values.map((v) => (v === null ? "" : String(v)))) =>
+  ({ name, title: name, unit: "-", shown, values });
+
+const study = {
+  mode: "all",
+  vary: [{ key: "mesh.size", values: [] }, { key: "mesh.algorithm", values: [] }],
+  columns: [
+    column("mesh.size", [0.75, 10, 2, 0.5]),
+    column("mesh.algorithm", [null, null, null, null], ["delaunay", "frontal", "delaunay", "frontal"]),
+    column("factor", [1.42, null, 1.5, -1]),
+    column("never", [null, null, null, null]),
+  ],
+  rows: ["a", "b", "c", "d"].map((name, i) =>
+    i === 1 ?
+      { name, status: "failed", reason: "no, mesh", warnings: [] }
+    : { name, status: "finished", reason: "", warnings: [] },
+  ),
+};
+
+test("rows are ordered as numbers, and missing ones stand last both ways", () => {
+  expect(orderRows(study.columns[0]!, 4, false)).toEqual([3, 0, 2, 1]);
+  expect(orderRows(study.columns[2]!, 4, false)).toEqual([3, 0, 2, 1]);
+  expect(orderRows(study.columns[2]!, 4, true)).toEqual([2, 0, 3, 1]);
+  expect(orderRows(study.columns[1]!, 4, false)).toEqual([0, 2, 1, 3]);
+  expect(orderRows(null, 4, false)).toEqual([0, 1, 2, 3]);
+});
+
+test("a line holds the variants that differ only in the key on the axis", () => {
+  expect(nameGroup(study, 0, "mesh.size")).toBe(nameGroup(study, 2, "mesh.size"));
+  expect(nameGroup(study, 0, "mesh.size")).not.toBe(nameGroup(study, 1, "mesh.size"));
+  expect(findNumeric(study).map((c) => c.name)).toEqual(["factor"]);
+});
+
+test("the CSV keeps numbers as numbers, words as words, and the reason of what is missing", () => {
+  const columns = makeStudyColumns(study);
+  expect(columns.find((c) => c.name === "factor")!.values).toEqual([1.42, null, 1.5, -1]);
+  expect(columns.find((c) => c.name === "mesh.algorithm")!.values[1]).toBe("frontal");
+  expect(columns.at(-1)!.values[1]).toBe("no, mesh");
+});
+
+test("differences over tolerances: one is the edge of passing", () => {
+  const d = measureDifference({ computed: 1.54, published: 1.6, tolerance: 0.06 });
+  expect(d.overTolerance).toBeCloseTo(-1, 9);
+  expect(d.relative).toBeCloseTo(-0.0375, 9);
+  expect(measureDifference({ computed: null, published: 1, tolerance: 1 }).overTolerance).toBeNull();
+  const fromZero = measureDifference({ computed: 1, published: 0, tolerance: 2 });
+  expect(fromZero).toEqual({ absolute: 1, relative: null, overTolerance: 0.5 });
+  const exact = measureDifference({ computed: -2, published: -1, tolerance: 0 });
+  expect(exact).toEqual({ absolute: -1, relative: -1, overTolerance: -Infinity });
+});

@@ -1,0 +1,162 @@
+/** A real report (TALUS_REPORT=report.html) against the contract: schema, arrays, and what the numbers must obey. */
+import Ajv from "ajv";
+import { readFileSync } from "node:fs";
+import { describe, expect, it } from "vitest";
+
+import type { Sequence } from "../src/contract";
+import { readIntegers, readValues } from "../src/data";
+import { findGiven, findPackedArrays, readReportFile } from "./reportFile";
+
+const given = findGiven();
+
+describe.skipIf(!given)("a report holds the contract", () => {
+  const { report, arrays, doubled, source } = given ? readReportFile(given.page) : ({} as never);
+  const packed = given ? findPackedArrays(report) : [];
+
+  it("has the shape of contract/report.schema.json", () => {
+    const schema = JSON.parse(readFileSync(new URL("../contract/report.schema.json", import.meta.url), "utf8"));
+    const validate = new Ajv({ allErrors: true }).compile(schema);
+    validate(report);
+    expect(validate.errors ?? []).toEqual([]);
+  });
+
+  it("names every array once, and holds no array that nothing names", () => {
+    expect(doubled).toEqual([]);
+    expect([...arrays.keys()].sort()).toEqual(packed.map((array) => array.id).sort());
+  });
+
+  it("holds arrays that decode to their shapes; only a range has room for 'no value'", async () => {
+    for (const array of packed) {
+      const values = await readValues(array, source);
+      expect(values.length, array.id).toBe(array.shape.reduce((a, b) => a * b, 1));
+      if (array.range) expect(array.range[1], array.id).toBeGreaterThanOrEqual(array.range[0]);
+      else expect(values.every(Number.isFinite), array.id).toBe(true);
+      expect(array.type === "u16" || !array.range, `${array.id} has a range`).toBe(true);
+    }
+  });
+
+  it("has sequences whose arrays agree with their frames and points", async () => {
+    for (const s of report.sequences) {
+      const [frames, points] = [s.frames.length, s.point_count];
+      expect(frames, s.id).toBeGreaterThan(0);
+      expect([s.ids.shape, s.materials.shape], s.id).toEqual([[points], [points]]);
+      expect(s.positions.shape, s.id).toEqual([frames, points, report.model.dimension]);
+      for (const field of s.fields) {
+        expect(field.values.shape, field.name).toEqual([frames, points]);
+        expect(field.scale[1], `${s.id}: scale of ${field.name}`).toBeGreaterThanOrEqual(field.scale[0]);
+      }
+      const axis = s.frames.map((frame) => (s.axis === "time" ? frame.time : frame.factor ?? Number.NaN));
+      expect(axis, `${s.id}: frames are in order`).toEqual([...axis].sort((a, b) => a - b));
+      expect(new Set(await readIntegers(s.ids, source)).size, `${s.id}: ids are unique`).toBe(points);
+      const known = new Set(report.model.materials.map((material) => material.index));
+      for (const material of new Set(await readIntegers(s.materials, source))) expect(known).toContain(material);
+    }
+    const names = report.sequences.map((s) => s.id);
+    expect(new Set(names).size).toBe(names.length);
+  });
+
+  it("a point has a value in all fields of a frame, or in none", async () => {
+    for (const s of report.sequences) {
+      const dimension = report.model.dimension;
+      const positions = await readValues(s.positions, source);
+      for (const field of s.fields) {
+        const values = await readValues(field.values, source);
+        const differing = values.findIndex((v, i) => Number.isNaN(v) !== Number.isNaN(positions[i * dimension]!));
+        expect(differing, `${s.id}: ${field.name}`).toBe(-1);
+      }
+    }
+  });
+
+  it("has points inside the box", async () => {
+    const [low, high] = report.model.bounds;
+    for (const s of report.sequences) {
+      const slack = findStep(s.positions.range!);
+      const dimension = report.model.dimension;
+      (await readValues(s.positions, source)).forEach((x, i) => {
+        const axis = i % dimension;
+        if (x < low[axis]! - slack || x > high[axis]! + slack) throw new Error(`${s.id}: ${x} on axis ${axis}`);
+      });
+    }
+  });
+
+  it("moves points by their displacement, and gives its length", async () => {
+    for (const s of report.sequences) await checkMotion(s);
+  });
+
+  it("has a mean stress that is the mean, a deviatoric stress that follows from the components", async () => {
+    for (const s of report.sequences) await checkStress(s);
+  });
+
+  it("has a mesh whose cells name its nodes and fill the box or less", async () => {
+    const { positions, cells } = report.model.mesh;
+    if (!positions || !cells) return;
+    const dimension = report.model.dimension;
+    expect(positions.shape[1]).toBe(dimension);
+    expect(cells.shape[1]).toBe(dimension + 1);
+    const x = await readValues(positions, source);
+    const nodes = await readIntegers(cells, source);
+    let last = 0;
+    for (const node of nodes) last = Math.max(last, node);
+    expect(last).toBeLessThan(positions.shape[0]!);
+    if (dimension !== 2) return;
+    let area = 0;
+    for (let i = 0; i < nodes.length; i += 3) {
+      const [a, b, c] = [nodes[i]! * 2, nodes[i + 1]! * 2, nodes[i + 2]! * 2];
+      area += Math.abs((x[b]! - x[a]!) * (x[c + 1]! - x[a + 1]!) - (x[c]! - x[a]!) * (x[b + 1]! - x[a + 1]!)) / 2;
+    }
+    const [low, high] = report.model.bounds;
+    expect(area).toBeLessThanOrEqual((high[0]! - low[0]!) * (high[1]! - low[1]!) * (1 + 1e-5));
+    expect(area).toBeGreaterThan(0);
+  });
+
+  const findStep = (range: [number, number]) => (range[1] - range[0]) / 65534;
+  const findField = (s: Sequence, name: string) => s.fields.find((field) => field.name === name);
+
+  /** x(t) - x(0) = u(t) - u(0); both sides are rounded to a step of their range. */
+  async function checkMotion(s: Sequence) {
+    const dimension = report.model.dimension;
+    const x = await readValues(s.positions, source);
+    const parts = ["x", "y", "z"].slice(0, dimension).map((axis) => findField(s, `displacement_${axis}`));
+    const length = findField(s, "displacement");
+    if (!length || parts.some((part) => !part)) throw new Error(`${s.id} has no displacement and its components`);
+    const u = await Promise.all(parts.map((part) => readValues(part!.values, source)));
+    const size = await readValues(length.values, source);
+    const steps = parts.map((part) => findStep(part!.values.range!));
+    const slack = steps.reduce((a, b) => a + b, 0) / 2 + findStep(length.values.range!) / 2 + 1e-6;
+    // Displacements start anew with a stage that resets them: within a runout, and along the curve, they do not.
+    const moves = s.id !== "stages";
+    for (let i = 0; i < size.length; ++i) {
+      if (Number.isNaN(size[i]!)) continue;
+      const expected = Math.hypot(...u.map((part) => part[i]!));
+      if (!(Math.abs(size[i]! - expected) <= slack))
+        throw new Error(`${s.id}: |u| of ${i} is ${size[i]}, not ${expected}`);
+      for (let axis = 0; moves && axis < dimension; ++axis) {
+        const first = i % s.point_count;
+        const moved = x[i * dimension + axis]! - x[first * dimension + axis]!;
+        const difference = moved - (u[axis]![i]! - u[axis]![first]!);
+        const room = findStep(s.positions.range!) + steps[axis]! + 1e-5;
+        if (Math.abs(difference) > room) throw new Error(`${s.id}: point ${first} moves ${difference} m more than u`);
+      }
+    }
+  }
+
+  /** p = (σxx + σyy + σzz)/3, q = √(3 J2), within the rounding of what they follow from. */
+  async function checkStress(s: Sequence) {
+    const names = report.model.dimension === 2 ? ["xx", "yy", "zz", "xy"] : ["xx", "yy", "zz", "xy", "yz", "xz"];
+    const all = [...names.map((name) => `stress_${name}`), "mean_stress", "deviatoric_stress"];
+    const fields = all.map((name) => findField(s, name));
+    if (fields.some((field) => !field)) throw new Error(`${s.id} has no stress, or not all of its components`);
+    const values = await Promise.all(fields.map((field) => readValues(field!.values, source)));
+    const rounding = fields.reduce((sum, field) => sum + findStep(field!.values.range!), 0);
+    for (let i = 0; i < values[0]!.length; ++i) {
+      const [xx, yy, zz, ...shear] = values.slice(0, -2).map((v) => v[i]!) as [number, number, number, ...number[]];
+      if (Number.isNaN(xx)) continue;
+      const p = (xx + yy + zz) / 3;
+      const j2 = ((xx - p) ** 2 + (yy - p) ** 2 + (zz - p) ** 2) / 2 + shear.reduce((sum, t) => sum + t * t, 0);
+      const [mean, q] = values.slice(-2).map((v) => v[i]!) as [number, number];
+      if (Math.abs(mean - p) > rounding) throw new Error(`${s.id}: mean stress of ${i} is ${mean}, not ${p}`);
+      const expected = Math.sqrt(3 * j2);
+      if (Math.abs(q - expected) > 2 * rounding) throw new Error(`${s.id}: q of ${i} is ${q}, not ${expected}`);
+    }
+  }
+});

@@ -1,0 +1,17 @@
+/** contract/report.schema.json is what contract.ts says: the C++ tests hold what they write against that file. */
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { createGenerator } from "ts-json-schema-generator";
+import { expect, it } from "vitest";
+
+const inWeb = (path: string) => fileURLToPath(new URL(`../${path}`, import.meta.url));
+
+it("contract/report.schema.json is up to date (else: npm run schema)", () => {
+  const generator = createGenerator({
+    path: inWeb("src/contract.ts"),
+    type: "Report",
+    tsconfig: inWeb("tsconfig.json"),
+  });
+  const generated = JSON.parse(JSON.stringify(generator.createSchema("Report")));
+  expect(JSON.parse(readFileSync(inWeb("contract/report.schema.json"), "utf8"))).toEqual(generated);
+});
