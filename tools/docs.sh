@@ -1,10 +1,20 @@
 #!/usr/bin/env bash
-# Writes the generated pages of the manual: everything about input keys is declared once, in src/model/declare_*.hpp,
-# and the program prints it.
+# Builds the manual as a static site: docs.sh [PROGRAM] [FOLDER]. The pages are docs/, the reference is what the program says
+# about itself. The first time npm fetches what docs/site/package-lock.json names; after that no network is needed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-talus=${1:-build/release/bin/talus}
-"$talus" manual >docs/manual/input-keys.md
-"$talus" schema >docs/manual/case.schema.json
-"$talus" template >docs/manual/template.toml
-echo "docs: wrote docs/manual/input-keys.md, case.schema.json and template.toml"
+TALUS=${1:-build/release/bin/talus}
+TALUS_SITE=${2:-build/site}
+export TALUS TALUS_SITE
+command -v npm >/dev/null || { echo "docs: npm is missing; install Node.js 20 or later with npm." >&2; exit 1; }
+modules=docs/site/node_modules
+if [ ! -e $modules/.package-lock.json ] || [ docs/site/package-lock.json -nt $modules/.package-lock.json ]; then
+  (cd docs/site && npm ci --no-audit --no-fund --loglevel=error)
+  touch $modules/.package-lock.json
+fi
+rm -rf "$TALUS_SITE"
+mkdir -p "$TALUS_SITE"
+$modules/.bin/eleventy --config=docs/site/eleventy.config.js
+"$TALUS" schema >"$TALUS_SITE/case.schema.json"
+"$TALUS" template >"$TALUS_SITE/template.toml"
+echo "docs: the manual is in $TALUS_SITE/index.html"
