@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "report/look_up.hpp"
@@ -72,15 +73,8 @@ json list_factors(const json& summary) {
 }
 
 void say_factor(const json& summary, const json& factors, json& sentences) {
-  const json* main = nullptr;
-  std::string others;
-  for (const json& f : factors) {
-    if (f["main"] == true)
-      main = &f;
-    else if (!f["value"].is_null())
-      others += fmt::format("{}{:.3f} ({})", others.empty() ? "" : ", ", f["value"].get<double>(),
-                            f["name"].get<std::string>().substr(17));
-  }
+  const auto found = std::find_if(factors.begin(), factors.end(), [](const json& f) { return f["main"] == true; });
+  const json* main = found == factors.end() ? nullptr : &*found;
   if (main == nullptr) {
     if (!factors.empty()) sentences.push_back("No criterion found a factor of safety in the range that was tried.");
     return;
@@ -102,9 +96,6 @@ void say_factor(const json& summary, const json& factors, json& sentences) {
   }
   sentences.push_back(text);
   if (value < 1) sentences.push_back("A factor below one: the slope does not stand with the given strength.");
-  if (!others.empty())
-    sentences.push_back(fmt::format("{} displacement curve on moving geometry gives {}.",
-                                    by_frozen ? "Beside it, the" : "The other constructions on the", others));
 }
 
 /// Of a run, and of each trial that went on until rest.
@@ -114,7 +105,7 @@ void say_runout(const json& runout, std::size_t dimension, const std::string& wh
   const std::string toe =
       beyond > 0 ? fmt::format("passes the toe by {}", show(beyond, metre)) : "stays behind the toe";
   sentences.push_back(
-      fmt::format("{} the largest displacement is {}, the front advances {} and {}, the crest retreats {}, and {:.3g} "
+      fmt::format("{} the largest displacement is {}, the front advances {} and {}, the crest retreats {}, and {:.4g} "
                   "{} move; after "
                   "{:.3g} s the soil is {}.",
                   where, show(get_number(runout, {"largest_displacement"}), metre),
@@ -123,7 +114,7 @@ void say_runout(const json& runout, std::size_t dimension, const std::string& wh
                   dimension == 2 ? "m³ per metre" : "m³", time, end == "rest" ? "at rest" : "still moving"));
   if (failure_time)
     sentences.push_back(
-        fmt::format("Its largest displacement reached the share of the height that counts as failure after {:.3g} s.",
+        fmt::format("Its largest displacement passed the share of the height that counts as failure after {:.3g} s.",
                     *failure_time));
 }
 

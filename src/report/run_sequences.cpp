@@ -61,7 +61,7 @@ nlohmann::json pack_sequences(const ResultFolder& folder, Packer& packer) {
   Budget budget;
   std::vector<std::size_t> needs;
   for (const SequencePlan& plan : plans) needs.push_back(points * std::min(plan.frames.size(), budget.frames));
-  const std::vector<std::size_t> shares = share_out(needs, most_point_frames);
+  const std::vector<std::size_t> shares = share_out(needs, find_most_point_frames(get_dimension(folder.summary)));
   const ShownUnits units = read_units(folder.summary);
   for (std::size_t k = 0; k < plans.size(); ++k) {
     budget.point_frames = shares[k];

@@ -14,8 +14,10 @@ struct Budget {
   std::size_t point_frames = 0;  ///< points times frames
 };
 
-/// Points times frames in the whole report: about 17 bytes each in a plane, 25 in space.
-inline constexpr std::size_t most_point_frames = 450000;
+/// Points times frames in the whole report, by dimension: each takes about 17 bytes in a plane and 34 in space.
+constexpr std::size_t find_most_point_frames(std::size_t dimension) {
+  return dimension == 2 ? 450000 : 250000;
+}
 
 /// Shares of `total` among sequences that need so much: none gets more than it needs, and what one leaves is shared by
 /// the others.

@@ -69,7 +69,7 @@ TEST_F(WholeReport, FactorsAreThoseOfTheSummary) {
   EXPECT_LT(factors[0].at("lower").get<double>(), frozen);
   EXPECT_EQ(factors.size(), 1 + summary_.at("factor_of_safety").at("criteria").size());
   char words[64];
-  std::snprintf(words, sizeof words, "The factor of safety is %.2f ", frozen);
+  std::snprintf(words, sizeof words, "The factor of safety is %.3f ", frozen);
   EXPECT_EQ(document().at("answer").at("sentences")[0].get<std::string>().find(words), 0u)
       << document().at("answer").at("sentences")[0];
 }

@@ -31,9 +31,13 @@ export function StudySection() {
   );
 }
 
+/** Columns of the study's files that every row of the table says anyway. */
+const repeated = new Set(["variant", "result"]);
+
 function StudyTable({ study }: { study: Study }) {
   const [sort, setSort] = useState<{ by: number | null; down: boolean }>({ by: null, down: false });
   const order = orderRows(sort.by === null ? null : study.columns[sort.by]!, study.rows.length, sort.down);
+  const columns = study.columns.map((c, i) => ({ c, i })).filter(({ c }) => !repeated.has(c.name));
   const varied = study.vary.map((v) => v.key);
   const isNumeric = study.columns.map((c) => c.values.some((v) => v !== null));
   // Reasons and warnings in full; the table has room for their number only.
@@ -46,7 +50,7 @@ function StudyTable({ study }: { study: Study }) {
           <thead>
             <tr>
               <th scope="col">Variant</th>
-              {study.columns.map((c, i) => (
+              {columns.map(({ c, i }) => (
                 <th
                   key={c.name}
                   scope="col"
@@ -70,7 +74,7 @@ function StudyTable({ study }: { study: Study }) {
               return (
                 <tr key={row}>
                   <th scope="row">{r.name}</th>
-                  {study.columns.map((c, i) => (
+                  {columns.map(({ c, i }) => (
                     <td key={c.name} class={isNumeric[i] ? "chart-number" : undefined}>
                       {c.shown[row] ?
                         c.shown[row]

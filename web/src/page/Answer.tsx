@@ -27,13 +27,21 @@ function MainFactor({ factor }: { factor: Factor }) {
 }
 
 /** What an engineer asks for first, where there is no room for everything. */
-const wanted = ["runout", "advance", "retreat", "toe", "crest", "moved_volume", "largest_displacement", "time"];
+const wanted = [
+  "moved_volume",
+  "largest_displacement",
+  "failure_time",
+  "toe_distance",
+  "front_advance",
+  "crest_retreat",
+  "rest_time",
+];
 
 /** The results that are not factors, those named above first. */
 function pickResults(results: NamedResult[], most: number): NamedResult[] {
   const rank = (result: NamedResult) => {
     const last = result.name.split(".").at(-1) ?? "";
-    const found = wanted.findIndex((word) => last.includes(word));
+    const found = wanted.indexOf(last);
     return found < 0 ? wanted.length : found;
   };
   return results

@@ -34,7 +34,7 @@ export function SupportTables() {
       {loads.length === 0 ? (
         <p>Loads: gravity only.</p>
       ) : (
-        <DataTable caption="Loads besides gravity">
+        <DataTable caption="Loads">
           <thead>
             <tr>
               <th scope="col">Load</th>
