@@ -117,6 +117,13 @@ print(f"{frame}: point {frame.ids[first]} moved most, {moved[first]:.2f} m")
 crest = results.monitors
 print(f"crest settled {-crest['crest.displacement_y'][-1]:.2f} {crest.units['crest.displacement_y']}")
 
+# %% [markdown]
+# Every number of the report has a name, a value and a unit.
+
+# %%
+for name in ("factor_of_safety", "stage[gravity].displacement"):
+    print(results.results[name])
+
 # %%
 figure, (above, below) = plt.subplots(2, figsize=(8, 10), constrained_layout=True)
 talus.plot.plot_curve(results, ax=above)
@@ -124,13 +131,32 @@ talus.plot.plot_section(frame, "deviatoric_strain", ax=below)
 figure.savefig(folder / "slope.png", dpi=150)
 
 # %% [markdown]
-# ## A variant
+# ## A check by hand
 #
-# A copy of a case is a case. How much does 1 kPa of cohesion bring?
+# Do not trust a number that you cannot check. Far behind the crest the ground is level, so the vertical stress at a depth
+# below it is the weight above: $\sigma_{yy} = -\rho\,(1-n)\,g\,d$, with the grain density, the porosity and $d$ from
+# the surface at $y = 15$ m.
+
+# %%
+sand = case.materials["sand"]
+weight = sand.grain_density * (1 - sand.porosity) * 9.81  # [N/m³]
+ground = results[-1]
+behind = (ground.positions[:, 0] < 4) & (ground.positions[:, 1] < 12)
+depth = 15 - ground.positions[behind, 1]
+ratio = ground.field("stress")[behind, 1] / (-weight * depth)
+print(f"unit weight {weight / 1000:.2f} kN/m³")
+print(f"vertical stress over weight above: {ratio.mean():.3f} on average at {behind.sum()} points")
+
+# %% [markdown]
+# ## Variants
+#
+# How much does a kilopascal of cohesion bring? A study calculates a case for every value of a key, here beside each other, and
+# ends in one table. (For a single variant: `case.copy()`, change it, `talus.run`.)
 
 # %%
 stronger = case.copy()
-stronger.materials["sand"].cohesion = "3 kPa"
-stronger.strength_reduction.curve.enabled = False
-variant = talus.run(stronger, folder / "stronger")
-print(f"with 3 kPa: {variant.factor_of_safety:.3f}")
+stronger.strength_reduction.curve.enabled = False  # the factor of safety alone
+study = talus.study(stronger, folder / "study", {"materials.sand.cohesion": ["3 kPa", "4 kPa"]})
+cohesions, factors = study.table["materials.sand.cohesion"], study.table["FoS, frozen"]
+for cohesion, factor in zip(cohesions, factors):
+    print(f"with {cohesion:.0f} kPa: {factor:.3f}")

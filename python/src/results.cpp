@@ -2,6 +2,7 @@
 
 #include "output/results.hpp"
 
+#include <omp.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -32,6 +33,20 @@ py::dict view_fields(const std::vector<Field>& fields, const py::object& owner) 
   for (const Field& f : fields) all[py::str(f.name)] = py::make_tuple(f.unit, view_rows(f.values, f.components, owner));
   return all;
 }
+
+/// No threads of OpenMP from here: after a fork the child would wait for those of its parent for ever. Calculations
+/// have a thread of their own, which takes its helpers with it when it ends; this is for what the calling thread does
+/// itself.
+class NoThreads {
+ public:
+  NoThreads() : before_(omp_get_max_threads()) { omp_set_num_threads(1); }
+  ~NoThreads() { omp_set_num_threads(before_); }
+  NoThreads(const NoThreads&) = delete;
+  NoThreads& operator=(const NoThreads&) = delete;
+
+ private:
+  int before_;
+};
 
 template <class T>
 const T& get(const py::object& object) {
@@ -98,6 +113,7 @@ void bind_results(py::module_& module) {
   bind_history(module);
   module.def("write_report", [](const std::filesystem::path& folder) {
     const LibraryTurn turn;
+    const NoThreads alone;
     return report::write_report(folder);
   });
   using output::ResultsReader;

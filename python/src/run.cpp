@@ -1,170 +1,58 @@
-// A run for Python: the calculation has a thread of its own, and the calling thread sees to signals and the callback.
+// Runs and studies for Python.
 
-#include "analysis/run_case.hpp"
-
-#include <fmt/format.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
+#include <optional>
 
-#include "base/interrupt.hpp"
+#include "analysis/run_case.hpp"
+#include "analysis/study.hpp"
 #include "bind.hpp"
+#include "drive.hpp"
 
 namespace talus::python {
 namespace {
 
-/// Time within which a Ctrl-C is seen.
-constexpr std::chrono::milliseconds patience{100};
-
-/// The request to stop is one for the whole process, so there can be only one run at a time.
-class OnlyRun {
- public:
-  OnlyRun() {
-    if (is_running.exchange(true))
-      throw Error(ExitCode::wrong_input,
-                  "a run is going on in this process already; runs side by side need a process each");
-    request_interrupt(false);
-  }
-  ~OnlyRun() {
-    request_interrupt(false);
-    is_running = false;
-  }
-  OnlyRun(const OnlyRun&) = delete;
-  OnlyRun& operator=(const OnlyRun&) = delete;
-
- private:
-  static inline std::atomic<bool> is_running{false};
-};
-
-/// The calculation in its own thread. Must be destroyed with Python's lock held.
-class Calculation {
- public:
-  Calculation(const model::LoadedCase& loaded, analysis::RunOptions options)
-      : options_(std::move(options)),
-        progress_(Progress::Listener([this](const ProgressReport& report) { keep(report); })),
-        thread_([this, &loaded] { work(loaded); }) {}
-  ~Calculation() {
-    if (!thread_.joinable()) return;
-    request_interrupt();
-    join();
-  }
-  Calculation(const Calculation&) = delete;
-  Calculation& operator=(const Calculation&) = delete;
-
-  /// Waits for news or the end, not longer than `patience`; without Python's lock. Returns whether it has ended.
-  bool wait(std::optional<ProgressReport>& news) {
-    const py::gil_scoped_release released;
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, patience, [&] { return ended_ || news_; });
-    news = std::exchange(news_, std::nullopt);
-    return ended_;
-  }
-  /// What ended the calculation early, or nothing.
-  std::exception_ptr join() {
-    const py::gil_scoped_release released;
-    thread_.join();
-    return failure_;
-  }
-
- private:
-  /// Only the newest is kept: a slow callback misses some, and the calculation never waits for it.
-  void keep(const ProgressReport& report) {
-    const std::lock_guard lock(mutex_);
-    news_ = report;
-    changed_.notify_one();
-  }
-  void work(const model::LoadedCase& loaded) {
-    try {
-      options_.progress = &progress_;
-      analysis::run_case(loaded, options_);
-    } catch (const Error&) {
-      failure_ = std::current_exception();
-    } catch (const std::exception& error) {
-      failure_ = std::make_exception_ptr(Error(
-          ExitCode::internal_error, fmt::format("internal error: {}; please report it with the case", error.what())));
-    }
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-    changed_.notify_one();
-  }
-
-  analysis::RunOptions options_;
-  Progress progress_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool ended_ = false;
-  std::optional<ProgressReport> news_;
-  std::exception_ptr failure_;
-  std::thread thread_;  ///< last: it starts when everything else is there
-};
-
-/// Asks `callback` whether to go on. HDF5 is its own meanwhile, so that it may read results, also with h5py.
-bool ask(const py::object& callback, const ProgressReport& report) {
-  const LibraryTurn turn;
-  const py::object answer = callback(report.line, report.label, report.stage, report.time, report.duration);
-  return !answer.is(py::bool_(false));
-}
-
-/// Raises what stopped the run and what the run said of it, one as the cause of the other: Ctrl-C stays a Ctrl-C.
-[[noreturn]] void raise_both(py::error_already_set& stop, const std::exception_ptr& failure) {
-  if (!failure) throw stop;
-  py::object sentence;
-  try {
-    std::rethrow_exception(failure);
-  } catch (const Error& error) {
-    sentence = make_exception(error);
-  }
-  const bool is_ordinary = stop.matches(PyExc_Exception);
-  const py::object reason = stop.value();
-  if (stop.trace()) PyException_SetTraceback(reason.ptr(), stop.trace().ptr());
-  const py::object& shown = is_ordinary ? sentence : reason;
-  const py::object& cause = is_ordinary ? reason : sentence;
-  PyException_SetCause(shown.ptr(), py::object(cause).release().ptr());
-  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(shown.ptr())), shown.ptr());
-  throw py::error_already_set();
-}
-
-void run(const model::LoadedCase& loaded, const std::filesystem::path& folder, int threads, bool resume, bool overwrite,
-         const py::object& callback) {
-  const OnlyRun only;
-  analysis::RunOptions options;
+template <class Options>
+Options make_options(const std::filesystem::path& folder, int threads, bool resume, bool overwrite) {
+  Options options;
   options.folder = folder;
   options.threads = threads;
   options.resume = resume;
   options.overwrite = overwrite;
-  std::optional<py::error_already_set> stop;
-  Calculation calculation(loaded, options);
-  for (bool ended = false, asked = false; !ended;) {
-    std::optional<ProgressReport> news;
-    ended = calculation.wait(news);
-    if (stop) {
-      if (PyErr_CheckSignals() != 0) PyErr_Clear();  // a second Ctrl-C: the state is being saved already
-      continue;
-    }
-    try {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (news && !asked && !callback.is_none() && !ask(callback, *news)) {
-        asked = true;
-        request_interrupt();
-      }
-    } catch (py::error_already_set& error) {
-      stop.emplace(error);
-      request_interrupt();
-    }
-  }
-  const std::exception_ptr failure = calculation.join();
-  if (stop) raise_both(*stop, failure);
-  if (failure) std::rethrow_exception(failure);
+  return options;
+}
+
+void run(const model::LoadedCase& loaded, const std::filesystem::path& folder, int threads, bool resume, bool overwrite,
+         const py::object& callback) {
+  auto options = make_options<analysis::RunOptions>(folder, threads, resume, overwrite);
+  const auto work = [&](Progress& progress) {
+    options.progress = &progress;
+    analysis::run_case(loaded, options);
+  };
+  drive(work, callback, Calls::with_news);
+}
+
+/// Returns the error of a study whose variants did not all finish, or None; throws when it was stopped, and what kept
+/// it from beginning.
+py::object study(const model::LoadedCase& base, const std::filesystem::path& folder, int threads, bool resume,
+                 bool overwrite, const py::object& callback) {
+  auto options = make_options<analysis::StudyOptions>(folder, threads, resume, overwrite);
+  std::optional<Error> failure;
+  const auto work = [&](Progress& progress) {
+    const analysis::StudyPlan plan = analysis::plan_study(base, {});
+    options.progress = &progress;
+    failure = analysis::find_failure(plan, analysis::run_study(plan, options));
+    if (failure && failure->code() == ExitCode::interrupted) throw *failure;
+  };
+  drive(work, callback, Calls::always);
+  return failure ? make_exception(*failure) : py::none();
 }
 
 }  // namespace
 
 void bind_run(py::module_& module) {
   module.def("run", &run);
+  module.def("study", &study);
 }
 
 }  // namespace talus::python

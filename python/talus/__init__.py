@@ -5,6 +5,10 @@
     results = talus.run(case, "results")
     print(results.factor_of_safety)
     talus.plot.plot_section(results)
+    study = talus.study(case, "study", {"mesh.size": [1, 0.5]})
+    print(study.table["mesh.size"], study.table["FoS, frozen"])
+
+Frames are in SI units, histories in the units of [output], stress is positive in tension. Errors are talus.Error.
 """
 
 import os as _os
@@ -22,17 +26,23 @@ for _name in _wait_policy:
     del _os.environ[_name]
 
 from . import plot  # noqa: E402
-from .calculation import Progress, run  # noqa: E402
+from .calculation import Progress, run, study  # noqa: E402
 from .case import Case, describe  # noqa: E402
 from .errors import CannotWrite, Error, Finding, FolderExists, InputError, Interrupted, Unstable  # noqa: E402
-from .results import Frame, History, Mesh, Results  # noqa: E402
+from .fields import Fields, History  # noqa: E402
+from .frames import Frame, Mesh  # noqa: E402
+from .named import Comparison, Result  # noqa: E402
+from .results import Results  # noqa: E402
+from .studies import Study  # noqa: E402
 
 __version__: str = _core.version
 
 __all__ = [
     "CannotWrite",
     "Case",
+    "Comparison",
     "Error",
+    "Fields",
     "Finding",
     "FolderExists",
     "Frame",
@@ -41,9 +51,12 @@ __all__ = [
     "Interrupted",
     "Mesh",
     "Progress",
+    "Result",
     "Results",
+    "Study",
     "Unstable",
     "describe",
     "plot",
     "run",
+    "study",
 ]

@@ -27,6 +27,15 @@ def run(
     callback: Optional[Callable[[str, str, str, float, float], object]],
 ) -> None: ...
 
+def study(
+    base: LoadedCase,
+    folder: Path,
+    threads: int,
+    resume: bool,
+    overwrite: bool,
+    callback: Optional[Callable[[str, str, str, float, float], object]],
+) -> Optional[Exception]: ...
+
 class MeshFrame:
     @property
     def nodes(self) -> NDArray[Any]: ...

@@ -1,26 +1,28 @@
-"""Runs a case, with progress, stop and resumption."""
+"""Runs a case or a study, with progress, stop and resumption."""
 
 from __future__ import annotations
 
 import contextlib
+import operator
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable, Optional, Union
+from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 
 from . import _core
 from .case import Case
 from .errors import Error, FolderExists, InputError
 from .results import Results
+from .studies import Study
 
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a run is. Trials that run side by side report in turn."""
+    """How far a run or a study is. Trials that run side by side report in turn."""
 
     line: str  #: what the command line shows
     label: str  #: which of several trials or meshes, "[3 of 24]", "mesh 1 of 2: SRF 1.412"; empty in the case's stages
-    stage: str  #: name of the stage or trial
+    stage: str  #: name of the stage or trial; empty in a study
     time: float  #: simulated time since its start [s]
     duration: float  #: its whole time, or the longest that it may take to rest [s]; 0: not known
 
@@ -51,41 +53,96 @@ def run(
     progress: called with a Progress, at most five times a second, in the calling thread; the calculation goes on
         meanwhile. When it returns False or raises an exception, the state is saved and Interrupted is raised, with that
         exception as its cause; `resume=True` goes on from there.
-
     report: write `folder`/report.html at the end, also of a run that was stopped.
 
     Ctrl-C saves the state as well before KeyboardInterrupt is raised. One run at a time in a process.
     Raises InputError, FolderExists, Unstable, CannotWrite with the sentences of the command line.
     """
+    arguments = _check_arguments(folder, threads, resume, overwrite, progress)
+    loaded = _get_case(case)._load()
+    with _closing_report(arguments[0], report):
+        _core.run(loaded, *arguments)
+    return Results(arguments[0])
+
+
+def study(
+    case: Union[Case, str, os.PathLike[str]],
+    folder: Union[str, os.PathLike[str]],
+    vary: Optional[Mapping[str, Sequence[Any]]] = None,
+    *,
+    threads: Optional[int] = None,
+    resume: bool = False,
+    overwrite: bool = False,
+    progress: Optional[Callable[[Progress], object]] = None,
+    report: bool = True,
+) -> Study:
+    """Calculates a case for every value that its [study] lists, into `folder` as `talus study` does.
+
+    vary: keys and their values, {"mesh.size": [1.0, "150 cm"]}, instead of those that the case lists.
+    threads: variants calculated side by side, each by one thread; by default all cores.
+    resume: keep finished variants and go on with interrupted ones.
+    progress: called about ten times a second with a Progress whose `line` says how many variants are done; stops the
+        study as `talus.run` is stopped.
+
+    A variant that fails does not stop the others; when all have ended an Error says which failed and why, and
+    `talus.Study(folder)` has the table and the results of those that finished. All else as for `talus.run`.
+    """
+    arguments = _check_arguments(folder, threads, resume, overwrite, progress)
+    case = _get_case(case)
+    if vary is not None:
+        case = case.copy()
+        case.study.vary = [dict(key=key, values=values) for key, values in vary.items()]
+    loaded = case._load()
+    with _closing_report(arguments[0], report):
+        failure = _core.study(loaded, *arguments)
+    if failure is not None:
+        raise failure
+    return Study(arguments[0])
+
+
+_Arguments = tuple[Path, int, bool, bool, Optional[Callable[[str, str, str, float, float], object]]]
+
+
+def _check_arguments(
+    folder: Union[str, os.PathLike[str]],
+    threads: Optional[int],
+    resume: bool,
+    overwrite: bool,
+    progress: Optional[Callable[[Progress], object]],
+) -> _Arguments:
+    """The arguments of the extension module's functions after the case."""
     if resume and overwrite:
         raise ValueError("resume and overwrite exclude each other")
-    if threads is not None and threads < 1:
-        raise ValueError(f"threads must be at least 1, not {threads}")
-    if not isinstance(case, Case):
-        case = Case.read(case)
+    count = _core.default_threads() if threads is None else operator.index(threads)
+    if count < 1:
+        raise ValueError(f"threads must be at least 1, not {count}")
+    if progress is None:
+        return Path(folder), count, resume, overwrite, None
+    if not callable(progress):
+        raise TypeError(f"progress must be a function of one argument, not {progress!r}")
+    tell = progress
 
     def pass_on(line: str, label: str, stage: str, time: float, duration: float) -> object:
-        assert progress is not None
-        return progress(Progress(line, label.strip(" :,"), stage, time, duration))
+        return tell(Progress(line, label.strip(" :,"), stage, time, duration))
 
-    loaded = case._load()
-    results = Path(folder)
+    return Path(folder), count, resume, overwrite, pass_on
+
+
+def _get_case(case: Union[Case, str, os.PathLike[str]]) -> Case:
+    return case if isinstance(case, Case) else Case.read(case)
+
+
+@contextlib.contextmanager
+def _closing_report(folder: Path, wanted: bool) -> Iterator[None]:
+    """Writes the report at the end of what is done inside, also when it was stopped."""
     try:
-        _core.run(
-            loaded,
-            results,
-            threads if threads is not None else _core.default_threads(),
-            resume,
-            overwrite,
-            pass_on if progress is not None else None,
-        )
+        yield
     except (InputError, FolderExists):
         raise  # what lies there is of another run
     except BaseException:
-        if report:
+        if wanted:
             with contextlib.suppress(Error):  # the first error is the one to tell
-                _core.write_report(results)
+                _core.write_report(folder)
         raise
-    if report:
-        _core.write_report(results)
-    return Results(results)
+    if wanted:
+        _core.write_report(folder)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import html
 import os
 import tomllib
 from pathlib import Path
@@ -12,7 +13,7 @@ import tomli_w
 
 from . import _core
 from .declarations import describe, get_root
-from .tables import keep_given, make_table_class, to_plain
+from .tables import keep_given, make_table_class
 
 __all__ = ["Case", "describe"]
 
@@ -96,7 +97,7 @@ class Case(_CaseTable):  # type: ignore[misc]
         """The case as a case file; the file's own text, with its comments, as long as nothing was changed."""
         if self._is_as_read():
             return str(self._text)
-        return tomli_w.dumps(to_plain(self.to_dict()))
+        return tomli_w.dumps(self.to_dict())
 
     def validate(self) -> None:
         """Checks the case. Raises InputError with all faults, in the words of the command line; `.findings` lists them.
@@ -120,3 +121,6 @@ class Case(_CaseTable):  # type: ignore[misc]
 
     def __repr__(self) -> str:
         return f"talus.Case({self._data.get('title', 'untitled')!r})"
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(self.to_toml())}</pre>"

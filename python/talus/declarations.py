@@ -100,5 +100,6 @@ def describe(path: str = "") -> str:
         elif block.kind == "entries":
             return f"{path}: {block.keys['NAME'].describe()}"
         elif block.kind == "table" or i + 1 == len(steps):
-            raise KeyError(f"there is no key '{path}'; [{'.'.join(steps[:i])}] has {', '.join(block.names)}")
+            where = block.header or "a case"
+            raise KeyError(f"there is no key '{path}'; {where} has {', '.join(block.names)}")
     return block.describe()

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import functools
+import html
 import json
+import operator
 import os
 from pathlib import Path
-from typing import Any, Iterator, Optional, Union
+from typing import Any, Iterator, Optional, Sequence, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
 from .errors import InputError
+from .fields import Fields, History
+from .frames import Frame, Mesh, follow_points
+from .named import Comparison, ResultTable, read_comparisons, read_results
 
 _CURVE_TYPE = np.dtype(
     [
@@ -28,81 +33,32 @@ _CURVE_TYPE = np.dtype(
 )
 
 
-class Fields(dict[str, NDArray[Any]]):
-    """Arrays by name, with `units[name]`."""
+class Trials(dict[float, "Results"]):
+    """The trials of a curve by their factor; rounding errors of the factor do not matter."""
 
-    def __init__(self, columns: dict[str, tuple[str, NDArray[Any]]]) -> None:
-        super().__init__({name: values for name, (_, values) in columns.items()})
-        self.units: dict[str, str] = {name: unit for name, (unit, _) in columns.items()}
-
-    def __missing__(self, name: str) -> NDArray[Any]:
-        raise KeyError(f"there is no '{name}'; there are {', '.join(self)}")
-
-
-class History(Fields):
-    """Columns of a table over time: history["time"], history.units["kinetic_energy"]."""
-
-
-class Mesh:
-    """The background mesh of a frame. The arrays are the library's own memory and cannot be written to."""
-
-    def __init__(self, mesh: _core.MeshFrame) -> None:
-        self.nodes: NDArray[Any] = mesh.nodes  #: (nodes, 3) [m]
-        self.elements: NDArray[Any] = mesh.elements  #: (elements, 3 or 4) numbers of nodes
-        self.element_fields = Fields(mesh.element_fields)
-        self.node_fields = Fields(mesh.node_fields)
-
-
-class Frame:
-    """All material points at one time, in SI units, stress positive in tension.
-
-    The arrays are the library's own memory: no copy, alive as long as one of them is, not to be written to. Points that
-    left the grid are missing: follow a point by its id, not by its row."""
-
-    def __init__(self, frame: _core.Frame, results: "Results", index: int) -> None:
-        self._frame = frame
-        self.results = results
-        self.index: int = index
-        self.time: float = frame.time  #: simulated [s]
-        self.step: int = frame.step
-        self.stage: str = frame.stage  #: name of the stage or trial
-        self.positions: NDArray[Any] = frame.positions  #: (points, 3) [m]; z = 0 in 2D
-        self.ids: NDArray[Any] = frame.ids  #: number of each point, for its whole life
-        self.materials: NDArray[Any] = frame.materials  #: 0, 1, … in the order of `Results.materials`
-        self.fields = Fields(frame.fields)
-        mesh = frame.mesh
-        self.mesh: Optional[Mesh] = Mesh(mesh) if mesh is not None else None  #: where the case stores it
-
-    def field(self, name: str) -> NDArray[Any]:
-        """A field of the points: (points,), or (points, 3) for vectors, (points, 6) for xx yy zz xy yz xz."""
-        if name not in self.fields:
-            raise InputError(
-                f"there is no field '{name}' in '{self.results.folder}'; the fields are {', '.join(self.fields)}"
-            )
-        return self.fields[name]
-
-    def unit(self, name: str) -> str:
-        """The SI unit of a field; "-" for a number without one."""
-        self.field(name)
-        return self.fields.units[name]
-
-    def __len__(self) -> int:
-        return len(self.ids)
+    def __missing__(self, factor: float) -> "Results":
+        for known, trial in self.items():
+            if abs(known - factor) <= 1e-9 * known:
+                return trial
+        raise KeyError(f"there is no trial at SRF {factor}; there are {', '.join(f'{known:g}' for known in self)}")
 
     def __repr__(self) -> str:
-        return f"talus.Frame({self.index}: t = {self.time:.4g} s, {self.stage!r}, {len(self)} points)"
+        return f"talus.Trials({', '.join(f'{known:g}' for known in self)})"
 
 
 class Results:
     """The folder of a run, of a trial, or of a run that is still going on: what is read is what lay there then."""
 
     def __init__(self, folder: Union[str, os.PathLike[str]], parent: Optional["Results"] = None) -> None:
+        """Nothing is read yet. Raises InputError where there is no such folder, or where it is a study's."""
         self.folder = Path(folder)
         self.parent = parent  #: the run that a trial belongs to
         if self.folder.name == "results.vtkhdf":
             self.folder = self.folder.parent
         if not self.folder.is_dir():
             raise InputError(f"there is no folder '{self.folder}'")
+        if (self.folder / "study.json").exists():
+            raise InputError(f"'{self.folder}' is the folder of a study: read it with talus.Study")
 
     @functools.cached_property
     def _reader(self) -> _core.Reader:
@@ -158,8 +114,30 @@ class Results:
         return {criterion["name"]: criterion["factor"] for criterion in listed}
 
     @property
+    def results(self) -> ResultTable:
+        """Every number of the run by its name, results["runout[1.75].front_advance"].value, .unit, .title, .si."""
+        return read_results(self.summary)
+
+    @property
+    def comparisons(self) -> list[Comparison]:
+        """What the case's [[compare]] expects, beside what was computed, and whether it passes."""
+        return read_comparisons(self.summary)
+
+    @property
+    def failure_time(self) -> Optional[float]:
+        """When the slope failed [s], from the start of the last stage or of the trial's runout: when the displacement
+        passed `displacement_ratio` of the height. None where it did not, or where nothing looked for it."""
+        summary = self.summary
+        if self.parent and "srf" in summary:
+            matches = [r for r in self.parent.summary.get("runouts", []) if r["srf"] == summary["srf"]]
+            summary = matches[0] if matches else {}
+        value: Optional[float] = summary.get("failure_time")
+        return value
+
+    @property
     def curve(self) -> Optional[Any]:
-        """A record array with a row for each trial of the curve, in SI units: srf, displacement, end, …; or None."""
+        """A record array with a row for each trial of the curve, or None: srf, displacement [m], end (rest, time, …),
+        time [s], steps, force_ratio, nodal_speed and largest_nodal_speed [m/s]."""
         block = self.summary.get("curve")
         if block is None:
             return None
@@ -168,12 +146,12 @@ class Results:
 
     @property
     def times(self) -> NDArray[Any]:
-        """Time of each frame [s]."""
+        """(frames,) time of each frame [s]."""
         return np.array(self._reader.times)
 
     @property
     def steps(self) -> NDArray[Any]:
-        """Number of the time step of each frame."""
+        """(frames,) number of the time step of each frame."""
         return np.array(self._reader.steps)
 
     @property
@@ -188,18 +166,34 @@ class Results:
 
     def frame(self, index: int = -1) -> Frame:
         """The frame with this index, counted from 0, or from the end when negative; the last one by default."""
-        count = len(self)
+        index, count = operator.index(index), len(self)
         return Frame(self._reader.read(index + count if index < 0 else index), self, index % count)
 
     def frame_at(self, time: float) -> Frame:
         """The frame nearest to `time` [s]; the later of two at the same time."""
         return self.frame(self._reader.find_nearest(time))
 
+    def point_history(self, ids: Union[int, Sequence[int], NDArray[Any]], *fields: str) -> Fields:
+        """A point, or several, through all frames: "time" (frames,) [s] and each field in SI units, (frames,) or
+        (frames, components) for one id, (frames, ids, …) for a list of them. NaN where a point has left the grid.
+
+        fields: names of `Results.fields`, or "position"; without any, "displacement".
+
+        crest = results[0].find_point((12, 15)); results.point_history(crest, "displacement", "stress")
+        """
+        return follow_points(iter(self), ids, fields or ("displacement",))
+
     def __len__(self) -> int:
         return len(self._reader.times)
 
-    def __getitem__(self, index: int) -> Frame:
-        if not -len(self) <= index < len(self):
+    @overload
+    def __getitem__(self, index: int) -> Frame: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Frame]: ...
+    def __getitem__(self, index: Union[int, slice]) -> Union[Frame, list[Frame]]:
+        if isinstance(index, slice):
+            return [self.frame(i) for i in range(*index.indices(len(self)))]
+        if not -len(self) <= operator.index(index) < len(self):
             raise IndexError(f"there is no frame {index} in '{self.folder}': there are {len(self)}")
         return self.frame(index)
 
@@ -225,13 +219,13 @@ class Results:
         return self._read_history("monitors.csv")
 
     @functools.cached_property
-    def trials(self) -> dict[float, "Results"]:
+    def trials(self) -> Trials:
         """The trials of the curve by their factor; each has its last frame, one with a runout more of them."""
         found: dict[float, Results] = {}
         for path in sorted(self.folder.glob("trials/*/trial.json")):
             trial = Results(path.parent, self)
             found[trial.summary["srf"]] = trial
-        return dict(sorted(found.items()))
+        return Trials(sorted(found.items()))
 
     def write_report(self) -> Path:
         """Writes report.html into the folder, as `talus report` does, and returns its path."""
@@ -241,6 +235,23 @@ class Results:
         path = self.folder / name
         return History(_core.read_history(path).columns if path.exists() else {})
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.folder, self.parent)  # it is read again where it arrives
+
     def __repr__(self) -> str:
         state = f"trial at SRF {self.summary['srf']:g}" if "srf" in self.summary else self.status
         return f"talus.Results({str(self.folder)!r}, {state})"
+
+    def _repr_html_(self) -> str:
+        lines = [("folder", str(self.folder)), ("status", self.status)]
+        if self.factor_of_safety is not None:
+            lines.append(("factor of safety", f"{self.factor_of_safety:.3f}"))
+        lines += [
+            (f"factor by {name.replace('_', ' ')}", "none" if factor is None else f"{factor:.3f}")
+            for name, factor in self.criteria.items()
+        ]
+        lines += [("comparison", str(comparison)) for comparison in self.comparisons]
+        lines += [("warning", warning) for warning in self.warnings]
+        title = html.escape(str(self.summary.get("title") or self))
+        cells = [f"<tr><th>{html.escape(name)}</th><td>{html.escape(text)}</td></tr>" for name, text in lines]
+        return f"<table><caption>{title}</caption>{''.join(cells)}</table>"

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import datetime
+import decimal
+import numbers
 import os
-from typing import Any, Iterator, Union
+from collections.abc import Iterable, Mapping, Set
+from typing import Any, ItemsView, Iterator, KeysView, Union, ValuesView
 
+import numpy as np
 import tomli_w
 
 from . import _core
@@ -14,19 +19,30 @@ from .errors import Finding, InputError, make_input_error
 Path = tuple[Union[str, int], ...]
 
 
-def to_plain(value: Any) -> Any:
-    """The value in the types of TOML: tuples and arrays become lists, NumPy's numbers Python's; None is left out."""
+def to_plain(value: Any, name: str) -> Any:
+    """The value in the types of TOML: tuples, ranges and arrays become lists, NumPy's numbers Python's; None is left out.
+    `name` is the key that it is for. Raises InputError for what a case file cannot say."""
     if isinstance(value, (Table, NamedTables, TableList)):
         value = value._data
-    if isinstance(value, dict):
-        return {to_key(str(k)): to_plain(v) for k, v in value.items() if v is not None}
-    if isinstance(value, (list, tuple)):
-        return [to_plain(v) for v in value]
-    if hasattr(value, "tolist"):  # NumPy
-        return to_plain(value.tolist())
+    if isinstance(value, Mapping):
+        return {to_key(str(k)): to_plain(v, f"{name}.{k}") for k, v in value.items() if v is not None}
+    if isinstance(value, (str, bool, int, datetime.date, datetime.time)):
+        return str(value) if isinstance(value, str) else value  # of NumPy's texts the plain one
+    if isinstance(value, (numbers.Real, decimal.Decimal)):
+        return value.item() if isinstance(value, np.generic) else float(value)
+    if isinstance(value, (np.ndarray, np.generic)) or hasattr(value, "tolist"):
+        return to_plain(value.tolist(), name)
     if isinstance(value, os.PathLike):
         return os.fspath(value)
-    return value
+    if isinstance(value, Iterable) and not isinstance(value, (bytes, bytearray, Set)):
+        return [to_plain(v, name) for v in value]
+    return _refuse(value, name)
+
+
+def _refuse(value: Any, name: str) -> Any:
+    kind = "None in a list" if value is None else f"a value of the type {type(value).__name__}"
+    sentence = f"'{name}' cannot be {kind}: a case holds numbers, texts, True and False, and lists and dicts of them"
+    raise make_input_error([Finding("<case>", 0, 0, sentence)])
 
 
 def keep_given(block: Block, data: Any) -> Any:
@@ -82,6 +98,33 @@ def check_names(block: Block, data: Any, path: Path) -> None:
     _check_table(block, data, path)
 
 
+def _want_table(name: str, value: Any) -> InputError:
+    sentence = f"'{name}' is a table of keys: give a dict, not {value!r}"
+    return make_input_error([Finding("<case>", 0, 0, sentence)])
+
+
+def check_kind(block: Block, name: str, value: Any, path: Path) -> None:
+    """Refuses what is no table where a table belongs: what is set next, a key of it, would have no place."""
+    inner = block.blocks.get(name)
+    full = write_path((*path, name))
+    if inner is None:
+        return
+    if inner.kind == "list":
+        if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
+            sentence = f"'{full}' is a list of tables: give a list of dicts, not {value!r}"
+            raise make_input_error([Finding("<case>", 0, 0, sentence)])
+        return
+    if not isinstance(value, dict):
+        raise _want_table(full, value)
+    if inner.kind == "named":
+        for label, item in value.items():
+            if not isinstance(item, dict):
+                raise _want_table(f"{full}.{label}", item)
+        return
+    for key, item in value.items():
+        check_kind(inner, key, item, (*path, name))
+
+
 def _check_table(block: Block, data: Any, path: Path) -> None:
     if not isinstance(data, dict):
         return
@@ -118,7 +161,8 @@ class Table:
         elif value is None:
             self._data.pop(name, None)
         else:
-            plain = to_plain(value)
+            plain = to_plain(value, write_path((*self._path, name)))
+            check_kind(self._block, name, plain, self._path)
             _check_table(self._block, {name: plain}, self._path)
             self._data[name] = plain
 
@@ -134,16 +178,43 @@ class Table:
         self[name] = value
 
     def __contains__(self, name: str) -> bool:
-        return to_key(name) in keep_given(self._block, self._data)
+        return to_key(name) in self._get_given()
 
     def __iter__(self) -> Iterator[str]:
-        return iter(keep_given(self._block, self._data))
+        return iter(self._get_given())
 
     def __len__(self) -> int:
-        return len(keep_given(self._block, self._data))
+        return len(self._get_given())
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Table):
+            return self._block is other._block and dict(self.items()) == dict(other.items())
+        return NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def keys(self) -> KeysView[str]:
+        """Names of what is given."""
+        return self._get_given().keys()
+
+    def values(self) -> ValuesView[Any]:
+        """What is given, as plain dicts and lists."""
+        return self._get_given().values()
+
+    def items(self) -> ItemsView[str, Any]:
+        """Names and values of what is given, as plain dicts and lists."""
+        return self._get_given().items()
+
+    def update(self, table: Any = None, /, **keys: Any) -> None:
+        """Sets several keys, given as a dict or by name."""
+        for name, value in {**(table or {}), **keys}.items():
+            self[name] = value
+
+    def _get_given(self) -> dict[str, Any]:
+        return dict(keep_given(self._block, self._data))
 
     def __repr__(self) -> str:
-        return f"{self._block.header} {keep_given(self._block, self._data)}"
+        return f"{self._block.header} {self._get_given()}"
 
     def _wrap(self, name: str) -> Any:
         """The block `name` for reading and changing; what is no table or list is returned as it is."""
@@ -187,8 +258,10 @@ class NamedTables:
         elif value is None:
             self._data.pop(label, None)
         else:
-            plain = to_plain(value)
+            plain = to_plain(value, write_path((*self._path, label)))
             if is_named:
+                if not isinstance(plain, dict):
+                    raise _want_table(write_path((*self._path, label)), plain)
                 _check_table(self._kind._block, plain, (*self._path, label))
             self._data[label] = plain
 
@@ -214,6 +287,18 @@ class NamedTables:
 
     def __len__(self) -> int:
         return len(self._data)
+
+    def keys(self) -> list[str]:
+        """The names of your choice."""
+        return list(self._data)
+
+    def values(self) -> list[Any]:
+        """The tables, or the values, for reading and changing."""
+        return [self[label] for label in self._data]
+
+    def items(self) -> list[tuple[str, Any]]:
+        """Names with their tables, or values, for reading and changing."""
+        return [(label, self[label]) for label in self._data]
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._data]
@@ -253,12 +338,12 @@ class TableList:
 
     def append(self, table: Any = None, /, **keys: Any) -> Any:
         """Adds a table, given as a dict or by its keys, and returns it."""
-        self._data.append(self._check({**(to_plain(table) or {}), **keys}))
+        self._data.append(self._check(self._join(table, keys)))
         return self[len(self._data) - 1]
 
     def insert(self, index: int, table: Any = None, /, **keys: Any) -> None:
         """The same at a place in the list."""
-        self._data.insert(index, self._check({**(to_plain(table) or {}), **keys}))
+        self._data.insert(index, self._check(self._join(table, keys)))
 
     def __iter__(self) -> Iterator[Any]:
         return (self[i] for i in range(len(self._data)))
@@ -269,8 +354,16 @@ class TableList:
     def __repr__(self) -> str:
         return f"[[{write_path(self._path)}]] {self._data}"
 
+    @staticmethod
+    def _join(table: Any, keys: dict[str, Any]) -> Any:
+        if isinstance(table, Table):
+            table = table._data
+        return {**(table or {}), **keys} if table is None or isinstance(table, Mapping) else table
+
     def _check(self, value: Any) -> Any:
-        plain = to_plain(value)
+        plain = to_plain(value, write_path(self._path))
+        if not isinstance(plain, dict):
+            raise _want_table(write_path(self._path), plain)
         _check_table(self._kind._block, plain, (*self._path, 0))
         return plain
 

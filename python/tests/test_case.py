@@ -1,5 +1,10 @@
 """The case in code says what a file says, and its faults are reported in the words of the command line."""
 
+import pickle
+import tomllib
+from fractions import Fraction
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -135,3 +140,62 @@ def test_help_is_the_declarations(source):
     assert "from_" in dir(talus.Case().strength_reduction.curve)
     with pytest.raises(KeyError, match="size"):
         talus.describe("mesh.sise")
+
+
+def test_python_values_become_those_of_a_case_file(slope):
+    case = slope()
+    case.mesh.size = np.float32(0.5)
+    case.materials["sand"].porosity = Fraction(2, 5)
+    case.materials["sand"].cohesion = np.str_("3 kPa")
+    case.mesh.points_per_element = np.int64(6)
+    case.mesh.refine = []
+    case.geometry.polygon[0].points = zip([0, 44, 44, 32, 12, 0], [0, 0, 5, 5, 15, 15])
+    case.strength_reduction.curve.refine = np.bool_(False)
+    case.strength_reduction.curve.runout = range(2, 4)
+    case.analysis.kind = "strength_reduction"
+    case.validate()
+    data = tomllib.loads(case.to_toml())
+    assert data["mesh"]["size"] == 0.5 and data["mesh"]["points_per_element"] == 6
+    assert data["materials"]["sand"]["porosity"] == 0.4 and data["materials"]["sand"]["cohesion"] == "3 kPa"
+    assert data["geometry"]["polygon"][0]["points"][4] == [12, 15]
+    assert data["strength_reduction"]["curve"] == {"refine": False, "runout": [2, 3]}
+    case = slope()
+    case.mesh.file = Path("a") / "b.msh"
+    assert tomllib.loads(case.to_toml())["mesh"]["file"] == "a/b.msh"
+
+
+@pytest.mark.parametrize("value", [1 + 2j, object(), b"3", {1.5, 2.0}, [1, None], lambda: 3], ids=repr)
+def test_what_no_case_file_can_say_is_refused_at_once(value, slope):
+    case = slope()
+    before = case.to_toml()
+    with pytest.raises(talus.InputError, match="'mesh.size' cannot be .*: a case holds numbers"):
+        case.mesh.size = value
+    assert case.to_toml() == before
+
+
+def test_tables_and_lists_keep_their_kind(slope):
+    case = slope()
+    before = case.to_toml()
+    for name, value, sentence in [
+        ("mesh", 3, "'mesh' is a table of keys: give a dict, not 3"),
+        ("materials.sand", 3, "'materials.sand' is a table of keys"),
+        ("materials", dict(sand=3), "'materials.sand' is a table of keys"),
+        ("stage", dict(name="a"), "'stage' is a list of tables"),
+        ("stage.gravity.rest", 1, "rest"),
+    ]:
+        with pytest.raises(talus.InputError, match=sentence):
+            case[name] = value
+    with pytest.raises(talus.InputError, match="'stage' is a table of keys"):
+        case.stage.append("gravity")
+    assert case.to_toml() == before
+
+
+def test_tables_are_used_like_dicts(slope):
+    case, other = slope(), slope()
+    assert case == other and case.mesh == other.mesh and case == pickle.loads(pickle.dumps(case))
+    for name, material in case.materials.items():
+        material.update(cohesion="4 kPa", porosity=0.3)
+    assert name == "sand" and case != other
+    assert case.echo()["materials"]["sand"]["cohesion"]["value"] == 4
+    assert dict(case.mesh) == {"size": 3, "points_per_element": 3} == dict(**case.mesh)
+    assert "cohesion = &quot;4 kPa&quot;" in case._repr_html_()

@@ -19,6 +19,7 @@ def results(tmp_path_factory):
     case.output.cells = case.output.nodes = True
     case.strength_reduction.curve.runout = [2.0]
     case.strength_reduction.curve.runout_time = 5
+    case.strength_reduction.curve.displacement_ratio = 0.005  # of the height: less than the last trial moves
     return talus.run(case, tmp_path_factory.mktemp("results") / "run")
 
 
@@ -138,7 +139,7 @@ def test_plots_show_the_values_in_the_units_of_the_case(results):
     points = axes.lines[0]
     assert np.allclose(points.get_ydata(), 1000 * results.curve.displacement)  # mm
     assert axes.get_ylabel() == "largest displacement [mm]"
-    assert f"{results.factor_of_safety:.2f}  factor of safety" in [t.get_text() for t in axes.get_legend().get_texts()]
+    assert f"{results.factor_of_safety:.3f}  factor of safety" in [t.get_text() for t in axes.get_legend().get_texts()]
 
     frame = results.frame()
     figure, given = pyplot.subplots()
@@ -160,3 +161,116 @@ def test_plots_show_the_values_in_the_units_of_the_case(results):
     with pytest.raises(talus.InputError, match="'displacement' has no component 'w'; it has magnitude, x, y, z"):
         talus.plot.plot_section(results, "displacement.w")
     pyplot.close("all")
+
+
+def test_a_point_is_followed_by_its_id(results):
+    trial = results.trials[2.0]
+    crest = trial[0].find_point((12, 15))
+    distances = np.linalg.norm(trial[0].positions[:, :2] - (12, 15), axis=1)
+    assert distances[list(trial[0].ids).index(crest)] == distances.min()
+    path = trial.point_history(crest, "position", "stress", "volume")
+    assert np.array_equal(path["time"], trial.times) and len(trial) > 2
+    assert path.units == {"time": "s", "position": "m", "stress": "Pa", "volume": "m3"}
+    for i, frame in enumerate(trial):
+        row = int(np.flatnonzero(frame.ids == crest)[0])
+        assert np.array_equal(path["position"][i], frame.positions[row])
+        assert np.array_equal(path["stress"][i], frame.field("stress")[row])
+    # The displacement is the way that the point has gone.
+    way = trial.point_history([crest, 0], "position", "displacement")
+    gone = np.diff(way["position"], axis=0)
+    assert way["position"].shape == (len(trial), 2, 3)
+    assert np.allclose(np.diff(way["displacement"], axis=0), gone, atol=1e-9)
+    for wrong in (10**6, "crest", 1.5, [[1]]):
+        with pytest.raises(talus.InputError, match="point"):
+            trial.point_history(wrong)
+
+
+def test_a_point_that_left_is_not_a_number():
+    from talus.frames import follow_points
+
+    class Moment:
+        def __init__(self, time, ids):
+            self.time, self.ids = time, np.array(ids)
+            self.positions = np.array([[10.0 * i, 0, 0] for i in ids]).reshape(-1, 3)
+
+        def __len__(self):
+            return len(self.ids)
+
+    history = follow_points([Moment(0, [3, 1, 2]), Moment(1, [2, 1])], [1, 3], ["position"])
+    assert np.array_equal(history["position"][:, :, 0], [[10, 30], [10, np.nan]], equal_nan=True)
+
+
+def test_named_results_and_comparisons_are_those_of_the_summary(slope, tmp_path):
+    case = slope(output__length_unit="cm")
+    case.compare = [
+        dict(name="stage[gravity].displacement", value="1 mm", tolerance="9900 %", source="nowhere"),
+        dict(name="mesh.points", value=1, tolerance=0.5, source="nowhere"),
+    ]
+    results = talus.run(case, tmp_path / "run")
+    settled = results.results["stage[gravity].displacement"]
+    largest = np.linalg.norm(results.frame().field("displacement"), axis=1).max()
+    assert settled.si == pytest.approx(largest, rel=1e-12) and settled.unit == "cm"
+    assert settled.value == pytest.approx(100 * largest, rel=1e-12) and float(settled) == settled.value
+    first, second = results.comparisons
+    assert first.passes and first.unit == "mm" and first.published == pytest.approx(1)
+    assert first.computed == pytest.approx(1000 * largest) and first.tolerance == pytest.approx(99)
+    assert not second.passes and second.computed == len(results.frame()) and second.unit == "-"
+    assert "does not pass" in str(second) and "does not pass" in results._repr_html_()
+    with pytest.raises(KeyError, match="there are .*mesh.points"):
+        results.results["nothing"]
+
+
+def test_the_time_of_failure_is_that_of_the_runout(results):
+    listed = {entry["srf"]: entry.get("failure_time") for entry in results.summary["runouts"]}
+    assert results.trials[2.0].failure_time == listed[2.0] and 0 < listed[2.0] < 5
+    assert results.trials[1.4].failure_time is None
+    # The factor may come from a sum of steps.
+    assert results.trials[1.4 + 3 * 0.2] is results.trials[2.0]
+    with pytest.raises(KeyError, match="there are 1.4, 1.6"):
+        results.trials[1.5]
+
+
+def test_indices_are_those_of_a_list(results):
+    assert [frame.index for frame in results[:2]] == [0, 1] and results[np.int64(-1)].index == len(results) - 1
+    for wrong in (1.5, "last", None):
+        with pytest.raises(TypeError):
+            results[wrong]
+        with pytest.raises(TypeError):
+            results.frame(wrong)
+
+
+def test_histories_and_animations_are_drawn(results, tmp_path):
+    from matplotlib import pyplot
+
+    axes = talus.plot.plot_history(results.monitors, "crest.displacement_x", "crest.displacement_y")
+    assert np.array_equal(axes.lines[1].get_ydata(), results.monitors["crest.displacement_y"])
+    assert axes.get_ylabel() == "[mm]" and axes.get_xlabel() == "time [s]"
+    with pytest.raises(talus.InputError, match="must have one unit: kinetic_energy .J., points"):
+        talus.plot.plot_history(results, "kinetic_energy", "points")
+    with pytest.raises(KeyError, match="there is no 'energy'"):
+        talus.plot.plot_history(results, "energy")
+    trial = results.trials[2.0]
+    animation = talus.plot.animate_section(trial, "displacement.x")
+    animation.save(tmp_path / "run.gif", writer="pillow")
+    from PIL import Image
+
+    with Image.open(tmp_path / "run.gif") as picture:
+        assert picture.n_frames == len(trial)
+    points = next(c for c in animation._fig.axes[0].collections)
+    ends = [1000 * end(frame.field("displacement")[:, 0]) for frame in trial for end in (np.min, np.max)]
+    assert points.get_clim()[1] == pytest.approx(max(map(abs, ends)))  # one range for all frames
+    pyplot.close("all")
+
+
+def test_data_frames_have_a_column_for_each_component(results):
+    try:
+        import pandas  # noqa: F401
+    except ImportError:
+        with pytest.raises(ImportError, match="needs pandas"):
+            results.frame().to_dataframe()
+        pytest.skip("pandas is not installed")
+    frame = results.frame()
+    table = frame.to_dataframe()
+    assert np.array_equal(table["stress.xy"], frame.field("stress")[:, 3]) and table.attrs["units"]["stress.xy"] == "Pa"
+    assert list(table.index) == list(frame.ids) and np.array_equal(table["position.y"], frame.positions[:, 1])
+    assert len(results.history.to_dataframe()) == len(results.history["time"])

@@ -18,7 +18,13 @@ def test_the_tutorial_runs(source, tmp_path):
     assert f"{results.factor_of_safety:.3f}" == f"{factor:.3f}"
     # What the manual says of this coarse mesh; another instruction set may decide a trial at the limit differently.
     assert factor == pytest.approx(1.307, abs=0.03)
-    assert float(re.search(r"^with 3 kPa: ([\d.]+)$", done.stdout, re.MULTILINE)[1]) > factor
+    factors = [float(re.search(rf"^with {c} kPa: ([\d.]+)$", done.stdout, re.MULTILINE)[1]) for c in (2, 3, 4)]
+    assert factors == sorted(set(factors)) and factors[0] == factor  # more cohesion, more safety; the curve does not matter
+    assert f"factor of safety: {factor:.4g}"[:20] in done.stdout
+    # The hand calculation: 2650 kg/m³ · 0.6 · 9.81 m/s² and the weight above.
+    assert "unit weight 15.60 kN/m³" in done.stdout
+    ratio, count = re.search(r"weight above: ([\d.]+) on average at (\d+) points", done.stdout).groups()
+    assert float(ratio) == pytest.approx(1, abs=0.03) and int(count) > 10
     assert "unknown key 'cohesoin' in [materials.sand]; did you mean 'cohesion'?" in done.stdout
     assert "--resume goes on from there" in done.stdout
     # The settlement that it prints is that of the table.

@@ -300,7 +300,7 @@ class CaseRun {
       double mass = 0;
       for (const auto& l : body_.lost) mass += l.mass;
       warnings_.push_back(fmt::format(
-          "{} points with {:.4g} kg left the grid (the first at t = {:.4g} s); enlarge the box if they matter",
+          "{} points with {:.1f} kg left the grid (the first at t = {:.4g} s); enlarge the box if they matter",
           body_.lost.size(), mass, body_.lost.front().time));
     }
     summary_["stages"] = stages_;

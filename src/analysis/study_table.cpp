@@ -158,7 +158,10 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
     columns.add(name, plan.length_unit, "{:.3g}", false, [k = key](const json& s) {
       return get_number(s, {"runout", k});
     });
-  columns.add("moved volume", "m3", "{:.4g}", false, [](const json& s) {
+  const bool plane = std::all_of(rows.begin(), rows.end(), [](const StudyRow& row) {
+    return get_number(row.summary, {"mesh", "dimension"}).value_or(2) == 2;
+  });
+  columns.add("moved volume", plane ? "m3/m" : "m3", "{:.4g}", false, [](const json& s) {
     return get_number(s, {"runout", "moved_volume"});
   });
   columns.add("points", "", "{:.0f}", false, [](const json& s) { return get_number(s, {"mesh", "points"}); });

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "report/look_up.hpp"
@@ -12,8 +13,6 @@ namespace talus::report {
 using nlohmann::json;
 
 namespace {
-
-const ShownUnit metre{"m", 1};
 
 std::string to_title(const std::string& criterion) {
   static const std::map<std::string, std::string> titles{
@@ -38,12 +37,11 @@ json make_factor(const std::string& criterion, const json& value, const json& lo
           {"main", false}};
 }
 
-std::string describe_meshes(const json& frozen) {
-  std::string text;
+std::string describe_meshes(const json& frozen, const ShownUnit& length) {
+  std::vector<std::string> parts;
   for (const json& m : find_list(frozen, {"meshes"}))
-    text += fmt::format("{}{:.3f} at h = {:.3g} m", text.empty() ? "" : " and ", get_number(m, {"factor"}),
-                        get_number(m, {"size"}));
-  return text;
+    parts.push_back(fmt::format("{:.3f} at h = {}", get_number(m, {"factor"}), show(get_number(m, {"size"}), length)));
+  return join_words(parts);
 }
 
 json list_factors(const json& summary) {
@@ -53,10 +51,11 @@ json list_factors(const json& summary) {
   if (const json* frozen = find(*block, {"frozen"})) {
     const double value = get_number(*frozen, {"factor"}), width = get_number(*frozen, {"uncertainty"});
     const bool extrapolated = find(*frozen, {"extrapolated"}) != nullptr;
-    factors.push_back(make_factor(
-        "frozen", value, value - width, value + width,
-        fmt::format("{}{}; the bracket is that of the search on these meshes only", describe_meshes(*frozen),
-                    extrapolated ? ", extrapolated to h = 0" : ", one mesh, not extrapolated")));
+    factors.push_back(
+        make_factor("frozen", value, value - width, value + width,
+                    fmt::format("{}{}; the bracket is that of the search on these meshes only",
+                                describe_meshes(*frozen, read_units(summary).length),
+                                extrapolated ? ", extrapolated to h = 0" : ", one mesh, not extrapolated")));
   }
   for (const json& c : find_list(*block, {"criteria"})) {
     const auto factor = find_number(c, {"factor"});
@@ -74,68 +73,147 @@ json list_factors(const json& summary) {
 
 void say_factor(const json& summary, const json& factors, json& sentences) {
   const auto found = std::find_if(factors.begin(), factors.end(), [](const json& f) { return f["main"] == true; });
-  const json* main = found == factors.end() ? nullptr : &*found;
-  if (main == nullptr) {
+  if (found == factors.end()) {
     if (!factors.empty()) sentences.push_back("No criterion found a factor of safety in the range that was tried.");
     return;
   }
-  const double value = (*main)["value"].get<double>();
-  const bool by_frozen = (*main)["name"] == "factor_of_safety.frozen";
+  const double value = (*found)["value"].get<double>();
+  const bool by_frozen = (*found)["name"] == "factor_of_safety.frozen";
   std::string text = fmt::format("The factor of safety is {:.3f}", value);
   if (by_frozen) {
     const json& frozen = summary["factor_of_safety"]["frozen"];
+    const ShownUnit length = read_units(summary).length;
     const double low = get_number(frozen, {"dilatancy_angle_min"}), high = get_number(frozen, {"dilatancy_angle_max"});
     text += low == high ? fmt::format(" with a dilatancy angle of {:.3g}°", high)
                         : fmt::format(" with dilatancy angles from {:.3g}° to {:.3g}°", low, high);
     text += find(frozen, {"extrapolated"}) != nullptr
-                ? fmt::format(": {}, extrapolated to h = 0.", describe_meshes(frozen))
+                ? fmt::format(": {}, extrapolated to h = 0.", describe_meshes(frozen, length))
                 : fmt::format(": {}, on one mesh and not extrapolated; expect some percent less on a finer one.",
-                              describe_meshes(frozen));
+                              describe_meshes(frozen, length));
   } else {
-    text += fmt::format(" by the criterion \"{}\".", (*main)["title"].get<std::string>());
+    text += fmt::format(" by the criterion \"{}\".", (*found)["title"].get<std::string>());
   }
   sentences.push_back(text);
   if (value < 1) sentences.push_back("A factor below one: the slope does not stand with the given strength.");
 }
 
+/// What has become of the soil when a calculation ended.
+std::string describe_end(const json& report) {
+  const double time = get_number(report, {"time"});
+  if (get_text(report, {"end"}) == "rest") return fmt::format("after {} s the soil is at rest", show_number(time));
+  const auto force = find_number(report, {"force_ratio"});
+  return fmt::format("the time was up after {} s{}", show_number(time),
+                     force ? ", with an unbalanced force of " + show_number(*force, 2) + " of gravity" : "");
+}
+
 /// Of a run, and of each trial that went on until rest.
-void say_runout(const json& runout, std::size_t dimension, const std::string& where, const std::string& end,
-                double time, std::optional<double> failure_time, json& sentences) {
-  const double beyond = get_number(runout, {"toe_distance"});
-  const std::string toe =
-      beyond > 0 ? fmt::format("passes the toe by {}", show(beyond, metre)) : "stays behind the toe";
-  sentences.push_back(
-      fmt::format("{} the largest displacement is {}, the front advances {} and {}, the crest retreats {}, and {:.4g} "
-                  "{} move; after "
-                  "{:.3g} s the soil is {}.",
-                  where, show(get_number(runout, {"largest_displacement"}), metre),
-                  show(get_number(runout, {"front_advance"}), metre), toe,
-                  show(get_number(runout, {"crest_retreat"}), metre), get_number(runout, {"moved_volume"}),
-                  dimension == 2 ? "m³ per metre" : "m³", time, end == "rest" ? "at rest" : "still moving"));
-  if (failure_time)
-    sentences.push_back(
-        fmt::format("Its largest displacement passed the share of the height that counts as failure after {:.3g} s.",
-                    *failure_time));
+class RunoutWords {
+ public:
+  RunoutWords(const json& summary, json& sentences)
+      : length_(read_units(summary).length),
+        volume_(get_dimension(summary) == 2 ? "m³ per metre" : "m³"),
+        sentences_(sentences) {}
+
+  void say(const json& runout, const std::string& where, const json& end, std::optional<double> failure_time) {
+    const double moved = get_number(runout, {"moved_volume"});
+    const std::string largest =
+        fmt::format("{} the largest displacement is {}", where, length(get_number(runout, {"largest_displacement"})));
+    if (moved > 0)
+      sentences_.push_back(fmt::format("{}, {}, {}, and {} {} move; {}.", largest, describe_front(runout),
+                                       describe_crest(runout), show_number(moved, 4), volume_, describe_end(end)));
+    else
+      sentences_.push_back(
+          fmt::format("{}: no soil moves further than 1 % of the height; {}.", largest, describe_end(end)));
+    if (failure_time)
+      sentences_.push_back(
+          fmt::format("Its largest displacement passed the share of the height that counts as failure after {} s.",
+                      show_number(*failure_time)));
+  }
+
+ private:
+  std::string length(double metres) const { return show(metres, length_); }
+
+  std::string describe_front(const json& runout) const {
+    const double advance = get_number(runout, {"front_advance"}), beyond = get_number(runout, {"toe_distance"});
+    return fmt::format("the front {} {} and {}", advance < 0 ? "goes back by" : "advances", length(std::abs(advance)),
+                       beyond > 0 ? "passes the toe by " + length(beyond) : "stays behind the toe");
+  }
+  std::string describe_crest(const json& runout) const {
+    const double retreat = get_number(runout, {"crest_retreat"});
+    return retreat > 0 ? "the crest retreats " + length(retreat) : "the crest stays";
+  }
+
+  ShownUnit length_;
+  std::string volume_;
+  json& sentences_;
+};
+
+bool has_lost_all(const json& summary) {
+  return get_number(summary, {"budgets", "lost", "points"}) > 0 && get_number(summary, {"budgets", "points"}) <= 0;
+}
+
+/// The results, without the zeros that a runout without any soil comes to.
+json list_results(const json& summary) {
+  json results = json::array();
+  for (const json& r : find_list(summary, {"results"}))
+    if (!has_lost_all(summary) || !get_text(r, {"name"}).starts_with("runout.")) results.push_back(r);
+  return results;
+}
+
+/// Points that left the grid are in no number of the answer. Returns whether any soil is left.
+bool say_lost(const json& summary, json& sentences) {
+  const double lost = get_number(summary, {"budgets", "lost", "points"});
+  if (lost <= 0) return true;
+  const double left = get_number(summary, {"budgets", "points"});
+  if (has_lost_all(summary)) {
+    sentences.push_back("All soil has left the grid: nothing is there to be measured.");
+    return false;
+  }
+  const double mass = get_number(summary, {"budgets", "lost", "mass"});
+  const double share = 100 * mass / (mass + get_number(summary, {"budgets", "mass"}));
+  sentences.push_back(fmt::format(
+      "{:.0f} of {:.0f} points, {} % of the mass, left the grid: what is said of the soil holds for the rest of it.",
+      lost, lost + left, show_number(share, 2)));
+  return true;
+}
+
+void say_runouts(const json& summary, json& sentences) {
+  static const json none = json::object();
+  RunoutWords words(summary, sentences);
+  for (const json& r : find_list(summary, {"runouts"}))
+    if (const json* runout = find(r, {"runout"}))
+      words.say(*runout, "With the strength divided by " + show_number(get_number(r, {"srf"}), 6), r,
+                find_number(r, {"failure_time"}));
+  const json* runout = find(summary, {"runout"});
+  if (!say_lost(summary, sentences) || runout == nullptr) return;
+  const json& stages = find_list(summary, {"stages"});
+  words.say(*runout, "At the end", stages.empty() ? none : stages.back(), find_number(summary, {"failure_time"}));
 }
 
 void say_comparisons(const json& comparisons, json& sentences) {
+  std::size_t inside = 0, outside = 0, absent = 0;
+  for (const json& c : comparisons)
+    ++(!find_number(c, {"computed"}) ? absent : c.value("passes", false) ? inside : outside);
   if (comparisons.empty()) return;
-  std::size_t missed = 0, absent = 0;
-  for (const json& c : comparisons) {
-    if (find_number(c, {"computed"}))
-      missed += c.value("passes", false) ? 0u : 1u;
-    else
-      ++absent;
+  const auto are = [](std::size_t n, const char* is, const char* are_many) {
+    return fmt::format("{} {}", n, n == 1 ? is : are_many);
+  };
+  if (comparisons.size() == 1) {
+    sentences.push_back(fmt::format("The comparison that the case names {}.", inside    ? "is inside its band"
+                                                                              : outside ? "is outside its band"
+                                                                                        : "was not calculated"));
+    return;
   }
-  const std::size_t all = comparisons.size();
-  std::string text =
-      missed == 0 && absent == 0
-          ? fmt::format("All {} comparisons that the case names are inside their bands.", all)
-          : fmt::format("Of {} comparisons that the case names, {} inside {} and {} outside", all,
-                        all - missed - absent == 1 ? "1 is" : fmt::format("{} are", all - missed - absent), "the band",
-                        missed);
-  if (missed + absent > 0) text += absent > 0 ? fmt::format("; {} were not calculated.", absent) : ".";
-  sentences.push_back(text);
+  if (inside == comparisons.size()) {
+    sentences.push_back(fmt::format("All {} comparisons that the case names are inside their bands.", inside));
+    return;
+  }
+  std::vector<std::string> parts;
+  if (inside > 0) parts.push_back(are(inside, "is inside its band", "are inside their bands"));
+  if (outside > 0) parts.push_back(are(outside, "is outside its band", "are outside their bands"));
+  if (absent > 0) parts.push_back(are(absent, "was not calculated", "were not calculated"));
+  sentences.push_back(
+      fmt::format("Of the {} comparisons that the case names, {}.", comparisons.size(), join_words(parts)));
 }
 
 void say_state(const ResultFolder& folder, json& sentences) {
@@ -174,20 +252,9 @@ json make_answer(const ResultFolder& folder) {
   json sentences = json::array();
   say_state(folder, sentences);
   say_factor(summary, factors, sentences);
-  for (const json& r : find_list(summary, {"runouts"}))
-    if (const json* runout = find(r, {"runout"}))
-      say_runout(*runout, get_dimension(summary),
-                 fmt::format("With the strength divided by {:g}", get_number(r, {"srf"})), get_text(r, {"end"}),
-                 get_number(r, {"time"}), find_number(r, {"failure_time"}), sentences);
-  if (const json* runout = find(summary, {"runout"})) {
-    const json& stages = find_list(summary, {"stages"});
-    static const json none = json::object();
-    const json& last = stages.empty() ? none : stages.back();
-    say_runout(*runout, get_dimension(summary), "At the end", get_text(last, {"end"}), get_number(last, {"time"}),
-               find_number(summary, {"failure_time"}), sentences);
-  }
+  say_runouts(summary, sentences);
   say_comparisons(find_list(summary, {"comparisons"}), sentences);
-  return {{"sentences", sentences}, {"factors", factors}, {"results", find_list(summary, {"results"})}};
+  return {{"sentences", sentences}, {"factors", factors}, {"results", list_results(summary)}};
 }
 
 }  // namespace talus::report

@@ -50,86 +50,101 @@ class Assumptions {
       add("Three dimensions: the section is extruded along z between walls. Tetrahedra lock more than triangles, and "
           "factors of safety in 3D have not been compared with other methods beyond a slab and an upper bound.");
     add("Dry soil in one phase: no pore pressure, no seepage, no suction. Undrained ground can be calculated with "
-        "total "
-        "stresses only (φ = 0, c = su).");
+        "total stresses only (φ = 0, c = su).");
     const json* initial = find(summary_, {"input", "initial"});
     if (initial == nullptr) return;
-    if (get_word(*initial, "stress") == "k0")
-      add("The initial stress is geostatic with a chosen K0 under a level ground; the first stage brings it into "
-          "balance.");
-    else
+    if (get_word(*initial, "stress") != "k0")
       add("There is no initial stress: the first stage brings the weight on, and the horizontal stress of the settled "
           "ground is about ν/(1−ν) times the vertical one, a matter of Poisson's ratio.");
+    else if (const auto k0 = find_si(*initial, "k0"))
+      add("The initial stress is geostatic with K0 = {}, as under a level ground; the first stage brings it into "
+          "balance.",
+          show_number(*k0));
+    else
+      add("The initial stress is geostatic with K0 = ν/(1−ν) of each soil, as under a level ground; the first stage "
+          "brings it into balance.");
   }
 
   void add_soils() {
     const json* materials = find(summary_, {"input", "materials"});
     if (materials == nullptr) return;
-    bool plastic = false, tension = false;
-    std::string elastic;
+    std::vector<std::string> elastic, tensile;
     for (const auto& [name, soil] : materials->items()) {
       if (get_word(soil, "model") != "mohr_coulomb") {
-        elastic += (elastic.empty() ? "" : ", ") + name;
+        elastic.push_back(name);
         continue;
       }
-      plastic = true;
-      tension = tension || get_si(soil, "tensile_strength", 0) > 0;
+      is_plastic_ = true;
+      if (get_si(soil, "tensile_strength", 0) > 0) tensile.push_back(name);
       add_dilatancy(name, soil);
     }
-    if (plastic)
+    if (is_plastic_)
       add("The strength is perfectly plastic: no softening, no rate effect, the same in all directions. With peak "
           "strength a slide stops too early, with residual strength it starts too early.");
-    if (plastic && !tension)
-      add("The soil has no tensile strength: it opens freely, and separated soil swells a little.");
-    if (tension)
-      add("The soil keeps a tensile strength: ground may hang together in tension where real ground would crack.");
-    if (!elastic.empty()) add("Without any limit of strength (linear elastic): {}.", elastic);
+    if (!tensile.empty())
+      add("A tensile strength is kept in {}: ground may hang together in tension where real ground would crack.",
+          join_words(tensile));
+    if (is_plastic_ && tensile.size() + elastic.size() < materials->size())
+      add("{} no tensile strength: it opens freely, and separated soil swells a little.",
+          tensile.empty() ? "The soil has" : "The other soil has");
+    if (!elastic.empty()) add("Without any limit of strength (linear elastic): {}.", join_words(elastic));
   }
 
   void add_dilatancy(const std::string& name, const json& soil) {
     const double psi = get_si(soil, "dilatancy_angle", 0), phi = get_si(soil, "friction_angle", 0);
     if (phi <= 0) return;
+    // Methods of slices give a factor of safety; a run without one has nothing to compare with them.
+    const bool compares = choices_.is_reduction;
     if (psi <= 0)
-      add("{}: the plastic flow keeps its volume (ψ = 0, φ = {:.3g}°). Methods of slices assume ψ = φ in effect and "
-          "give "
-          "a higher factor, by about 3 to 5 % on the slopes that were compared.",
-          name, phi / degree);
+      add("{}: the plastic flow keeps its volume (ψ = 0, φ = {:.3g}°).{}", name, phi / degree,
+          compares ? " Methods of slices assume ψ = φ in effect and give a higher factor, by about 3 to 5 % on the "
+                     "slopes that were compared."
+                   : "");
     else if (psi < phi - 1e-9)
-      add("{}: the plastic flow dilates with ψ = {:.3g}° below φ = {:.3g}°; the factor lies between those of ψ = 0 and "
-          "ψ = φ.",
-          name, psi / degree, phi / degree);
+      add("{}: the plastic flow dilates with ψ = {:.3g}° below φ = {:.3g}°{}.", name, psi / degree, phi / degree,
+          compares ? "; the factor lies between those of ψ = 0 and ψ = φ" : "");
     else
-      add("{}: associated flow (ψ = φ = {:.3g}°), comparable with methods of slices and limit analysis; real soil "
-          "dilates less, which gives a lower factor.",
-          name, phi / degree);
+      add("{}: associated flow (ψ = φ = {:.3g}°){}; real soil dilates less{}.", name, phi / degree,
+          compares ? ", comparable with methods of slices and limit analysis" : "",
+          compares ? ", which gives a lower factor" : "");
   }
 
   void add_mesh() {
     const double size = get_number(summary_, {"mesh", "mean_size"}), height = get_number(summary_, {"slope_height"});
-    if (size > 0 && height > 0)
-      add("The mean size of the elements is 1/{:.0f} of the height of the slope. Shear bands are one or two elements "
-          "thick whatever their size: strains inside them depend on the mesh.",
-          height / size);
+    if (size > 0 && height > 0) {
+      const double across = height / size;
+      add("The mean size of the elements is {} the height of the slope.{}",
+          across > 1.5 ? fmt::format("1/{:.0f} of", across) : show_number(1 / across, 2) + " times",
+          is_plastic_ ? " Shear bands are one or two elements thick whatever their size: strains inside them depend on "
+                        "the mesh."
+                      : "");
+    }
+    if (is_plastic_) add_locking();
+  }
+
+  /// Only plastic flow locks.
+  void add_locking() {
     const char* simplex = dimension_ == 2 ? "triangles" : "tetrahedra";
-    if ((choices_.has_curve && !choices_.curve_is_smoothed) ||
-        (!choices_.is_reduction && !choices_.stages_are_smoothed))
-      add("{} on moving geometry: linear {} without smoothing lock in plastic flow at constant volume. They are too "
-          "strong: factors of the curve come out some 5 to 15 % too high, and displacements too small.",
-          choices_.has_curve ? "The displacement curve" : "The calculation", simplex);
+    const std::string lock =
+        fmt::format("linear {} without smoothing lock in plastic flow at constant volume", simplex);
+    if (choices_.has_curve && !choices_.curve_is_smoothed)
+      add("The displacement curve: {}. They are too strong: factors of the curve come out some 5 to 15 % too high, and "
+          "displacements too small.",
+          lock);
+    else if (!choices_.is_reduction && !choices_.stages_are_smoothed)
+      add("The stages: {}. They are too strong, and displacements come out too small.", lock);
     if (choices_.smoothings.contains("strain"))
       add("Plain strain smoothing is used; with dilatancy (ψ > 0) it can become unstable.");
     if (choices_.smoothings.contains("stable"))
-      add("Locking of linear {} is relieved by stable strain smoothing, not removed: finer meshes still give lower "
-          "factors.",
-          simplex);
+      add("Locking of linear {} is relieved by stable strain smoothing, not removed: finer meshes still give {}.",
+          simplex, choices_.is_reduction ? "lower factors" : "larger displacements");
   }
 
   void add_factor() {
     if (!choices_.is_reduction) return;
     if (const json* frozen = find(summary_, {"factor_of_safety", "frozen"})) {
       add("The factor of safety is decided at frozen geometry (small strains): a trial comes to rest or runs away. "
-          "What "
-          "moves and changes its shape before it fails is not seen by it.");
+          "What moves and changes its shape before it fails is not seen by it.");
       const std::size_t meshes = find_list(*frozen, {"meshes"}).size();
       if (find(*frozen, {"extrapolated"}) != nullptr)
         add("It is extrapolated in a straight line from {} meshes to elements of no size. Its bracket is that of the "
@@ -141,8 +156,8 @@ class Assumptions {
             "slopes that were compared.");
       for (const json& m : find_list(*frozen, {"meshes"}))
         if (find(m, {"undecided"}) != nullptr && m["undecided"] == true)
-          add("At h = {:.3g} m a trial was neither at rest nor run away when its time was over; it counts as failed.",
-              get_number(m, {"size"}));
+          add("At h = {} a trial was neither at rest nor run away when its time was over; it counts as failed.",
+              show(get_number(m, {"size"}), read_units(summary_).length));
     }
     if (choices_.has_curve)
       add("Displacements of the curve are those after {:g} s with damping {:g}: other times and damping give other "
@@ -150,29 +165,36 @@ class Assumptions {
           get_si(summary_["input"]["strength_reduction"]["curve"], "window", 0),
           get_si(summary_["input"]["strength_reduction"]["curve"], "damping", 0));
     const json& stages = find_list(summary_, {"stages"});
-    if (!stages.empty() && get_number(stages.back(), {"force_ratio"}) > restless)
+    const bool all_done = stages.size() == find_list(summary_, {"input", "stage"}).size();
+    if (!stages.empty() && all_done && get_number(stages.back(), {"force_ratio"}) > restless)
       add("The last stage was still moving when the strength reduction began (unbalanced force {:.2g} of the weight): "
           "displacements of the trials contain that motion.",
           get_number(stages.back(), {"force_ratio"}));
   }
 
   void add_motion() {
-    const bool has_runout = find(summary_, {"runout"}) != nullptr || !find_list(summary_, {"runouts"}).empty();
-    if (has_runout)
+    if (has_moved())
       add("Runout: moved volume and largest displacement are robust to about ±15 to 20 % from H/10 on, the position of "
           "the front is not. A second mesh belongs to every number that is used. Kinetic energy is lost in the mapping "
           "at impacts, so that pressures on walls are no result.");
     if (choices_.largest_damping > 0.1 && !choices_.is_reduction)
       add("Local damping of up to {:g} is used, for coming to rest. In a stage that runs out it would stop the soil "
-          "too "
-          "early.",
+          "too early.",
           choices_.largest_damping);
     if (choices_.largest_mass_scaling > 1)
       add("The inertia is multiplied by up to {:g} in some stages: their times and speeds have no physical meaning.",
           choices_.largest_mass_scaling);
-    if (get_number(summary_, {"budgets", "lost", "points"}) > 0)
-      add("{:.0f} points left the grid and are no longer calculated.",
-          get_number(summary_, {"budgets", "lost", "points"}));
+    if (const double lost = get_number(summary_, {"budgets", "lost", "points"}); lost > 0)
+      add("{:.0f} {} the grid and {} no longer calculated.", lost, lost == 1 ? "point left" : "points left",
+          lost == 1 ? "is" : "are");
+  }
+
+  /// Of a run that nothing moved in, nothing is to be said about how far.
+  bool has_moved() const {
+    bool moved = get_number(summary_, {"runout", "moved_volume"}) > 0;
+    for (const json& r : find_list(summary_, {"runouts"}))
+      moved = moved || get_number(r, {"runout", "moved_volume"}) > 0;
+    return moved;
   }
 
   void add_walls() {
@@ -186,6 +208,7 @@ class Assumptions {
   const json& summary_;
   StepChoices choices_;
   std::size_t dimension_;
+  bool is_plastic_ = false;  ///< some soil has a limit of strength
   json sentences_ = json::array();
 };
 

@@ -82,11 +82,11 @@ double evaluate(const ScalarField& scalar, const output::Field& stored, std::siz
   return std::sqrt(square);
 }
 
-ColourScale find_colour_scale(std::span<const double> values, bool is_signed) {
+ColourScale find_colour_scale(std::span<const double> values, bool is_signed, double step) {
   std::vector<double> finite;
   finite.reserve(values.size());
   std::copy_if(values.begin(), values.end(), std::back_inserter(finite), [](double v) { return std::isfinite(v); });
-  ColourScale scale{{0, 1}, false};
+  ColourScale scale{{0, step}, false};
   if (finite.empty()) return scale;
   const auto percentile = [&](double share) {
     const auto at = finite.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(finite.size() - 1));
@@ -105,7 +105,7 @@ ColourScale find_colour_scale(std::span<const double> values, bool is_signed) {
     high = std::max(-low, high);
     low = -high;
   }
-  if (!(high > low)) high = low + 1;
+  if (!(high > low)) high = low + step;
   scale.limits = {low, high};
   return scale;
 }

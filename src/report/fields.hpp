@@ -36,7 +36,7 @@ struct ColourScale {
   bool diverging = false;
 };
 /// 1st to 99th percentile of the finite values; from zero for what has no sign; with equal ends about zero when both
-/// signs matter (the smaller side is above a tenth of the larger). A constant field gets a scale of length one.
-ColourScale find_colour_scale(std::span<const double> values, bool is_signed);
+/// signs matter (the smaller side is above a tenth of the larger). A constant field gets a scale of length `step` (SI).
+ColourScale find_colour_scale(std::span<const double> values, bool is_signed, double step = 1);
 
 }  // namespace talus::report

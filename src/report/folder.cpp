@@ -90,7 +90,11 @@ ResultFolder open_folder(const fs::path& path) {
     fail(fmt::format("'{}' is no folder of results: it holds neither summary.json nor study.json nor frames of a run",
                      path.string()));
   }
-  if (folder.summary.is_null()) folder.summary = json::object();
+  if (folder.summary.is_null()) {
+    // A run that was killed left the reports of the stages that it finished, and their warnings.
+    folder.summary = json::object();
+    if (const json stages = read_json(path / "stages.json"); stages.is_object()) folder.summary.update(stages);
+  }
   note_dimension(folder);
   return folder;
 }

@@ -40,7 +40,11 @@ struct ShownUnits {
   ShownUnit length{"m", 1}, displacement{"mm", 1e-3}, stress{"kPa", 1e3};
 };
 ShownUnits read_units(const nlohmann::json& summary);
-/// "3.23 m": `digits` significant digits.
+/// "3.23", "−0.061", "4.06 × 10⁻⁶": `digits` significant digits, and all before the point; "–" for what is no number.
+std::string show_number(double value, int digits = 3);
+/// "3.23 m".
 std::string show(double si, const ShownUnit& unit, int digits = 3);
+/// "a, b and c".
+std::string join_words(const std::vector<std::string>& words);
 
 }  // namespace talus::report

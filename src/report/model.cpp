@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "analysis/checkpoint.hpp"
+#include "mesh/quality.hpp"
+#include "report/answer.hpp"
 #include "report/boundary_lines.hpp"
 #include "report/look_up.hpp"
 #include "report/materials.hpp"
@@ -22,8 +24,21 @@ constexpr int most_drawn_elements = 100000;
 /// (0.6, -0.8)
 std::string show_vector(const std::vector<double>& v, std::size_t dimension) {
   std::string text;
-  for (std::size_t d = 0; d < std::min(dimension, v.size()); ++d) text += fmt::format("{}{:.4g}", d ? ", " : "", v[d]);
+  for (std::size_t d = 0; d < std::min(dimension, v.size()); ++d) text += (d ? ", " : "") + show_number(v[d], 4);
   return "(" + text + ")";
+}
+
+/// ", times a factor: 0 at 0 s, 1 at 2 s"; nothing without a table.
+std::string describe_factor(const json& node) {
+  constexpr std::size_t most_rows = 6;
+  const json* rows = find(node, {"factor", "value"});
+  if (rows == nullptr || !rows->is_array() || rows->empty()) return "";
+  if (rows->size() > most_rows) return ", times a factor that changes with time (see the input)";
+  std::string text;
+  for (const json& row : *rows)
+    text += fmt::format("{} {} at {} s", text.empty() ? ", times a factor:" : ",", show_number(row.at(1), 4),
+                        show_number(row.at(0), 4));
+  return text;
 }
 
 const json& get_table(const json& summary, const char* name) {
@@ -40,7 +55,8 @@ std::string describe_boundary(const json& b, std::size_t dimension) {
   if (fix == "friction")
     return fmt::format("rough wall with μ = {:g}: the soil may leave it but not cross it", get_si(b, "friction", 0));
   if (fix == "velocity")
-    return fmt::format("prescribed velocity {} m/s", show_vector(get_si_vector(b, "velocity"), dimension));
+    return fmt::format("prescribed velocity {} m/s{}", show_vector(get_si_vector(b, "velocity"), dimension),
+                       describe_factor(b));
   return fix;
 }
 
@@ -68,11 +84,10 @@ json list_loads(const json& summary, std::size_t dimension, const ShownUnits& un
     std::vector<double> traction = get_si_vector(t, "traction");
     for (double& v : traction) v /= units.stress.si;
     const bool moves = get_word(t, "carrier", "points") == "points";
-    const json* factor = find(t, {"factor", "value"});
-    list.push_back({{"name", "traction on " + get_word(t, "on")},
-                    {"text", fmt::format("{} {}, {}{}", show_vector(traction, dimension), units.stress.name,
-                                         moves ? "carried by the soil beside the side" : "fixed in space",
-                                         factor != nullptr && !factor->empty() ? ", changing with time" : "")}});
+    list.push_back(
+        {{"name", "traction on " + get_word(t, "on")},
+         {"text", fmt::format("{} {}, {}{}", show_vector(traction, dimension), units.stress.name,
+                              moves ? "carried by the soil beside the side" : "fixed in space", describe_factor(t))}});
   }
   return list;
 }
@@ -132,9 +147,12 @@ json list_stages(const json& summary, const ShownUnits& units) {
     static const json none = json::object();
     const json& plan = i < plans.size() ? plans[i] : none;
     const json& report = i < reports.size() ? reports[i] : none;
+    // A stage is reported when it ends: the first without a report is where a broken run stopped.
+    const std::string status = find_status(summary);
+    const bool stopped_here = i == reports.size() && status != "finished" && status != "unfinished";
     list.push_back({{"name", get_text(report, {"name"}, get_word(plan, "name"))},
                     {"text", plan.empty() ? "" : describe_stage(plan, units)},
-                    {"end", get_text(report, {"end"}, "not reached")},
+                    {"end", get_text(report, {"end"}, stopped_here ? status : "not reached")},
                     {"time", get_number(report, {"time"})},
                     {"steps", get_number(report, {"steps"})},
                     {"wall", get_number(report, {"wall"})}});
@@ -143,7 +161,15 @@ json list_stages(const json& summary, const ShownUnits& units) {
 }
 
 template <int D>
-void pack_mesh(const mesh::Mesh<D>& mesh, json& block, Packer& packer) {
+void add_mesh(const mesh::Mesh<D>& mesh, json& block, Packer& packer) {
+  // A run that was killed has no summary.
+  if (block["elements"] == 0) {
+    const mesh::Quality<D> quality = mesh::measure_quality(mesh);
+    block["nodes"] = mesh.nodes.size();
+    block["elements"] = mesh.elements.size();
+    block["mean_size"] = quality.mean_size;
+    block["smallest_altitude"] = quality.min_altitude;
+  }
   if (mesh.element_count() > most_drawn_elements) return;
   std::vector<double> positions;
   for (const auto& x : mesh.nodes) positions.insert(positions.end(), x.begin(), x.end());
@@ -213,10 +239,10 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
     const output::ArchiveReader archive(folder.path / "mesh.h5");
     if (dimension == 2) {
       plane = analysis::get_mesh<2>(archive);
-      pack_mesh<2>(*plane, mesh, packer);
+      add_mesh<2>(*plane, mesh, packer);
     } else {
       space = analysis::get_mesh<3>(archive);
-      pack_mesh<3>(*space, mesh, packer);
+      add_mesh<3>(*space, mesh, packer);
     }
   }
   json polygons = json::array();

@@ -55,7 +55,7 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   document["warnings"] = find_list(folder.summary, {"warnings"});
   if (json curve = make_curve(folder); !curve.is_null()) document["curve"] = std::move(curve);
   document["sequences"] = pack_sequences(folder, packer);
-  document["tables"] = make_tables(folder);
+  document["tables"] = make_tables(folder, document["warnings"]);
   return document;
 }
 

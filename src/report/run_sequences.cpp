@@ -54,6 +54,11 @@ nlohmann::json pack_sequences(const ResultFolder& folder, Packer& packer) {
   std::vector<SequencePlan> plans = plan_trials(folder);
   if (SequencePlan stages = plan_stages(folder); !stages.frames.empty()) plans.insert(plans.begin(), std::move(stages));
   nlohmann::json sequences = nlohmann::json::array();
+  // Where all soil has left the grid there is nothing to look at.
+  std::erase_if(plans, [](const SequencePlan& plan) {
+    const SequenceFrame& start = plan.frames.front();
+    return start.reader->read(start.index).point_count() == 0;
+  });
   if (plans.empty()) return sequences;
   // All sequences begin with the points of the same body.
   const SequenceFrame& first = plans[0].frames[0];

@@ -127,7 +127,7 @@ class SequencePacker {
       const std::vector<double>& from = frames_[k].values[s];
       for (std::size_t i = 0; i < from.size(); ++i) values[k * ids_.size() + places_[k][i]] = from[i];
     }
-    const ColourScale scale = find_colour_scale(values, scalar.is_signed);
+    const ColourScale scale = find_colour_scale(values, scalar.is_signed, scalar.unit.si);
     // A velocity has little in common with that of the frame before; every other field has much.
     const bool delta = scalar.stored != "velocity";
     return {{"name", scalar.name},

@@ -54,9 +54,13 @@ void say_ranges(const json& columns, json& sentences) {
     const std::string unit = c["unit"] == "" ? "" : " " + c["unit"].get<std::string>();
     const std::string title = name.starts_with("FoS, ") ? "The factor of safety (" + name.substr(5) + ")"
                                                         : "The " + c["title"].get<std::string>();
-    sentences.push_back(count == 1 ? fmt::format("{} is {:.4g}{} in the one variant that has it.", title, low, unit)
-                                   : fmt::format("{} lies between {:.4g}{} and {:.4g}{} over {} variants.", title, low,
-                                                 unit, high, unit, count));
+    const std::string lowest = show_number(low, 4) + unit, highest = show_number(high, 4) + unit;
+    if (count == 1)
+      sentences.push_back(fmt::format("{} is {} in the one variant that has it.", title, lowest));
+    else if (low == high)
+      sentences.push_back(fmt::format("{} is {} in all {} variants that have it.", title, lowest, count));
+    else
+      sentences.push_back(fmt::format("{} lies between {} and {} over {} variants.", title, lowest, highest, count));
   }
 }
 
@@ -87,10 +91,10 @@ StudyContent read_study(const ResultFolder& folder) {
     }
     rows.push_back(std::move(row));
   }
-  std::string keys;
+  std::vector<std::string> keys;
   for (const json& k : find_list(folder.study, {"vary"})) {
     vary.push_back({{"key", get_text(k, {"key"})}, {"values", find_list(k, {"values"})}});
-    keys += fmt::format("{}{}", keys.empty() ? "" : ", ", get_text(k, {"key"}));
+    keys.push_back(get_text(k, {"key"}));
   }
   for (const json& c : find_list(folder.study, {"columns"})) columns.push_back(make_column(c));
 
@@ -102,7 +106,8 @@ StudyContent read_study(const ResultFolder& folder) {
                                                       : "failed";
   json sentences = json::array();
   sentences.push_back(fmt::format("A study of {} variant{} of one case{}; {} finished.", rows.size(),
-                                  rows.size() == 1 ? "" : "s", keys.empty() ? "" : ", which differ in " + keys,
+                                  rows.size() == 1 ? "" : "s",
+                                  keys.empty() ? "" : ", which differ in " + join_words(keys),
                                   finished ? std::string("all") : std::to_string(statuses["finished"])));
   say_ranges(columns, sentences);
   if (const std::string title = get_text(folder.study, {"title"}); !title.empty())

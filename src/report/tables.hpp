@@ -8,8 +8,9 @@
 namespace talus::report {
 
 /// Tables of the stages, then of the trials that run out. Of longer files about `most_rows` rows are taken, evenly
-/// spread, the first and the last among them; the title says so.
-nlohmann::json make_tables(const ResultFolder& folder);
+/// spread, the first and the last among them; the title says so. A file that cannot be read costs its table, not the
+/// report: a sentence is added to `warnings`.
+nlohmann::json make_tables(const ResultFolder& folder, nlohmann::json& warnings);
 
 inline constexpr std::size_t most_rows = 1000;
 

@@ -37,6 +37,10 @@ TEST(Materials, CannotDilateMoreThanTheyRub) {
   EXPECT_TRUE(find_faults(change(slope, "dilatancy_angle = 0", "dilatancy_angle = 30")).empty());
 }
 
+TEST(Monitors, HaveNamesThatCanHeadAColumn) {
+  expect_fault(slope + "[[output.monitor]]\nname = @@\"crest, left\"\nat = [12, 15]\n", "must not hold commas");
+}
+
 TEST(Sides, MustExist) {
   expect_fault("on = \"bottom\"", "on = @@\"botom\"",
                "there is no side or line 'botom'; did you mean 'bottom'? known: bottom, crest, left, right, top");

@@ -10,6 +10,7 @@ import { checkColours, checkPhone, checkPrint, checkWidth, takeWholePage } from 
 import { readSummary } from "./results.mjs";
 import { measureInteractive, openReport, readDocument, scrollThrough, startBrowser } from "./session.mjs";
 import { checkFields, checkPicking, checkPlaying, checkSequences, takeSpace } from "./viewer.mjs";
+import { checkWords } from "./words.mjs";
 
 const [file, folder, out] = process.argv.slice(2).map((path) => resolve(path));
 if (!file || !folder || !out || !existsSync(file) || !existsSync(folder)) {
@@ -67,6 +68,10 @@ try {
       await scrollThrough(page);
       await checkAccessibility(list, page, colorScheme);
     });
+  await list.group("Words", async () => {
+    // Last: every part of these pages has been drawn, used and scrolled through.
+    for (const [i, session] of opened.entries()) await checkWords(list, session.page, report, `page ${i + 1}`);
+  });
   await list.group("Silence", () => {
     const requests = opened.flatMap((session) => session.requests);
     list.expect(requests.length === 0, "nothing is asked of a network", requests.slice(0, 5).join(", "));

@@ -40,6 +40,8 @@ export function VerticalSection() {
   const [times, setTimes] = useState(() => chooseFrames(sequence, frameIndex.peek()));
   const { bounds, mesh, dimension } = report.value.model;
   const vertical = findVertical(report.value.input);
+  // Without a mesh its elements are not known.
+  const band = mesh.mean_size || (bounds[1][0]! - bounds[0][0]!) / 50;
   const across = [0, 1, 2].filter((d) => d < dimension && d !== vertical);
   const [at, setAt] = useState<(number | null)[]>(() =>
     [0, 1, 2].slice(0, dimension).map((d) => (d === vertical ? null : (bounds[0][d]! + bounds[1][d]!) / 2)),
@@ -63,13 +65,13 @@ export function VerticalSection() {
     if (!data || data.of !== field.values.id) return [];
     return times.map((frame, i): ProfileLine => {
       const positions = takeFrame(data.positions, sequence.positions.shape, frame);
-      const section = { positions, dimension, vertical, at, half: mesh.mean_size / 2 };
+      const section = { positions, dimension, vertical, at, half: band / 2 };
       const values = takeFrame(data.values, field.values.shape, frame);
       return {
         frame,
         title: sequence.frames[frame]!.label,
         style: styleOf(i),
-        bins: makeProfile(section, values, bounds[0][vertical]!, findLayer(mesh.mean_size)),
+        bins: makeProfile(section, values, bounds[0][vertical]!, findLayer(band)),
       };
     });
   }, [data, field, sequence, times, at]);
@@ -176,8 +178,8 @@ export function VerticalSection() {
       <ProfileChart lines={lines} field={field} vertical={vertical} onRemove={toggleTime} />
       <p class="chart-note">
         {trouble ||
-          `Means of the points within ± ${tell(mesh.mean_size / 2)} of ${place} (a band as wide as a mean element), ` +
-            `in layers of ${tell(findLayer(mesh.mean_size))}, where the points are in each frame.`}
+          `Means of the points within ± ${tell(band / 2)} of ${place}${mesh.mean_size ? " (a band as wide as a mean element)" : ""}, ` +
+            `in layers of ${tell(findLayer(band))}, where the points are in each frame.`}
         {!trouble && data && lines.every((l) => l.bins.length === 0) && " There are no points here."}
       </p>
     </div>

@@ -123,6 +123,12 @@ const lead =
   "A copied case file gives the same calculation again.";
 
 export function InputPart() {
+  if (Object.keys(report.value.input).length === 0)
+    return (
+      <Part id="input" title="Input as it was understood" newPage>
+        <p>Not known: the results hold no summary of the input.</p>
+      </Part>
+    );
   const tools = (
     <>
       <CopyButton label="Copy case file" text={() => writeToml(report.value.input, true)} />

@@ -122,8 +122,9 @@ export function Page() {
       </main>
       <footer class="foot">
         <p>
-          Made by Talus {report.value.provenance.version}. Everything shown is in this file; it needs no network.
-          Numbers in the results folder “{report.value.provenance.folder}” are in SI units.
+          Made from results of Talus{` ${report.value.provenance.version}`.trimEnd()}. Everything shown is in this file;
+          it needs no network. The results files in the folder “{report.value.provenance.folder}” are in SI units, its
+          tables in the units that their headers name.
         </p>
       </footer>
     </>

@@ -1,7 +1,9 @@
 /** Which program made this, on what, and where the time went. */
+import type { ComponentChildren } from "preact";
+
 import { report } from "../state";
 import { DataTable, Facts } from "./DataTable";
-import { formatDate, formatDuration, formatNumber } from "./format";
+import { formatCount, formatDate, formatDuration, formatNumber } from "./format";
 import { Part } from "./Part";
 
 /** Seconds beside each other as bars on one axis. */
@@ -26,6 +28,10 @@ function Bars({ caption, rows }: { caption: string; rows: { title: string; secon
   );
 }
 
+/** Older folders, and those of killed runs, do not know everything. */
+const known = (rows: [string, ComponentChildren][]): [string, ComponentChildren][] =>
+  rows.map(([name, value]) => [name, value || "not known"]);
+
 export function ProvenancePart() {
   const { provenance, timing } = report.value;
   const parts = [...timing.parts].sort((a, b) => b.seconds - a.seconds);
@@ -37,20 +43,20 @@ export function ProvenancePart() {
           <h3>Program and machine</h3>
           <Facts
             caption="Program and machine"
-            rows={[
-              ["Program", `${provenance.program} ${provenance.version}`],
+            rows={known([
+              ["Program", `${provenance.program} ${provenance.version}`.trim()],
               ["Commit", <code>{provenance.commit || "unknown"}</code>],
-              ["Compiler", `${provenance.compiler}, ${provenance.build_type}, ${provenance.architecture}`],
-              ["Lane width", `${provenance.lane_width} numbers at a time`],
               [
-                "Machine",
-                `${provenance.machine}, ${provenance.threads} ${provenance.threads === 1 ? "thread" : "threads"}`,
+                "Compiler",
+                [provenance.compiler, provenance.build_type, provenance.architecture].filter(Boolean).join(", "),
               ],
-              ["Started", formatDate(provenance.started)],
-              ["Case file", <code>{provenance.case_file}</code>],
-              ["Input hash", <code>{provenance.input_hash}</code>],
+              ["Lane width", provenance.lane_width > 0 && `${provenance.lane_width} numbers at a time`],
+              ["Machine", provenance.machine && `${provenance.machine}, ${formatCount(provenance.threads, "thread")}`],
+              ["Started", provenance.started && formatDate(provenance.started)],
+              ["Case file", provenance.case_file && <code>{provenance.case_file}</code>],
+              ["Input hash", provenance.input_hash && <code>{provenance.input_hash}</code>],
               ["Results folder", <code>{provenance.folder}</code>],
-            ]}
+            ])}
           />
         </div>
         <div>
@@ -58,8 +64,13 @@ export function ProvenancePart() {
           <Facts
             caption="Time of the whole calculation"
             rows={[
-              ["Wall time", formatDuration(timing.wall)],
-              ["Processor time", `${formatDuration(timing.cpu)}, ${formatNumber(busy, 2)} cores busy on average`],
+              ["Wall time", timing.wall > 0 ? formatDuration(timing.wall) : "not known"],
+              [
+                "Processor time",
+                timing.cpu > 0 && busy > 0
+                  ? `${formatDuration(timing.cpu)}, ${formatNumber(busy, 2)} cores busy on average`
+                  : "not known",
+              ],
             ]}
           />
           {parts.length > 0 && <Bars caption="By part of the time step, over all threads" rows={parts} />}

@@ -21,7 +21,8 @@ export function TitleLine() {
   ];
   return (
     <div class="title-line">
-      <h1>
+      {/* A title without spaces must not widen the page. */}
+      <h1 style={{ overflowWrap: "anywhere", minWidth: 0 }}>
         {project.title}
         {kind === "study" && <span class="kind"> – parameter study</span>}
       </h1>

@@ -33,14 +33,14 @@ export function WarningLink() {
 }
 
 export function Warnings() {
-  const { warnings } = report.value;
+  const { status, warnings } = report.value;
   if (warnings.length === 0) {
     return (
       <p class="no-warnings">
         <svg class="sign" viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
           <path d="m2.5 8.5 3.5 3.5 7.5-8" fill="none" stroke="currentColor" stroke-width="1.8" />
         </svg>
-        No warnings.
+        {status === "finished" ? "No warnings." : "No warnings so far."}
       </p>
     );
   }

@@ -25,24 +25,31 @@ function Points({ points, unit }: { points: number[][]; unit: Unit }) {
 }
 
 export function GeometryTables() {
-  const { model, units } = report.value;
+  const { input, model, units } = report.value;
   const { mesh, polygons, water } = model;
   const length = (x: number) => formatQuantity(x, units.length);
   const place = (x: number[]) => formatPlace(x.map((value) => value / units.length.si));
   const [low, high] = model.bounds;
   const soilSize = high.map((x, d) => length(x - (low[d] ?? 0))).join(" × ");
+  // A run that was killed has no summary: what it would tell is not known, and not zero.
+  const known = (value: number, text: string) => (value > 0 ? text : "not known");
   const rows: [string, ComponentChildren][] = [
     ["Dimension", model.dimension === 2 ? "2D, plane strain; quantities per metre of thickness" : "3D"],
     ["Box", `${soilSize}, from ${place(low)} to ${place(high)} ${units.length.name}`],
-    ["Slope height H", length(model.slope_height)],
-    ["Water", describeWater(model.dimension, water.length)],
+    ["Slope height H", known(model.slope_height, length(model.slope_height))],
+    ["Water", Object.keys(input).length > 0 ? describeWater(model.dimension, water.length) : "not known"],
     [
       "Mesh",
-      `${formatNumber(mesh.elements)} linear ${model.dimension === 2 ? "triangles" : "tetrahedra"}, ` +
-        `${formatNumber(mesh.nodes)} nodes, ${formatNumber(mesh.points)} material points`,
+      (mesh.elements > 0
+        ? `${formatNumber(mesh.elements)} linear ${model.dimension === 2 ? "triangles" : "tetrahedra"}, ` +
+          `${formatNumber(mesh.nodes)} nodes, `
+        : "") + `${known(mesh.points, formatNumber(mesh.points))} material points`,
     ],
-    ["Element size", `mean side ${length(mesh.mean_size)}, smallest altitude ${length(mesh.smallest_altitude)}`],
-    ["Critical time step", formatQuantity(mesh.critical_time_step, second)],
+    [
+      "Element size",
+      known(mesh.mean_size, `mean side ${length(mesh.mean_size)}, smallest altitude ${length(mesh.smallest_altitude)}`),
+    ],
+    ["Critical time step", known(mesh.critical_time_step, formatQuantity(mesh.critical_time_step, second))],
   ];
   return (
     <>

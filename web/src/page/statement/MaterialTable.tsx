@@ -4,7 +4,7 @@ import { DataTable, SymbolText } from "../DataTable";
 import { formatFactor, formatNumber, formatUnit } from "../format";
 
 export function MaterialTable() {
-  const { model, answer } = report.value;
+  const { kind, model, answer } = report.value;
   const properties = model.materials.flatMap((material) => material.properties);
   const hasDesign = properties.some((property) => property.design !== null);
   const hasFailure = properties.some((property) => property.at_failure !== null);
@@ -62,7 +62,7 @@ export function MaterialTable() {
         ))}
       </DataTable>
       <p class="note">
-        Characteristic values are those of the case file.
+        Characteristic values are those of the {kind === "study" ? "first variant" : "case file"}.
         {hasDesign && " Design values are divided by the strength factor of the last stage."}
         {hasFailure &&
           (main

@@ -13,7 +13,7 @@ const ends: { [end: string]: string } = {
 
 export function StageTable() {
   const { stages } = report.value.model;
-  if (stages.length === 0) return <p>No stage has been calculated.</p>;
+  if (stages.length === 0) return <p>No stage has come to its end.</p>;
   return (
     <DataTable caption="Stages" quiet>
       <thead>
@@ -36,11 +36,21 @@ export function StageTable() {
         {stages.map((stage, i) => (
           <tr key={i}>
             <th scope="row">{stage.name}</th>
-            <td class="prose">{formatSentence(stage.text) || "Defaults."}</td>
+            <td class="prose">{formatSentence(stage.text) || "–"}</td>
             <td>{(ends[stage.end] ?? stage.end) || "–"}</td>
-            <td class="number">{formatNumber(stage.time)}&nbsp;s</td>
-            <td class="number">{formatNumber(stage.steps)}</td>
-            <td class="number">{formatDuration(stage.wall)}</td>
+            {stage.steps > 0 ? (
+              <>
+                <td class="number">{formatNumber(stage.time)}&nbsp;s</td>
+                <td class="number">{formatNumber(stage.steps)}</td>
+                <td class="number">{formatDuration(stage.wall)}</td>
+              </>
+            ) : (
+              ["time", "steps", "wall"].map((key) => (
+                <td key={key} class="number">
+                  –
+                </td>
+              ))
+            )}
           </tr>
         ))}
       </tbody>

@@ -23,9 +23,14 @@ function Block({ title, wide, children }: { title: string; wide?: boolean; child
 }
 
 export function Statement() {
-  const { assumptions, warnings } = report.value;
+  const { assumptions, kind, status, study, warnings } = report.value;
+  const first = study?.rows[0]?.name;
+  const lead =
+    kind === "study" && first
+      ? `The tables describe the variant “${first}”; the others differ from it in what the study varies.`
+      : "The calculation in tables, to be checked, printed and signed.";
   return (
-    <Part id="statement" title="Report" lead="The calculation in tables, to be checked, printed and signed." newPage>
+    <Part id="statement" title="Report" lead={lead} newPage>
       <div class="no-print">
         <TitleBlock />
       </div>
@@ -57,7 +62,7 @@ export function Statement() {
           )}
         </Block>
         <Block title="Warnings">
-          {warnings.length === 0 ? <p>The calculation gave no warnings.</p> : <WarningList warnings={warnings} />}
+          {warnings.length === 0 ? <p>{status === "finished" ? "The calculation gave no warnings." : "No warnings so far."}</p> : <WarningList warnings={warnings} />}
         </Block>
       </div>
     </Part>

@@ -4,13 +4,14 @@ import { DataTable } from "../DataTable";
 import { formatPlace, formatSentence } from "../format";
 
 export function SupportTables() {
-  const { model, units } = report.value;
+  const { model, units, input } = report.value;
   const { boundaries, loads, monitors } = model;
   const place = (x: number[]) => `${formatPlace(x.map((value) => value / units.length.si))}\u00a0${units.length.name}`;
+  if (Object.keys(input).length === 0) return <p>Not known: the results hold no summary of the input.</p>;
   return (
     <>
       {boundaries.length === 0 ? (
-        <p>No boundary is held.</p>
+        <p>No boundary is held: nothing supports the soil.</p>
       ) : (
         <DataTable caption="Boundary conditions">
           <thead>
@@ -32,7 +33,7 @@ export function SupportTables() {
         </DataTable>
       )}
       {loads.length === 0 ? (
-        <p>Loads: gravity only.</p>
+        <p>The results name no loads.</p>
       ) : (
         <DataTable caption="Loads">
           <thead>

@@ -1,0 +1,237 @@
+// What a report says has to be true of its case: nothing that does not apply, and numbers in the units of the case.
+
+#include <algorithm>
+
+#include "report/look_up.hpp"
+#include "report/report.hpp"
+#include "report_page.hpp"
+#include "schema.hpp"
+#include "small_run.hpp"
+
+namespace talus::report {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+json leaf(const json& value, const char* unit = "") {
+  return {{"value", value}, {"unit", unit}, {"given", true}};
+}
+
+/// A run of one stage in elastic ground that did not move.
+json make_summary() {
+  return json{{"title", "A run"},
+              {"status", "finished"},
+              {"mesh", {{"dimension", 2}, {"points", 100}, {"elements", 30}, {"mean_size", 1.0}}},
+              {"slope_height", 5},
+              {"stages", {{{"name", "only"}, {"end", "time"}, {"time", 2}, {"steps", 10}, {"force_ratio", 1e-5}}}},
+              {"input",
+               {{"analysis", {{"kind", leaf("run")}}},
+                {"initial", {{"stress", leaf("none")}}},
+                {"materials", {{"rock", {{"model", leaf("linear_elastic")}}}}},
+                {"stage", {{{"name", leaf("only")}, {"duration", leaf(2, "s")}, {"until", leaf("time")}}}}}},
+              {"runout",
+               {{"moved_volume", 0},
+                {"largest_displacement", 0.0003048},
+                {"front_advance", 0},
+                {"toe_distance", 0},
+                {"crest_retreat", 0}}}};
+}
+
+json sand() {
+  return {{"model", leaf("mohr_coulomb")},
+          {"friction_angle", leaf(30, "deg")},
+          {"dilatancy_angle", leaf(0, "deg")},
+          {"cohesion", leaf(2, "kPa")},
+          {"tensile_strength", leaf(0, "kPa")}};
+}
+
+class TrueStatements : public testing::Test {
+ protected:
+  void TearDown() override { fs::remove_all(folder_); }
+  json report() {
+    std::ofstream(folder_ / "summary.json") << summary_;
+    const json document = collect_report(folder_).document;
+    EXPECT_EQ(find_schema_faults(document), "");
+    return document;
+  }
+  /// All sentences of the answer and the assumptions.
+  std::string tell() {
+    const json document = report();
+    std::string text;
+    for (const json& s : document.at("answer").at("sentences")) text += s.get<std::string>() + "\n";
+    for (const json& s : document.at("assumptions")) text += s.get<std::string>() + "\n";
+    return text;
+  }
+
+  fs::path folder_ = make_test_folder("statements");
+  json summary_ = make_summary();
+};
+
+#define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+#define EXPECT_SILENT(text, part) EXPECT_EQ((text).find(part), std::string::npos) << (text)
+
+TEST_F(TrueStatements, ASlopeThatDoesNotMoveIsNotSaidToMove) {
+  const std::string text = tell();
+  EXPECT_SAYS(text, "no soil moves further than 1 % of the height");
+  EXPECT_SAYS(text, "the time was up after 2 s, with an unbalanced force of 1 × 10⁻⁵ of gravity");
+  EXPECT_SILENT(text, "still moving");
+  EXPECT_SILENT(text, "Runout:");
+}
+
+TEST_F(TrueStatements, ElasticGroundNeitherLocksNorShears) {
+  const std::string text = tell();
+  for (const char* of_plastic_soil : {"lock", "hear band", "actor", "tensile", "perfectly plastic"})
+    EXPECT_SILENT(text, of_plastic_soil);
+  EXPECT_SAYS(text, "linear elastic): rock");
+}
+
+TEST_F(TrueStatements, ARunWithoutAFactorIsNotComparedWithMethodsOfSlices) {
+  summary_["input"]["materials"]["sand"] = sand();
+  const std::string text = tell();
+  EXPECT_SAYS(text, "sand: the plastic flow keeps its volume (ψ = 0, φ = 30°).\n");
+  EXPECT_SAYS(text, "The stages: linear triangles without smoothing lock");
+  for (const char* of_a_factor : {"slices", "factor", "curve"}) EXPECT_SILENT(text, of_a_factor);
+}
+
+TEST_F(TrueStatements, TensileStrengthIsSaidOfTheSoilThatHasIt) {
+  summary_["input"]["materials"]["sand"] = sand();
+  summary_["input"]["materials"]["clay"] = sand();
+  summary_["input"]["materials"]["clay"]["tensile_strength"] = leaf(5, "kPa");
+  const std::string text = tell();
+  EXPECT_SAYS(text, "A tensile strength is kept in clay:");
+  EXPECT_SAYS(text, "The other soil has no tensile strength");
+}
+
+TEST_F(TrueStatements, ElementsLargerThanTheSlopeAreNotAFractionOfIt) {
+  summary_["mesh"]["mean_size"] = 20;
+  EXPECT_SAYS(tell(), "elements is 4 times the height of the slope.");
+}
+
+TEST_F(TrueStatements, K0IsChosenOnlyWhereTheCaseGivesIt) {
+  json& initial = summary_["input"]["initial"];
+  initial = {{"stress", leaf("k0")}, {"k0", leaf(nullptr)}};
+  EXPECT_SAYS(tell(), "K0 = ν/(1−ν) of each soil");
+  initial["k0"] = leaf(0.45);
+  EXPECT_SAYS(tell(), "K0 = 0.45,");
+}
+
+TEST_F(TrueStatements, LengthsAreInTheUnitOfTheCase) {
+  summary_["units"] = {{"length", "ft"}};
+  EXPECT_SAYS(tell(), "largest displacement is 0.001 ft");
+  std::ofstream(folder_ / "profile.csv") << "x [m],ground before [m],ground after [m]\n0.3048,3.048,\n";
+  const json table = report().at("tables").at(0);
+  EXPECT_EQ(table.at("x").at("unit"), "ft");
+  EXPECT_NEAR(table["x"]["values"][0].get<double>(), 1, 1e-12);
+  EXPECT_NEAR(table["columns"][0]["values"][0].get<double>(), 10, 1e-12);
+  EXPECT_TRUE(table["columns"][1]["values"][0].is_null());
+}
+
+TEST_F(TrueStatements, AFrontThatGoesBackDoesNotAdvanceByLessThanNothing) {
+  summary_["runout"].update({{"moved_volume", 1234.5}, {"front_advance", -0.061}, {"largest_displacement", 1500}});
+  summary_["stages"][0]["end"] = "rest";
+  EXPECT_SAYS(tell(),
+              "largest displacement is 1500 m, the front goes back by 0.061 m and stays behind the toe, the crest "
+              "stays, and 1234 m³ per metre move; after 2 s the soil is at rest.");
+}
+
+TEST_F(TrueStatements, PointsThatLeftAreTakenOutOfTheAnswer) {
+  summary_["budgets"] = {{"points", 30}, {"mass", 25}, {"lost", {{"points", 70}, {"mass", 75}}}};
+  EXPECT_SAYS(tell(), "70 of 100 points, 75 % of the mass, left the grid");
+  summary_["budgets"]["points"] = 0;
+  const json metre{{"name", "m"}, {"si", 1}};
+  summary_["results"] = {{{"name", "runout.front_advance"}, {"title", "advance"}, {"value", 0}, {"unit", metre}},
+                         {{"name", "mesh.points"}, {"title", "points"}, {"value", 100}, {"unit", metre}}};
+  EXPECT_EQ(report().at("answer").at("results").size(), 1u) << "a front of no soil has no place";
+  const std::string text = tell();
+  EXPECT_SAYS(text, "All soil has left the grid");
+  EXPECT_SILENT(text, "largest displacement");
+}
+
+TEST_F(TrueStatements, ComparisonsAreCountedInGrammar) {
+  const auto compare = [](const json& computed, bool passes) {
+    return json{{"name", "a"},
+                {"title", "a"},
+                {"unit", {{"name", "m"}, {"si", 1}}},
+                {"computed", computed},
+                {"published", 1},
+                {"tolerance", 1},
+                {"tolerance_text", "1"},
+                {"source", "hand"},
+                {"passes", passes},
+                {"note", ""}};
+  };
+  const json hit = compare(1, true), miss = compare(9, false), absent = compare(nullptr, false);
+  const auto say = [&](const json& list) {
+    summary_["comparisons"] = list;
+    return report().at("answer").at("sentences").back().get<std::string>();
+  };
+  EXPECT_EQ(say(json::array({hit})), "The comparison that the case names is inside its band.");
+  EXPECT_EQ(say(json::array({absent})), "The comparison that the case names was not calculated.");
+  EXPECT_EQ(say(json::array({hit, hit})), "All 2 comparisons that the case names are inside their bands.");
+  EXPECT_EQ(say(json::array({hit, miss, miss, absent})),
+            "Of the 4 comparisons that the case names, 1 is inside its band, 2 are outside their bands and 1 was not "
+            "calculated.");
+}
+
+TEST_F(TrueStatements, LoadsThatChangeWithTimeSayHow) {
+  const json factor = leaf(json::array({{0, 0}, {2, 1}}), "s");
+  summary_["input"]["boundary"] = json::array(
+      {{{"on", leaf("right")}, {"fix", leaf("velocity")}, {"velocity", leaf({-0.05, 0}, "m/s")}, {"factor", factor}}});
+  summary_["input"]["traction"] =
+      json::array({{{"on", leaf("crest")}, {"traction", leaf({0, -50}, "kPa")}, {"factor", factor}}});
+  const json model = report().at("model");
+  EXPECT_EQ(model.at("boundaries")[0].at("text"),
+            "prescribed velocity (−0.05, 0) m/s, times a factor: 0 at 0 s, 1 at 2 s");
+  EXPECT_EQ(model.at("loads")[0].at("text"),
+            "(0, −50) kPa, carried by the soil beside the side, times a factor: 0 at 0 s, 1 at 2 s");
+}
+
+TEST_F(TrueStatements, TheStageInWhichARunBrokeIsNamed) {
+  summary_["status"] = "unstable";
+  summary_["stages"] = json::array();
+  EXPECT_EQ(report().at("model").at("stages")[0].at("end"), "unstable");
+}
+
+TEST_F(TrueStatements, AHistoryThatCannotBeReadCostsItsTableOnly) {
+  std::ofstream(folder_ / "history.csv") << "time [s],mass [kg]\n0,1\n";
+  std::ofstream(folder_ / "monitors.csv") << "time [s],P_1, right.velocity_x [m/s]\n0,1\n";
+  const json document = report();
+  ASSERT_EQ(document.at("tables").size(), 1u);
+  ASSERT_EQ(document.at("warnings").size(), 1u);
+  EXPECT_SAYS(document["warnings"][0].get<std::string>(), "Monitors during the stages is not shown: ");
+}
+
+TEST_F(TrueStatements, AMonitorKeepsItsName) {
+  std::ofstream(folder_ / "monitors.csv") << "time [s],P_1.b.displacement_x [mm]\n0,1\n";
+  EXPECT_EQ(report().at("tables")[0].at("columns")[0].at("title"), "P_1.b: displacement x");
+}
+
+TEST(ShownNumbers, AreWrittenAsPeopleWriteThem) {
+  EXPECT_EQ(show_number(0), "0");
+  EXPECT_EQ(show_number(3.226), "3.23");
+  EXPECT_EQ(show_number(-0.061), "−0.061");
+  EXPECT_EQ(show_number(12345.6), "12346");
+  EXPECT_EQ(show_number(4.06e-6), "4.06 × 10⁻⁶");
+  EXPECT_EQ(show_number(2.5e12), "2.5 × 10¹²");
+  EXPECT_EQ(show_number(std::nan("")), "–");
+}
+
+TEST(KilledRuns, KnowTheirMeshAndTheStagesThatEnded) {
+  const fs::path folder = make_test_folder("killed_mesh");
+  const json summary = run_small_case(folder);
+  fs::remove(folder / "summary.json");
+  std::ofstream(folder / "stages.json") << json{{"stages", {summary.at("stages")[0]}}, {"warnings", {"look out"}}};
+  const json document = collect_report(folder).document;
+  EXPECT_EQ(find_schema_faults(document), "");
+  const json& mesh = document.at("model").at("mesh");
+  for (const char* key : {"nodes", "elements", "points", "mean_size", "smallest_altitude"})
+    EXPECT_EQ(mesh.at(key), summary.at("mesh").at(key)) << key;
+  ASSERT_EQ(document.at("model").at("stages").size(), 1u);
+  EXPECT_EQ(document["model"]["stages"][0]["name"], "gravity");
+  EXPECT_EQ(document.at("warnings"), json::array({"look out"}));
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace talus::report
