@@ -1,8 +1,8 @@
 /** What the parts of the page share: the frame that is shown, the field, the point that was picked. */
 import { computed, signal } from "@preact/signals";
 
-import type { Report, Sequence } from "./contract";
-import { readValues } from "./data";
+import type { PackedArray, Report, Sequence } from "./contract";
+import { readIntegers, readValues } from "./data";
 
 /** The report, set once before anything is drawn. */
 export const report = signal<Report>(null as unknown as Report);
@@ -11,18 +11,24 @@ export const report = signal<Report>(null as unknown as Report);
 export const sequenceIndex = signal(0);
 /** Index of the frame in the sequence. */
 export const frameIndex = signal(0);
-/** Name of the field that colours the points. */
+/** Name of the field that colours the points; "material" is none of the stored ones. */
 export const fieldName = signal("deviatoric_strain");
 /** Index of the picked point in the arrays of the sequence (not its id), or null. */
 export const pickedPoint = signal<number | null>(null);
 
 export const sequence = computed<Sequence | null>(() => report.value.sequences[sequenceIndex.value] ?? null);
 
-const cache = new Map<string, Promise<Float32Array>>();
+function makeCache<T>(read: (array: PackedArray) => Promise<T>): (array: PackedArray) => Promise<T> {
+  const cache = new Map<string, Promise<T>>();
+  return (array) => {
+    let numbers = cache.get(array.id);
+    if (!numbers) cache.set(array.id, (numbers = read(array)));
+    return numbers;
+  };
+}
 
 /** The values of a packed array, decoded once. */
-export function load(array: import("./contract").PackedArray): Promise<Float32Array> {
-  let values = cache.get(array.id);
-  if (!values) cache.set(array.id, (values = readValues(array)));
-  return values;
-}
+export const load = makeCache((array) => readValues(array));
+
+/** Likewise its numbers as they are stored: those of points go beyond what a value of 32 bits tells apart. */
+export const loadIntegers = makeCache((array) => readIntegers(array));

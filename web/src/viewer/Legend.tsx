@@ -1,9 +1,11 @@
 /** What the lines and symbols in the section mean. */
-import { report } from "../state";
+import { pickedPoint, report } from "../state";
 import { writeNumber, writeUnit } from "./format";
 import { inSpace, layers } from "./settings";
-import { movedThreshold, slipSurface, strainRidge } from "./shown";
+import { shown } from "./shown";
+import { hasNoValue } from "./sizes";
 import { chooseSymbol } from "./supports";
+import { movedThreshold, slipSurface, strainRidge } from "./tracedLines";
 
 const symbols = {
   hatching: "M1 3h24M5 3 1 11M11 3l-4 8M17 3l-4 8M23 3l-4 8",
@@ -52,7 +54,12 @@ export function Legend() {
       {on.ridge && strainRidge.value.length > 0 && (
         <Entry path={bar} colour="#b35900" dash="6 3" width={2} text="Axis of the largest deviatoric strain" />
       )}
+      {hasNoValue.value && <Entry path={bar} colour="#999999" width={8} text="No value in this frame" />}
       {on.outline && <Entry path={bar} dash="5 3" text="Original outline" />}
+      {on.present && model.dimension === 2 && <Entry path={bar} width={1.6} text="Present outline" />}
+      {on.path && pickedPoint.value !== null && shown.value && (
+        <Entry path={bar} colour="var(--v-accent)" width={2} text="Path of the picked point" />
+      )}
       {on.water && model.water.length > 0 && (
         <Entry path={bar} colour="#2f7fd6" dash="8 2 2 2" width={1.8} text="Water table" />
       )}

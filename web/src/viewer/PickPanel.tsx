@@ -3,8 +3,10 @@ import { useEffect, useState } from "preact/hooks";
 
 import type { SequenceField } from "../contract";
 import { readValues } from "../data";
-import { load, pickedPoint, report } from "../state";
+import { fieldName, load, pickedPoint, report } from "../state";
 import { writeNumber, writeUnit } from "./format";
+import { saveFile } from "./picture";
+import { writePointCsv } from "./pointCsv";
 import { PointHistory } from "./PointHistory";
 import { frame, shown, type Shown } from "./shown";
 import type { Stage } from "./stage";
@@ -22,7 +24,7 @@ function useSeries(now: Shown, point: number): Map<string, Float32Array> {
     const found = new Map<string, Float32Array>();
     const take = (field: SequenceField, values: Float32Array) =>
       found.set(field.name, Float32Array.from({ length: frames }, (_, f) => values[f * count + point]!));
-    take(now.field, now.values);
+    if (now.values.length === count * frames) take(now.field, now.values);
     setSeries(new Map(found));
     (async () => {
       const keep = count * frames * sequence.fields.length < keptNumbers;
@@ -93,6 +95,17 @@ function Picked(props: { now: Shown; point: number; stage: Stage }) {
         <MaterialName now={now} point={point} />
         <Position now={now} point={point} stage={stage} />
         <span>{now.sequence.frames[frame.value]?.label}</span>
+        <button
+          type="button"
+          class="viewer-link"
+          disabled={series.size < now.sequence.fields.length}
+          onClick={() => {
+            const [name, content] = writePointCsv(now, point, series);
+            saveFile(content, name);
+          }}
+        >
+          CSV of all frames
+        </button>
       </p>
       <div class="viewer-values">
         <dl>
@@ -100,7 +113,16 @@ function Picked(props: { now: Shown; point: number; stage: Stage }) {
             const value = series.get(field.name)?.[frame.value];
             return (
               <div key={field.name} class={field.name === now.field.name ? "viewer-current" : undefined}>
-                <dt>{field.title}</dt>
+                <dt>
+                  <button
+                    type="button"
+                    class="viewer-link"
+                    title={`Show ${field.title} in the section and over the frames`}
+                    onClick={() => (fieldName.value = field.name)}
+                  >
+                    {field.title}
+                  </button>
+                </dt>
                 <dd>
                   {value === undefined ? "…" : writeNumber(value / field.unit.si)}{" "}
                   <span>{writeUnit(field.unit)}</span>

@@ -45,7 +45,7 @@ export function PointHistory(props: { now: Shown; values: Float32Array | undefin
     host.current.replaceChildren(plot);
   });
 
-  if (!values) return <div class="viewer-history" />;
+  if (!values || values.every(Number.isNaN)) return <div class="viewer-history" ref={host} />;
   let [smallest, largest] = [0, 0];
   values.forEach((value, f) => {
     if (value < values[smallest]!) smallest = f;

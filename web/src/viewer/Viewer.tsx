@@ -3,7 +3,9 @@ import { effect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { frameIndex, pickedPoint, report, sequence } from "../state";
+import { startArrows } from "./arrows";
 import { Legend } from "./Legend";
+import { startMesh } from "./meshEdges";
 import { listenToPointer } from "./pointer";
 import { pickNext } from "./picking";
 import { PickPanel } from "./PickPanel";
@@ -12,6 +14,7 @@ import { openAtFailure } from "./settings";
 import { failure, field, shown, startLoading } from "./shown";
 import { Stage } from "./stage";
 import { Toolbar } from "./Toolbar";
+import { startTracing } from "./tracedLines";
 import { Transport } from "./Transport";
 import "./viewer.css";
 
@@ -51,7 +54,7 @@ function zoom(stage: Stage, factor: number): void {
 
 /** Keeps the picked point by its number when another sequence, with other points, is shown. */
 function keepPicked(stage: Stage): () => void {
-  let last: { ids: Float32Array; id: number | null } | null = null;
+  let last: { ids: ArrayLike<number>; id: number | null } | null = null;
   return effect(() => {
     const now = shown.value;
     if (!now) return;
@@ -125,6 +128,9 @@ export function Viewer() {
     const made = new Stage(host.current);
     const ends = [
       startLoading(),
+      startTracing(),
+      startArrows(),
+      startMesh(),
       startClock(),
       listenToPointer(host.current, made),
       keepPicked(made),
@@ -139,7 +145,7 @@ export function Viewer() {
   const save = () => stage?.save(`${sequence.value?.id}_${field.value?.name}_${frameIndex.value + 1}.png`);
   return (
     <div class="viewer">
-      <Toolbar save={save} />
+      <Toolbar stage={stage} save={save} />
       <div class="viewer-frame-box">
         <div
           ref={host}
@@ -158,6 +164,7 @@ export function Viewer() {
       <Transport />
       <Legend />
       <PickPanel stage={stage} />
+      <p class="viewer-note viewer-touch">Two fingers zoom and move. After Fit, one finger scrolls the page again.</p>
       {sequence.value?.thinning && <p class="viewer-note">{sequence.value.thinning}</p>}
     </div>
   );

@@ -1,4 +1,5 @@
 /** Colour maps that colour-blind readers can tell apart, and the tables that the drawing looks colours up in. */
+import { findShare, type Scale } from "./scale";
 
 /**
  * 25 colours at equal distances, six digits each: viridis, cividis and inferno of matplotlib, RdBu of ColorBrewer
@@ -47,10 +48,26 @@ export function tabulateColours(name: ColourMapName): Uint8Array {
   return table;
 }
 
+/** Colours of Okabe and Ito, without black: eight that colour-blind readers tell apart. */
+const categories = ["e69f00", "56b4e9", "009e73", "f0e442", "0072b2", "d55e00", "cc79a7", "999999"];
+
+let categoryTable: Uint8Array | null = null;
+
+/** A table in which category n has place n; the eight colours repeat. */
+export function tabulateCategories(): Uint8Array {
+  if (categoryTable) return categoryTable;
+  categoryTable = new Uint8Array(256 * 4).fill(255);
+  for (let i = 0; i < 256; ++i) {
+    const colour = parseInt(categories[i % categories.length]!, 16);
+    categoryTable.set([colour >> 16, (colour >> 8) & 255, colour & 255], 4 * i);
+  }
+  return categoryTable;
+}
+
 /** Place of a value in the table, 0 to 255; -1 for no value. */
-export function findColour(value: number, low: number, high: number): number {
-  if (Number.isNaN(value)) return -1;
-  return Math.round(255 * Math.min(1, Math.max(0, (value - low) / (high - low || 1))));
+export function findColour(value: number, scale: Scale): number {
+  const share = findShare(value, scale);
+  return Number.isNaN(share) ? -1 : Math.min(255, Math.floor(share * 255 + 0.5));
 }
 
 /** Colour of a place in the table as CSS. */

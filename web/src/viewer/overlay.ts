@@ -1,9 +1,10 @@
-/** Draws over the body, in pixels: outline, supports, water, monitored points, slip surface, ridge of the strain, rulers, picked point. */
+/** Draws over the body, in pixels: outlines, supports, water, arrows, slip surface, points of interest, rulers. */
 import type { Model } from "../contract";
+import type { ArrowField } from "./arrows";
 import type { Camera, Vec } from "./camera";
-import { makeTicks } from "./format";
+import { drawArrows, drawMonitor, drawPath, drawPicked, drawWaterMark, strokeLine, type Pixel } from "./lines";
+import { drawAxes, drawBox, drawRulers } from "./rulers";
 import type { LayerName } from "./settings";
-import { fontFamily, uprightFrom, veil } from "./scaleBar";
 import { drawSupport } from "./supports";
 import type { Theme } from "./theme";
 
@@ -17,11 +18,14 @@ export interface Overlay {
   box: [Vec, Vec];
   slip: [number, number][];
   ridge: [number, number][];
+  /** Closed lines around the body as it is now. */
+  present: [number, number][][];
+  arrows: ArrowField | null;
   monitors: { name: string; at: Vec }[];
   picked: Vec | null;
+  /** Where the picked point stood in each frame. */
+  path: Vec[];
 }
-
-type Pixel = [number, number];
 
 export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay, camera: Camera, theme: Theme): void {
   const project = camera.makeProjection();
@@ -30,6 +34,7 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
   context.lineJoin = context.lineCap = "round";
   const sides = depth[0] === depth[1] ? [depth[0]] : depth;
 
+  if (layers.rulers && model.dimension === 3) drawBox(context, camera, overlay.box, theme);
   if (layers.outline) {
     for (const polygon of model.polygons) {
       sides.forEach((z, side) => {
@@ -47,6 +52,12 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
       }
     }
     context.globalAlpha = 1;
+  }
+  if (layers.present) {
+    for (const line of overlay.present) {
+      const pixels = line.map((p) => place(p, sides.at(-1)!));
+      strokeLine(context, pixels, { colour: theme.ink, width: 1.4, closed: true });
+    }
   }
   if (layers.boundaries && model.dimension === 2) {
     context.strokeStyle = theme.symbol;
@@ -77,124 +88,12 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
     strokeLine(context, line, { colour: "#ffffff", width: 3.5 });
     strokeLine(context, line, { colour: "#b35900", width: 1.8, dash: [7, 4] });
   }
+  if (overlay.arrows) drawArrows(context, overlay.arrows, camera.width, theme);
+  if (layers.path) drawPath(context, overlay.path.map((at) => place(at)), theme);
   if (layers.monitors) {
     for (const monitor of overlay.monitors) drawMonitor(context, place(monitor.at), monitor.name, theme);
   }
   if (overlay.picked) drawPicked(context, place(overlay.picked), theme);
   if (layers.rulers && !inSpace) drawRulers(context, camera, theme);
   if (layers.rulers && inSpace) drawAxes(context, camera, theme);
-}
-
-function strokeLine(
-  context: CanvasRenderingContext2D,
-  line: Pixel[],
-  style: { colour: string; width: number; dash?: number[]; closed?: boolean },
-): void {
-  context.strokeStyle = style.colour;
-  context.lineWidth = style.width;
-  context.setLineDash(style.dash ?? []);
-  context.beginPath();
-  for (const [x, y] of line) context.lineTo(x, y);
-  if (style.closed) context.closePath();
-  context.stroke();
-  context.setLineDash([]);
-}
-
-/** The inverted triangle over two short lines, in the middle of the longest piece of the water table. */
-function drawWaterMark(context: CanvasRenderingContext2D, line: Pixel[], theme: Theme): void {
-  let best = 0;
-  const width = (i: number) => Math.abs(line[i + 1]![0] - line[i]![0]);
-  for (let i = 0; i + 1 < line.length; ++i) if (width(i) > width(best)) best = i;
-  if (line.length < 2) return;
-  const [x, y] = [(line[best]![0] + line[best + 1]![0]) / 2, (line[best]![1] + line[best + 1]![1]) / 2];
-  context.fillStyle = theme.water;
-  context.beginPath();
-  for (const [dx, dy] of [[-7, -12], [7, -12], [0, -1]] as const) context.lineTo(x + dx, y + dy);
-  context.fill();
-  strokeLine(context, [[x - 5, y + 4], [x + 5, y + 4]], { colour: theme.water, width: 1.2 });
-  strokeLine(context, [[x - 2.5, y + 7], [x + 2.5, y + 7]], { colour: theme.water, width: 1.2 });
-}
-
-function drawMonitor(context: CanvasRenderingContext2D, [x, y]: Pixel, name: string, theme: Theme): void {
-  context.fillStyle = theme.ground;
-  context.strokeStyle = theme.ink;
-  context.lineWidth = 1.6;
-  context.beginPath();
-  context.arc(x, y, 4.5, 0, 2 * Math.PI);
-  context.fill();
-  context.stroke();
-  context.font = `600 12px ${fontFamily}`;
-  context.textAlign = "left";
-  context.textBaseline = "alphabetic";
-  context.lineWidth = 3.5;
-  context.strokeStyle = theme.ground;
-  context.strokeText(name, x + 8, y - 7);
-  context.fillStyle = theme.ink;
-  context.fillText(name, x + 8, y - 7);
-}
-
-function drawPicked(context: CanvasRenderingContext2D, [x, y]: Pixel, theme: Theme): void {
-  for (const [colour, width] of [[theme.ground, 4.5], [theme.accent, 2]] as const) {
-    context.strokeStyle = colour;
-    context.lineWidth = width;
-    context.beginPath();
-    context.arc(x, y, 8, 0, 2 * Math.PI);
-    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]] as const) {
-      context.moveTo(x + 8 * dx, y + 8 * dy);
-      context.lineTo(x + 14 * dx, y + 14 * dy);
-    }
-    context.stroke();
-  }
-}
-
-/** Lengths along the lower and the left edge [m]. */
-function drawRulers(context: CanvasRenderingContext2D, camera: Camera, theme: Theme): void {
-  const { width, height, scale, target } = camera;
-  const [cx, cy] = camera.centre;
-  const right = width - (width >= uprightFrom ? camera.margins.right : 0);
-  const toX = (px: number) => target[0] + (px - cx) / scale;
-  const toY = (py: number) => target[1] - (py - cy) / scale;
-  context.fillStyle = context.strokeStyle = theme.muted;
-  context.font = `11px ${fontFamily}`;
-  context.lineWidth = 1;
-  context.textBaseline = "alphabetic";
-  const [left, base, top] = [40, height - 22, camera.margins.top];
-  veil(context, theme, [0, 0, left, height]);
-  veil(context, theme, [left, base, width - left, height - base]);
-  context.fillStyle = theme.muted;
-  context.beginPath();
-  context.textAlign = "center";
-  for (const tick of makeTicks(toX(left), toX(right), (right - left) / 90)) {
-    const x = cx + (tick.value - target[0]) * scale;
-    context.moveTo(x, base);
-    context.lineTo(x, base + 5);
-    if (x > left + 24 && x < right - 14) context.fillText(tick.text, x, base + 17);
-  }
-  context.textAlign = "right";
-  for (const tick of makeTicks(toY(base), toY(top), (base - top) / 60)) {
-    const y = cy - (tick.value - target[1]) * scale;
-    context.moveTo(left, y);
-    context.lineTo(left - 5, y);
-    if (y < base - 4 && y > top) context.fillText(tick.text, left - 9, y + 4);
-  }
-  context.moveTo(left, top);
-  context.lineTo(left, base);
-  context.lineTo(right, base);
-  context.stroke();
-  context.fillText("m", left - 9, base + 17);
-}
-
-/** Directions of the axes in the lower left corner. */
-function drawAxes(context: CanvasRenderingContext2D, camera: Camera, theme: Theme): void {
-  const { right, up } = camera.findAxes();
-  const [x, y] = [44, camera.height - 44];
-  context.font = `600 11px ${fontFamily}`;
-  context.textAlign = "center";
-  context.textBaseline = "middle";
-  ["x", "y", "z"].forEach((name, k) => {
-    const [dx, dy] = [right[k]!, -up[k]!];
-    strokeLine(context, [[x, y], [x + 26 * dx, y + 26 * dy]], { colour: theme.muted, width: 1.4 });
-    context.fillStyle = theme.muted;
-    context.fillText(name, x + 35 * dx, y + 35 * dy);
-  });
 }

@@ -1,5 +1,6 @@
 /** What the two ways of drawing the body, WebGL and the plain canvas, have in common. */
 import type { Camera } from "./camera";
+import type { Scale } from "./scale";
 
 /** The body as it is drawn now: one frame of one sequence. */
 export interface Body {
@@ -9,25 +10,32 @@ export interface Body {
   positions: Float32Array;
   /** [point], NaN for no value. */
   values: Float32Array;
-  limits: [number, number];
+  /** [point] radius [m] that a point is drawn with; 0 for a point that is not shown, below 0 where it has no value. */
+  radii: Float32Array;
+  /** What cuts the cells of a section where the soil ends; null in space, where points are shaded spheres. */
+  cover: Cover | null;
+  scale: Scale;
   /** 256 colours as red, green, blue, 255. */
   colours: Uint8Array;
-  /** Diameter of a point [m]. */
-  size: number;
   /** Places along z [m] at which a section is repeated to be seen as a slab; [0] otherwise. */
   slices: number[];
-  /** Whether points are shaded as spheres. */
-  shaded: boolean;
-  /** Corners of the box [m] within which points are shown. */
-  cut: [number[], number[]];
   /** Diagonal of the box around all that is shown [m]. */
   extent: number;
-  /** x and y of the left, lower, right and upper ends [m], beyond which a section seen from the front is not drawn. */
-  walls: [number, number, number, number];
+  /** Left, lower and right ends [m], beyond which a section seen from the front is not drawn. */
+  walls: [number, number, number];
   showPoints: boolean;
   /** Pairs of points [m], x y z each, or null. */
   edges: Float32Array | null;
   edgeColour: string;
+}
+
+export interface Cover {
+  /** [point] as in Cells. */
+  reach: Float32Array;
+  /** Corners of triangles, x y each [m]. */
+  triangles: Float32Array;
+  /** Closed lines around the same area [m]. */
+  outlines: [number, number][][];
 }
 
 export interface Painter {

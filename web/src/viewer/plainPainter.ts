@@ -2,41 +2,72 @@
 import { findColour, writeColour } from "./colours";
 import type { Body, Painter } from "./painter";
 
+type Project = (x: number, y: number, z: number) => number[];
+
+function drawPoints(context: CanvasRenderingContext2D, body: Body, project: Project, scale: number): void {
+  const { dimension, count, positions, values, radii } = body;
+  // Squares of a section may overlap, the clipping cuts them at the surface; in space they stand for spheres.
+  const width = body.cover ? 2 : 1.7;
+  const found: { x: number; y: number; depth: number; colour: number; side: number }[] = [];
+  for (const slice of body.slices) {
+    for (let i = 0; i < count; ++i) {
+      if (!radii[i]) continue;
+      const at = [0, 1, 2].map((k) => (k < dimension ? positions[dimension * i + k]! : 0));
+      const [x, y, depth] = project(at[0]!, at[1]!, at[2]! + slice);
+      const side = Math.max(1.5, width * Math.abs(radii[i]!) * scale);
+      found.push({ x: x!, y: y!, depth: depth!, colour: findColour(values[i]!, body.scale), side });
+    }
+  }
+  // From the back to the front in space; by colour in a section, for changing the colour is what costs.
+  found.sort(body.cover ? (a, b) => a.colour - b.colour : (a, b) => a.depth - b.depth);
+  let last = NaN;
+  for (const { x, y, colour, side } of found) {
+    if (colour !== last) context.fillStyle = writeColour(body.colours, (last = colour));
+    context.fillRect(x - side / 2, y - side / 2, side, side);
+  }
+}
+
+/** Lets nothing be drawn outside the body of a section, and of points that stand alone. */
+function clipToBody(context: CanvasRenderingContext2D, body: Body, project: Project, scale: number): void {
+  const { cover, positions, radii } = body;
+  if (!cover) return;
+  context.beginPath();
+  for (const line of cover.outlines) {
+    line.forEach(([x, y], i) => {
+      const [px, py] = project(x, y, 0);
+      if (i) context.lineTo(px!, py!);
+      else context.moveTo(px!, py!);
+    });
+    context.closePath();
+  }
+  for (let i = 0; i < body.count; ++i) {
+    if (!radii[i] || Math.abs(Math.abs(radii[i]!) / cover.reach[i]! - 1) > 0.01) continue;
+    const [x, y] = project(positions[2 * i]!, positions[2 * i + 1]!, 0);
+    const side = cover.reach[i]! * scale;
+    context.rect(x! - side, y! - side, 2 * side, 2 * side);
+  }
+  context.clip("evenodd");
+}
+
+function drawEdges(context: CanvasRenderingContext2D, edges: Float32Array, colour: string, project: Project): void {
+  context.strokeStyle = colour;
+  context.globalAlpha = 0.3;
+  context.lineWidth = 1;
+  context.beginPath();
+  for (let i = 0; i < edges.length; i += 6) {
+    const [x0, y0] = project(edges[i]!, edges[i + 1]!, edges[i + 2]!);
+    const [x1, y1] = project(edges[i + 3]!, edges[i + 4]!, edges[i + 5]!);
+    context.moveTo(x0!, y0!);
+    context.lineTo(x1!, y1!);
+  }
+  context.stroke();
+  context.globalAlpha = 1;
+}
+
 export function makePlainPainter(): Painter {
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d")!;
   let density = 1;
-
-  function drawPoints(body: Body, project: (x: number, y: number, z: number) => number[], scale: number): void {
-    const { dimension, count, positions, values, cut } = body;
-    const [low, high] = body.limits;
-    const side = Math.max(1.5, (body.size / 1.3) * scale);
-    const found: { x: number; y: number; depth: number; colour: number }[] = [];
-    for (const slice of body.slices) {
-      for (let i = 0; i < count; ++i) {
-        const at = [0, 1, 2].map((k) => (k < dimension ? positions[dimension * i + k]! : 0));
-        if (at.some((p, k) => !(p >= cut[0][k]! && p <= cut[1][k]!))) continue;
-        const [x, y, depth] = project(at[0]!, at[1]!, at[2]! + slice);
-        found.push({ x: x!, y: y!, depth: depth!, colour: findColour(values[i]!, low, high) });
-      }
-    }
-    // From the back to the front in space; by colour in a section, for changing the colour is what costs.
-    found.sort(body.shaded ? (a, b) => a.depth - b.depth : (a, b) => a.colour - b.colour);
-    let last = NaN;
-    for (const point of found) {
-      if (point.colour !== last) context.fillStyle = writeColour(body.colours, (last = point.colour));
-      context.fillRect(point.x - side / 2, point.y - side / 2, side, side);
-    }
-  }
-
-  function clipToWalls({ walls }: Body, project: (x: number, y: number, z: number) => number[], height: number): void {
-    const [left, lower] = project(walls[0], walls[1], 0);
-    const [right] = project(walls[2], walls[1], 0);
-    context.beginPath();
-    context.rect(left!, -height, right! - left!, lower! + height);
-    context.clip();
-  }
-
   return {
     canvas,
     resize(width, height, pixels) {
@@ -51,22 +82,10 @@ export function makePlainPainter(): Painter {
       context.clearRect(0, 0, camera.width, camera.height);
       const project = camera.makeProjection();
       context.save();
-      if (!body.shaded) clipToWalls(body, project, camera.height);
-      if (body.showPoints) drawPoints(body, project, camera.scale);
+      clipToBody(context, body, project, camera.scale);
+      if (body.showPoints) drawPoints(context, body, project, camera.scale);
       context.restore();
-      if (!body.edges) return;
-      context.strokeStyle = body.edgeColour;
-      context.globalAlpha = 0.3;
-      context.lineWidth = 1;
-      context.beginPath();
-      for (let i = 0; i < body.edges.length; i += 6) {
-        const [x0, y0] = project(body.edges[i]!, body.edges[i + 1]!, body.edges[i + 2]!);
-        const [x1, y1] = project(body.edges[i + 3]!, body.edges[i + 4]!, body.edges[i + 5]!);
-        context.moveTo(x0, y0);
-        context.lineTo(x1, y1);
-      }
-      context.stroke();
-      context.globalAlpha = 1;
+      if (body.edges) drawEdges(context, body.edges, body.edgeColour, project);
     },
     dispose() {},
   };

@@ -1,19 +1,28 @@
-/** The scalar bar: the colours with their values in engineering units. */
-import type { SequenceField } from "../contract";
+/** The scalar bar: the colours with their values in engineering units; or the key of the materials. */
 import { writeColour } from "./colours";
-import { makeTicks, writeTitle } from "./format";
+import { findShare, makeLevels, type Level, type Scale } from "./scale";
 import type { Theme } from "./theme";
 
 /** Width of the canvas [px] from which the bar stands upright at the right; below, it lies along the top. */
 export const uprightFrom = 900;
 
 export interface Bar {
-  field: SequenceField;
-  limits: [number, number];
+  title: string;
   colours: Uint8Array;
+  /** In the unit of the title. */
+  scale: Scale;
+  /** Ends of bands in that unit, or null where colours run. */
+  levels: Level[] | null;
   /** Whether there are values beyond the ends. */
   below: boolean;
   above: boolean;
+}
+
+export interface Key {
+  title: string;
+  colours: Uint8Array;
+  /** Places in the table of colours with their names. */
+  items: { place: number; text: string }[];
 }
 
 type Box = [number, number, number, number];
@@ -26,29 +35,40 @@ export function veil(context: CanvasRenderingContext2D, theme: Theme, [x, y, w, 
   context.globalAlpha = 1;
 }
 
+/** Draws the bar or the key at the right or the upper end of the canvas. */
 export function drawScaleBar(
   context: CanvasRenderingContext2D,
-  bar: Bar,
+  bar: Bar | Key,
   width: number,
   height: number,
   theme: Theme,
 ): void {
   const upright = width >= uprightFrom;
-  const { si } = bar.field.unit;
-  const [low, high] = [bar.limits[0] / si, bar.limits[1] / si];
-  const length = upright ? height - 160 : Math.min(240, width - 90);
-  const thick = upright ? 14 : 10;
-  const [x, y] = upright ? [width - 74, 48] : [(width - length) / 2, 26];
-  /** Pixel along the bar of a share of its length, from the low end. */
-  const at = (share: number) => (upright ? y + length * (1 - share) : x + length * share);
-
   veil(context, theme, upright ? [width - 112, 0, 112, height] : [0, 0, width, 62]);
   context.fillStyle = theme.ink;
   context.font = `600 12px ${fontFamily}`;
   context.textBaseline = "alphabetic";
   context.textAlign = upright ? "right" : "center";
-  context.fillText(writeTitle(bar.field.title, bar.field.unit), upright ? width - 12 : width / 2, upright ? 22 : 17);
+  context.fillText(bar.title, upright ? width - 12 : width / 2, upright ? 22 : 17);
+  context.font = `11px ${fontFamily}`;
+  context.lineWidth = 1;
+  if ("items" in bar) drawKey(context, bar, width, upright, theme);
+  else drawBar(context, bar, width, height, upright, theme);
+}
 
+function drawBar(
+  context: CanvasRenderingContext2D,
+  bar: Bar,
+  width: number,
+  height: number,
+  upright: boolean,
+  theme: Theme,
+): void {
+  const length = upright ? height - 160 : Math.min(240, width - 90);
+  const thick = upright ? 14 : 10;
+  const [x, y] = upright ? [width - 74, 48] : [(width - length) / 2, 26];
+  /** Pixel along the bar of a share of its length, from the low end. */
+  const at = (share: number) => (upright ? y + length * (1 - share) : x + length * share);
   for (let p = 0; p < length; ++p) {
     context.fillStyle = writeColour(bar.colours, Math.round((255 * p) / (length - 1)));
     if (upright) context.fillRect(x, y + length - p - 1, thick, 1.5);
@@ -66,26 +86,47 @@ export function drawScaleBar(
     for (const [px, py] of corners) context.lineTo(px!, py!);
     context.fill();
   }
-
   context.fillStyle = context.strokeStyle = theme.muted;
-  context.font = `11px ${fontFamily}`;
-  context.lineWidth = 1;
-  for (const tick of makeTicks(low, high, upright ? 6 : 4)) {
-    const s = at((tick.value - low) / (high - low));
+  context.textAlign = upright ? "left" : "center";
+  const levels = (bar.levels ?? makeLevels(bar.scale, upright ? 6 : 4)).map((level) => ({
+    text: level.text,
+    s: at(findShare(level.value, bar.scale)),
+  }));
+  // Many bands have more ends than there is room for texts along the top: then every second has one, or every third.
+  const fits = (stride: number) =>
+    levels.every(({ s, text }, i) => i < stride || i % stride || s - levels[i - stride]!.s > 8 + 6 * text.length);
+  const stride = upright ? 1 : ([1, 2, 3, 4].find(fits) ?? 5);
+  levels.forEach(({ s, text }, i) => {
     context.beginPath();
-    if (upright) {
-      context.moveTo(x + thick, s);
-      context.lineTo(x + thick + 4, s);
-      context.textAlign = "left";
-      context.fillText(tick.text, x + thick + 7, s + 4);
-    } else {
-      context.moveTo(s, y + thick);
-      context.lineTo(s, y + thick + 4);
-      context.textAlign = "center";
-      context.fillText(tick.text, s, y + thick + 15);
-    }
+    context.moveTo(...((upright ? [x + thick, s] : [s, y + thick]) as [number, number]));
+    context.lineTo(...((upright ? [x + thick + 4, s] : [s, y + thick + 4]) as [number, number]));
     context.stroke();
-  }
+    if (i % stride) return;
+    if (upright) context.fillText(text, x + thick + 7, s + 4);
+    else context.fillText(text, s, y + thick + 15);
+  });
+}
+
+function drawKey(context: CanvasRenderingContext2D, key: Key, width: number, upright: boolean, theme: Theme): void {
+  context.textAlign = "left";
+  const share = (width - 20) / Math.max(1, key.items.length);
+  key.items.forEach(({ place, text }, i) => {
+    const [x, y] = upright ? [width - 100, 40 + 20 * i] : [10 + share * i, 32];
+    context.fillStyle = writeColour(key.colours, place);
+    context.fillRect(x, y, 12, 12);
+    context.strokeStyle = theme.muted;
+    context.strokeRect(x + 0.5, y + 0.5, 11, 11);
+    context.fillStyle = theme.ink;
+    context.fillText(shorten(context, text, (upright ? 92 : share) - 22), x + 18, y + 10);
+  });
+}
+
+/** The text, or its beginning with dots where it is longer than `width` [px]. */
+function shorten(context: CanvasRenderingContext2D, text: string, width: number): string {
+  if (context.measureText(text).width <= width) return text;
+  let kept = text.length - 1;
+  while (kept > 1 && context.measureText(text.slice(0, kept) + "…").width > width) --kept;
+  return text.slice(0, kept) + "…";
 }
 
 export const fontFamily = 'system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';

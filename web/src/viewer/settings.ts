@@ -1,4 +1,4 @@
-/** What the reader has set in the viewer: colours, limits, layers, the view in space, playing. */
+/** What the reader has set in the viewer: colours, limits, layers, arrows, the view in space, playing. */
 import { signal } from "@preact/signals";
 
 import { report, sequenceIndex, frameIndex, fieldName } from "../state";
@@ -12,11 +12,22 @@ export const limitMode = signal<LimitMode>("all");
 /** Limits set by hand [SI]. */
 export const handLimits = signal<[number, number]>([0, 1]);
 
+/** How many bands of one colour the scale has, about; 0 for colours that run. */
+export const bands = signal(0);
+/** Whether strains, displacements and the like are coloured by their logarithm. */
+export const logarithmic = signal(false);
+
+export type ArrowQuantity = "none" | "displacement" | "velocity";
+/** What arrows show. */
+export const arrowQuantity = signal<ArrowQuantity>("none");
+
 export const layerTitles = {
   points: "Material points",
   slip: "Slip surface",
   ridge: "Axis of the largest strain",
   outline: "Original outline",
+  present: "Present outline",
+  path: "Path of the picked point",
   boundaries: "Boundary conditions",
   monitors: "Monitored points",
   water: "Water table",
@@ -29,6 +40,8 @@ export const layers = signal<Record<LayerName, boolean>>({
   slip: true,
   ridge: false,
   outline: true,
+  present: false,
+  path: true,
   boundaries: true,
   monitors: true,
   water: true,

@@ -2,33 +2,26 @@
 import { effect } from "@preact/signals";
 
 import { pickedPoint, report } from "../state";
-import { Camera, type Margins, type Vec } from "./camera";
-import { tabulateColours } from "./colours";
+import { arrowArrays, chooseArrows } from "./arrows";
+import { bar, colourTable } from "./bar";
+import { describeBody, findDepth } from "./body";
+import { Camera, type Vec } from "./camera";
 import { makeGlPainter } from "./glPainter";
+import { layOut } from "./layout";
+import { meshEdges } from "./meshEdges";
 import { drawOverlay, type Overlay } from "./overlay";
-import type { Body, Painter } from "./painter";
+import type { Painter } from "./painter";
+import { drawOnPaper, savePicture } from "./picture";
 import { makePlainPainter } from "./plainPainter";
-import { drawScaleBar, uprightFrom } from "./scaleBar";
-import { colourMap, cut, inSpace, layers } from "./settings";
-import { frame, limits, meshEdges, shown, slipSurface, strainRidge, takeFrame } from "./shown";
-import { paperTheme, readTheme, watchTheme, type Theme } from "./theme";
+import { drawScaleBar } from "./scaleBar";
+import { cut, inSpace, layers, limitMode } from "./settings";
+import { frame, scale, shown } from "./shown";
+import { cells } from "./sizes";
+import { readTheme, watchTheme, type Theme } from "./theme";
+import { slipSurface, strainRidge } from "./tracedLines";
 
-/** Slices that a section is repeated in when it is turned in space. */
-const slabSlices = 6;
-
-/** Width that the picture is laid out in for paper [px], so that its texts can be read there. */
-const paperWidth = 760;
-
-/** Height of the stage [px] that the section fills, within what a screen can spare. */
-function chooseHeight(width: number, margins: Margins): number {
-  const { model } = report.value;
-  const corners = model.polygons.flatMap((polygon) => polygon.points);
-  const outline = corners.length ? corners : model.bounds;
-  const reach = (k: number) => Math.max(...outline.map((p) => p[k]!)) - Math.min(...outline.map((p) => p[k]!));
-  const body = ((width - margins.left - margins.right) * reach(1)) / (reach(0) || 1);
-  const wanted = model.dimension === 3 ? 0.55 * width : body + margins.top + margins.bottom + 8;
-  return Math.round(Math.min(430, Math.max(300, wanted)));
-}
+/** Device pixels that the distance of two points may be zoomed to: many devices draw points of some 500 at most. */
+const largestSpacing = 160;
 
 export class Stage {
   readonly camera = new Camera();
@@ -41,8 +34,7 @@ export class Stage {
   private fitted: { id: string; space: boolean } | null = null;
   private touched = false;
   private theme: Theme = readTheme();
-  /** Whether each point's number stands at its index. */
-  private indexOf: { ids: Float32Array; map: Map<number, number> } | null = null;
+  private indexOf: { ids: ArrayLike<number>; map: Map<number, number> } | null = null;
 
   constructor(private readonly host: HTMLElement) {
     this.painter = this.makePainter();
@@ -53,13 +45,14 @@ export class Stage {
     observer.observe(host);
     this.ends.push(() => observer.disconnect());
     this.ends.push(watchTheme(() => this.changeTheme()));
-    const toPaper = () => this.drawOnPaper();
+    const toPaper = () => drawOnPaper(this, this.paper) && host.classList.add("viewer-has-paper");
     addEventListener("beforeprint", toPaper);
     this.ends.push(() => removeEventListener("beforeprint", toPaper));
     this.ends.push(
       effect(() => {
-        void [shown.value, frame.value, limits.value, colourMap.value, layers.value, inSpace.value, cut.value];
-        void [meshEdges.value, slipSurface.value, strainRidge.value, pickedPoint.value];
+        void [shown.value, frame.value, scale.value, colourTable.value, layers.value, inSpace.value, cut.value];
+        void [meshEdges.value, slipSurface.value, strainRidge.value, pickedPoint.value, arrowArrays.value];
+        void limitMode.value;
         this.request();
       }),
     );
@@ -104,11 +97,8 @@ export class Stage {
     this.draw();
   }
 
-  /** Shares a width out between the body and what stands around it. */
   private layOut(width: number): void {
-    const upright = width >= uprightFrom;
-    const margins = { left: upright ? 62 : 52, right: upright ? 126 : 24, top: upright ? 34 : 70, bottom: 48 };
-    Object.assign(this.camera, { width, height: chooseHeight(width, margins), margins });
+    layOut(this.camera, width);
     if (!this.touched) this.fitted = null;
   }
 
@@ -118,22 +108,29 @@ export class Stage {
 
   /** Calls when the reader moved the view: it is kept then when the box changes its size. */
   moved(): void {
-    this.touched = true;
+    this.setTouched(true);
     this.request();
   }
 
+  /** Shows everything, as it was in the beginning. */
   fit(): void {
     this.fitted = null;
-    this.touched = false;
+    this.setTouched(false);
     this.request();
   }
 
-  /** Front and back of what is shown along z [m]. */
-  private findDepth(): [number, number] {
-    const [low, high] = shown.value!.box;
-    if (report.value.model.dimension === 3) return [low[2], high[2]];
-    const depth = inSpace.value ? (slabSlices - 1) * shown.value!.spacing : 0;
-    return [-depth, 0];
+  /** Looks at the whole model from these angles [rad]. */
+  look(azimuth: number, elevation: number): void {
+    this.fitted = { id: "", space: inSpace.value };
+    Object.assign(this.camera, { azimuth, elevation });
+    this.setTouched(false);
+    this.request();
+  }
+
+  /** A finger scrolls the page over a view that is whole; one that was zoomed or turned follows the finger. */
+  private setTouched(touched: boolean): void {
+    this.touched = touched;
+    this.host.style.touchAction = touched ? "none" : "";
   }
 
   private fitOnce(): void {
@@ -145,45 +142,18 @@ export class Stage {
     }
     if (!inSpace.value) [this.camera.azimuth, this.camera.elevation] = [0, 0];
     const [low, high] = now.box;
-    const depth = this.findDepth();
+    const depth = findDepth();
     this.camera.fit([low[0], low[1], depth[0]], [high[0], high[1], depth[1]]);
     this.fitted = { id: now.sequence.id, space: inSpace.value };
-    // Graphics processors draw no larger points than some 500 device pixels.
-    this.camera.scales = [this.camera.scale / 8, Math.max(this.camera.scale, 500 / (2.1 * now.spacing * this.density))];
+    const { scale } = this.camera;
+    this.camera.scales = [scale / 8, Math.max(scale, largestSpacing / (now.spacing * this.density))];
   }
 
-  private describeBody(theme: Theme): Body {
+  /** Where a point stands in a frame, the shown one if none is named [m]; NaN where it is not there. */
+  locate(index: number, at = frame.value): Vec {
     const now = shown.value!;
     const { dimension } = report.value.model;
-    const [low, high] = now.box;
-    const count = now.sequence.point_count;
-    const ends = (end: 0 | 1) => low.map((l, k) => l + (high[k]! - l) * cut.value[k]![end] + (end ? 1e-6 : -1e-6));
-    const solid = dimension === 3;
-    const walls = report.value.model.bounds;
-    return {
-      dimension,
-      count,
-      positions: takeFrame(now.positions, frame.value, count, dimension),
-      values: takeFrame(now.values, frame.value, count),
-      limits: limits.value,
-      colours: tabulateColours(colourMap.value ?? (now.field.diverging ? "blueRed" : "viridis")),
-      size: now.spacing * (solid ? 1.5 : 2.4),
-      slices: inSpace.value && !solid ? Array.from({ length: slabSlices }, (_, i) => -i * now.spacing) : [0],
-      shaded: inSpace.value,
-      cut: solid ? [ends(0), ends(1)] : [[-1e9, -1e9, -1e9], [1e9, 1e9, 1e9]],
-      extent: Math.hypot(...high.map((h, k) => h - low[k]!)) + 10 * now.spacing,
-      walls: [walls[0][0]!, walls[0][1]!, walls[1][0]!, Infinity],
-      showPoints: layers.value.points,
-      edges: layers.value.mesh ? meshEdges.value : null,
-      edgeColour: layers.value.points && !inSpace.value ? "#20262e" : theme.muted,
-    };
-  }
-
-  /** Where a point stands in the shown frame [m]. */
-  locate(index: number): Vec {
-    const now = shown.value!;
-    const { dimension } = report.value.model;
-    const from = (frame.value * now.sequence.point_count + index) * dimension;
+    const from = (at * now.sequence.point_count + index) * dimension;
     return [now.positions[from]!, now.positions[from + 1]!, dimension === 3 ? now.positions[from + 2]! : 0];
   }
 
@@ -203,92 +173,69 @@ export class Stage {
       return { name: m.name, at: index === undefined ? original : this.locate(index) };
     });
     const index = pickedPoint.value;
+    const picked = index !== null && index < now.sequence.point_count ? index : null;
     return {
       model,
       layers: layers.value,
       inSpace: inSpace.value,
-      depth: this.findDepth(),
+      depth: findDepth(),
       box: now.box,
       slip: slipSurface.value,
       ridge: strainRidge.value,
+      present: cells.value?.outlines ?? [],
+      arrows: chooseArrows(this.camera),
       monitors,
-      picked: index !== null && index < now.sequence.point_count ? this.locate(index) : null,
+      picked: picked === null ? null : this.locate(picked),
+      path: picked === null ? [] : now.sequence.frames.map((_, f) => this.locate(picked, f)),
     };
   }
 
-  private drawLines(context: CanvasRenderingContext2D, body: Body, theme: Theme): void {
-    const now = shown.value!;
+  private drawLines(context: CanvasRenderingContext2D, theme: Theme): void {
     drawOverlay(context, this.describeOverlay(), this.camera, theme);
-    const [low, high] = now.field.values.range ?? limits.value;
-    const { limits: ends, colours } = body;
-    const bar = { field: now.field, limits: ends, colours, below: low < ends[0], above: high > ends[1] };
-    drawScaleBar(context, bar, this.camera.width, this.camera.height, theme);
+    if (bar.value) drawScaleBar(context, bar.value, this.camera.width, this.camera.height, theme);
   }
 
   draw(): void {
     if (!shown.value || !this.camera.width) return;
     this.fitOnce();
-    const body = this.describeBody(this.theme);
-    this.painter.draw(body, this.camera);
+    this.painter.draw(describeBody(this.theme), this.camera);
     const context = this.lines.getContext("2d")!;
     context.setTransform(this.density, 0, 0, this.density, 0, 0);
     context.clearRect(0, 0, this.camera.width, this.camera.height);
-    this.drawLines(context, body, this.theme);
+    this.drawLines(context, this.theme);
     if (!performance.getEntriesByName("talus-interactive").length) performance.mark("talus-interactive");
   }
 
-  /** Draws everything onto one canvas, on a filled ground. */
-  compose(canvas: HTMLCanvasElement, theme: Theme, density: number): void {
+  /** Draws body and lines onto another canvas; within drawElsewhere only. */
+  drawInto(context: CanvasRenderingContext2D, theme: Theme, density: number): void {
     const { width, height } = this.camera;
-    if (!shown.value || !this.lines.width) return;
-    canvas.width = Math.round(width * density);
-    canvas.height = Math.round(height * density);
-    const context = canvas.getContext("2d")!;
-    context.setTransform(density, 0, 0, density, 0, 0);
-    context.fillStyle = theme.ground;
-    context.fillRect(0, 0, width, height);
-    const body = this.describeBody(theme);
     this.painter.resize(width, height, density);
-    this.painter.draw(body, this.camera);
+    this.painter.draw(describeBody(theme), this.camera);
     context.drawImage(this.painter.canvas, 0, 0, width, height);
-    this.drawLines(context, body, theme);
+    this.drawLines(context, theme);
   }
 
-  /** Goes back to the screen after drawing elsewhere. */
-  private restore(): void {
-    this.painter.resize(this.camera.width, this.camera.height, this.density);
-    this.draw();
-  }
-
-  /** Paper is white whatever the screen is, and a canvas of WebGL does not survive every printing. */
-  private drawOnPaper(): void {
-    if (!shown.value || !this.lines.width) return;
+  /** Calls `draw` with the view laid out for a width [px], or as it is, and goes back; false: nothing to draw. */
+  drawElsewhere(wanted: number | null, draw: () => void): boolean {
+    if (!shown.value || !this.lines.width) return false;
     const { camera, fitted } = this;
     const { width, height, margins, scale } = camera;
     const target: Vec = [...camera.target];
-    this.layOut(paperWidth);
-    if (this.touched) camera.scale *= paperWidth / width;
-    else this.fitOnce();
-    this.compose(this.paper, paperTheme, 2.5);
+    if (wanted !== null) {
+      this.layOut(wanted);
+      if (this.touched) camera.scale *= wanted / width;
+      else this.fitOnce();
+    }
+    draw();
     Object.assign(camera, { width, height, margins, scale, target });
     this.fitted = fitted;
-    this.restore();
-    this.host.classList.add("viewer-has-paper");
+    this.painter.resize(width, height, this.density);
+    this.draw();
+    return true;
   }
 
-  /** Saves the picture as it is seen, at twice the resolution. */
   save(name: string): void {
-    const canvas = document.createElement("canvas");
-    this.compose(canvas, this.theme, 2);
-    this.restore();
-    canvas.toBlob((blob) => {
-      if (!blob) return;
-      const link = document.createElement("a");
-      link.href = URL.createObjectURL(blob);
-      link.download = name;
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-    }, "image/png");
+    savePicture(this, this.theme, name);
   }
 
   dispose(): void {

@@ -4,9 +4,10 @@ import { describe, expect, it } from "vitest";
 import { Camera } from "./camera";
 import { findColour, tabulateColours } from "./colours";
 import { makeTicks, writeNumber } from "./format";
-import { measureSpacing } from "./shown";
+import { measureSpacing } from "./extent";
 import { findMovedLimit } from "./moved";
 import { findStrainRidge } from "./ridge";
+import { makeScale } from "./scale";
 
 /** A square grid of points in a box of 40 m by 15 m with a band of strain around a height over x. */
 function makeBand(height: (x: number) => number, strength: number) {
@@ -97,7 +98,7 @@ describe("colours", () => {
   });
 
   it("stay at the ends beyond the limits", () => {
-    expect([-5, 0.5, 9, NaN].map((value) => findColour(value, 0, 1))).toEqual([0, 128, 255, -1]);
+    expect([-5, 0.5, 9, NaN].map((value) => findColour(value, makeScale(0, 1)))).toEqual([0, 128, 255, -1]);
   });
 });
 

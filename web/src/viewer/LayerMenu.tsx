@@ -1,0 +1,57 @@
+/** What is drawn besides and instead of the points. */
+import { report, sequence } from "../state";
+import { findComponents } from "./arrows";
+import { Choice } from "./Choice";
+import { arrowQuantity, layers, layerTitles, type ArrowQuantity, type LayerName } from "./settings";
+
+function hasLayer(name: LayerName): boolean {
+  const { model } = report.value;
+  if (name === "water") return model.water.length > 0;
+  if (name === "mesh") return model.mesh.cells !== undefined;
+  const hasStrain = sequence.value?.fields.some((f) => f.name === "deviatoric_strain") ?? false;
+  if (name === "ridge") return model.dimension === 2 && hasStrain;
+  if (name === "slip" || name === "present") return model.dimension === 2;
+  if (name === "boundaries") return model.boundaries.some((b) => b.lines.length > 0);
+  if (name === "monitors") return model.monitors.length > 0;
+  return true;
+}
+
+/** Names that say what the layer is in this model. */
+function writeName(name: LayerName): string {
+  if (report.value.model.dimension === 2) return layerTitles[name];
+  return name === "mesh" ? "Surface of the background mesh" : name === "rulers" ? "Axes and box" : layerTitles[name];
+}
+
+export function LayerMenu() {
+  const { dimension } = report.value.model;
+  const quantities = ["displacement", "velocity"].filter(
+    (name) => findComponents(sequence.value?.fields ?? [], name, dimension).length > 0,
+  );
+  return (
+    <details class="viewer-menu">
+      <summary>Layers</summary>
+      <div class="viewer-form">
+        {(Object.keys(layerTitles) as LayerName[]).filter(hasLayer).map((name) => (
+          <label key={name}>
+            <input
+              type="checkbox"
+              checked={layers.value[name]}
+              onChange={(event) => (layers.value = { ...layers.value, [name]: event.currentTarget.checked })}
+            />
+            {writeName(name)}
+          </label>
+        ))}
+        {quantities.length > 0 && (
+          <Choice
+            label="Arrows"
+            value={arrowQuantity.value}
+            choose={(value) => (arrowQuantity.value = value as ArrowQuantity)}
+            items={[["none", "None"], ...quantities.map((name): [string, string] => [name, capitalize(name)])]}
+          />
+        )}
+      </div>
+    </details>
+  );
+}
+
+const capitalize = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,0 +1,43 @@
+/** Pictures of the stage for outside: a file, a sheet of paper. */
+import { drawCaption, captionHeight } from "./caption";
+import type { Stage } from "./stage";
+import type { Theme } from "./theme";
+import { paperTheme } from "./theme";
+
+/** Width that the picture is laid out in for paper [px], so that its texts can be read there. */
+const paperWidth = 760;
+
+/** Draws everything onto one canvas, on a filled ground, with `head` pixels free above. */
+function compose(stage: Stage, canvas: HTMLCanvasElement, theme: Theme, density: number, head = 0): void {
+  const { width, height } = stage.camera;
+  canvas.width = Math.round(width * density);
+  canvas.height = Math.round((height + head) * density);
+  const context = canvas.getContext("2d")!;
+  context.setTransform(density, 0, 0, density, 0, 0);
+  context.fillStyle = theme.ground;
+  context.fillRect(0, 0, width, height + head);
+  if (head) drawCaption(context, width, theme);
+  context.setTransform(density, 0, 0, density, 0, head * density);
+  stage.drawInto(context, theme, density);
+}
+
+/** Paper is white whatever the screen is, and a canvas of WebGL does not survive every printing. */
+export function drawOnPaper(stage: Stage, paper: HTMLCanvasElement): boolean {
+  return stage.drawElsewhere(paperWidth, () => compose(stage, paper, paperTheme, 2.5));
+}
+
+/** Saves the picture as it is seen, at twice the resolution, under a head that says what it is. */
+export function savePicture(stage: Stage, theme: Theme, name: string): void {
+  const canvas = document.createElement("canvas");
+  if (!stage.drawElsewhere(null, () => compose(stage, canvas, theme, 2, captionHeight))) return;
+  canvas.toBlob((blob) => blob && saveFile(blob, name), "image/png");
+}
+
+/** Hands a file to the browser's downloads. */
+export function saveFile(content: Blob, name: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(content);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}

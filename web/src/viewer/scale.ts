@@ -1,0 +1,66 @@
+/** The scale of the colours: which value has which place between its ends, and the levels that bands end at. */
+import { makeTicks, writeNumber } from "./format";
+
+export interface Scale {
+  /** Ends, in any unit. */
+  low: number;
+  high: number;
+  logarithmic: boolean;
+}
+
+/** Decades that a logarithmic scale runs over at most when its lower end is 0. */
+const decades = 3;
+
+/** A scale between two limits; on a logarithmic one the lower end is moved up from 0. */
+export function makeScale(low: number, high: number, logarithmic = false): Scale {
+  if (!logarithmic || !(high > 0)) return { low, high: high > low ? high : low + 1e-9, logarithmic: false };
+  const lowest = high * 10 ** -decades;
+  return { low: low > 0 && low < high ? low : lowest, high, logarithmic: true };
+}
+
+/** Share, 0 to 1, of the way from the lower to the upper end; NaN for no value. */
+export function findShare(value: number, { low, high, logarithmic }: Scale): number {
+  if (Number.isNaN(value)) return NaN;
+  const share = logarithmic
+    ? Math.log(Math.max(value, 1e-30) / low) / Math.log(high / low)
+    : (value - low) / (high - low || 1);
+  return Math.min(1, Math.max(0, share));
+}
+
+export interface Level {
+  value: number;
+  text: string;
+}
+
+/** Round values within the scale, about `count` of them; on a logarithmic scale 1, 2 and 5 of each decade, or less. */
+export function makeLevels(scale: Scale, count: number): Level[] {
+  if (!scale.logarithmic) return makeTicks(scale.low, scale.high, count);
+  const [first, last] = [Math.log10(scale.low), Math.log10(scale.high)];
+  const mantissas = [[1, 2, 5], [1, 3], [1]].find((some) => some.length * (last - first) <= 1.6 * count) ?? [1];
+  const levels: Level[] = [];
+  for (let power = Math.floor(first); power <= Math.ceil(last); ++power) {
+    for (const mantissa of mantissas) {
+      const value = mantissa * 10 ** power;
+      if (value < scale.low * 0.999 || value > scale.high * 1.001) continue;
+      const plain = value >= 1e-3 && value < 1e5;
+      const text = plain ? String(Number(value.toPrecision(3))) : writeNumber(value).replace(/\.00e/, "e");
+      levels.push({ value, text });
+    }
+  }
+  return levels;
+}
+
+/**
+ * A table of 256 colours in bands: each entry has the colour of its band, whose ends stand at the shares `ends`
+ * (increasing, within 0 and 1). The bands' colours run evenly over the whole table.
+ */
+export function bandColours(table: Uint8Array, ends: number[]): Uint8Array {
+  const inner = ends.filter((share) => share > 0.004 && share < 0.996);
+  const banded = new Uint8Array(table.length);
+  for (let i = 0; i < 256; ++i) {
+    const band = inner.filter((share) => share <= (i + 0.5) / 256).length;
+    const from = Math.round((255 * band) / Math.max(1, inner.length));
+    banded.set(table.subarray(4 * from, 4 * from + 4), 4 * i);
+  }
+  return banded;
+}
