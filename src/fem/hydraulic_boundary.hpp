@@ -1,0 +1,50 @@
+#pragma once
+// What water meets at the border of the soil.
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace talus::fem {
+
+enum class HydraulicKind {
+  total_head,    ///< head [m] on the whole set, above its level as suction
+  reservoir,     ///< head [m] below its level, a seepage face above it
+  pressure,      ///< pore pressure [Pa], positive in tension
+  flux,          ///< water that enters whatever the pressure [m/s]; negative: is pumped out
+  rain,          ///< water that is offered [m/s]: enters while the surface is unsaturated, the rest runs off. Negative:
+                 ///< evaporation, until the suction reaches `suction_limit`
+  seepage_face,  ///< water leaves at zero pressure, none enters
+  free_drainage,  ///< water leaves under a unit gradient of head, as above a deep water table
+  no_flow
+};
+
+/// How a flux is measured.
+enum class FluxMeasure {
+  normal,   ///< per area of the surface
+  vertical  ///< per area of its projection on the horizontal, as rain gauges do; overhangs get none
+};
+
+/// A condition on named sides. Where sets meet, prescribed heads and pressures win over faces, and fluxes add up.
+template <int D>
+struct HydraulicBoundary {
+  std::string name;
+  HydraulicKind kind = HydraulicKind::no_flow;
+  std::vector<typename mesh::Mesh<D>::Side> sides;
+  double value = 0;  ///< head [m], pressure [Pa] or flux [m/s]
+  /// Pairs of time [s] and value, with increasing times, replacing `value` when there are any: straight lines between,
+  /// constant before and after. Two equal times are a jump, whose second value holds from then on.
+  std::vector<std::array<double, 2>> history;
+  FluxMeasure measure = FluxMeasure::normal;
+  double suction_limit = std::numeric_limits<double>::infinity();  ///< where evaporation stops [Pa]
+
+  double value_at(double time) const;
+};
+
+extern template struct HydraulicBoundary<2>;
+extern template struct HydraulicBoundary<3>;
+
+}  // namespace talus::fem
