@@ -1,0 +1,171 @@
+#pragma once
+// The second half of the plain coupled step: strains and the divergence of the seepage (2.80, 2.81), their smoothing
+// (2.94–2.97), the water of every point and its pressure (3.4), effective stresses (2.82), volumes and porosity (2.50).
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "reference/plain_stress.hpp"
+#include "reference/plain_two_phase_body.hpp"
+
+namespace talus::reference {
+
+/// Means over the nodes with the elements' `weights`, and back (2.94, 2.95). Elements of weight 0 take no part. The sum
+/// of weight times value is kept.
+template <int D>
+std::vector<double> smooth_with_weights(const mesh::Mesh<D>& mesh, const std::vector<double>& weights,
+                                        const std::vector<double>& field) {
+  std::vector<double> sum(mesh.nodes.size(), 0), weight(mesh.nodes.size(), 0), smoothed(field.size(), 0);
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int i = 0; i <= D; ++i) {
+      at(sum, node_of(mesh, e, i)) += at(field, e) * at(weights, e);
+      at(weight, node_of(mesh, e, i)) += at(weights, e);
+    }
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int i = 0; i <= D && at(weights, e) > 0; ++i)
+      at(smoothed, e) += at(sum, node_of(mesh, e, i)) / at(weight, node_of(mesh, e, i)) / (D + 1);
+  return smoothed;
+}
+
+/// V_e of the active elements.
+template <int D>
+std::vector<double> active_volumes(const WetBody<D>& body) {
+  std::vector<double> weights(body.cells.size(), 0);
+  for (std::size_t e = 0; e < body.cells.size(); ++e)
+    if (body.cells[e].is_active()) weights[e] = body.mesh.volumes[e];
+  return weights;
+}
+
+/// Volume of the wet points of every element: Σ V_p, or as the element is integrated.
+template <int D>
+std::vector<double> wet_volumes(const WetBody<D>& body, bool as_integrated) {
+  std::vector<double> weights(body.cells.size(), 0);
+  for (const WetPoint<D>& point : body.points)
+    if (soil_of(body, point).wet)
+      at(weights, point.element) += (as_integrated ? at(body.cells, point.element).stretch : 1.0) * point.volume;
+  return weights;
+}
+
+/// L and Δε of the solid, and div(θ(w−v)) with θ = n S of the nodes.
+template <int D>
+void compute_wet_increments(WetBody<D>& body, const WetSettings& settings) {
+  std::vector<double> volumetric(body.cells.size(), 0), divergence(body.cells.size(), 0);
+  for (int e = 0; e < body.mesh.element_count(); ++e) {
+    WetCell& cell = at(body.cells, e);
+    if (!cell.is_active()) continue;
+    const Gradients<D> b = shape_gradients(body.mesh, e);
+    for (int i = 0; i <= D; ++i) {
+      const WetNode<D>& node = at(body.nodes, node_of(body.mesh, e, i));
+      cell.gradient.template topLeftCorner<D, D>() += node.v * b.row(i);
+      if (cell.wet) cell.flux_divergence += node.water_content() * (node.w - node.v).dot(b.row(i));
+    }
+    cell.strain_increment = settings.time_step / 2 * (cell.gradient + cell.gradient.transpose());
+    at(volumetric, e) = cell.strain_increment.trace();
+    at(divergence, e) = cell.flux_divergence;
+  }
+  if (settings.smoothing == Smoothing::none) return;
+  const std::vector<double> solid = smooth_with_weights(body.mesh, active_volumes(body), volumetric);
+  const std::vector<double> water = smooth_with_weights(body.mesh, wet_volumes(body, true), divergence);
+  for (std::size_t e = 0; e < body.cells.size(); ++e) {
+    body.cells[e].strain_increment += (solid[e] - volumetric[e]) / 3 * Tensor::Identity();
+    body.cells[e].flux_divergence = water[e];
+  }
+}
+
+/// Pressure smoothing (2.96, 2.97), applied to what makes the pressure rise, S tr Δε + Δt div(θ(w−v)): where n, S and
+/// K_w are uniform this is the smoothing of Δp, and elsewhere, unlike that, it makes and destroys no water.
+template <int D>
+void smooth_water_increments(WetBody<D>& body, const WetSettings& settings) {
+  if (!settings.smooth_pressure) return;
+  const std::vector<double> weights = wet_volumes(body, false);
+  std::vector<double> increment(body.cells.size(), 0);
+  for (const WetPoint<D>& point : body.points) {
+    if (!soil_of(body, point).wet) continue;
+    const WetCell& cell = at(body.cells, point.element);
+    at(increment, point.element) +=
+        point.volume / at(weights, point.element) *
+        (soil_of(body, point).water.saturation(point.pressure) * cell.strain_increment.trace() +
+         settings.time_step * cell.stretch * cell.flux_divergence);
+  }
+  const std::vector<double> smoothed = smooth_with_weights(body.mesh, weights, increment);
+  for (std::size_t e = 0; e < body.cells.size(); ++e) body.cells[e].surplus = smoothed[e] - increment[e];
+}
+
+/// ρ_w(p) of dρ_w/dp = −ρ_w/K_w (2.53) [kg/m³].
+inline double water_density(const PoreWater& water, double pressure) {
+  return water.density * std::exp(-pressure / water.bulk_modulus);
+}
+
+/// The pressure at which `pores` [m³] hold `mass` [kg] of water: S(p) ρ_w(p) = mass/pores. More than the pores hold at
+/// p = 0 is compressed, in closed form; less is suction, by Newton's method kept between bounds by bisection, from
+/// `guess` [Pa]. The retention curve must not rise with suction and be constant for p <= 0.
+inline double find_pressure(const PoreWater& water, double pores, double mass, double guess) {
+  const double content = mass / (pores * water.density), at_zero = water.saturation(0);
+  if (content >= at_zero) return -water.bulk_modulus * std::log(content / at_zero);
+  const auto excess = [&](double p) { return water.saturation(p) * std::exp(-p / water.bulk_modulus) - content; };
+  // Without the retention curve the water would be stretched this far.
+  double low = 0, high = water.bulk_modulus * std::log(at_zero / content);
+  double p = guess > low && guess < high ? guess : std::min(1.0, high);
+  for (int i = 0; i < 200; ++i) {
+    const double f = excess(p);
+    (f > 0 ? low : high) = p;
+    const double slope = water.saturation_slope(p) - water.saturation(p) / water.bulk_modulus;
+    double next = p - f / (slope * std::exp(-p / water.bulk_modulus));
+    if (!(next > low && next < high)) next = low > 0 && high > 16 * low ? 4 * low : (low + high) / 2;
+    if (std::abs(next - p) <= 1e-14 * p) return next;
+    p = next;
+  }
+  return p;
+}
+
+/// Water, volume, pressure, effective stress and strain of every point. Returns the change of the mean effective stress
+/// by the plastic return [Pa].
+template <int D>
+std::vector<double> update_wet_points(WetBody<D>& body, const WetSettings& settings) {
+  std::vector<double> mean_stress_change(body.points.size(), 0);
+  for (const WetCell& cell : body.cells) {
+    const double volumetric = cell.strain_increment.trace();
+    const Tensor r = settings.objective ? rotation_increment(cell.gradient, settings.time_step) : Tensor::Identity();
+    for (std::size_t p : cell.points) {
+      WetPoint<D>& point = body.points[p];
+      const Soil& soil = soil_of(body, point);
+      if (soil.wet) {
+        double lost =
+            settings.time_step * cell.stretch * cell.flux_divergence + cell.surplus;  // volume of water per volume
+        // Frozen pores do not shrink; the water that they would press out is pressed into the rest.
+        if (settings.frozen) lost += soil.water.saturation(point.pressure) * volumetric;
+        point.water_mass -= soil.water.density * point.volume * lost;
+      }
+      if (!settings.frozen) point.volume *= 1 + volumetric;
+      if (soil.wet)
+        point.pressure = find_pressure(soil.water, pore_volume(body, point), point.water_mass, point.pressure);
+      const StressUpdate update = update_stress(soil.skeleton, r * point.sigma * r.transpose(), cell.strain_increment);
+      point.sigma = update.sigma;
+      point.plastic_strain += update.plastic_strain;
+      point.strain += cell.strain_increment;
+      mean_stress_change[p] = update.mean_stress_change;
+    }
+  }
+  return mean_stress_change;
+}
+
+/// Smoothing::stable, as in one phase, on the effective stress.
+template <int D>
+void smooth_wet_plastic_mean_stress(WetBody<D>& body, const std::vector<double>& mean_stress_change) {
+  std::vector<double> value(body.cells.size(), 0);
+  for (std::size_t e = 0; e < body.cells.size(); ++e) {
+    double sum = 0, volume = 0;
+    for (std::size_t p : body.cells[e].points) {
+      sum += body.points[p].volume * mean_stress_change[p];
+      volume += body.points[p].volume;
+    }
+    if (volume > 0) value[e] = sum / volume;
+  }
+  const std::vector<double> smoothed = smooth_with_weights(body.mesh, active_volumes(body), value);
+  for (std::size_t e = 0; e < body.cells.size(); ++e)
+    for (std::size_t p : body.cells[e].points) body.points[p].sigma += (smoothed[e] - value[e]) * Tensor::Identity();
+}
+
+}  // namespace talus::reference
