@@ -86,8 +86,9 @@ void check_analysis(const Case& data, Findings& findings) {
   for (std::size_t i = 0; i < data.output.monitors.size(); ++i)
     if (const std::string at = fmt::format("output.monitor.{}.name", i);
         findings.is_sound(at) && data.output.monitors[i].name.find_first_of(",\"\n\r") != std::string::npos)
-      findings.add(at, "a monitor's name heads columns of monitors.csv; it must not hold commas, quotation marks or line "
-                       "breaks");
+      findings.add(at,
+                   "a monitor's name heads columns of monitors.csv; it must not hold commas, quotation marks or line "
+                   "breaks");
   std::set<std::string> keys;
   for (std::size_t i = 0; i < data.study.vary.size(); ++i)
     if (const std::string path = fmt::format("study.vary.{}.key", i);

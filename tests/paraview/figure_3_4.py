@@ -32,7 +32,8 @@ def find_screen():
         yield os.environ["DISPLAY"]
         return
     answer, question = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(question), "-screen", "0", "1600x1200x24", "-nolisten", "tcp"],
+    # -noreset: ParaView opens and closes connections, and a server that starts anew meanwhile refuses the next one.
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(question), "-screen", "0", "1600x1200x24", "-nolisten", "tcp", "-noreset"],
                               pass_fds=[question], stderr=subprocess.DEVNULL)
     os.close(question)
     try:
