@@ -1,6 +1,6 @@
 /** Paragraphs on strength reduction and its criteria; rules as on the manual's page on the factor of safety. */
 import { findSetting, quoteNumber } from "./settings";
-import type { Writer } from "./paragraphs";
+import type { Writer } from "./writer";
 
 export const writeStrengthReduction: Writer = () => [
   {

@@ -1,6 +1,6 @@
 /** Paragraphs on the material point method itself; the formulas are those of the theory pages of the manual. */
 import { isOnAnywhere, quoteEach } from "./settings";
-import type { Writer } from "./paragraphs";
+import type { Writer } from "./writer";
 
 export const writeMaterialPoints: Writer = ({ model, input }) => {
   const simplex = model.dimension === 2 ? "triangles" : "tetrahedra";

@@ -10,11 +10,8 @@ import {
   writeStableSmoothing,
   writeStrainSmoothing,
 } from "./soil";
+import type { Writer } from "./writer";
 import type { Method, Report } from "../../contract";
-
-/** Text with $inline formulas$ and [@references], or an equation in TeX and as plain characters. */
-export type Block = { text: string } | { tex: string; plain: string };
-export type Writer = (report: Report) => Block[];
 
 const writers: { method: Method; title: string; write: Writer }[] = [
   { method: "material_point_method", title: "Material point method", write: writeMaterialPoints },

@@ -1,5 +1,5 @@
 /** Paragraphs on integration, smoothing and the soil models; formulas as in the theory pages of the manual. */
-import type { Block, Writer } from "./paragraphs";
+import type { Block, Writer } from "./writer";
 
 const nodalAverage: Block = {
   tex:
