@@ -40,17 +40,30 @@ std::optional<double> find_factor(const json& summary, const std::string& criter
   return found == nullptr ? std::nullopt : get_number(*found, "factor");
 }
 
-std::optional<double> find_displacement(const json& summary, double factor) {
+/// The displacement at a factor, and between which trials it was interpolated when there is none at that factor.
+struct CurveValue {
+  std::optional<double> displacement;
+  std::string note;
+};
+
+CurveValue find_displacement(const json& summary, double factor) {
   const json& points = get(get(summary, "curve"), "points");
-  if (!points.is_array()) return std::nullopt;
+  if (!points.is_array()) return {};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double here = points[i].at("srf"), u = points[i].at("displacement");
-    if (std::abs(here - factor) < same_factor) return u;
+    if (std::abs(here - factor) < same_factor) return {u, ""};
     if (here < factor || i == 0) continue;
     const double before = points[i - 1].at("srf"), u_before = points[i - 1].at("displacement");
-    return u_before + (u - u_before) * (factor - before) / (here - before);
+    return {u_before + (u - u_before) * (factor - before) / (here - before),
+            fmt::format("no trial at SRF {:g}: interpolated between those at {:g} and {:g}", factor, before, here)};
   }
-  return std::nullopt;
+  return {};
+}
+
+/// What a reader must know about how a result was come by; empty for most.
+std::string find_note(const json& summary, const std::string& name) {
+  const auto factor = model::find_trial_factor(name);
+  return factor ? find_displacement(summary, *factor).note : "";
 }
 
 std::optional<double> find_in_runout(const json& entry, const std::string& key) {
@@ -87,7 +100,7 @@ json describe_unit(const std::string& unit, const model::Output& output) {
 }  // namespace
 
 std::optional<double> find_result(const json& summary, const std::string& name) {
-  if (const auto factor = model::find_trial_factor(name)) return find_displacement(summary, *factor);
+  if (const auto factor = model::find_trial_factor(name)) return find_displacement(summary, *factor).displacement;
   const Path path = split(name);
   if (path.block == "factor_of_safety") return find_factor(summary, path.key);
   if (path.block == "mesh") return get_number(get(summary, "mesh"), path.key.c_str());
@@ -140,7 +153,7 @@ json compare_results(const model::Case& data, const json& summary) {
                {"tolerance_text", compare.tolerance.text},
                {"source", compare.source},
                {"passes", false},
-               {"note", computed ? ""
+               {"note", computed ? find_note(summary, compare.name)
                         : result ? "the run did not come to this result"
                                  : "the case leaves this result out"}};
     if (computed) {

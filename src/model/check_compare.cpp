@@ -10,8 +10,6 @@
 namespace talus::model {
 namespace {
 
-constexpr const char* per_cent = "%";
-
 std::string suggest(const Case& data, const std::string& name) {
   std::vector<std::string> names;
   for (const ResultName& known : list_result_names(data)) names.push_back(known.name);
@@ -59,7 +57,7 @@ void check_compare(const Case& data, Findings& findings) {
       continue;
     }
     check_amount(compare.value, *result, path + ".value", "value", findings);
-    if (compare.tolerance.unit != per_cent)
+    if (!is_relative(compare.tolerance))
       check_amount(compare.tolerance, *result, path + ".tolerance", "tolerance", findings);
   }
 }

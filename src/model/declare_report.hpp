@@ -25,7 +25,8 @@ void describe(Visitor& v, Compare& c) {
   v.key("value", c.value, plain().required().example("1.4"),
         "The published or measured value: a number in SI units, or a text with a unit.");
   v.key("tolerance", c.tolerance, plain().at_least(0).required().example(R"("5 %")"),
-        "Largest difference that passes: in per cent of the value, or as the value itself is written.");
+        "Largest difference that passes: in per cent of the value, or an amount; a plain number is in the unit of the "
+        "value.");
   v.key("source", c.source, plain().required().example(R"("Bishop, hand calculation")"), "Where the value comes from.");
 }
 

@@ -107,9 +107,15 @@ double to_si(const Amount& amount) {
   return amount.number * units::get_si_factor(amount.unit);
 }
 
+bool is_relative(const Amount& tolerance) {
+  return tolerance.unit == per_cent;
+}
+
 double find_tolerance(const Compare& compare) {
-  if (compare.tolerance.unit == per_cent) return compare.tolerance.number / 100 * std::abs(to_si(compare.value));
-  return to_si(compare.tolerance);
+  Amount tolerance = compare.tolerance;
+  if (is_relative(tolerance)) return tolerance.number / 100 * std::abs(to_si(compare.value));
+  if (tolerance.unit.empty()) tolerance.unit = compare.value.unit;
+  return to_si(tolerance);
 }
 
 }  // namespace talus::model

@@ -32,7 +32,10 @@ std::optional<ResultName> find_possible_name(const Case& data, const std::string
 /// `amount` in SI. A plain number is SI already.
 double to_si(const Amount& amount);
 
-/// Largest difference [SI] that `compare` lets pass: per cent are those of its value.
+/// Whether a tolerance is in per cent of the value.
+bool is_relative(const Amount& tolerance);
+
+/// Largest difference [SI] that `compare` lets pass: per cent are those of its value, a plain number is in its unit.
 double find_tolerance(const Compare& compare);
 
 }  // namespace talus::model

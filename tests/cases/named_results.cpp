@@ -51,8 +51,9 @@ TEST(Comparison, PassesWithinItsToleranceAndNotBeyond) {
   add("factor_of_safety", {1.36, "", "1.36"}, {0.029, "", "0.029"});
   add("curve.displacement[1.4]", {17, "mm", "17 mm"}, {6, "%", "6 %"});
   add("factor_of_safety.jump", {1.6, "", "1.6"}, {10, "%", "10 %"});
+  add("curve.displacement[1.45]", {41, "mm", "41 mm"}, {6, "%", "6 %"});
   const json list = compare_results(data, summary);
-  ASSERT_EQ(list.size(), 4u);
+  ASSERT_EQ(list.size(), 5u);
   EXPECT_TRUE(list[0].at("passes"));
   EXPECT_FALSE(list[1].at("passes"));
   EXPECT_TRUE(list[2].at("passes"));
@@ -60,6 +61,8 @@ TEST(Comparison, PassesWithinItsToleranceAndNotBeyond) {
   EXPECT_EQ(list[2].at("unit").at("name"), "mm");
   EXPECT_FALSE(list[3].at("passes"));
   EXPECT_TRUE(list[3].at("computed").is_null());
+  EXPECT_EQ(list[2].at("note"), "");
+  EXPECT_EQ(list[4].at("note"), "no trial at SRF 1.45: interpolated between those at 1.4 and 1.5");
 }
 
 TEST(FailureTime, IsTheLastCrossingOfTheLimit) {

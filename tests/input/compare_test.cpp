@@ -43,6 +43,7 @@ TEST(Compare, TolerancesArePerCentOfTheValueOrInItsUnit) {
   EXPECT_DOUBLE_EQ(tolerance("\"31 mm\"", "\"30 %\""), 0.0093);
   EXPECT_DOUBLE_EQ(tolerance("\"31 mm\"", "\"2 mm\""), 0.002);
   EXPECT_DOUBLE_EQ(tolerance("0.031", "0.002"), 0.002);
+  EXPECT_DOUBLE_EQ(tolerance("\"31 mm\"", "2"), 0.002) << "not two metres";
 }
 
 }  // namespace
