@@ -7,6 +7,7 @@
 #include <functional>
 #include <set>
 
+#include "analysis/named_results.hpp"
 #include "base/units.hpp"
 #include "output/atomic_file.hpp"
 #include "output/curve_plot.hpp"
@@ -58,12 +59,6 @@ const json* find_criterion(const json& summary, const std::string& name) {
   for (const json& c : *list)
     if (c.at("name") == name) return &c;
   return nullptr;
-}
-
-std::optional<double> get_factor(const json& summary, const std::string& criterion) {
-  if (criterion == "frozen") return get_number(summary, {"factor_of_safety", "frozen", "factor"});
-  const json* c = find_criterion(summary, criterion);
-  return c == nullptr ? std::nullopt : get_number(*c, {"factor"});
 }
 
 std::optional<double> get_time_step(const json& summary) {
@@ -143,7 +138,7 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
                 [f](const json& s) { return get_displacement(s, f); });
   for (const char* criterion : {"frozen", "bilinear", "displacement", "jump"})
     columns.add(fmt::format("FoS, {}", criterion), "", "{:.3f}", false,
-                [criterion](const json& s) { return get_factor(s, criterion); });
+                [criterion](const json& s) { return find_result(s, std::string("factor_of_safety.") + criterion); });
   for (const double f : list_runout_factors(rows))
     columns.add(fmt::format("front advance at SRF {:g}", f), plan.length_unit, "{:.3g}", false, [f](const json& s) {
       const json* trial = find_trial(find(s, {"runouts"}), f);
