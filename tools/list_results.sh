@@ -1,7 +1,12 @@
 #!/usr/bin/env bash
-# Says what lies in a result folder.
+# Says what lies in a result folder: its files, and how much is in the folders of trials.
 set -euo pipefail
 folder=$1
 echo
 echo "Results in $folder:"
-find "$folder" -type f -printf '  %P  %s bytes\n' | sort
+find "$folder" -maxdepth 1 -type f -printf '  %f  %s bytes\n' | sort
+for inner in "$folder"/*/; do
+  [ -d "$inner" ] || continue
+  echo "  $(basename "$inner")/  $(find "$inner" -type f | wc -l) files"
+done
+[ ! -f "$folder/report.html" ] || echo "Open $folder/report.html in a browser."
