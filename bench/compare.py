@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Speed of the engine beside the throw-away yardstick, in one run.
 
-    bench/compare.py BUILD_FOLDER [--yardstick FOLDER] [--rounds N] [--csv FILE]
+    bench/compare.py BUILD_FOLDER [--yardstick FOLDER] [--rounds N] [--only dry|wet|threads]
 
-Both step the same slope (bench/yardstick_case.hpp); they take turns, because the machine's speed drifts, and the ratio
-is taken turn by turn. Without the yardstick's sources only Talus is measured, and the script says so.
+Both step the same slope (bench/yardstick_case.hpp, bench/wet_yardstick.hpp); they take turns, because the machine's speed drifts, and the
+ratio is taken turn by turn. Without the yardstick's sources only Talus is measured, and the script says so.
 """
 import argparse
 import os
@@ -18,29 +18,48 @@ FLAGS = ["-std=c++20", "-O3", "-march=native", "-mprefer-vector-width=512", "-fn
 # dimension, case, warm steps, steps, repetitions, prefetch distance of the yardstick (its own best choice)
 CASES = [(2, "small", 200, 1000, 5, 0), (2, "mid", 50, 100, 3, 1), (2, "large", 5, 10, 3, 1),
          (3, "small", 200, 300, 3, 0), (3, "mid", 20, 40, 3, 3), (3, "large", 5, 10, 2, 3)]
+WET_CASES = [(2, "small", 200, 1000, 5, 0), (2, "mid", 50, 100, 3, 1), (2, "large", 5, 10, 3, 1),
+             (3, "small", 200, 300, 3, 0), (3, "large", 5, 10, 2, 1)]
 # As the program sets them for itself: waiting threads sleep after a short spin, because the machine may be shared.
 ENVIRONMENT = dict(os.environ, OMP_WAIT_POLICY="passive", GOMP_SPINCOUNT="20000")
+for name in ("MIXED", "SAT"):  # the yardstick's switches
+    ENVIRONMENT.pop(name, None)
 
 
 def run(command, **extra):
     return subprocess.run(command, env=dict(ENVIRONMENT, **extra), capture_output=True, text=True, check=True).stdout
 
 
-def measure_talus(build, dimension, case, threads, warm, steps, repeats, *flags):
-    out = run([str(build / "bin" / "step_speed"), str(dimension), case, str(threads), str(warm), str(steps), str(repeats), *flags])
-    return float(re.search(r"best ([0-9.]+) Mpps", out)[1]), int(re.search(r"(\d+) bytes/point", out)[1]), int(re.search(r"points=(\d+)", out)[1])
+class Talus:
+    """The engine in a build folder."""
+
+    def __init__(self, build):
+        self.program = build / "bin" / "step_speed"
+
+    def measure(self, dimension, case, threads, warm, steps, repeats, *flags):
+        """Million point-steps per second, bytes per point, points."""
+        out = run([str(self.program), str(dimension), case, str(threads), str(warm), str(steps), str(repeats), *flags])
+        return (float(re.search(r"best ([0-9.]+) Mpps", out)[1]), int(re.search(r"(\d+) bytes/point", out)[1]),
+                int(re.search(r"points=(\d+)", out)[1]))
 
 
-def build_yardstick(source, build, prefetch):
-    program = build / f"yardstick_{prefetch}"
-    if not program.exists():
-        subprocess.run(["g++", *FLAGS, *([f"-DPREF={prefetch}"] if prefetch else []), str(source / "runW.cpp"), "-o", str(program)], check=True)
-    return program
+class Yardstick:
+    """One of the prototypes, runW (one phase) or runT (two); compiled when first needed."""
 
+    def __init__(self, source, build, name):
+        self.source, self.build, self.name = source / f"{name}.cpp", build, name
 
-def measure_yardstick(program, dimension, case, warm, steps, repeats, **extra):
-    out = run([str(program), str(dimension), case, "0", "0", str(warm), str(steps), str(repeats)], **extra)
-    return float(re.search(r"best ([0-9.]+) Mpps", out)[1])
+    def exists(self):
+        return self.source.exists()
+
+    def measure(self, dimension, case, warm, steps, repeats, prefetch, **switches):
+        program = self.build / f"yardstick_{self.name}_{prefetch}"
+        if not program.exists():
+            distance = [f"-DPREF={prefetch}"] if prefetch else []
+            subprocess.run(["g++", *FLAGS, *distance, str(self.source), "-o", str(program)], check=True)
+        mode = ["0", "0"] if self.name == "runW" else ["W"]
+        out = run([str(program), str(dimension), case, *mode, str(warm), str(steps), str(repeats)], **switches)
+        return float(re.search(r"=> (?:best )?([0-9.]+) Mpps", out)[1])
 
 
 def describe_machine():
@@ -49,38 +68,70 @@ def describe_machine():
     return f"{model}, {os.cpu_count()} cores, {compiler}, load {os.getloadavg()[0]:.1f}"
 
 
+def compare(talus, yardstick, rounds, case, flags, switches):
+    """A row's end: speeds, their ratio, bytes per point; the two programs take turns."""
+    dimension, name, warm, steps, repeats, prefetch = case
+    ours, theirs, ratios = [], [], []
+    for _ in range(rounds):
+        speed, size, points = talus.measure(dimension, name, 1, warm, steps, repeats, *flags)
+        ours.append(speed)
+        if yardstick.exists():
+            theirs.append(yardstick.measure(dimension, name, warm, steps, repeats, prefetch, **switches))
+            ratios.append(ours[-1] / theirs[-1])
+    other = f"{statistics.median(theirs):.1f} | {statistics.median(ratios):.2f}" if ratios else "– | –"
+    return points, f"{statistics.median(ours):.1f} | {other} | {size} |"
+
+
+def compare_dry(talus, yardstick, rounds):
+    print("\n| case | points | integration | Talus [M/s] | yardstick [M/s] | ratio | bytes/point |\n|---|---|---|---|---|---|---|")
+    for case in CASES:
+        for flag in ([], ["mixed"]) if case[1] == "small" else ([],):
+            points, end = compare(talus, yardstick, rounds, case, flag, {"MIXED": "1"} if flag else {})
+            print(f"| {case[0]}D {case[1]} | {points} | {flag[0] if flag else 'points'} | {end}", flush=True)
+
+
+def compare_wet(talus, yardstick, rounds):
+    """The wet yardstick has no mixed integration; there the ratio is to its integration by points."""
+    print("\n| case | points | water | integration | Talus [M/s] | yardstick [M/s] | ratio | bytes/point |\n|---|---|---|---|---|---|---|---|")
+    for case in WET_CASES:
+        for water, flag, switches in (("unsaturated", "wet", {}), ("saturated", "saturated", {"SAT": "1"})):
+            for integration in ("points", "mixed") if case[1] == "small" else ("points",):
+                flags = [flag] + ([integration] if integration == "mixed" else [])
+                points, end = compare(talus, yardstick, rounds, case, flags, switches)
+                print(f"| {case[0]}D {case[1]} | {points} | {water} | {integration} | {end}", flush=True)
+
+
+def measure_threads(talus, rounds):
+    print("\n| case | threads | Talus [M/s] | speed-up |\n|---|---|---|---|")
+    threads = os.cpu_count()
+    for dimension in (2, 3):
+        for flags in ([], ["wet"]):
+            one, many = [], []
+            for _ in range(rounds):
+                one.append(talus.measure(dimension, "large", 1, 5, 10, 2, *flags)[0])
+                many.append(talus.measure(dimension, "large", threads, 5, 10, 2, *flags)[0])
+            gain = statistics.median(m / o for m, o in zip(many, one))
+            print(f"| {dimension}D large{', wet' if flags else ''} | {threads} | {statistics.median(many):.1f} | {gain:.2f} |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--yardstick", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2] / "shared" / "ceiling")
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--only", choices=["dry", "wet", "threads"])
     arguments = parser.parse_args()
-    has_yardstick = (arguments.yardstick / "runW.cpp").exists()
+    talus = Talus(arguments.build)
     print(describe_machine())
-    if not has_yardstick:
-        print("SKIP: the yardstick's sources are not here; no ratio is measured (--yardstick FOLDER)", file=sys.stderr)
-    print("\n| case | points | integration | Talus [M/s] | yardstick [M/s] | ratio | bytes/point |\n|---|---|---|---|---|---|---|")
-    for dimension, case, warm, steps, repeats, prefetch in CASES:
-        for flag in ([], ["mixed"]) if case == "small" else ([],):
-            ours, theirs, ratios = [], [], []
-            for _ in range(arguments.rounds):
-                speed, size, points = measure_talus(arguments.build, dimension, case, 1, warm, steps, repeats, *flag)
-                ours.append(speed)
-                if has_yardstick:
-                    program = build_yardstick(arguments.yardstick, arguments.build, prefetch)
-                    theirs.append(measure_yardstick(program, dimension, case, warm, steps, repeats, **({"MIXED": "1"} if flag else {})))
-                    ratios.append(ours[-1] / theirs[-1])
-            other = f"{statistics.median(theirs):.1f} | {statistics.median(ratios):.2f}" if ratios else "– | –"
-            print(f"| {dimension}D {case} | {points} | {flag[0] if flag else 'points'} | {statistics.median(ours):.1f} | {other} | {size} |", flush=True)
-    print("\n| case | threads | Talus [M/s] | speed-up |\n|---|---|---|---|")
-    for dimension in (2, 3):
-        one, many = [], []
-        threads = os.cpu_count()
-        for _ in range(arguments.rounds):
-            one.append(measure_talus(arguments.build, dimension, "large", 1, 5, 10, 2)[0])
-            many.append(measure_talus(arguments.build, dimension, "large", threads, 5, 10, 2)[0])
-        gain = statistics.median(m / o for m, o in zip(many, one))
-        print(f"| {dimension}D large | {threads} | {statistics.median(many):.1f} | {gain:.2f} |", flush=True)
+    for part, name, function in (("dry", "runW", compare_dry), ("wet", "runT", compare_wet)):
+        if arguments.only not in (None, part):
+            continue
+        yardstick = Yardstick(arguments.yardstick, arguments.build, name)
+        if not yardstick.exists():
+            print(f"SKIP: the yardstick's {name}.cpp is not here; no {part} ratio is measured (--yardstick FOLDER)", file=sys.stderr)
+        function(talus, yardstick, arguments.rounds)
+    if arguments.only in (None, "threads"):
+        measure_threads(talus, arguments.rounds)
 
 
 if __name__ == "__main__":

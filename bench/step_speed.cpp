@@ -1,6 +1,9 @@
 // Million point-steps per second of the engine on the yardstick's slope.
-//   step_speed D CASE THREADS [WARM STEPS REPEATS] [mixed] [smooth] [stable] [objective]
-// CASE is small, mid or large. Single-threaded runs are timed in CPU time, threaded ones in wall time.
+//   step_speed D CASE THREADS [WARM STEPS REPEATS] [FLAG...]
+// CASE is small, mid or large. Flags: mixed, smooth, stable, objective; wet (pore water, unsaturated above the level)
+// or saturated (S = 1 everywhere), and with them net (damping), explicit (drag), pressure (smoothing), seepage
+// (surfaces that no water enters); parts (wall time by lines of the step), state (extremes of the points before
+// timing). Single-threaded runs are timed in CPU time, threaded ones in wall time.
 
 #include <fmt/format.h>
 
@@ -10,7 +13,8 @@
 #include <set>
 #include <string>
 
-#include "yardstick_case.hpp"
+#include "mpm/observe.hpp"
+#include "wet_yardstick.hpp"
 
 namespace {
 
@@ -20,32 +24,82 @@ double read_clock(bool wall) {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+/// Bytes of the arrays together.
+template <class... Vectors>
+std::size_t count_bytes(const Vectors&... vectors) {
+  return ((vectors.capacity() * sizeof(vectors[0])) + ... + 0);
+}
+
 template <int D>
 std::size_t memory_per_point(const talus::mpm::Body<D>& body) {
-  const auto size = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   const auto& p = body.points;
   const auto& e = body.elements;
   const auto& n = body.nodes;
+  const auto& w = body.water;
   const auto& l = *body.layout;
   const auto& m = l.mesh;
-  const std::size_t total = size(p.data) + size(p.id) + size(p.count) + size(p.element) + size(p.place) +
-                            size(p.material) + size(p.reference) + size(p.strain_offset) + size(e.moments) +
-                            size(e.strain) + size(e.fill_limit) * 4 + size(n.sums) + size(n.motion) + size(n.average) +
-                            size(n.smoothed) + size(n.displacement) + size(l.connectivity) + size(l.gradients) +
-                            size(l.volumes) + size(l.node_rows) + size(l.row_start) + size(m.nodes) + size(m.elements) +
-                            size(m.neighbours) + size(m.volumes) + size(m.gradients) + size(m.altitudes);
+  std::size_t total =
+      count_bytes(p.data, p.id, p.count, p.element, p.place, p.material, p.reference, p.strain_offset) +
+      count_bytes(e.moments, e.strain, e.fill_limit, e.return_pressure, e.force_volume, e.plastic_mean) +
+      count_bytes(n.sums, n.motion, n.average, n.smoothed, n.load, n.displacement) +
+      count_bytes(l.connectivity, l.gradients, l.volumes, l.node_rows, l.row_start) +
+      count_bytes(m.nodes, m.elements, m.neighbours, m.volumes, m.gradients, m.altitudes);
+  total += count_bytes(w.constraint_of_node, w.constraints, w.surface_of_node, w.moments, w.volume, w.stretch,
+                       w.mean_saturation, w.mean_pressure, w.surplus, w.sums, w.motion, w.average, w.smoothed,
+                       w.open_sides, w.facing, w.load, w.mixture_load);
   return total / static_cast<std::size_t>(p.size());
 }
 
 template <int D>
-void run(const std::string& name, int threads, int warm, int steps, int repeats, const std::set<std::string>& flags) {
-  auto y = talus::bench::make_yardstick<D>(name, threads > 1 ? 0 : (name == "large" ? 0 : 1));
+talus::bench::Yardstick<D> make_case(const std::string& name, int threads, const std::set<std::string>& flags) {
+  const bool saturated = flags.contains("saturated"), wet = saturated || flags.contains("wet");
+  const int chunks = threads > 1 || name == "large" ? 0 : 1;
+  auto y = wet ? talus::bench::make_wet_yardstick<D>(name, chunks, saturated)
+               : talus::bench::make_yardstick<D>(name, chunks);
   y.options.threads = threads;
-  y.options.mixed = flags.count("mixed") > 0;
-  if (flags.count("smooth")) y.options.smoothing = talus::model::Smoothing::strain;
-  if (flags.count("stable")) y.options.smoothing = talus::model::Smoothing::stable;
-  y.options.objective = flags.count("objective") > 0;
+  y.options.mixed = flags.contains("mixed");
+  if (flags.contains("smooth")) y.options.smoothing = talus::model::Smoothing::strain;
+  if (flags.contains("stable")) y.options.smoothing = talus::model::Smoothing::stable;
+  y.options.objective = flags.contains("objective");
+  y.options.net_damping = flags.contains("net");
+  y.options.implicit_drag = !flags.contains("explicit");
+  y.options.smooth_pressure = flags.contains("pressure");
+  if (flags.contains("seepage"))
+    for (auto& surface : y.body.water.surfaces) surface.kind = talus::mpm::SurfaceKind::seepage;
+  return y;
+}
+
+/// Largest speeds, pressure and stress, to hold against the yardstick's `check`.
+template <int D>
+void print_state(const talus::mpm::Body<D>& body) {
+  double grains = 0, water = 0, pressure = 0, stress = 0;
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!talus::mpm::is_present(body, id)) continue;
+    const auto view = talus::mpm::view_point(body, id);
+    for (const double v : view.velocity) grains = std::max(grains, std::abs(v));
+    for (const double v : view.water_velocity) water = std::max(water, std::abs(v));
+    for (const double v : view.stress) stress = std::max(stress, std::abs(v));
+    pressure = std::max(pressure, std::abs(view.pressure));
+  }
+  fmt::print("state: |v| {:.4g} m/s, |w| {:.4g} m/s, |p| {:.5g} Pa, |stress| {:.5g} Pa, lost {}\n", grains, water,
+             pressure, stress, body.lost.size());
+}
+
+void print_parts(const talus::mpm::Timing& t, int steps) {
+  const double scale = 1e6 / steps;
+  fmt::print(
+      "parts [us/step]: momentum {:.2f}, remap {:.2f}, smoothing {:.2f}, points {:.2f}, return {:.2f}, relocate "
+      "{:.2f}\n",
+      t.solve_momentum * scale, t.remap_momentum * scale, t.smooth_strain * scale, t.advance_points * scale,
+      t.smooth_return * scale, t.relocate * scale);
+}
+
+template <int D>
+void run(const std::string& name, int threads, int warm, int steps, int repeats, const std::set<std::string>& flags) {
+  auto y = make_case<D>(name, threads, flags);
   for (int s = 0; s < warm; ++s) talus::mpm::step(y.body, y.options);
+  if (flags.contains("state")) print_state(y.body);
+  y.body.timing = {};
   double best = 1e30;
   for (int r = 0; r < repeats; ++r) {
     const double start = read_clock(threads > 1);
@@ -56,6 +110,7 @@ void run(const std::string& name, int threads, int warm, int steps, int repeats,
   fmt::print("talus D={} {} points={} threads={} chunks={} : best {:.2f} Mpps, {:.1f} us/step, {} bytes/point\n", D,
              name, y.body.points.size(), threads, y.body.layout->chunks, points / best * 1e-6, best * 1e6,
              memory_per_point(y.body));
+  if (flags.contains("parts")) print_parts(y.body.timing, steps * repeats);
 }
 
 }  // namespace

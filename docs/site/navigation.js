@@ -11,6 +11,7 @@ const manual = [
       "docs/manual/how-to/reproduce-a-curve.md",
       "docs/manual/how-to/run-a-slide.md",
       "docs/manual/how-to/ready-mesh.md",
+      "docs/manual/how-to/soil-water-curves.md",
       "docs/manual/how-to/follow-points.md",
       "docs/manual/how-to/study-a-parameter.md",
       "docs/manual/how-to/mesh-and-speed.md",

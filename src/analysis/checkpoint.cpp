@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/error.hpp"
+#include "mpm/coupled.hpp"
 
 namespace talus::analysis {
 namespace {
@@ -50,6 +51,20 @@ void visit_reals(Body& body, Visit&& visit) {
   visit("nodes/motion", body.nodes.motion);
 }
 
+/// Those of pore water. Open sides and held directions follow from them and are found again.
+template <class Body, class Visit>
+void visit_water(Body& body, Visit&& visit) {
+  visit("water/moments", body.water.moments);
+  visit("water/volume", body.water.volume);
+  visit("water/stretch", body.water.stretch);
+  visit("water/mean_saturation", body.water.mean_saturation);
+  visit("water/mean_pressure", body.water.mean_pressure);
+  visit("water/mean_resistance", body.water.mean_resistance);
+  visit("water/surplus", body.water.surplus);
+  visit("water/sums", body.water.sums);
+  visit("water/motion", body.water.motion);
+}
+
 template <class Body, class Visit>
 void visit_integers(Body& body, Visit&& visit) {
   visit("points/id", body.points.id);
@@ -66,6 +81,28 @@ void visit_vectors(Body& body, Visit&& visit) {
   visit("points/strain_offset", body.points.strain_offset);
   visit("nodes/displacement", body.nodes.displacement);
   visit("nodes/load", body.nodes.load);
+}
+
+template <int D>
+void put_budgets(ArchiveWriter& archive, const mpm::Water<D>& water) {
+  std::vector<double> flat{water.lost_between, water.left_grid, water.pressed_in};
+  for (const mpm::SurfaceBudget& b : water.budgets) flat.insert(flat.end(), {b.entered, b.left, b.supplied, b.runoff});
+  archive.put("water/budgets", flat);
+}
+
+template <int D>
+void get_water(const ArchiveReader& archive, mpm::Body<D>& body) {
+  mpm::Water<D>& water = body.water;
+  const auto& flat = archive.reals("water/budgets");
+  water.lost_between = flat[0];
+  water.left_grid = flat[1];
+  water.budgets.clear();
+  water.pressed_in = flat[2];
+  for (std::size_t i = 3; i + 4 <= flat.size(); i += 4)
+    water.budgets.push_back({flat[i], flat[i + 1], flat[i + 2], flat[i + 3]});
+  water.surface_is_stale = true;
+  water.newly_full.clear();
+  mpm::find_held_axes(body);
 }
 
 }  // namespace
@@ -112,6 +149,12 @@ void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
   visit_reals(body, [&](const char* name, const auto& values) {
     archive.put(name, std::span<const double>(values.data(), values.size()));
   });
+  if (body.water.is_wet()) {
+    visit_water(body, [&](const char* name, const auto& values) {
+      archive.put(name, std::span<const double>(values.data(), values.size()));
+    });
+    put_budgets(archive, body.water);
+  }
   visit_integers(body, [&](const char* name, const auto& values) {
     const std::vector<int> plain(values.begin(), values.end());
     archive.put(name, plain);
@@ -139,16 +182,25 @@ void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
   archive.put("counts", counts);
 }
 
+void check_lane_width(const ArchiveReader& archive, const std::string& what, const char* purpose) {
+  const std::int64_t width = archive.long_integers("counts")[1];
+  if (width != lane_width) {
+    throw Error(ExitCode::wrong_input,
+                fmt::format("{} was written by a build for vectors of {} doubles, this one has {}; {} with the same "
+                            "build (TALUS_ARCH)",
+                            what, width, lane_width, purpose));
+  }
+}
+
 template <int D>
 void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
+  check_lane_width(archive, "the checkpoint", "resume");
   const auto& counts = archive.long_integers("counts");
-  if (counts[1] != lane_width) {
-    throw Error(ExitCode::wrong_input,
-                fmt::format("the checkpoint was written by a build for vectors of {} doubles, this one has {}; "
-                            "resume with the same build (TALUS_ARCH)",
-                            counts[1], lane_width));
-  }
   visit_reals(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
+  if (body.water.is_wet()) {
+    visit_water(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
+    get_water(archive, body);
+  }
   visit_integers(body, [&](const char* name, auto& values) { copy_into(values, archive.integers(name)); });
   visit_vectors(body, [&](const char* name, auto& values) { unflatten(archive.reals(name), values); });
   body.points.block_start = archive.long_integers("points/block_start");

@@ -17,6 +17,10 @@ template <int D>
 void put_body(output::ArchiveWriter& archive, const mpm::Body<D>& body);
 void put_stage(output::ArchiveWriter& archive, const StageState& state);
 
+/// Throws Error (wrong_input) when the archive, `what`, was written by a build with another lane width; the sentence
+/// says to `purpose` ("resume") with the same one.
+void check_lane_width(const output::ArchiveReader& archive, const std::string& what, const char* purpose);
+
 /// Overwrites the arrays of `body`, which must come from analysis::prepare on the same case and mesh. Throws Error
 /// (wrong_input) when the archive was written by a build with another lane width.
 template <int D>

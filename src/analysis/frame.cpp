@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mpm/coupled_kernels.hpp"
 #include "mpm/observe.hpp"
 
 namespace talus::analysis {
@@ -26,6 +27,42 @@ double component(const std::array<double, N>& tensor, std::size_t i) {
   return i < N ? tensor[i] : 0.0;
 }
 
+/// Pressure as engineers write it, positive in compression; a dry point has none.
+template <int D>
+void push_water(Fields& fields, std::size_t first, const mpm::PointView<D>& p) {
+  fields.push(first, p.wet ? -p.pressure : 0.0);
+  fields.push(first + 1, p.wet ? p.saturation : 0.0);
+  fields.push(first + 2, p.porosity);
+  for (std::size_t d = 0; d < 3; ++d) fields.push(first + 3, p.wet && d < D ? p.water_velocity[d] : 0.0);
+}
+
+/// Mass of a node, its water included [kg], and velocity of its grains [m/s].
+template <int D>
+struct Node {
+  double mass = 0;
+  const double* velocity = nullptr;
+};
+
+template <int D>
+Node<D> read_node(const mpm::Body<D>& body, int i) {
+  const int *rows = &body.layout->node_rows[body.layout->row_start[i]],
+            *end = &body.layout->node_rows[0] + body.layout->row_start[i + 1];
+  const std::size_t first = static_cast<std::size_t>(*rows);
+  Node<D> node;
+  if (!body.water.is_wet()) {
+    for (; rows != end; ++rows) node.mass += body.nodes.sums[static_cast<std::size_t>(*rows) * mpm::sums_stride];
+    node.velocity = &body.nodes.motion[first * mpm::motion_stride<D> + D];
+    return node;
+  }
+  using Columns = mpm::WetColumns<D>;
+  for (; rows != end; ++rows) {
+    const double* sums = &body.water.sums[static_cast<std::size_t>(*rows) * mpm::wet_sums_stride<D>];
+    node.mass += sums[Columns::mass] + sums[Columns::water_mass];
+  }
+  node.velocity = &body.water.motion[first * mpm::wet_motion_stride<D> + 2 * D];
+  return node;
+}
+
 template <int D>
 output::MeshFrame make_mesh_frame(const mpm::Body<D>& body, bool cells, bool nodes) {
   const auto& mesh = body.mesh();
@@ -46,15 +83,9 @@ output::MeshFrame make_mesh_frame(const mpm::Body<D>& body, bool cells, bool nod
   if (nodes) {
     output::Field velocity{"velocity", "m/s", 3, {}}, mass{"mass", "kg", 1, {}};
     for (int i = 0; i < mesh.node_count(); ++i) {
-      double m = 0;
-      for (int r = body.layout->row_start[i]; r < body.layout->row_start[i + 1]; ++r) {
-        m += body.nodes.sums[static_cast<std::size_t>(body.layout->node_rows[r]) * mpm::sums_stride];
-      }
-      mass.values.push_back(m);
-      const double* motion =
-          &body.nodes.motion[static_cast<std::size_t>(body.layout->node_rows[body.layout->row_start[i]]) *
-                             mpm::motion_stride<D>];
-      for (int d = 0; d < 3; ++d) velocity.values.push_back(d < D ? motion[D + d] : 0.0);
+      const Node<D> node = read_node(body, i);
+      mass.values.push_back(node.mass);
+      for (int d = 0; d < 3; ++d) velocity.values.push_back(d < D ? node.velocity[d] : 0.0);
     }
     frame.node_fields = {velocity, mass};
   }
@@ -99,6 +130,12 @@ output::Frame make_frame(const mpm::Body<D>& body, const std::string& stage, boo
   fields.add("deviatoric_strain", "-", 1);
   fields.add("plastic_strain", "-", 1);
   fields.add("volume", "m3", 1);
+  if (body.water.is_wet()) {
+    fields.add("pore_pressure", "Pa", 1);
+    fields.add("saturation", "-", 1);
+    fields.add("porosity", "-", 1);
+    fields.add("water_velocity", "m/s", 3);
+  }
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
     const auto p = mpm::view_point(body, id);
@@ -120,6 +157,7 @@ output::Frame make_frame(const mpm::Body<D>& body, const std::string& stage, boo
     fields.push(7, strain.deviatoric);
     fields.push(8, p.plastic_strain);
     fields.push(9, p.volume);
+    if (body.water.is_wet()) push_water<D>(fields, 10, p);
   }
   frame.point_fields = fields.take();
   if (cells || nodes) frame.mesh = make_mesh_frame(body, cells, nodes);

@@ -9,6 +9,7 @@
 #include "analysis/checkpoint.hpp"
 #include "analysis/prepare.hpp"
 #include "analysis/runout.hpp"
+#include "analysis/water_conditions.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/observe.hpp"
@@ -41,10 +42,11 @@ StagePlan<D> make_frozen_stage(const model::Case& data, const model::Stage& stag
   const model::FrozenFactor& settings = data.strength_reduction.frozen;
   StagePlan<D> plan = make_plan<D>(data, stage, slope_height, threads);
   plan.name += " at frozen geometry";
+  // As the trials calculate, but with the stage's own mass scaling and, below, at least its own damping.
+  plan.step = settings.step_settings;
   plan.step.geometry = model::Geometry::frozen;
-  plan.step.integration = settings.step_settings.integration;
-  plan.step.smoothing = settings.step_settings.smoothing;
-  plan.step.courant = settings.step_settings.courant;
+  plan.step.mass_scaling = stage.step.mass_scaling;
+  plan.step.objective_rate = stage.step.objective_rate;
   // Undamped or nearly undamped stages would swing for long without changing where they come to rest.
   plan.step.damping = std::max(stage.step.damping, settings.step_settings.damping);
   plan.until_rest = true;
@@ -98,10 +100,12 @@ class FrozenMesh {
   void run_stages(const mesh::Mesh<D>& base, std::vector<std::string>& warnings) {
     const auto checkpoint =
         context_.resume ? open_checkpoint(folder_ / recording_.checkpoint_name, context_.input_hash) : nullptr;
-    const bool ready = !data_.mesh.file.empty();
+    const bool ready = !data_.mesh.file.empty() || !data_.initial.result.empty();
     state_ = prepare<D>(data_, checkpoint ? get_mesh<D>(*checkpoint)
                                : ready    ? base
                                           : mesh::generate<D>(plan_mesh(data_.mesh, settings_, number_)));
+    // Held pressures are those of the start, whenever a trial runs; so is the water outside.
+    if (settings_.step_settings.water == model::WaterMotion::held) hold_surfaces(state_, 0);
     height_ = find_slope_height(state_, data_.gravity);
     StageState stage_state;
     int first = 0;

@@ -92,6 +92,7 @@ std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor
   settings.progress = context.progress;
   settings.label = files.label;
   settings.monitor_points = context.monitor_points;
+  settings.work_before = context.work_before;
 
   body = start_trial(state, *context.data, factor);
   StageState stage;

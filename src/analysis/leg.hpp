@@ -21,6 +21,7 @@ struct TrialContext {
   std::vector<int> monitor_points;  ///< those of the stages
   /// Told how long the parts of a trial took; called from any thread.
   std::function<void(const mpm::Timing&)> add_timing = [](const mpm::Timing&) {};
+  mpm::Work work_before{};  ///< see RecorderSettings
 };
 
 nlohmann::json to_json(const TrialResult& trial);

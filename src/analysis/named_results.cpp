@@ -92,8 +92,32 @@ Path split(const std::string& name) {
   return path;
 }
 
+/// Volume or flow of one condition: "water.inflow[ground]", "seepage.discharge[toe]".
+std::optional<double> find_water_result(const json& summary, const Path& path) {
+  const json& water = get(summary, "water");
+  const auto find_passed = [&](const char* key) -> std::optional<double> {
+    const json& surfaces = get(water, "surfaces");
+    const json* surface = surfaces.is_array() ? find_member(surfaces, "name", path.index) : nullptr;
+    const auto mass = surface == nullptr ? std::nullopt : get_number(*surface, key),
+               density = get_number(water, "density");
+    return mass && density ? std::optional(*mass / *density) : std::nullopt;
+  };
+  if (path.block == "water.inflow") return find_passed("entered");
+  if (path.block == "water.outflow") return find_passed("left");
+  if (path.block == "water.runoff") return find_passed("runoff");
+  if (path.block == "seepage.discharge") {
+    const json& discharges = get(get(summary, "seepage"), "discharges");
+    const json* one = discharges.is_array() ? find_member(discharges, "name", path.index) : nullptr;
+    if (one == nullptr) return std::nullopt;
+    return one->at("outflow").get<double>() - one->at("inflow").get<double>();
+  }
+  if (path.block == "seepage") return get_number(get(summary, "seepage"), path.key.c_str());
+  if (path.block != "water") return std::nullopt;
+  return get_number(water, path.key == "budget_error" ? "error" : path.key.c_str());
+}
+
 json describe_unit(const std::string& unit, const model::Output& output) {
-  const std::string shown = unit == "m" ? output.length_unit : unit;
+  const std::string shown = unit == "m" ? output.length_unit : (unit == "Pa" ? output.stress_unit : unit);
   return {{"name", shown}, {"si", units::get_si_factor(shown)}};
 }
 
@@ -109,7 +133,7 @@ std::optional<double> find_result(const json& summary, const std::string& name) 
     const json* stage = stages.is_array() ? find_member(stages, "name", path.index) : nullptr;
     return stage == nullptr ? std::nullopt : get_number(*stage, path.key.c_str());
   }
-  if (path.block != "runout") return std::nullopt;
+  if (path.block != "runout") return find_water_result(summary, path);
   if (path.index.empty()) {
     const json& stages = get(summary, "stages");
     json entry{{"runout", get(summary, "runout")}};

@@ -6,10 +6,15 @@
 #include <limits>
 
 #include "analysis/conditions.hpp"
+#include "analysis/end_state.hpp"
+#include "analysis/initial_water.hpp"
+#include "analysis/water.hpp"
+#include "analysis/water_conditions.hpp"
 #include "base/error.hpp"
 #include "mesh/column.hpp"
 #include "mesh/points.hpp"
 #include "mpm/observe.hpp"
+#include "mpm/pore_state.hpp"
 
 namespace talus::analysis {
 namespace {
@@ -36,26 +41,37 @@ std::vector<int> assign_materials(const model::Case& data, const mesh::Mesh<D>& 
   return material;
 }
 
-/// Vertical effective stress of the column of soil above, and K0 of it sideways.
+/// Vertical effective stress of the column of soil and water above, and K0 of it sideways.
 template <int D>
-void set_k0_stress(const model::Case& data, const mesh::Mesh<D>& mesh, const std::vector<int>& material_of_region,
-                   const std::vector<std::string>& names, std::vector<mpm::InitialPoint<D>>& points) {
-  std::vector<double> unit_weight(mesh.elements.size(), 0.0);
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const int region = mesh.element_region[e];
-    if (region < 0) continue;
-    unit_weight[e] = data.materials.at(names[material_of_region[region]]).density() * data.gravity.acceleration;
+void set_k0_stress(const model::Case& data, const mesh::Mesh<D>& mesh, const std::vector<std::string>& names,
+                   const std::vector<mpm::WaterLaw>& laws, const InitialWater<D>& water,
+                   std::vector<mpm::InitialPoint<D>>& points) {
+  std::vector<double> unit_weight(mesh.elements.size(), 0.0), bishop(mesh.elements.size(), 0.0);
+  for (const mpm::InitialPoint<D>& p : points) {
+    const model::Material& m = data.materials.at(names[p.material]);
+    double density = m.density();
+    if (m.water.is_wet()) {
+      const mpm::WaterLaw& law = laws[p.material];
+      const double pressure = water.pressure[p.element];
+      density += m.porosity * mpm::find_content(law, pressure) * law.density;
+      bishop[p.element] = mpm::find_state_at_pressure(law, pressure).bishop;
+    }
+    unit_weight[p.element] = density * data.gravity.acceleration;
   }
   Vec<D> up = find_gravity<D>(data.gravity);
   const double g = norm(up);
   for (double& u : up) u /= -g;
   std::vector<mesh::LocalPoint<D>> places;
   for (const auto& p : points) places.push_back({p.element, p.xi});
-  const std::vector<double> overburden = mesh::overburden_integral<D>(mesh, unit_weight, places, up);
+  std::vector<double> overburden = mesh::overburden_integral<D>(mesh, unit_weight, places, up);
+  if (!laws.empty()) {
+    const std::vector<double> ponded = find_ponded_load<D>(data, mesh, points);
+    for (std::size_t i = 0; i < points.size(); ++i) overburden[i] += ponded[i];
+  }
   for (std::size_t i = 0; i < points.size(); ++i) {
     const model::Material& m = data.materials.at(names[points[i].material]);
     const double k0 = data.initial.k0.value_or(m.poisson_ratio / (1 - m.poisson_ratio));
-    const double vertical = -overburden[i], sideways = k0 * vertical;
+    const double vertical = -overburden[i] - bishop[points[i].element], sideways = k0 * vertical;  // σ = σ' + χp
     // σ = sideways·I + (vertical - sideways) up⊗up
     auto& s = points[i].stress;
     for (std::size_t d = 0; d < 3; ++d) s[d] = sideways;
@@ -67,6 +83,53 @@ void set_k0_stress(const model::Case& data, const mesh::Mesh<D>& mesh, const std
       s[5] = extra * up[2] * up[0];
     }
   }
+}
+
+/// A body whose soil is where the mesh says.
+template <int D>
+mpm::Body<D> fill_mesh(const model::Case& data, mesh::Mesh<D> mesh, int points_per_element, int chunks,
+                       std::optional<fem::SeepageResult<D>>* seepage) {
+  const std::vector<std::string> names = list_materials(data);
+  if (names.size() > 32)
+    throw Error(ExitCode::wrong_input, fmt::format("{} materials are too many; at most 32 are possible", names.size()));
+  const std::vector<int> material_of_region = assign_materials(data, mesh, names);
+  const std::vector<mpm::WaterLaw> water_laws = make_water_laws(data);
+  InitialWater<D> water = find_initial_water<D>(data, mesh);
+  const auto positions = mesh::point_positions<D>(points_per_element);
+  std::vector<mpm::InitialPoint<D>> points;
+  std::vector<int> in_element(mesh.elements.size(), 0);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const int region = mesh.element_region[e];
+    if (region < 0) continue;
+    const std::string& region_name = mesh.region_names[region];
+    mpm::InitialPoint<D> point;
+    point.element = e;
+    point.material = material_of_region[region];
+    point.volume = mesh.volumes[e] / points_per_element;
+    point.mass = point.volume * data.materials.at(names[point.material]).density();
+    if (const auto v = data.initial.velocity.find(region_name); v != data.initial.velocity.end()) {
+      for (std::size_t d = 0; d < D; ++d) point.velocity[d] = v->second[d];
+    }
+    point.pressure = water.pressure[e];
+    for (std::size_t d = 0; d < D; ++d) point.water_velocity[d] = point.velocity[d] + water.velocity[e][d];
+    for (const auto& xi : positions) {
+      point.xi = xi;
+      points.push_back(point);
+    }
+    in_element[e] = points_per_element;
+  }
+  if (points.empty())
+    throw Error(ExitCode::wrong_input, "no element of the mesh holds soil; check the polygons and the mesh size");
+  if (data.initial.stress == model::InitialStress::k0) set_k0_stress<D>(data, mesh, names, water_laws, water, points);
+
+  std::vector<material::Law> laws;
+  for (const std::string& name : names) laws.push_back(make_law(data.materials.at(name)));
+  auto layout = mpm::make_layout<D>(std::move(mesh), in_element, chunks);
+  mpm::Body<D> body = mpm::make_body<D>(std::move(layout), std::move(laws), names, points, water_laws);
+  resolve_conditions(body, data);
+  resolve_water_conditions(body, data);
+  if (seepage != nullptr) *seepage = std::move(water.seepage);
+  return body;
 }
 
 }  // namespace
@@ -100,41 +163,13 @@ Vec<D> find_gravity(const model::Gravity& gravity) {
 }
 
 template <int D>
-mpm::Body<D> prepare(const model::Case& data, mesh::Mesh<D> mesh, int chunks) {
-  const std::vector<std::string> names = list_materials(data);
-  if (names.size() > 32)
-    throw Error(ExitCode::wrong_input, fmt::format("{} materials are too many; at most 32 are possible", names.size()));
-  const std::vector<int> material_of_region = assign_materials(data, mesh, names);
-  const auto positions = mesh::point_positions<D>(data.points_per_element);
-  std::vector<mpm::InitialPoint<D>> points;
-  std::vector<int> in_element(mesh.elements.size(), 0);
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const int region = mesh.element_region[e];
-    if (region < 0) continue;
-    const std::string& region_name = mesh.region_names[region];
-    mpm::InitialPoint<D> point;
-    point.element = e;
-    point.material = material_of_region[region];
-    point.volume = mesh.volumes[e] / data.points_per_element;
-    point.mass = point.volume * data.materials.at(names[point.material]).density();
-    if (const auto v = data.initial.velocity.find(region_name); v != data.initial.velocity.end()) {
-      for (std::size_t d = 0; d < D; ++d) point.velocity[d] = v->second[d];
-    }
-    for (const auto& xi : positions) {
-      point.xi = xi;
-      points.push_back(point);
-    }
-    in_element[e] = data.points_per_element;
-  }
-  if (points.empty())
-    throw Error(ExitCode::wrong_input, "no element of the mesh holds soil; check the polygons and the mesh size");
-  if (data.initial.stress == model::InitialStress::k0) set_k0_stress<D>(data, mesh, material_of_region, names, points);
-
-  std::vector<material::Law> laws;
-  for (const std::string& name : names) laws.push_back(make_law(data.materials.at(name)));
-  auto layout = mpm::make_layout<D>(std::move(mesh), in_element, chunks);
-  mpm::Body<D> body = mpm::make_body<D>(std::move(layout), std::move(laws), names, points);
-  resolve_conditions(body, data);
+mpm::Body<D> prepare(const model::Case& data, mesh::Mesh<D> mesh, int chunks,
+                     std::optional<fem::SeepageResult<D>>* seepage) {
+  if (data.initial.result.empty()) return fill_mesh(data, std::move(mesh), data.points_per_element, chunks, seepage);
+  // Conditions belong to nodes and points as they were when the mesh was filled, and follow the soil from there.
+  const EndState end(data.initial);
+  mpm::Body<D> body = fill_mesh(data, end.get_mesh<D>(), end.points_per_element(), chunks, seepage);
+  end.take_over(body);
   return body;
 }
 
@@ -154,10 +189,10 @@ double find_soil_height(const mpm::Body<D>& body, const model::Gravity& gravity)
   return highest - lowest;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                       \
-  template void set_strength<D>(mpm::Body<D>&, const model::Case&, std::optional<double>, double); \
-  template Vec<D> find_gravity<D>(const model::Gravity&);                                          \
-  template mpm::Body<D> prepare<D>(const model::Case&, mesh::Mesh<D>, int);                        \
+#define TALUS_INSTANTIATE(D)                                                                                       \
+  template void set_strength<D>(mpm::Body<D>&, const model::Case&, std::optional<double>, double);                 \
+  template Vec<D> find_gravity<D>(const model::Gravity&);                                                          \
+  template mpm::Body<D> prepare<D>(const model::Case&, mesh::Mesh<D>, int, std::optional<fem::SeepageResult<D>>*); \
   template double find_soil_height<D>(const mpm::Body<D>&, const model::Gravity&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

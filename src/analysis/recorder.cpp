@@ -42,7 +42,7 @@ std::vector<output::Column> list_columns(const model::Case& data) {
 }
 
 template <int D>
-std::vector<output::Column> list_monitor_columns(const model::Case& data) {
+std::vector<output::Column> list_monitor_columns(const model::Case& data, bool wet) {
   std::vector<output::Column> columns{{"time", "s"}};
   for (const model::Monitor& m : data.output.monitors) {
     for (int d = 0; d < D; ++d)
@@ -51,6 +51,9 @@ std::vector<output::Column> list_monitor_columns(const model::Case& data) {
     columns.push_back({m.name + ".mean_stress", data.output.stress_unit});
     columns.push_back({m.name + ".deviatoric_stress", data.output.stress_unit});
     columns.push_back({m.name + ".deviatoric_strain", "-"});
+    if (!wet) continue;
+    columns.push_back({m.name + ".pore_pressure", data.output.stress_unit});
+    columns.push_back({m.name + ".saturation", "-"});
   }
   return columns;
 }
@@ -63,6 +66,7 @@ std::vector<int> find_monitor_points(const model::Case& data, const mpm::Body<D>
     int nearest = -1;
     double shortest = std::numeric_limits<double>::max();
     for (int id = 0; id < body.points.size(); ++id) {
+      if (!mpm::is_present(body, id)) continue;
       double square = 0;
       for (std::size_t d = 0; d < D; ++d)
         square += (body.points.reference[id][d] - m.at[d]) * (body.points.reference[id][d] - m.at[d]);
@@ -105,7 +109,9 @@ template <int D>
 Recorder<D>::Recorder(const RecorderSettings& settings, const mpm::Body<D>& body)
     : settings_(settings),
       monitor_points_(settings.monitor_points.empty() ? find_monitor_points(*settings.data, body)
-                                                      : settings.monitor_points) {}
+                                                      : settings.monitor_points) {
+  if (body.water.is_wet()) water_.emplace(*settings.data, body);
+}
 
 template <int D>
 void Recorder<D>::open_histories(bool resumes) {
@@ -114,9 +120,14 @@ void Recorder<D>::open_histories(bool resumes) {
     return resumes ? output::History::resume(path, columns) : output::History::start(path, columns);
   };
   if (!settings_.keeps_history) return;
-  history_.emplace(open("history.csv", list_columns<D>(*settings_.data)));
+  std::vector<output::Column> columns = list_columns<D>(*settings_.data);
+  if (water_) {
+    const auto more = water_->list_columns();
+    columns.insert(columns.end(), more.begin(), more.end());
+  }
+  history_.emplace(open("history.csv", columns));
   if (!settings_.data->output.monitors.empty())
-    monitors_.emplace(open("monitors.csv", list_monitor_columns<D>(*settings_.data)));
+    monitors_.emplace(open("monitors.csv", list_monitor_columns<D>(*settings_.data, water_.has_value())));
 }
 
 template <int D>
@@ -141,6 +152,7 @@ Recorder<D> Recorder<D>::resume(const RecorderSettings& settings, const mpm::Bod
   r.last_row_ = times[2];
   r.last_frame_ = times[3];
   r.monitor_points_ = checkpoint.integers("monitor_points");
+  if (r.water_) r.water_->restore(checkpoint.reals("recorder_water"));
   // Not up to body.time: what was written after the checkpoint at that very time is written again.
   if (settings.keeps_frames) r.results_.emplace(output::ResultsWriter::resume(settings.folder, r.last_frame_));
   r.open_histories(true);
@@ -200,29 +212,29 @@ void Recorder<D>::write_rows(const mpm::Body<D>& body) {
   const double stress = units::get_si_factor(settings_.data->output.stress_unit);
   const auto t = mpm::sum_points(body, plan_->gravity);
   const double ratio = body.monitor.external > 0 ? body.monitor.out_of_balance / body.monitor.external : 0;
-  std::vector<double> row{
-      body.time,
-      static_cast<double>(body.step_count),
-      body.step_count > 0 ? plan_->step.courant * mpm::find_critical_step(body, plan_->step.mass_scaling).dt : 0.0,
-      t.kinetic,
-      t.potential,
-      t.elastic,
-      body.work.dissipated,
-      body.work.damped,
-      body.work.external,
-      ratio,
-      body.monitor.speed,
-      static_cast<double>(t.points),
-      t.mass};
+  std::vector<double> row{body.time,
+                          static_cast<double>(body.step_count),
+                          body.step_count > 0 ? plan_->step.courant * find_critical_step(body, *plan_).dt : 0.0,
+                          t.kinetic,
+                          t.potential,
+                          t.elastic,
+                          body.work.dissipated - settings_.work_before.dissipated,
+                          body.work.damped - settings_.work_before.damped,
+                          body.work.external - settings_.work_before.external,
+                          ratio,
+                          body.monitor.speed,
+                          static_cast<double>(t.points),
+                          t.mass};
   for (const double p : t.momentum) row.push_back(p);
   for (const double x : t.centre) row.push_back(x / length);
   row.push_back(mpm::find_largest_displacement(body).value / displacement);
+  if (water_) water_->append(body, row);
   history_->append(row);
   if (!monitors_) return;
   row = {body.time};
   for (const int id : monitor_points_) {
     if (!mpm::is_present(body, id)) {
-      row.insert(row.end(), 2 * D + 3, std::numeric_limits<double>::quiet_NaN());
+      row.insert(row.end(), 2 * D + (water_ ? 5 : 3), std::numeric_limits<double>::quiet_NaN());
       continue;
     }
     constexpr int NS = material::stress_size<D>;
@@ -233,6 +245,9 @@ void Recorder<D>::write_rows(const mpm::Body<D>& body) {
     row.push_back(s.mean / stress);
     row.push_back(s.deviatoric / stress);
     row.push_back(find_strain_invariants<NS>(p.strain).deviatoric);
+    if (!water_) continue;
+    row.push_back(p.wet ? -p.pressure / stress : 0.0);
+    row.push_back(p.saturation);
   }
   monitors_->append(row);
 }
@@ -254,6 +269,7 @@ void Recorder<D>::write_checkpoint(const mpm::Body<D>& body, const StageState& s
   const std::vector<double> times{next_frame_, next_row_, last_row_, last_frame_};
   archive.put("monitor_points", monitor_points_);
   archive.put("recorder", times);
+  if (water_) archive.put("recorder_water", water_->save());
   put_mesh(archive, body.mesh());
   put_body(archive, body);
   put_stage(archive, state);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "analysis/stage.hpp"
+#include "analysis/water_record.hpp"
 #include "base/progress.hpp"
 #include "output/archive.hpp"
 #include "output/history.hpp"
@@ -25,6 +26,7 @@ struct RecorderSettings {
   Progress* progress = nullptr;
   std::string label;                ///< before the stage's name in the line of progress
   std::vector<int> monitor_points;  ///< the points that are followed; empty: those nearest to the monitors now
+  mpm::Work work_before;            ///< of the result that the case starts from; histories do not count it
 };
 
 /// One history of legs (stages, or one trial) in one folder.
@@ -58,6 +60,7 @@ class Recorder {
   RecorderSettings settings_;
   std::optional<output::ResultsWriter> results_;
   std::optional<output::History> history_, monitors_;
+  std::optional<WaterRecord<D>> water_;
   std::vector<int> monitor_points_;
   int leg_ = 0;
   const StagePlan<D>* plan_ = nullptr;

@@ -12,10 +12,13 @@
 #include <set>
 
 #include "analysis/checkpoint.hpp"
+#include "analysis/end_state.hpp"
 #include "analysis/named_results.hpp"
 #include "analysis/onset.hpp"
 #include "analysis/prepare.hpp"
 #include "analysis/strength_reduction.hpp"
+#include "analysis/water_record.hpp"
+#include "analysis/water_summary.hpp"
 #include "base/error.hpp"
 #include "mesh/generate.hpp"
 #include "mpm/observe.hpp"
@@ -28,10 +31,10 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Everything that a run may leave in its folder; --overwrite removes these and nothing else.
-const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf",  "mesh.xdmf",
-                                 "frames",         "history.csv",  "monitors.csv", "summary.json",
-                                 "checkpoint.h5",  "stages.json",  "curve.csv",    "profile.csv",
-                                 "trials",         "frozen",       "mesh.h5",      "report.html"};
+const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf",  "mesh.xdmf",     "frames",
+                                 "history.csv",    "monitors.csv", "summary.json", "checkpoint.h5", "stages.json",
+                                 "curve.csv",      "profile.csv",  "trials",       "frozen",        "mesh.h5",
+                                 "report.html",    end_state_file};
 
 /// Unbalanced forces above this share of gravity at the end of a timed stage deserve a warning.
 constexpr double restless_force_ratio = 0.01;
@@ -45,7 +48,13 @@ double process_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-void check_folder(const RunOptions& options) {
+void check_folder(const model::Initial& initial, const RunOptions& options) {
+  std::error_code unknown;  // of a folder that is not there yet
+  if (!initial.result.empty() && fs::equivalent(initial.result_folder, options.folder, unknown)) {
+    throw Error(ExitCode::folder_exists, fmt::format("the case starts from the result in '{}', which stays as it is; "
+                                                     "give another folder with -o",
+                                                     options.folder.string()));
+  }
   if (options.resume || !fs::exists(options.folder)) return;
   if (!fs::is_directory(options.folder)) {
     throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; results need a folder", options.folder.string()));
@@ -101,13 +110,28 @@ class CaseRun {
   json run() {
     const auto start = std::chrono::steady_clock::now();
     const double cpu_start = process_seconds();
-    const auto checkpoint = options_.resume ? open_checkpoint(options_.folder / "checkpoint.h5", hash_) : nullptr;
-    mesh::Mesh<D> mesh = checkpoint ? get_mesh<D>(*checkpoint) : mesh::generate<D>(data_.mesh);
+    std::unique_ptr<EndState> origin = open_origin();
+    const auto checkpoint =
+        options_.resume ? open_checkpoint(options_.folder / "checkpoint.h5", checkpoint_hash_) : nullptr;
+    mesh::Mesh<D> mesh = checkpoint ? get_mesh<D>(*checkpoint)
+                         : origin   ? origin->get_mesh<D>()
+                                    : mesh::generate<D>(data_.mesh);
     check_names(mesh);
-    body_ = prepare<D>(data_, std::move(mesh));
+    std::optional<fem::SeepageResult<D>> seepage;
+    body_ = prepare<D>(data_, std::move(mesh), 0, &seepage);
+    work_before_ = body_.work;
+    if (body_.water.is_wet()) initial_water_ = find_water_state(body_).mass;
     preparation_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     slope_height_ = find_slope_height(body_, data_.gravity);
     fill_summary_head();
+    if (seepage) summary_["seepage"] = describe_seepage<D>(body_.mesh(), *seepage);
+    if (seepage && seepage->undecided > 0)
+      warnings_.push_back(
+          fmt::format("steady seepage: {} nodes of the ground fit neither a dry nor a wet surface; the "
+                      "mesh is coarse for the height of the capillary fringe",
+                      seepage->undecided));
+    if (origin) describe_origin(*origin);
+    origin.reset();  // it is as large as the body
     if (body_.conditions.constraints.empty())
       warnings_.push_back("no boundary holds the soil; without [[boundary]] it falls out of the box");
     profile_bin_ = mesh::measure_quality(body_.mesh()).mean_size;
@@ -120,12 +144,13 @@ class CaseRun {
       run_stages(checkpoint.get());
       if (data_.analysis == model::AnalysisKind::strength_reduction) {
         const TrialContext context{options_.folder,
-                                   hash_,
+                                   checkpoint_hash_,
                                    &data_,
                                    options_.progress,
                                    options_.resume,
                                    monitor_points_,
-                                   [this](const mpm::Timing& timing) { add_trial_timing(timing); }};
+                                   [this](const mpm::Timing& timing) { add_trial_timing(timing); },
+                                   work_before_};
         reduce_strength<D>(body_, context, slope_height_, options_.threads, summary_, warnings_);
         fs::remove(options_.folder / "checkpoint.h5");
       }
@@ -153,6 +178,47 @@ class CaseRun {
     std::set<std::string> sides, regions(mesh.region_names.begin(), mesh.region_names.end());
     for (const auto& [name, list] : mesh.sides) sides.insert(name);
     model::check_against_mesh(loaded_, sides, regions);
+  }
+
+  /// The result that the case starts from, when there is one, and it fits.
+  std::unique_ptr<EndState> open_origin() {
+    checkpoint_hash_ = hash_;
+    if (data_.initial.result.empty()) return nullptr;
+    auto origin = std::make_unique<EndState>(data_.initial);
+    model::check_against_result(loaded_, origin->input());
+    checkpoint_hash_ = hash_text(hash_ + origin->hash());
+    mesh_input_ = origin->input();
+    return origin;
+  }
+
+  void describe_origin(const EndState& origin) {
+    summary_["start"] = origin.describe();
+    const std::string result = data_.initial.result;
+    if (origin.is_on_another_mesh(loaded_.echo))
+      warnings_.push_back(fmt::format(
+          "[geometry] or [mesh] is not as in the case of the result '{}', and was not used: the mesh is that "
+          "of the result",
+          result));
+    for (const std::string& name : origin.list_refilled(body_))
+      warnings_.push_back(
+          fmt::format("material '{}' holds water otherwise than in the result '{}': pore pressures are those of the "
+                      "result, the water in the pores has been changed to fit",
+                      name, result));
+    if (data_.analysis == model::AnalysisKind::strength_reduction && data_.strength_reduction.frozen.enabled)
+      warnings_.push_back(fmt::format(
+          "the mesh is that of the result '{}', which cannot be halved: the factor of safety is that of one "
+          "mesh and not extrapolated",
+          result));
+  }
+
+  /// The end of the stages for whoever starts from it, and what they did without what was done before them.
+  void end_stages() {
+    save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_);
+    json& budgets = summary_["budgets"] = describe_budgets<D>(body_, find_gravity<D>(data_.gravity));
+    budgets["plastic_work"] = body_.work.dissipated - work_before_.dissipated;
+    budgets["damping_work"] = body_.work.damped - work_before_.damped;
+    budgets["external_work"] = body_.work.external - work_before_.external;
+    if (body_.water.is_wet()) summary_["water"] = describe_water<D>(data_, body_, initial_water_);
   }
 
   void fill_summary_head() {
@@ -184,8 +250,9 @@ class CaseRun {
   void run_stages(const output::ArchiveReader* checkpoint) {
     RecorderSettings settings;
     settings.folder = options_.folder;
-    settings.input_hash = hash_;
+    settings.input_hash = checkpoint_hash_;
     settings.data = &data_;
+    settings.work_before = work_before_;
     settings.frame_interval = data_.output.frame_interval;
     settings.progress = options_.progress;
     StageState state;
@@ -204,7 +271,7 @@ class CaseRun {
       const StagePlan<D> plan = make_plan<D>(data_, stage, slope_height_, options_.threads);
       set_strength(body_, data_, stage.cohesion, stage.strength_factor.value_or(1));
       if (!state.started) {
-        if (i > 0) state.gravity_share = 1;
+        if (i > 0 || !data_.initial.result.empty()) state.gravity_share = 1;
         if (stage.reset_displacement) mpm::reset_displacements(body_);
       }
       const auto start = std::chrono::steady_clock::now();
@@ -227,8 +294,8 @@ class CaseRun {
       state = {};
     }
     monitor_points_ = recorder.monitor_points();
+    end_stages();
     recorder.finish(data_.analysis == model::AnalysisKind::run);
-    summary_["budgets"] = describe_budgets<D>(body_, find_gravity<D>(data_.gravity));
     if (data_.analysis == model::AnalysisKind::run) add_runout();
   }
 
@@ -319,9 +386,11 @@ class CaseRun {
   const model::LoadedCase& loaded_;
   const model::Case& data_;
   const RunOptions& options_;
-  std::string hash_;
+  std::string hash_, checkpoint_hash_;  ///< of the input; together with the state that it starts from
+  json mesh_input_ = loaded_.echo;      ///< echo of the case that the mesh was made for
+  mpm::Work work_before_;
   mpm::Body<D> body_;
-  double slope_height_ = 0, profile_bin_ = 0, preparation_ = 0;
+  double slope_height_ = 0, profile_bin_ = 0, preparation_ = 0, initial_water_ = 0;
   mpm::Timing trial_timing_;
   std::mutex adding_;
   Profile initial_;
@@ -344,7 +413,7 @@ std::string hash_input(json echo) {
 
 json run_case(const model::LoadedCase& loaded, const RunOptions& options) {
   const std::string hash = hash_input(loaded.echo);
-  check_folder(options);
+  check_folder(loaded.data.initial, options);
   if (auto finished = load_finished(options, hash)) {
     renew_finished(*finished, loaded.data, options.folder);
     return *finished;

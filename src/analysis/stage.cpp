@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "analysis/drained.hpp"
 #include "analysis/prepare.hpp"
 #include "base/error.hpp"
 #include "mpm/observe.hpp"
@@ -19,27 +20,21 @@ constexpr int looks_per_copy = 32;
 /// What is faster than this many wave speeds is not soil any more.
 constexpr double unstable_speed_ratio = 2;
 
-template <int D>
-mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
-  mpm::StepOptions<D> o;
-  o.damping = plan.step.damping;
-  o.mass_scaling = plan.step.mass_scaling;
-  o.mixed = plan.step.integration == model::Integration::mixed;
-  o.smoothing = plan.step.smoothing;
-  o.moving = plan.step.geometry == model::Geometry::moving;
-  o.objective = plan.step.objective_rate;
-  o.threads = plan.threads;
-  return o;
-}
-
-/// Fastest compression wave of the points, √(E_c/ρ) [m/s].
+/// A bound of the speed of compression waves √(E_c/ρ) [m/s]; with pore water of those without drag, in saturated soil.
 template <int D>
 double find_wave_speed(const mpm::Body<D>& body) {
   double square = 0;
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
     const auto p = mpm::view_point(body, id);
-    square = std::max(square, material::constrained_modulus(body.laws[p.material]) * p.volume / p.mass);
+    double sum = material::constrained_modulus(body.laws[p.material]) * p.volume / p.mass;
+    if (p.wet) {
+      // The trace of M⁻¹K (T14.12) with S = 1 and ζ' = n/K_w, which is above its greatest eigenvalue.
+      const mpm::WaterLaw& law = body.water.laws[p.material];
+      const double n = p.porosity;
+      sum += law.bulk_modulus * ((1 - n) / (n * law.grain_density) + 1 / law.density);
+    }
+    square = std::max(square, sum);
   }
   return std::sqrt(square);
 }
@@ -49,10 +44,17 @@ double find_wave_speed(const mpm::Body<D>& body) {
 constexpr double smallest_step_share = 0.02;
 
 template <int D>
-double find_smallest_step(const mpm::Body<D>& body, double wave_speed, double mass_scaling) {
+double find_smallest_step(const mpm::Body<D>& body, double wave_speed, const StagePlan<D>& plan) {
   const auto& altitudes = body.mesh().altitudes;
-  return smallest_step_share * *std::min_element(altitudes.begin(), altitudes.end()) * std::sqrt(mass_scaling) /
-         wave_speed;
+  double step = smallest_step_share * *std::min_element(altitudes.begin(), altitudes.end()) *
+                std::sqrt(plan.step.mass_scaling) / wave_speed;
+  if (body.water.is_wet() && plan.step.drag == model::Drag::explicit_at_nodes) {
+    // Drag may ask for far less than the waves do (2.85).
+    StagePlan<D> without = plan;
+    without.step.drag = model::Drag::implicit_at_nodes;
+    step *= std::min(1.0, find_critical_step(body, plan).dt / find_critical_step(body, without).dt);
+  }
+  return step;
 }
 
 /// Where and how fast something moves that should not.
@@ -122,6 +124,33 @@ template <int D>
 }  // namespace
 
 template <int D>
+mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
+  const model::StepSettings& step = plan.step;
+  mpm::StepOptions<D> o;
+  o.damping = step.damping;
+  o.mass_scaling = step.mass_scaling;
+  o.mixed = step.integration == model::Integration::mixed;
+  o.smoothing = step.smoothing;
+  o.moving = step.geometry == model::Geometry::moving;
+  o.objective = step.objective_rate;
+  o.threads = plan.threads;
+  o.implicit_drag = step.drag == model::Drag::implicit_at_nodes;
+  o.water_damping = step.water_damping;
+  o.net_damping = step.damped_force == model::DampedForce::net;
+  o.smooth_pressure = step.pressure_smoothing;
+  o.exchange_water = step.water_exchange;
+  o.conductivity_factor = step.conductivity_factor;
+  return o;
+}
+
+template <int D>
+mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  if (body.water.is_wet() && plan.step.water == model::WaterMotion::held)
+    return find_drained_critical_step(body, plan.step.mass_scaling);
+  return mpm::find_critical_step(body, make_options(plan));
+}
+
+template <int D>
 Vec<D> find_stage_gravity(const StagePlan<D>& plan, const StageState& state, double time) {
   double share = 1;
   if (plan.gravity_ramp > 0) {
@@ -160,6 +189,8 @@ StagePlan<D> make_plan(const model::Case& data, const model::Stage& stage, doubl
 
 template <int D>
 StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks) {
+  if (body.water.is_wet() && plan.step.water == model::WaterMotion::held)
+    return run_drained_stage(body, plan, state, hooks);
   mpm::StepOptions<D> options = make_options(plan);
   if (!state.started) {
     state.started = true;
@@ -168,12 +199,12 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
     mpm::gather_nodal_sums(body, options);
   }
   const double end = state.start_time + plan.duration;
-  mpm::CriticalStep critical = mpm::find_critical_step(body, plan.step.mass_scaling);
+  mpm::CriticalStep critical = find_critical_step(body, plan);
   mpm::Body<D> last_good = body;
   StageState last_good_state = state;
   // That of the start: later densities may be those of an explosion.
   if (state.wave_speed == 0) state.wave_speed = find_wave_speed(body);
-  const double smallest_step = find_smallest_step(body, state.wave_speed, plan.step.mass_scaling);
+  const double smallest_step = find_smallest_step(body, state.wave_speed, plan);
   const auto give_up = [&](const Runaway<D>& runaway) {
     const std::string saved = hooks.save_last_good ? hooks.save_last_good(last_good, last_good_state) : "";
     throw_unstable(body, last_good, plan, runaway, state.wave_speed, saved);
@@ -182,7 +213,7 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
 
   for (;;) {
     if (state.steps % look_interval == 0) {
-      critical = mpm::find_critical_step(body, plan.step.mass_scaling);
+      critical = find_critical_step(body, plan);
       if (critical.element < 0) return StageEnd::time;  // nothing is left on the grid
       state.dt = plan.step.courant * critical.dt;
       if (!(critical.dt >= smallest_step)) give_up(find_swollen<D>(body, critical.element));
@@ -219,10 +250,12 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
   }
 }
 
-#define TALUS_INSTANTIATE(D)                                                                \
-  template Vec<D> find_stage_gravity<D>(const StagePlan<D>&, const StageState&, double);    \
-  template bool is_calm<D>(const mpm::Body<D>&, const StagePlan<D>&);                       \
-  template StagePlan<D> make_plan<D>(const model::Case&, const model::Stage&, double, int); \
+#define TALUS_INSTANTIATE(D)                                                                  \
+  template mpm::StepOptions<D> make_options<D>(const StagePlan<D>&);                          \
+  template mpm::CriticalStep find_critical_step<D>(const mpm::Body<D>&, const StagePlan<D>&); \
+  template Vec<D> find_stage_gravity<D>(const StagePlan<D>&, const StageState&, double);      \
+  template bool is_calm<D>(const mpm::Body<D>&, const StagePlan<D>&);                         \
+  template StagePlan<D> make_plan<D>(const model::Case&, const model::Stage&, double, int);   \
   template StageEnd run_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&, const StageHooks<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/case.hpp"
+#include "mpm/critical_step.hpp"
 #include "mpm/step.hpp"
 
 namespace talus::analysis {
@@ -54,8 +55,16 @@ struct StageHooks {
 inline constexpr int look_interval = 64;
 inline constexpr int monitor_interval = 8;
 
-/// Advances the body to the end of the stage. `state` fresh or from a checkpoint; body strength must be set.
-/// Throws Error (unstable) with a sentence that says where and why.
+/// The settings of the plan for the engine, but for time step and gravity.
+template <int D>
+mpm::StepOptions<D> make_options(const StagePlan<D>& plan);
+
+/// Largest stable step [s] for Courant number 1 as the plan calculates, and the element that decides it.
+template <int D>
+mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan);
+
+/// Advances the body to the end of the stage. Pore pressures that the plan holds are held (drained.hpp). `state` fresh
+/// or from a checkpoint; body strength must be set. Throws Error (unstable) with a sentence that says where and why.
 template <int D>
 StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks = {});
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <map>
 
@@ -127,7 +128,7 @@ json describe_mesh(const mpm::Body<D>& body) {
           {"smallest_altitude_at", place},
           {"mean_size", q.mean_size},
           {"smallest_angle", q.min_angle},
-          {"critical_time_step", mpm::find_critical_step(body, 1).dt}};
+          {"critical_time_step", mpm::find_critical_step(body, mpm::StepOptions<D>{}).dt}};
 }
 
 json describe_timing(const mpm::Timing& t) {
@@ -248,6 +249,19 @@ std::string write_digest(const json& s) {
     text += fmt::format("Runout: front advances {:.3g} m, largest displacement {:.3g} m, {:.4g} m³ move\n",
                         m.at("front_advance").get<double>(), m.at("largest_displacement").get<double>(),
                         m.at("moved_volume").get<double>());
+  }
+  if (s.contains("seepage")) {
+    const json& w = s.at("seepage");
+    text += fmt::format("Steady seepage: {:.3g} m³/s through, largest suction {:.3g} kPa\n",
+                        w.at("inflow").get<double>(), 1e-3 * w.at("largest_suction").get<double>());
+  }
+  if (s.contains("water")) {
+    const json& w = s.at("water");
+    text += fmt::format(
+        "Water: {:.5g} kg at the start, {:.3g} kg came in, {:.3g} kg left, {:.5g} kg now; closes to "
+        "{:.1g}\n",
+        w.at("initial").get<double>(), w.at("entered").get<double>(), w.at("left").get<double>(),
+        w.at("stored").get<double>(), std::abs(w.at("error").get<double>()));
   }
   for (const json& w : s.at("warnings")) text += fmt::format("warning: {}\n", w.get<std::string>());
   return text;

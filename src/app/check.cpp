@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "analysis/end_state.hpp"
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
 #include "model/read.hpp"
@@ -23,7 +24,10 @@ std::string summarise(const model::Case& data) {
       "  {}D, {}, {} points per element; {}, {}, {}\n  {}: {}, together at most {:g} s{}\n", data.mesh.dimension, mesh,
       data.points_per_element, count(data.regions.size(), "region", "regions"),
       count(data.materials.size(), "material", "materials"),
-      count(data.boundaries.size(), "boundary condition", "boundary conditions"),
+      count(data.boundaries.size(), "boundary condition", "boundary conditions") +
+          (data.hydraulics.empty()
+               ? ""
+               : ", " + count(data.hydraulics.size(), "hydraulic condition", "hydraulic conditions")),
       data.analysis == model::AnalysisKind::run ? "run" : "strength reduction",
       count(data.stages.size(), "stage", "stages"), time,
       data.study.vary.empty() ? "" : fmt::format("; a study varies {}", count(data.study.vary.size(), "key", "keys")));
@@ -37,6 +41,8 @@ void add_check(CLI::App& app) {
   options->add_to(*command);
   command->callback([options] {
     const model::LoadedCase loaded = model::read_case(options->file, options->parse_overrides());
+    if (!loaded.data.initial.result.empty())
+      model::check_against_result(loaded, analysis::EndState(loaded.data.initial).input());
     fmt::print("{}: no errors\n{}", options->file, summarise(loaded.data));
   });
 }

@@ -1,4 +1,4 @@
-// `talus plot DIR`: pictures of a run's results.
+// `talus plot`: pictures of a run's results, or of the soil-water curves of a case.
 
 #include <fmt/format.h>
 
@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/plot_soil_water.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "output/curve_plot.hpp"
@@ -37,6 +38,7 @@ struct PlotOptions {
   std::string format;
   fs::path out;
   bool logarithmic = false;
+  std::vector<std::string> sets;  ///< changes to a case, key=value
 };
 
 /// The units in which quantities are shown; summary.json may name others.
@@ -205,8 +207,19 @@ void draw_field(const PlotOptions& options, const json& summary, const ShownUnit
   fmt::print("{}\n", picture.string());
 }
 
+void plot_case(const PlotOptions& options) {
+  if (!options.field.empty() || options.time || options.frame != "last" || options.logarithmic)
+    fail(
+        fmt::format("'{}' is a case, which has no results yet; --field, --frame, --time and --log need the folder of a "
+                    "run's results",
+                    options.folder.string()));
+  plot_soil_water({options.folder.string(), options.sets}, options.out, options.format);
+}
+
 void plot_folder(const PlotOptions& options) {
-  if (!fs::is_directory(options.folder)) fail(fmt::format("there is no folder '{}'", options.folder.string()));
+  if (!fs::is_directory(options.folder))
+    fail(fmt::format("there is no folder and no case file '{}'", options.folder.string()));
+  if (!options.sets.empty()) fail("--set changes a case; results stay as they are");
   const json summary = read_summary(options.folder);
   try {
     const ShownUnits units = read_units(summary);
@@ -234,9 +247,11 @@ void plot_folder(const PlotOptions& options) {
 }  // namespace
 
 void add_plot(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("plot", "Draw the curve and the fields of a run's results");
+  CLI::App* command = app.add_subcommand(
+      "plot", "Draw the curve and the fields of a run's results, or the soil-water curves of a case");
   const auto options = std::make_shared<PlotOptions>();
-  command->add_option("DIR", options->folder, "folder of the results")->required();
+  command->add_option("DIR", options->folder, "folder of the results, or a case file: its soil-water curves")
+      ->required();
   command->add_option("--field", options->field,
                       "field to draw, as it is stored; a component as NAME.xx, NAME.x, NAME.magnitude or NAME.mean");
   CLI::Option* frame =
@@ -246,7 +261,13 @@ void add_plot(CLI::App& app) {
       ->check(CLI::IsMember({"svg", "png"}));
   command->add_option("--out", options->out, "file of the one picture; its ending, .svg or .png, decides the format");
   command->add_flag("--log", options->logarithmic, "logarithmic displacement axis of the curve");
-  command->callback([options] { plot_folder(*options); });
+  command
+      ->add_option("--set", options->sets,
+                   "change a key of the case, for example --set materials.sand.water.lambda=0.3")
+      ->type_name("KEY=VALUE")
+      ->type_size(1)
+      ->allow_extra_args(false);
+  command->callback([options] { fs::is_regular_file(options->folder) ? plot_case(*options) : plot_folder(*options); });
 }
 
 }  // namespace talus::app

@@ -30,8 +30,9 @@ enum class SaturationMeasure {
 struct Mualem {
   double lambda = 0;  ///< λ of van Genuchten's curve [-]
   SaturationMeasure measure = SaturationMeasure::total;
-  double entry = 1;     ///< X_a [-]; 1: (4.16) as it stands
-  double at_entry = 1;  ///< k_r of (4.16) at X_a [-]
+  double entry = 1;         ///< X_a [-]; 1: (4.16) as it stands
+  double at_entry = 1;      ///< k_r of (4.16) at X_a [-]
+  bool same_curve = false;  ///< X = S_e of a van Genuchten curve with the same λ
 
   /// With air entering at the suction `air_entry` [Pa].
   static Mualem with_air_entry(double lambda, SaturationMeasure measure, const Retention& retention, double air_entry) {
@@ -49,6 +50,13 @@ struct Mualem {
     const CurvePoint<T> k = find_plain(x, total ? water.slope : water.effective_slope);
     const auto enters = entry < 1 ? x < T(entry) : water.suction > T(0.0);
     return {k.value / at_entry, select(enters, k.slope / at_entry, T(0.0))};
+  }
+
+  /// k_r from what the solution for the suction has found already.
+  template <class T>
+  TALUS_KERNEL T find_value(const SoilWater<T>& water) const {
+    const T g = 1.0 - water.complement, k = lane_sqrt(water.effective) * g * g;
+    return select(water.effective < T(entry), k * (1 / at_entry), T(1.0));
   }
 
   /// (4.16) and its slope, for X with the slope `dx` by suction.

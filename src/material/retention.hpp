@@ -43,6 +43,42 @@ struct VanGenuchten {
     const T slope = v * u / ((1.0 + u) * s) * (-lambda / (1 - lambda));
     return {select(dry, minimum + v, T(maximum)), select(dry, slope, T(0.0))};
   }
+
+  /// The curve about a suction s_0 > 0, in y = ln(s/s_0): a power law where the soil is dry and nearly one where it is
+  /// almost saturated, so four terms give S_e to 1e-11 for |y| < series_reach(), without a further logarithm.
+  template <class T>
+  struct Series {
+    T effective;       ///< S_e at s_0
+    T c1, c2, c3, c4;  ///< ln S_e = ln S_e(s_0) + c1 y + c2 y² + ...
+    T complement;      ///< (1 - S_e^(1/λ))^λ at s_0, the factor in Mualem's k_r
+
+    TALUS_KERNEL T find_effective(T y) const {
+      const T e = y * (c1 + y * (c2 + y * (c3 + y * c4)));
+      return effective * (1.0 + e * (1.0 + e * (1.0 / 2 + e * (1.0 / 6 + e * (1.0 / 24)))));
+    }
+    /// d ln S_e/dy
+    TALUS_KERNEL T find_slope(T y) const { return c1 + y * (2.0 * c2 + y * (3.0 * c3 + y * (4.0 * c4))); }
+    TALUS_KERNEL T find_complement(T y, T effective_there, double lambda) const {
+      const T x = y * (lambda / (1 - lambda));  // it is (s/p_ref)^(λ/(1-λ)) S_e
+      return complement / effective * effective_there *
+             (1.0 + x * (1.0 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24)))));
+    }
+  };
+  double series_reach() const { return 8e-3 * (1 - lambda); }
+  template <class T>
+  TALUS_KERNEL Series<T> expand(T suction) const {
+    const double a = 1 / (1 - lambda);
+    const T x = suction * (1 / reference), u = lane_power(x, a), inverse = 1.0 / (1.0 + u);
+    Series<T> s;
+    s.effective = lane_power(1.0 + u, -lambda);
+    const T w = u * inverse, b = w * inverse;  // dw/dy = a w (1-w)
+    s.c1 = w * (-lambda * a);
+    s.c2 = b * (-lambda * a * a / 2);
+    s.c3 = b * (1.0 - 2.0 * w) * (-lambda * a * a * a / 6);
+    s.c4 = b * (1.0 - 6.0 * b) * (-lambda * a * a * a * a / 24);
+    s.complement = u / x * s.effective;
+    return s;
+  }
 };
 
 /// S = S_max - a s, not below S_min.
@@ -98,11 +134,12 @@ using Retention = std::variant<ConstantSaturation, VanGenuchten, LinearRetention
 /// What the laws of conductivity and storage need of the water at a point. Slopes are d/ds [1/Pa], never positive.
 template <class T>
 struct SoilWater {
-  T suction;          ///< s [Pa]
-  T saturation;       ///< S [-]
-  T slope;            ///< dS/ds
-  T effective;        ///< S_e = (S - S_min)/(S_max - S_min) [-]
-  T effective_slope;  ///< dS_e/ds
+  T suction;           ///< s [Pa]
+  T saturation;        ///< S [-]
+  T slope;             ///< dS/ds
+  T effective;         ///< S_e = (S - S_min)/(S_max - S_min) [-]
+  T effective_slope;   ///< dS_e/ds
+  T complement{-1.0};  ///< (1 - S_e^(1/λ))^λ of van Genuchten's curve where it is known [-], else negative
 };
 
 /// The same for one curve; visit the variant outside of loops and call this inside.

@@ -8,16 +8,10 @@
 #include <vector>
 
 #include "mesh/plan.hpp"
+#include "model/time_table.hpp"
+#include "model/water.hpp"
 
 namespace talus::model {
-
-/// A factor that changes with time: linear between rows, constant before the first and after the last.
-struct TimeTable {
-  std::vector<double> time;   ///< [s], increasing
-  std::vector<double> value;  ///< same length as `time`
-  /// Value at time `t` [s]; 1 when the table is empty.
-  double at(double t) const;
-};
 
 enum class MaterialModel { linear_elastic, mohr_coulomb };
 
@@ -31,6 +25,7 @@ struct Material {
   double friction_angle = 0;    ///< φ [rad], Mohr–Coulomb
   double dilatancy_angle = 0;   ///< ψ [rad], Mohr–Coulomb
   double tensile_strength = 0;  ///< σ_t [Pa], Mohr–Coulomb; at most the apex c/tanφ
+  PoreWater water;              ///< by default none
 
   /// Bulk density of the dry soil (1-n)ρ_s [kg/m³].
   double density() const { return (1 - porosity) * grain_density; }
@@ -69,12 +64,18 @@ struct Initial {
   InitialStress stress = InitialStress::none;
   std::optional<double> k0;                               ///< K0 [-]; by default ν/(1-ν) of each material
   std::map<std::string, std::array<double, 3>> velocity;  ///< by region [m/s]
+  InitialWater water;
+  std::string result;         ///< folder of results whose end is the start, as given; empty: none
+  std::string result_folder;  ///< the same as it is found from here
 };
 
 enum class Until { time, rest };
 enum class Integration { points, mixed };
 enum class Smoothing { none, strain, stable };
 enum class Geometry { moving, frozen };
+enum class Drag { implicit_at_nodes, explicit_at_nodes };
+enum class DampedForce { net, without_drag };
+enum class WaterMotion { flows, held };
 
 /// How a stretch of time is calculated. Shared by stages and by the trials of the strength reduction.
 struct StepSettings {
@@ -85,6 +86,14 @@ struct StepSettings {
   Geometry geometry = Geometry::moving;
   bool objective_rate = true;  ///< rotate the stress with the soil (Hughes and Winget)
   double courant = 0.9;        ///< fraction of (2.84) [-]
+  // Soil with pore water only.
+  WaterMotion water = WaterMotion::flows;  ///< held: pore pressures stay as they are (drained), frozen geometry only
+  Drag drag = Drag::implicit_at_nodes;
+  double water_damping = 0;                     ///< α of the water (2.89) [-]
+  DampedForce damped_force = DampedForce::net;  ///< what damping takes its share of (docs/theory/14)
+  bool pressure_smoothing = false;              ///< (2.96-2.97)
+  bool water_exchange = true;                   ///< against pressures that no node feels (T14.9)
+  double conductivity_factor = 1;               ///< multiplies every conductivity [-]
 };
 
 struct RestCriterion {
@@ -131,7 +140,8 @@ struct FrozenFactor {
   mesh::Algorithm algorithm = mesh::Algorithm::meshadapt;  ///< of both meshes
   double window = 60;                ///< a trial without decision by then is reported as undecided [s]
   double failed_displacement = 0.1;  ///< u/H that decides "failed" [-]
-  StepSettings step_settings{.damping = 0.2, .smoothing = Smoothing::stable, .geometry = Geometry::frozen};
+  StepSettings step_settings{
+      .damping = 0.2, .smoothing = Smoothing::stable, .geometry = Geometry::frozen, .water = WaterMotion::held};
   RestCriterion rest;
 };
 
@@ -197,6 +207,8 @@ struct Case {
   std::map<std::string, std::string> regions;  ///< region → material
   std::vector<Boundary> boundaries;
   std::vector<Traction> tractions;
+  std::vector<Hydraulic> hydraulics;
+  Water water;
   Gravity gravity;
   Initial initial;
   std::vector<Stage> stages;

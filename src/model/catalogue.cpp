@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <type_traits>
 
 #include "model/codec.hpp"
@@ -9,6 +10,8 @@
 
 namespace talus::model {
 namespace {
+
+constexpr std::string_view within_name = ".NAME.";  ///< in the name of a block within a block of the user's name
 
 /// The visitor that collects the declarations; defaults are what a default-constructed struct holds.
 class Collector {
@@ -55,7 +58,11 @@ class Collector {
 
  private:
   BlockEntry add(BlockKind kind, const std::string& name, const char* sample, int samples, const char* meaning) const {
-    return {kind, name, block_.name.empty() ? name : block_.name + "." + name, sample, samples, meaning, {}, {}};
+    const std::string within = block_.kind == BlockKind::named ? block_.name + ".NAME" : block_.name;
+    // The name of the user's choice goes on into the blocks within.
+    const bool goes_on = block_.name.find(".NAME") != std::string::npos || block_.kind == BlockKind::named;
+    return {kind, name, within.empty() ? name : within + "." + name, goes_on ? block_.sample : sample, samples, meaning,
+            {},   {}};
   }
 
   template <class T>
@@ -75,6 +82,10 @@ const std::string& KeyEntry::get_example(std::size_t i) const {
 }
 
 std::string BlockEntry::write_header(const std::string& chosen_name) const {
+  if (const auto at = name.find(within_name); at != std::string::npos) {
+    std::string chosen = name;
+    return "[" + chosen.replace(at + 1, within_name.size() - 2, chosen_name) + "]";
+  }
   if (kind == BlockKind::list) return "[[" + name + "]]";
   if (kind == BlockKind::named) return "[" + name + "." + chosen_name + "]";
   return "[" + name + "]";

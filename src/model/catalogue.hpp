@@ -33,14 +33,14 @@ enum class BlockKind {
 struct BlockEntry {
   BlockKind kind = BlockKind::table;
   std::string key;     ///< last part of the name
-  std::string name;    ///< whole name, materials
+  std::string name;    ///< whole name: materials, materials.NAME.water
   std::string sample;  ///< a name of the user's choice, for examples
   int samples = 1;     ///< how many entries the template shows; 0: as a comment only
   std::string meaning;
   std::vector<KeyEntry> keys;
   std::vector<BlockEntry> blocks;
 
-  /// [mesh], [[stage]], [materials.NAME]; with `name` in the place of NAME.
+  /// [mesh], [[stage]], [materials.NAME], [materials.NAME.water]; with `chosen_name` in the place of NAME.
   std::string write_header(const std::string& chosen_name = "NAME") const;
 };
 

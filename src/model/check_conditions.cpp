@@ -52,6 +52,8 @@ void check_sides(const Case& data, const std::set<std::string>& sides, Findings&
     check_side(data.boundaries[i].on, fmt::format("boundary.{}.on", i), sides, findings);
   for (std::size_t i = 0; i < data.tractions.size(); ++i)
     check_side(data.tractions[i].on, fmt::format("traction.{}.on", i), sides, findings);
+  for (std::size_t i = 0; i < data.hydraulics.size(); ++i)
+    check_side(data.hydraulics[i].on, fmt::format("hydraulic.{}.on", i), sides, findings);
 }
 
 void check_conditions(const Case& data, Findings& findings) {

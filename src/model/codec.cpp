@@ -120,7 +120,8 @@ bool decode_number(const Decoding& in, const toml::node& node, const std::string
   double shown = 0;  // in the unit of the manual, as the range
   if (const auto number = node.value<double>(); number && !node.is_boolean()) {
     shown = *number;
-    if (!std::isfinite(shown)) return in.fail(node, path, fmt::format("'{}' must be a finite number", in.key));
+    if (std::isnan(shown) || (std::isinf(shown) && !in.spec.allows_infinity))
+      return in.fail(node, path, fmt::format("'{}' must be a finite number", in.key));
     value = unit.empty() ? shown : shown * units::get_si_factor(unit);
   } else if (const auto* text = node.as_string(); text != nullptr && !unit.empty()) {
     try {

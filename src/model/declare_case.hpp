@@ -10,6 +10,7 @@
 #include "model/declare_report.hpp"
 #include "model/declare_stage.hpp"
 #include "model/declare_start.hpp"
+#include "model/declare_water.hpp"
 
 namespace talus::model {
 
@@ -27,6 +28,11 @@ void describe(Visitor& v, Case& c) {
   v.entries("regions", c.regions, "soil", 1, plain().required().example(R"("sand")"), "Material of a region.");
   v.tables("boundary", c.boundaries, 3, "What holds or moves a side or a line. Sides without one are free.");
   v.tables("traction", c.tractions, 0, "A load on a side or a line.");
+  v.table("water", c.water, "The pore water, for soils that have any.");
+  v.tables(
+      "hydraulic", c.hydraulics, 0,
+      "What pore water meets on a side or a line. Without one, sides that a [[boundary]] holds let no water pass, and "
+      "the rest of the surface is a seepage face.");
   v.table("gravity", c.gravity, "Gravity.");
   v.table("initial", c.initial, "The state at the start.");
   v.tables("stage", c.stages, 1, "A stretch of time. Stages follow one another; at least one is needed.");

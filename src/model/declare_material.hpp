@@ -3,6 +3,7 @@
 
 #include "model/case.hpp"
 #include "model/codec.hpp"
+#include "model/declare_water.hpp"
 
 namespace talus::model {
 
@@ -34,6 +35,7 @@ void describe(Visitor& v, Material& m) {
   v.key("tensile_strength", m.tensile_strength,
         quantity("kPa").at_least(0).needed_with("model", m.model, strength).example("0"),
         "Largest tensile stress; at most c/tan φ, the apex of the yield surface.");
+  v.table("water", m.water, "The pore water of this soil. Without this block the soil is dry.");
 }
 
 }  // namespace talus::model

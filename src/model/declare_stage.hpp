@@ -28,6 +28,23 @@ inline constexpr auto choices<Geometry> = std::array{
     Choice{Geometry::frozen, "frozen", "small strains: the points keep their places"},
 };
 
+template <>
+inline constexpr auto choices<WaterMotion> = std::array{
+    Choice{WaterMotion::flows, "flows", "water and soil move together"},
+    Choice{WaterMotion::held, "held", "pore pressures stay as they are (drained); frozen geometry only"},
+};
+template <>
+inline constexpr auto choices<Drag> = std::array{
+    Choice{Drag::implicit_at_nodes, "implicit", "solved at the nodes; low conductivities do not shorten the time step"},
+    Choice{Drag::explicit_at_nodes, "explicit", "from the last velocities; the time step shortens with conductivity"},
+};
+template <>
+inline constexpr auto choices<DampedForce> = std::array{
+    Choice{DampedForce::net, "net", "what is out of balance, drag included: nothing in steady flow"},
+    Choice{DampedForce::without_drag, "without_drag",
+           "the force without drag; in steady flow this acts like a lower conductivity"},
+};
+
 template <class Visitor>
 void describe(Visitor& v, StepSettings& s) {
   v.key("damping", s.damping, plain().at_least(0).below(1),
@@ -39,6 +56,15 @@ void describe(Visitor& v, StepSettings& s) {
   v.key("geometry", s.geometry, plain(), "Whether the soil changes its place.");
   v.key("objective_rate", s.objective_rate, plain(), "Rotate the stress with the soil.");
   v.key("courant", s.courant, plain().above(0).at_most(1), "Time step over the largest stable one.");
+  v.key("water", s.water, plain(), "Whether pore water moves.");
+  v.key("drag", s.drag, plain(), "How the drag between water and grains is integrated.");
+  v.key("water_damping", s.water_damping, plain().at_least(0).below(1), "Local damping of the water.");
+  v.key("damped_force", s.damped_force, plain(), "What the damping of the water takes its share of.");
+  v.key("pressure_smoothing", s.pressure_smoothing, plain(), "Average pore pressures over the nodes.");
+  v.key("water_exchange", s.water_exchange, plain(),
+        "Let neighbouring elements exchange water where their pressures differ by more than the flow explains.");
+  v.key("conductivity_factor", s.conductivity_factor, plain().above(0),
+        "Multiplies every conductivity, to reach a steady flow sooner.");
 }
 
 template <class Visitor>

@@ -12,6 +12,13 @@ inline constexpr auto choices<InitialStress> = std::array{
     Choice{InitialStress::k0, "k0", "the weight of the column above, and K0 times it to the sides"},
 };
 
+template <>
+inline constexpr auto choices<InitialPressure> = std::array{
+    Choice{InitialPressure::zero, "zero", "no pore pressure"},
+    Choice{InitialPressure::water_table, "water_table", "hydrostatic below a water table, suction above it"},
+    Choice{InitialPressure::seepage, "seepage", "the steady flow that belongs to the hydraulic conditions at time 0"},
+};
+
 template <class Visitor>
 void describe(Visitor& v, Gravity& g) {
   v.key("acceleration", g.acceleration, quantity("m/s2").at_least(0), "Acceleration of gravity.");
@@ -20,10 +27,27 @@ void describe(Visitor& v, Gravity& g) {
 
 template <class Visitor>
 void describe(Visitor& v, Initial& i) {
-  v.key("stress", i.stress, plain(), "Stress at the start.");
+  v.key("result", i.result, plain().example(R"("gravity_results")"),
+        "A folder of results (relative to the case file) whose state at the end of its stages is the start: mesh, "
+        "points, stress, pore water, velocities and plastic strain are those of the result. Time, displacements and "
+        "budgets begin anew.");
+  const bool has_result = !i.result.empty();
+  v.key("stress", i.stress, plain().allowed_without("result", has_result), "Stress at the start.");
   v.key("k0", i.k0, plain().at_least(0).allowed_with("stress", i.stress, InitialStress::k0).example("0.5"),
         "Ratio of horizontal to vertical stress; if not given, ν/(1-ν) of each material.");
-  v.entries("velocity", i.velocity, "soil", 0, quantity("m/s").example("[1, 0]"), "Velocity of a region at the start.");
+  v.key("pore_pressure", i.water.pressure, plain().allowed_without("result", has_result),
+        "Pore pressure at the start.");
+  v.key("water_table", i.water.water_table,
+        quantity("m")
+            .needed_with("pore_pressure", i.water.pressure, InitialPressure::water_table)
+            .example("[[0, 10], [32, 5]]"),
+        "The line of zero pore pressure, from left to right; level beyond its ends.");
+  v.key("largest_suction", i.water.largest_suction,
+        quantity("kPa").at_least(0).or_infinite().allowed_with("pore_pressure", i.water.pressure,
+                                                               InitialPressure::water_table),
+        "Suction grows with the height above the water table up to this value.");
+  v.entries("velocity", i.velocity, "soil", 0, quantity("m/s").example("[1, 0]"),
+            "Velocity of a region at the start; not with 'result'.");
 }
 
 }  // namespace talus::model

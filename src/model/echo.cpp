@@ -21,7 +21,7 @@ class Echo {
 
   template <class T>
   void key(const std::string& name, T&& member, const Spec& spec, const char* /*meaning*/) {
-    if (spec.condition && !spec.condition->holds) return;
+    if (spec.condition && !spec.condition->holds()) return;
     json entry = {{"value", Codec<std::remove_cvref_t<T>>::encode(member, spec)},
                   {"given", places_.is_given(write_path(name))}};
     if (!spec.unit.empty()) entry["unit"] = spec.unit;

@@ -70,7 +70,7 @@ std::string write_manual() {
       "file.\n\n"
       "A quantity is a number in the unit that stands in brackets, or a text with any unit of the same dimension:\n"
       "`cohesion = 2` and `cohesion = \"2 kPa\"` are the same, and so is `cohesion = \"0.002 MPa\"`. "
-      "Infinite values are refused.\n"
+      "Infinite values (`inf`) are refused except where this page says otherwise.\n"
       "Keys that are not listed here are errors. `--set key=value` changes any key from the command line: "
       "`--set materials.sand.cohesion=5`,\n`--set stage.gravity.duration=\"3 s\"`, `--set boundary.0.fix=full` "
       "(entries of lists by their name, their side, or their number from 0).\n";

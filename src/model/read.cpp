@@ -49,6 +49,11 @@ void complete(Case& data, const std::string& file, const Places& places) {
   if (data.mesh.dimension == 3 && !places.is_given("mesh.points_per_element")) data.points_per_element = 4;
   if (!data.mesh.file.empty())
     data.mesh.file = (std::filesystem::path(file).parent_path() / data.mesh.file).lexically_normal().string();
+  if (data.initial.result.empty()) return;
+  data.initial.result_folder =
+      (std::filesystem::path(file).parent_path() / data.initial.result).lexically_normal().string();
+  // The mesh of a result cannot be halved.
+  if (!places.is_given("strength_reduction.frozen.meshes")) data.strength_reduction.frozen.meshes = 1;
 }
 
 /// Units of length for what was given as a direction; after the checks, which look for directions without length.
@@ -72,6 +77,9 @@ std::optional<LoadedCase> read_without_study(const std::string& text, const std:
   check_geometry(loaded.data, findings);
   check_materials(loaded.data, findings);
   check_conditions(loaded.data, findings);
+  check_water(loaded.data, findings);
+  check_hydraulics(loaded.data, findings);
+  check_result(loaded.data, findings);
   check_analysis(loaded.data, findings);
   check_compare(loaded.data, findings);
   if (!findings.empty()) return std::nullopt;

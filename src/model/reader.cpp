@@ -51,18 +51,22 @@ const toml::node* Reader::find_key(const std::string& name, const Spec& spec) {
   std::string reason;
   if (spec.condition) {
     const Condition& condition = *spec.condition;
-    const bool is_elsewhere = condition.key.find('.') != std::string::npos;
     // Where the other key is wrong or missing, nobody knows whether this one belongs here.
-    if (!findings_.is_sound(is_elsewhere ? condition.key : write_path(condition.key))) return node;
-    if (!condition.holds && node != nullptr) {
-      findings_.add(path, condition.value.empty() ? fmt::format("'{}' {} has no meaning where '{}' is given", name,
-                                                                write_place(scope.header), condition.key)
-                                                  : fmt::format("'{}' {} has a meaning only with {}", name,
-                                                                write_place(scope.header), write_condition(condition)));
+    for (const Alternative& other : condition.any)
+      if (!findings_.is_sound(other.key.find('.') == std::string::npos ? write_path(other.key) : other.key))
+        return node;
+    if (!condition.holds() && node != nullptr) {
+      findings_.add(path, condition.is_absence() ? fmt::format("'{}' {} has no meaning where '{}' is given", name,
+                                                               write_place(scope.header), condition.any.front().key)
+                                                 : fmt::format("'{}' {} has a meaning only with {}", name,
+                                                               write_place(scope.header), write_condition(condition)));
       return nullptr;
     }
-    is_required = condition.required && condition.holds;
-    if (!condition.value.empty()) reason = fmt::format("; {} needs it", write_condition(condition));
+    is_required = condition.required && condition.holds();
+    Condition reasons;
+    for (const Alternative& other : condition.any)
+      if (other.holds) reasons.any.push_back(other);
+    if (is_required && !condition.is_absence()) reason = fmt::format("; {} needs it", write_condition(reasons));
   }
   if (node == nullptr && is_required) {
     const std::string example =

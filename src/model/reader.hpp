@@ -59,7 +59,8 @@ class Reader {
     for (const std::string& label : enter_names(name)) {
       T value{};
       const toml::node* node = find_key(label, spec);
-      if (Codec<T>::decode({spec, label, findings_}, *node, write_path(label), value)) values[label] = value;
+      if (node != nullptr && Codec<T>::decode({spec, label, findings_}, *node, write_path(label), value))
+        values[label] = value;
     }
     scopes_.pop_back();
   }

@@ -59,6 +59,36 @@ void add_factors(std::vector<ResultName>& names, const Case& data) {
     add_runout(names, data, fmt::format("runout[{:g}]", f), fmt::format(", runout at SRF {:g}", f));
 }
 
+bool has_pore_water(const Case& data) {
+  return std::any_of(data.materials.begin(), data.materials.end(),
+                     [](const auto& m) { return m.second.water.is_wet(); });
+}
+
+/// Of soil with pore water: what came in and left by condition, and the steady seepage of the start.
+void add_water(std::vector<ResultName>& names, const Case& data) {
+  const bool plane = data.mesh.dimension == 2;  // a plane section is one metre thick
+  const std::string volume = plane ? "m3/m" : "m3", flow = plane ? "m3/s/m" : "m3/s";
+  for (const Hydraulic& h : data.hydraulics) {
+    if (h.condition == WaterCondition::no_flow) continue;
+    names.push_back(
+        {fmt::format("water.inflow[{}]", h.on), fmt::format("water that came in through '{}'", h.on), volume});
+    names.push_back(
+        {fmt::format("water.outflow[{}]", h.on), fmt::format("water that left through '{}'", h.on), volume});
+    if (h.condition == WaterCondition::rain)
+      names.push_back({fmt::format("water.runoff[{}]", h.on), fmt::format("rain that ran off '{}'", h.on), volume});
+  }
+  names.push_back({"water.largest_suction", "largest suction at the end", "Pa"});
+  names.push_back({"water.largest_pressure", "largest pore pressure at the end", "Pa"});
+  names.push_back({"water.budget_error", "error of the water budget over the water in the model", ""});
+  if (data.initial.water.pressure != InitialPressure::seepage) return;
+  for (const Hydraulic& h : data.hydraulics) {
+    if (h.condition != WaterCondition::no_flow)
+      names.push_back(
+          {fmt::format("seepage.discharge[{}]", h.on), fmt::format("steady seepage out through '{}'", h.on), flow});
+  }
+  names.push_back({"seepage.largest_suction", "largest suction in steady seepage", "Pa"});
+}
+
 }  // namespace
 
 std::vector<ResultName> list_result_names(const Case& data) {
@@ -73,6 +103,7 @@ std::vector<ResultName> list_result_names(const Case& data) {
     names.push_back(
         {fmt::format("stage[{}].time", stage.name), fmt::format("simulated time at the end of '{}'", stage.name), "s"});
   }
+  if (has_pore_water(data)) add_water(names, data);
   names.push_back({"mesh.critical_time_step", "critical time step of the mesh", "s"});
   names.push_back({"mesh.points", "material points", ""});
   names.push_back({"mesh.soil_elements", "elements with soil", ""});

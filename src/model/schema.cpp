@@ -33,10 +33,12 @@ json write_block(const BlockEntry& block);
 json write_requirement(const KeyEntry& key) {
   const Condition& condition = *key.spec.condition;
   const json then = {{"required", json::array({key.name})}};
-  if (condition.value.empty()) return {{"if", {{"not", {{"required", json::array({condition.key})}}}}}, {"then", then}};
-  const json value = json::parse(condition.value);
-  return {{"if", {{"properties", {{condition.key, {{"const", value}}}}}, {"required", json::array({condition.key})}}},
-          {"then", then}};
+  if (condition.is_absence())
+    return {{"if", {{"not", {{"required", json::array({condition.any.front().key})}}}}}, {"then", then}};
+  json cases = json::array();
+  for (const Alternative& a : condition.any)
+    cases.push_back({{"properties", {{a.key, {{"const", json::parse(a.value)}}}}}, {"required", json::array({a.key})}});
+  return {{"if", cases.size() == 1 ? cases.front() : json{{"anyOf", cases}}}, {"then", then}};
 }
 
 /// The object of keys and inner blocks; additional ones are refused, as the reader does.
@@ -47,7 +49,8 @@ json write_object(const BlockEntry& block) {
     object["properties"][key.name] = write_key(key);
     if (key.spec.is_required) required.push_back(key.name);
     // A condition on another table cannot be said here; the reader checks it.
-    if (key.spec.condition && key.spec.condition->required && key.spec.condition->key.find('.') == std::string::npos)
+    if (const auto& condition = key.spec.condition;
+        condition && condition->required && condition->any.front().key.find('.') == std::string::npos)
       all_of.push_back(write_requirement(key));
   }
   for (const BlockEntry& inner : block.blocks) object["properties"][inner.key] = write_block(inner);

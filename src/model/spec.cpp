@@ -2,11 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace talus::model {
 
+bool Condition::holds() const {
+  return std::any_of(any.begin(), any.end(), [](const Alternative& a) { return a.holds; });
+}
+
 std::string write_condition(const Condition& condition) {
-  return condition.value.empty() ? fmt::format("{} is not given", condition.key)
-                                 : fmt::format("{} = {}", condition.key, condition.value);
+  if (condition.is_absence()) return fmt::format("{} is not given", condition.any.front().key);
+  std::string text;
+  for (std::size_t i = 0; i < condition.any.size(); ++i) {
+    const Alternative& a = condition.any[i];
+    const bool goes_on = i > 0 && condition.any[i - 1].key == a.key;
+    text += i > 0 ? " or " : "";
+    text += goes_on ? a.value : fmt::format("{} {} {}", a.key, a.differs ? "other than" : "=", a.value);
+  }
+  return text;
 }
 
 std::string Spec::write_range() const {

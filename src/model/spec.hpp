@@ -29,15 +29,25 @@ struct Limit {
   bool open = false;  ///< the limit itself is not allowed
 };
 
-/// A key that has a meaning only with (or without) another key of the same table.
-struct Condition {
-  std::string key;        ///< the other key; with a dot: a path from the top of the file
-  std::string value;      ///< the TOML text it must have; empty: the other key must not be given
-  bool holds = true;      ///< in the case that is being visited
-  bool required = false;  ///< the key must be given where the condition holds
+/// What another key must be for a key to have a meaning.
+struct Alternative {
+  std::string key;       ///< the other key; with a dot: a path from the top of the file
+  std::string value;     ///< the TOML text it must have; empty: the other key must not be given
+  bool holds = true;     ///< in the case that is being visited
+  bool differs = false;  ///< anything but `value`
 };
 
-/// Writes `fix = "plane"`, or `file is not given`.
+/// A key that has a meaning only with (or without) another key of the same table.
+struct Condition {
+  std::vector<Alternative> any;  ///< one of them is enough
+  bool required = false;         ///< the key must be given where the condition holds
+
+  bool holds() const;
+  /// Whether it asks that another key is not given.
+  bool is_absence() const { return any.front().value.empty(); }
+};
+
+/// Writes `fix = "plane"`, `curve = "a" or "b" or law = "c"`, `retention other than "dry"` or `file is not given`.
 std::string write_condition(const Condition& condition);
 
 /// Unit, range, presence and examples of a key. Built as a sentence: quantity("kPa").at_least(0).required().
@@ -45,6 +55,7 @@ struct Spec {
   std::string unit;  ///< unit of plain numbers in the file, as UDUNITS writes it; empty: dimensionless, or no number
   std::optional<Limit> low, high;
   bool is_required = false;
+  bool allows_infinity = false;
   std::optional<Condition> condition;
   std::vector<std::string> examples;  ///< TOML texts; one for each sample of a list, the last one for the rest
 
@@ -52,6 +63,8 @@ struct Spec {
   Spec above(double value) && { return low = Limit{value, true}, std::move(*this); }
   Spec at_most(double value) && { return high = Limit{value, false}, std::move(*this); }
   Spec below(double value) && { return high = Limit{value, true}, std::move(*this); }
+  /// `inf` may be given.
+  Spec or_infinite() && { return allows_infinity = true, std::move(*this); }
   Spec required() && { return is_required = true, std::move(*this); }
   Spec example(std::string text) && { return examples = {std::move(text)}, std::move(*this); }
   /// One example for each sample of a list (see tables() of the visitors).
@@ -59,20 +72,30 @@ struct Spec {
   /// The key is required where `other` has `value`, and has no meaning elsewhere.
   template <class T>
   Spec needed_with(const char* key, const T& other, const T& value) && {
-    return condition = Condition{key, write_value(value), other == value, true}, std::move(*this);
+    return condition = Condition{{{key, write_value(value), other == value}}, true}, std::move(*this);
   }
   /// The key may be given where `other` has `value`, and has no meaning elsewhere.
   template <class T>
   Spec allowed_with(const char* key, const T& other, const T& value) && {
-    return condition = Condition{key, write_value(value), other == value, false}, std::move(*this);
+    return condition = Condition{{{key, write_value(value), other == value}}, false}, std::move(*this);
+  }
+  /// Or where `other` has `value`; after one of the two above.
+  template <class T>
+  Spec or_with(const char* key, const T& other, const T& value) && {
+    return condition->any.push_back({key, write_value(value), other == value}), std::move(*this);
+  }
+  /// The key may be given where `other` has another value than `value`, and has no meaning elsewhere.
+  template <class T>
+  Spec allowed_unless(const char* key, const T& other, const T& value) && {
+    return condition = Condition{{{key, write_value(value), other != value, true}}, false}, std::move(*this);
   }
   /// The key is required where `key` is not given, and has no meaning elsewhere.
   Spec needed_without(const char* key, bool other_is_given) && {
-    return condition = Condition{key, "", !other_is_given, true}, std::move(*this);
+    return condition = Condition{{{key, "", !other_is_given}}, true}, std::move(*this);
   }
   /// The key may be given where `key` is not given, and has no meaning elsewhere.
   Spec allowed_without(const char* key, bool other_is_given) && {
-    return condition = Condition{key, "", !other_is_given, false}, std::move(*this);
+    return condition = Condition{{{key, "", !other_is_given}}, false}, std::move(*this);
   }
 
   /// "at least 0", "above -1 and below 0.5"; empty without limits.

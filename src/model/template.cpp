@@ -47,8 +47,9 @@ std::string find_value(const BlockEntry& block, const std::string& key, std::siz
 
 /// Whether the condition of a key holds in sample `i` of its block. The template names no ready mesh file.
 bool holds(const BlockEntry& block, const Condition& condition, std::size_t i) {
-  if (condition.value.empty()) return true;
-  return find_value(block, condition.key, i) == condition.value;
+  return condition.is_absence() || std::any_of(condition.any.begin(), condition.any.end(), [&](const Alternative& a) {
+           return (find_value(block, a.key, i) == a.value) != a.differs;
+         });
 }
 
 bool is_set(const BlockEntry& block, const KeyEntry& key, std::size_t i) {

@@ -1,8 +1,7 @@
 // The one pass over the points: velocity, position, strain, stress and volume, and the nodal sums of the next step.
 
 #include "base/parallel.hpp"
-#include "mpm/kernels.hpp"
-#include "mpm/laws.hpp"
+#include "mpm/full_element.hpp"
 #include "mpm/rows.hpp"
 #include "mpm/step.hpp"
 
@@ -17,17 +16,6 @@ struct Pass {
   std::vector<Mover>& movers;
   Pack dissipated{0.0};  ///< plastic work of this pass, by lane [J]
 };
-
-/// Material number of each lane of a slot, for blocks that hold several materials.
-template <int D>
-Pack lane_materials(const Points<D>& points, std::int64_t slot) {
-  Pack m(0.0);
-  for (int l = 0; l < lane_width; ++l) {
-    const int id = points.id[static_cast<std::size_t>(slot * lane_width + l)];
-    if (id >= 0) m.value[l] = points.material[static_cast<std::size_t>(id)];
-  }
-  return m;
-}
 
 /// Prefetches what block `b` will read and write. Inlined by force: GCC takes a function that only prefetches for one
 /// without effect and removes its calls.
@@ -46,55 +34,6 @@ TALUS_KERNEL void prefetch_block(const Body<D>& body, int b) {
   for (int i = 0; i < moment_size<D>; ++i) __builtin_prefetch(moments + i * lane_width, 1, 3);
   const double* strain = &body.elements.strain[static_cast<std::size_t>(b) * material::stress_size<D> * lane_width];
   for (int i = 0; i < material::stress_size<D>; ++i) __builtin_prefetch(strain + i * lane_width, 1, 3);
-}
-
-/// Stress and state that a full element (2.92) gives to all its points.
-template <int D, class Law>
-struct FullElement {
-  static constexpr int NS = material::stress_size<D>;
-  Mask full{false};
-  Pack stress[NS], state[material::max_state_size], volume;
-  material::Response<Pack> response{false, Pack(0.0), Pack(0.0)};
-};
-
-template <int D, class Law>
-FullElement<D, Law> update_full_elements(const Pass<D>& pass, const Law& law, int b, Pack count,
-                                         const Rotation<D, Pack>& rotation, const Pack* d_epsilon, Pack pending) {
-  using P = Points<D>;
-  constexpr int NS = P::stress_size;
-  const P& points = pass.body.points;
-  FullElement<D, Law> e;
-  Pack volume(0.0), first_material(0.0);
-  Mask uniform(true);
-  TALUS_UNROLL
-  for (int i = 0; i < NS; ++i) e.stress[i] = Pack(0.0);
-  for (int i = 0; i < Law::state_size; ++i) e.state[i] = Pack(0.0);
-  for (int k = 0; k < points.block_used[b]; ++k) {
-    const Mask active = count > Pack(static_cast<double>(k));
-    const double* p = points.slot(points.block_start[b] + k);
-    const Pack v = select(active, load<Pack>(p + P::volume * lane_width), Pack(0.0));
-    volume += v;
-    TALUS_UNROLL
-    for (int i = 0; i < NS; ++i) e.stress[i] += v * load<Pack>(p + (P::stress + i) * lane_width);
-    for (int i = 0; i < Law::state_size; ++i) e.state[i] += v * load<Pack>(p + (P::state + i) * lane_width);
-    if constexpr (!Law::is_single) {
-      const Pack m = lane_materials(points, points.block_start[b] + k);
-      if (k == 0) first_material = m;
-      uniform = uniform && (!active || m == first_material);
-    }
-  }
-  e.volume = volume;
-  e.full = volume > load<Pack>(&pass.body.elements.fill_limit[static_cast<std::size_t>(b) * lane_width]) && uniform;
-  if (!any(e.full)) return e;
-  const Pack inverse = 1.0 / select(e.full, volume, Pack(1.0));
-  TALUS_UNROLL
-  for (int i = 0; i < NS; ++i) e.stress[i] *= inverse;
-  TALUS_UNROLL
-  for (int i = 0; i < 3; ++i) e.stress[i] += pending;
-  for (int i = 0; i < Law::state_size; ++i) e.state[i] *= inverse;
-  if (pass.options.objective) rotation.apply(e.stress);
-  e.response = law.template update<NS>(e.stress, d_epsilon, e.state, e.full, first_material);
-  return e;
 }
 
 /// `Mixed` is a template parameter because the second source of stress costs registers that plain points need.
@@ -149,7 +88,7 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
   for (int i = 0; i < NS; ++i) store(strain + i * lane_width, load<Pack>(strain + i * lane_width) + d_epsilon[i]);
 
   FullElement<D, Law> element;
-  if constexpr (Mixed) element = update_full_elements(pass, law, b, count, rotation, d_epsilon, pending);
+  if constexpr (Mixed) element = update_full_elements(body, o, law, b, count, rotation, d_epsilon, pending);
   const bool none_partial = Mixed && all(element.full || !(count > Pack(0.0)));
 
   const Pack growth = 1.0 + volumetric;

@@ -18,6 +18,7 @@
 #include "material/law.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/conditions.hpp"
+#include "mpm/water.hpp"
 
 namespace talus::mpm {
 
@@ -140,6 +141,7 @@ struct Body {
   Points<D> points;
   Elements<D> elements;
   Nodes<D> nodes;
+  Water<D> water;
   std::vector<Lost<D>> lost;
   Work work;
   Monitor monitor;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "mpm/coupled.hpp"
+#include "mpm/coupled_kernels.hpp"
 #include "mpm/element_force.hpp"
 #include "mpm/kernels.hpp"
+#include "mpm/pore_state.hpp"
 #include "mpm/slots.hpp"
 
 namespace talus::mpm {
@@ -67,6 +70,32 @@ void number_rows(Layout<D>& layout) {
   }
 }
 
+/// Room for the fields of the water; every surface is a seepage face.
+template <int D>
+void allocate_water(Body<D>& body, std::vector<WaterLaw> laws) {
+  const Layout<D>& l = *body.layout;
+  const std::size_t lanes = static_cast<std::size_t>(l.blocks) * lane_width, rows = static_cast<std::size_t>(l.rows),
+                    nodes = l.mesh.nodes.size();
+  Water<D>& water = body.water;
+  for (WaterLaw& law : laws) water.laws.push_back(finish(std::move(law)));
+  water.first_field = body.points.fields;
+  body.points.fields += WaterFields<D>::count;
+  water.moments.assign(lanes * moment_size<D>, 0.0);
+  for (auto* field :
+       {&water.volume, &water.mean_saturation, &water.mean_pressure, &water.mean_resistance, &water.surplus})
+    field->assign(lanes, 0.0);
+  water.stretch.assign(lanes, 1.0);
+  water.sums.assign(rows * wet_sums_stride<D>, 0.0);
+  water.motion.assign(rows * wet_motion_stride<D>, 0.0);
+  water.average.assign(rows * 4, 0.0);
+  water.smoothed.assign(rows * 4, 0.0);
+  water.constraint_of_node.assign(nodes, -1);
+  water.surfaces = {{}};
+  water.surface_of_node.assign(nodes, 0);
+  water.still_flux.assign(nodes, Vec<D>{});
+  water.budgets.assign(1, {});
+}
+
 }  // namespace
 
 template <int D>
@@ -99,7 +128,8 @@ std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vect
 
 template <int D>
 Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws,
-                  std::vector<std::string> names, const std::vector<InitialPoint<D>>& initial) {
+                  std::vector<std::string> names, const std::vector<InitialPoint<D>>& initial,
+                  std::vector<WaterLaw> water) {
   using P = Points<D>;
   Body<D> body;
   body.layout = std::move(layout);
@@ -115,6 +145,7 @@ Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material:
   if (body.laws.size() > 1) states = material::max_state_size;
   P& points = body.points;
   points.fields = P::state + states;
+  if (!water.empty()) allocate_water(body, std::move(water));
   const std::size_t n = initial.size();
   points.element.assign(n, -1);
   points.place.assign(n, -1);
@@ -154,6 +185,16 @@ Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material:
     for (int s = 0; s < P::stress_size; ++s) r.fields[P::stress + s] = p.stress[s];
     r.fields[P::volume] = p.volume;
     r.fields[P::mass] = p.mass;
+    if (body.water.is_wet()) {
+      using W = WaterFields<D>;
+      double* w = r.fields + body.water.first_field;
+      const WaterLaw& law = body.water.laws[p.material];
+      for (int d = 0; d < D; ++d) w[W::velocity + d] = law.wet ? p.water_velocity[d] : 0.0;
+      w[W::pressure] = law.wet ? p.pressure : 0.0;
+      w[W::capacity] = law.wet ? find_state_at_pressure<double>(law, p.pressure).capacity : -1.0;
+      w[W::mass] =
+          law.wet ? find_content(law, p.pressure) * law.density * (p.volume - p.mass / law.grain_density) : 0.0;
+    }
     points.material[i] = static_cast<std::uint8_t>(p.material);
     points.reference[i] = mesh::to_global(l.mesh, p.element, p.xi);
     insert_point(points, r);
@@ -182,15 +223,25 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
     body.elements.return_pressure[e] = 0;
     if (points.count[e] > 0) add_internal_force(body, e, o.mixed, 1);
   }
+  if (body.water.is_wet()) {  // with the forces of the water, and with their own rows
+    std::fill(body.water.sums.begin(), body.water.sums.end(), 0.0);
+    std::fill(body.water.volume.begin(), body.water.volume.end(), 0.0);
+    find_held_axes(body);
+    for (int e = 0; e < elements; ++e) {
+      share_wet_element(body, e, o);
+      if (points.count[e] > 0) add_wet_element(body, e, o, 1);
+    }
+    body.water.surface_is_stale = true;
+  }
   gather_loads(body);
 }
 
 template std::shared_ptr<const Layout<2>> make_layout<2>(mesh::Mesh<2>, const std::vector<int>&, int);
 template std::shared_ptr<const Layout<3>> make_layout<3>(mesh::Mesh<3>, const std::vector<int>&, int);
 template Body<2> make_body<2>(std::shared_ptr<const Layout<2>>, std::vector<material::Law>, std::vector<std::string>,
-                              const std::vector<InitialPoint<2>>&);
+                              const std::vector<InitialPoint<2>>&, std::vector<WaterLaw>);
 template Body<3> make_body<3>(std::shared_ptr<const Layout<3>>, std::vector<material::Law>, std::vector<std::string>,
-                              const std::vector<InitialPoint<3>>&);
+                              const std::vector<InitialPoint<3>>&, std::vector<WaterLaw>);
 template void gather_nodal_sums<2>(Body<2>&, const StepOptions<2>&);
 template void gather_nodal_sums<3>(Body<3>&, const StepOptions<3>&);
 

@@ -60,6 +60,17 @@ struct ManyLaws {
   }
 };
 
+/// Material number of each lane of a slot, for blocks that hold several materials.
+template <int D>
+Pack lane_materials(const Points<D>& points, std::int64_t slot) {
+  Pack m(0.0);
+  for (int l = 0; l < lane_width; ++l) {
+    const int id = points.id[static_cast<std::size_t>(slot * lane_width + l)];
+    if (id >= 0) m.value[l] = points.material[static_cast<std::size_t>(id)];
+  }
+  return m;
+}
+
 /// Calls work(OneLaw or ManyLaws) for the materials in `present`.
 template <class Work>
 void visit_laws(const std::vector<material::Law>& laws, std::uint32_t present, Work&& work) {

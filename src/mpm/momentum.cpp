@@ -5,60 +5,12 @@
 
 #include "base/parallel.hpp"
 #include "mpm/kernels.hpp"
+#include "mpm/node_rows.hpp"
 #include "mpm/rows.hpp"
 #include "mpm/step.hpp"
 
 namespace talus::mpm {
 namespace {
-
-/// Node range of piece `c`.
-template <int D>
-int first_node(const Body<D>& body, int c) {
-  return static_cast<int>(static_cast<std::int64_t>(body.mesh().node_count()) * c / body.layout->chunks);
-}
-
-struct PieceSums {
-  double external_work = 0, damped = 0;
-  double out_of_balance2 = 0, external2 = 0, kinetic = 0, speed2 = 0;
-  int fastest = -1;
-};
-
-/// Sums of a node over the chunks that hold a row of it.
-template <int N>
-void sum_rows(const AlignedVector<double>& sums, const int* rows, int count, double* t) {
-  const double* s = sums.data() + static_cast<std::int64_t>(rows[0]) * sums_stride;
-  TALUS_UNROLL
-  for (int q = 0; q < N; ++q) t[q] = s[q];
-  for (int c = 1; c < count; ++c) {
-    s = sums.data() + static_cast<std::int64_t>(rows[c]) * sums_stride;
-    TALUS_UNROLL
-    for (int q = 0; q < N; ++q) t[q] += s[q];
-  }
-}
-
-/// Share of `f` that acts along the free directions of a node.
-template <int D>
-TALUS_KERNEL Vec<D> free_part(const Constraint<D>& c, std::type_identity_t<Vec<D>> f) {
-  if (c.prescribed >= 0) return {};
-  for (int k = 0; k < c.fixed_count; ++k) {
-    const double along = dot(f, c.fixed[k]);
-    for (int d = 0; d < D; ++d) f[d] -= along * c.fixed[k][d];
-  }
-  return f;
-}
-
-/// Share of a force that neither the fixed directions nor a wall that presses back can take: a block that sticks to a
-/// frictional wall is at rest.
-template <int D>
-Vec<D> unsupported_part(const Constraint<D>& c, bool pressed, Vec<D> f) {
-  if (c.has_wall && pressed) {
-    const double into = std::max(0.0, dot(f, c.wall_normal));
-    for (int d = 0; d < D; ++d) f[d] -= into * c.wall_normal[d];
-    const double along = norm(f), held = c.friction * into;
-    for (double& x : f) x *= along > held ? 1 - held / along : 0.0;
-  }
-  return free_part(c, f);
-}
 
 template <int D>
 void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, PieceSums& sums) {
@@ -72,7 +24,7 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
     const int* rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
     const int copies = layout.row_start[i + 1] - layout.row_start[i];
     double t[1 + 2 * D];
-    sum_rows<1 + 2 * D>(body.nodes.sums, rows, copies, t);
+    sum_rows<1 + 2 * D, sums_stride>(body.nodes.sums, rows, copies, t);
     const double m_i = t[0];
     Vec<D> a{}, f_damp{}, f_ext{};
     if (m_i > cutoff) {
@@ -170,23 +122,7 @@ void solve_momentum(Body<D>& body, const StepOptions<D>& o) {
     solve_nodes(body, o, first_node(body, c), first_node(body, c + 1), mine);
     sums[static_cast<std::size_t>(c)] = mine;
   });
-  for (const PieceSums& s : sums) {
-    body.work.external += s.external_work;
-    body.work.damped += s.damped;
-  }
-  if (!o.monitor) return;
-  PieceSums all;
-  for (const PieceSums& s : sums) {
-    all.out_of_balance2 += s.out_of_balance2;
-    all.external2 += s.external2;
-    all.kinetic += s.kinetic;
-    if (!(s.speed2 <= all.speed2)) {
-      all.speed2 = s.speed2;
-      all.fastest = s.fastest;
-    }
-  }
-  body.monitor = {std::sqrt(all.out_of_balance2), std::sqrt(all.external2), all.kinetic, std::sqrt(all.speed2),
-                  all.fastest};
+  collect_pieces(body, sums, o.monitor);
 }
 
 template <int D>
@@ -225,22 +161,14 @@ void remap_momentum(Body<D>& body, const StepOptions<D>& o) {
       const int* node_rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
       const int copies = layout.row_start[i + 1] - layout.row_start[i];
       double t[1 + D];
-      sum_rows<1 + D>(body.nodes.sums, node_rows, copies, t);
+      sum_rows<1 + D, sums_stride>(body.nodes.sums, node_rows, copies, t);
       Vec<D> v{};
       if (t[0] > cutoff) {
         const double inverse = 1 / t[0];
         for (int d = 0; d < D; ++d) v[d] = t[1 + d] * inverse;
         const int constraint = body.conditions.constraint_of_node[i];
         if (constraint >= 0) {
-          const Constraint<D>& k = body.conditions.constraints[static_cast<std::size_t>(constraint)];
-          if (k.has_wall && body.conditions.pressed[static_cast<std::size_t>(constraint)]) {
-            // What the wall holds does not leave it within the step: the remap mixes in neighbours' accelerations, and
-            // a rebound from them would strain the soil by a motion that no force has paid for.
-            const double away = std::min(0.0, dot(v, k.wall_normal));
-            for (int d = 0; d < D; ++d) v[d] -= away * k.wall_normal[d];
-          }
-          v = k.has_wall || k.prescribed >= 0 ? constrain_velocity(body.conditions, k, v, body.time + o.dt)
-                                              : free_part(k, v);
+          v = constrain_remapped(body.conditions, constraint, v, body.time + o.dt);
         }
       }
       for (int k = 0; k < copies; ++k) {

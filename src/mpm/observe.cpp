@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/coupled_kernels.hpp"
+#include "mpm/pore_state.hpp"
+
 namespace talus::mpm {
 namespace {
 
@@ -57,7 +60,18 @@ PointView<D> view_point(const Body<D>& body, int id) {
   }
   v.volume = f[P::volume * lane_width];
   v.mass = f[P::mass * lane_width];
-  if (body.points.fields > P::state) v.plastic_strain = f[P::state * lane_width];
+  const bool wet = body.water.is_wet();
+  if ((wet ? body.water.first_field : body.points.fields) > P::state) v.plastic_strain = f[P::state * lane_width];
+  if (!wet || !body.water.laws[v.material].wet) return v;
+  using W = WaterFields<D>;
+  const double* w = f + body.water.first_field * lane_width;
+  const WaterLaw& law = body.water.laws[v.material];
+  v.wet = true;
+  for (int d = 0; d < D; ++d) v.water_velocity[d] = w[(W::velocity + d) * lane_width];
+  v.pressure = w[W::pressure * lane_width];
+  v.water_mass = w[W::mass * lane_width];
+  v.saturation = material::saturation(law.retention, v.pressure);
+  v.porosity = 1 - v.mass / (law.grain_density * v.volume);
   return v;
 }
 
@@ -90,15 +104,16 @@ Totals<D> sum_points(const Body<D>& body, const std::type_identity_t<Vec<D>>& gr
     const PointView<D> p = view_point(body, id);
     ++t.points;
     t.mass += p.mass;
-    t.kinetic += 0.5 * p.mass * dot(p.velocity, p.velocity);
-    t.potential -= p.mass * dot(gravity, p.position);
+    t.water += p.water_mass;
+    t.kinetic += 0.5 * (p.mass * dot(p.velocity, p.velocity) + p.water_mass * dot(p.water_velocity, p.water_velocity));
+    t.potential -= (p.mass + p.water_mass) * dot(gravity, p.position);
     t.elastic += p.volume * std::visit(
                                 [&](const auto& law) {
                                   return law.template elastic_energy<Points<D>::stress_size>(p.stress.data());
                                 },
                                 body.laws[p.material]);
     for (int d = 0; d < D; ++d) {
-      t.momentum[d] += p.mass * p.velocity[d];
+      t.momentum[d] += p.mass * p.velocity[d] + p.water_mass * p.water_velocity[d];
       t.centre[d] += p.mass * p.position[d];
     }
   }
@@ -108,47 +123,11 @@ Totals<D> sum_points(const Body<D>& body, const std::type_identity_t<Vec<D>>& gr
   return t;
 }
 
-template <int D>
-CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
-  const mesh::Mesh<D>& mesh = body.mesh();
-  // Squared wave speed of each element, from its points; a point may enter a neighbour before the next look.
-  CriticalStep critical;
-  double smallest = 0;
-  std::vector<double> moduli;
-  for (const material::Law& law : body.laws) moduli.push_back(material::constrained_modulus(law));
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const int b = e / lane_width, lane = e % lane_width;
-    double speed2 = 0;
-    for (int k = 0; k < static_cast<int>(body.points.count[e]); ++k) {
-      const std::int64_t slot = body.points.block_start[b] + k;
-      const double* p = body.points.slot(slot) + lane;
-      const int id = body.points.id[static_cast<std::size_t>(slot * lane_width + lane)];
-      speed2 = std::max(speed2, moduli[body.points.material[id]] * p[Points<D>::volume * lane_width] /
-                                    p[Points<D>::mass * lane_width]);
-    }
-    if (speed2 == 0) continue;
-    const auto look = [&](int i) {
-      const double dt2 = mesh.altitudes[i] * mesh.altitudes[i] / speed2;
-      if (critical.element < 0 || dt2 < smallest) {
-        smallest = dt2;
-        critical.element = i;
-      }
-    };
-    look(e);
-    for (int n : mesh.neighbours[e]) {
-      if (n >= 0) look(n);
-    }
-  }
-  critical.dt = std::sqrt(smallest * mass_scaling);
-  return critical;
-}
-
 #define TALUS_INSTANTIATE(D)                                                 \
   template PointView<D> view_point<D>(const Body<D>&, int);                  \
   template void reset_displacements<D>(Body<D>&);                            \
   template LargestDisplacement find_largest_displacement<D>(const Body<D>&); \
-  template Totals<D> sum_points<D>(const Body<D>&, const Vec<D>&);           \
-  template CriticalStep find_critical_step<D>(const Body<D>&, double);
+  template Totals<D> sum_points<D>(const Body<D>&, const Vec<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

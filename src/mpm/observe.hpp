@@ -1,6 +1,7 @@
 #pragma once
-// Reading a body: single points, sums, and the time step that it allows.
+// Reading a body: single points and sums.
 
+#include "mpm/critical_step.hpp"
 #include "mpm/step.hpp"
 
 namespace talus::mpm {
@@ -12,8 +13,12 @@ struct PointView {
   Vec<D> position{}, velocity{}, displacement{};          ///< [m], [m/s]; displacement from the reference [m]
   std::array<double, material::stress_size<D>> stress{};  ///< [Pa]
   std::array<double, material::stress_size<D>> strain{};  ///< summed increments, engineering shear [-]
-  double mass = 0, volume = 0;                            ///< [kg], [m³]
+  double mass = 0, volume = 0;                            ///< of the grains [kg], [m³]
   double plastic_strain = 0;                              ///< deviatoric, 0 for elastic models [-]
+  bool wet = false;                                       ///< has pore water
+  Vec<D> water_velocity{};                                ///< [m/s]
+  double pressure = 0, water_mass = 0;                    ///< tension positive [Pa], [kg]
+  double saturation = 0, porosity = 0;                    ///< [-]
 };
 
 /// False when the point has left the grid.
@@ -41,20 +46,12 @@ LargestDisplacement find_largest_displacement(const Body<D>& body);
 /// Energies [J] and momentum of the points.
 template <int D>
 struct Totals {
-  double mass = 0, kinetic = 0, potential = 0, elastic = 0;  ///< potential: -Σ m g·x
-  Vec<D> momentum{}, centre{};                               ///< [kg m/s], centre of mass [m]
+  double mass = 0, water = 0;                      ///< of grains and of pore water [kg]
+  double kinetic = 0, potential = 0, elastic = 0;  ///< of both; potential: -Σ m g·x
+  Vec<D> momentum{}, centre{};                     ///< [kg m/s], centre of mass [m]
   int points = 0;
 };
 template <int D>
 Totals<D> sum_points(const Body<D>& body, const std::type_identity_t<Vec<D>>& gravity);
-
-/// Largest stable step (2.84) [s] for Courant number 1 and mass scaling β: the smallest over the elements that hold
-/// points and their neighbours of altitude / √(E_c/(βρ)), with the density of the points of the element.
-struct CriticalStep {
-  double dt = 0;
-  int element = -1;
-};
-template <int D>
-CriticalStep find_critical_step(const Body<D>& body, double mass_scaling);
 
 }  // namespace talus::mpm

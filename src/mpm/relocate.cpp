@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mpm/coupled.hpp"
+#include "mpm/coupled_kernels.hpp"
 #include "mpm/element_force.hpp"
 #include "mpm/kernels.hpp"
 #include "mpm/slots.hpp"
@@ -66,6 +68,7 @@ void record_loss(Body<D>& body, const Record<D>& r) {
   }
   lost.position = mesh::to_global(body.mesh(), r.element, xi);
   body.lost.push_back(lost);
+  if (body.water.is_wet()) body.water.left_grid += r.fields[body.water.first_field + WaterFields<D>::mass];
   body.points.element[r.id] = -1;
   body.points.place[r.id] = -1;
 }
@@ -111,14 +114,19 @@ void add_point_force(Body<D>& body, const Record<D>& r) {
 template <int D>
 void wake_block(Body<D>& body, int b) {
   if (body.points.block_used[b] > 0) return;
-  std::fill_n(body.elements.moments.begin() + static_cast<std::int64_t>(b) * moment_size<D> * lane_width,
-              moment_size<D> * lane_width, 0.0);
+  const auto clear = [b](AlignedVector<double>& field, int size) {
+    std::fill_n(field.begin() + static_cast<std::int64_t>(b) * size * lane_width, size * lane_width, 0.0);
+  };
+  clear(body.elements.moments, moment_size<D>);
+  if (!body.water.is_wet()) return;
+  clear(body.water.moments, moment_size<D>);
+  clear(body.water.volume, 1);
 }
 
-/// Puts the records into their elements; with mixed integration, elements whose filling or surface changes have their
-/// internal force taken anew.
+/// Elements whose filling or surface changes when the records are put into their elements; sorted.
 template <int D>
-void insert_with_mixed_forces(Body<D>& body, const std::vector<Record<D>>& records, const std::vector<int>& sources) {
+std::vector<int> find_changed_elements(const Body<D>& body, const std::vector<Record<D>>& records,
+                                       const std::vector<int>& sources) {
   const mesh::Mesh<D>& mesh = body.mesh();
   std::vector<int> candidates;
   for (const Record<D>& r : records) candidates.push_back(r.element);
@@ -134,6 +142,14 @@ void insert_with_mixed_forces(Body<D>& body, const std::vector<Record<D>>& recor
   }
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  return candidates;
+}
+
+/// Puts the records into their elements; with mixed integration, elements whose filling or surface changes have their
+/// internal force taken anew.
+template <int D>
+void insert_with_mixed_forces(Body<D>& body, const std::vector<Record<D>>& records, const std::vector<int>& sources) {
+  const std::vector<int> candidates = find_changed_elements(body, records, sources);
   for (int e : candidates) add_internal_force(body, e, true, -1);
   for (const Record<D>& r : records) {
     wake_block(body, r.element / lane_width);
@@ -142,6 +158,34 @@ void insert_with_mixed_forces(Body<D>& body, const std::vector<Record<D>>& recor
   }
   for (int e : candidates) update_fill_limit(body, e);
   for (int e : candidates) add_internal_force(body, e, true, 1);
+}
+
+/// The same with pore water, where an element's sums are no sums over its points: they share their pressure. Elements
+/// that the pass left full for the first time are treated alike.
+template <int D>
+void insert_wet_points(Body<D>& body, const StepOptions<D>& o, const std::vector<Record<D>>& records,
+                       const std::vector<int>& sources) {
+  std::vector<int> candidates = find_changed_elements(body, records, sources);
+  candidates.insert(candidates.end(), body.water.newly_full.begin(), body.water.newly_full.end());
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  // Among dry soil an element may also gain or lose its water without becoming empty.
+  const bool all_wet =
+      std::all_of(body.water.laws.begin(), body.water.laws.end(), [](const auto& law) { return law.wet; });
+  if (!all_wet && !sources.empty()) body.water.surface_is_stale = true;
+  for (const Record<D>& r : records) {
+    if (body.points.block_used[r.element / lane_width] == 0) wake_block(body, r.element / lane_width);
+  }
+  for (int e : candidates) {
+    if (body.points.count[e] > 0) add_wet_element(body, e, o, -1);
+    body.water.surface_is_stale = body.water.surface_is_stale || body.points.count[e] == 0;
+  }
+  for (const Record<D>& r : records) insert_point(body.points, r);
+  for (int e : candidates) update_fill_limit(body, e);
+  for (int e : candidates) {
+    share_wet_element(body, e, o);
+    add_wet_element(body, e, o, 1);
+  }
 }
 
 }  // namespace
@@ -163,7 +207,8 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
       }
     }
   }
-  if (records.empty()) return;
+  const bool wet = body.water.is_wet();
+  if (records.empty() && !(wet && !body.water.newly_full.empty())) return;
   std::vector<Record<D>> staying;
   for (Record<D>& r : records) {
     const int from = r.element;
@@ -174,7 +219,9 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
     hand_over(body, r, from);
     staying.push_back(r);
   }
-  if (o.mixed) {
+  if (wet) {
+    insert_wet_points(body, o, staying, sources);
+  } else if (o.mixed) {
     insert_with_mixed_forces(body, staying, sources);
   } else {
     for (const Record<D>& r : staying) {

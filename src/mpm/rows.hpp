@@ -40,14 +40,20 @@ inline __attribute__((always_inline)) void transpose(V8* r) {
 /// out[c] = base[rows[lane] * Stride + First + c], c < N. Rows are aligned to Stride doubles.
 template <int N, int Stride, int First = 0>
 inline __attribute__((always_inline)) void load_rows(const double* base, const int* rows, Pack* out) {
-  if constexpr (lane_width == 8 && Stride == 8) {
-    detail::V8 r[8];
+  if constexpr (lane_width == 8 && Stride % 8 == 0) {
     TALUS_UNROLL
-    for (int l = 0; l < 8; ++l)
-      r[l] = *reinterpret_cast<const detail::V8*>(base + static_cast<std::int64_t>(rows[l]) * 8);
-    detail::transpose(r);
-    TALUS_UNROLL
-    for (int c = 0; c < N; ++c) out[c].value = reinterpret_cast<Pack::Vector&>(r[First + c]);
+    for (int chunk = First / 8; chunk <= (First + N - 1) / 8; ++chunk) {
+      detail::V8 r[8];
+      TALUS_UNROLL
+      for (int l = 0; l < 8; ++l)
+        r[l] = *reinterpret_cast<const detail::V8*>(base + static_cast<std::int64_t>(rows[l]) * Stride + 8 * chunk);
+      detail::transpose(r);
+      TALUS_UNROLL
+      for (int i = 0; i < 8; ++i) {
+        const int c = 8 * chunk + i - First;
+        if (c >= 0 && c < N) out[c].value = reinterpret_cast<Pack::Vector&>(r[i]);
+      }
+    }
   } else if constexpr (lane_width == 8 && Stride == 4) {
     using detail::V4;
     using detail::V8;
@@ -77,26 +83,49 @@ inline __attribute__((always_inline)) void load_rows(const double* base, const i
   }
 }
 
-/// base[rows[lane] * 8 + First + c] += values[c], lane after lane.
-template <int N, int First = 0>
-inline __attribute__((always_inline)) void add_rows(double* base, const int* rows, const Pack* values) {
+/// base[rows[lane] * Stride + c] = values[c], c < 8.
+template <int Stride>
+inline __attribute__((always_inline)) void store_rows(double* base, const int* rows, const Pack* values) {
   if constexpr (lane_width == 8) {
     detail::V8 r[8];
     TALUS_UNROLL
-    for (int c = 0; c < 8; ++c) {
-      const int i = c - First;
-      if (i >= 0 && i < N)
-        r[c] = reinterpret_cast<const detail::V8&>(values[i].value);
-      else
-        r[c] = detail::V8{};
-    }
+    for (int c = 0; c < 8; ++c) r[c] = reinterpret_cast<const detail::V8&>(values[c].value);
     detail::transpose(r);
     TALUS_UNROLL
-    for (int l = 0; l < 8; ++l) *reinterpret_cast<detail::V8*>(base + static_cast<std::int64_t>(rows[l]) * 8) += r[l];
+    for (int l = 0; l < 8; ++l)
+      *reinterpret_cast<detail::V8*>(base + static_cast<std::int64_t>(rows[l]) * Stride) = r[l];
   } else {
     for (int l = 0; l < lane_width; ++l) {
       TALUS_UNROLL
-      for (int c = 0; c < N; ++c) base[static_cast<std::int64_t>(rows[l]) * 8 + First + c] += values[c].value[l];
+      for (int c = 0; c < 8; ++c) base[static_cast<std::int64_t>(rows[l]) * Stride + c] = values[c].value[l];
+    }
+  }
+}
+
+/// base[rows[lane] * Stride + First + c] += values[c], lane after lane.
+template <int N, int First = 0, int Stride = 8>
+inline __attribute__((always_inline)) void add_rows(double* base, const int* rows, const Pack* values) {
+  if constexpr (lane_width == 8) {
+    TALUS_UNROLL
+    for (int chunk = First / 8; chunk <= (First + N - 1) / 8; ++chunk) {
+      detail::V8 r[8];
+      TALUS_UNROLL
+      for (int c = 0; c < 8; ++c) {
+        const int i = 8 * chunk + c - First;
+        if (i >= 0 && i < N)
+          r[c] = reinterpret_cast<const detail::V8&>(values[i].value);
+        else
+          r[c] = detail::V8{};
+      }
+      detail::transpose(r);
+      TALUS_UNROLL
+      for (int l = 0; l < 8; ++l)
+        *reinterpret_cast<detail::V8*>(base + static_cast<std::int64_t>(rows[l]) * Stride + 8 * chunk) += r[l];
+    }
+  } else {
+    for (int l = 0; l < lane_width; ++l) {
+      TALUS_UNROLL
+      for (int c = 0; c < N; ++c) base[static_cast<std::int64_t>(rows[l]) * Stride + First + c] += values[c].value[l];
     }
   }
 }

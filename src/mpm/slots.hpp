@@ -10,7 +10,7 @@ template <int D>
 struct Record {
   int id = -1;
   int element = -1;
-  double fields[Points<D>::state + material::max_state_size] = {};
+  double fields[Points<D>::state + material::max_state_size + D + 3] = {};  ///< the last ones are the water's
 
   double* xi() { return fields + Points<D>::xi; }
   const double* xi() const { return fields + Points<D>::xi; }

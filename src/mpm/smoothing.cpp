@@ -102,8 +102,14 @@ void smooth_plastic_return(Body<D>& body, const StepOptions<D>& o) {
       for (int i = 0; i < D * D; ++i)
         g[i] = load<Pack>(&layout.gradients[(static_cast<std::size_t>(b) * D * D + i) * lane_width]);
       ElementSums<D, Pack>::force_to_nodes(stress, g, out);
+      // the force's columns are the same in both kinds of rows
       TALUS_UNROLL
-      for (int k = 0; k <= D; ++k) add_rows<D, 1 + D>(body.nodes.sums.data(), rows + k * lane_width, &out[k][1 + D]);
+      for (int k = 0; k <= D; ++k) {
+        if (body.water.is_wet())
+          add_rows<D, 1 + D, wet_sums_stride<D>>(body.water.sums.data(), rows + k * lane_width, &out[k][1 + D]);
+        else
+          add_rows<D, 1 + D>(body.nodes.sums.data(), rows + k * lane_width, &out[k][1 + D]);
+      }
     }
   });
 }

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "mpm/coupled.hpp"
+
 namespace talus::mpm {
 namespace {
 
@@ -21,8 +23,43 @@ class Stopwatch {
 }  // namespace
 
 template <int D>
+void step_coupled(Body<D>& body, const StepOptions<D>& options) {
+  using model::Smoothing;
+  Timing& timing = body.timing;
+  Stopwatch watch;
+  load_surface(body, options);
+  solve_coupled_momentum(body, options);
+  watch.add_to(timing.solve_momentum);
+  remap_coupled_momentum(body, options);
+  watch.add_to(timing.remap_momentum);
+  if (options.smoothing != Smoothing::none || options.smooth_pressure) {
+    smooth_coupled_increments(body, options);
+    watch.add_to(timing.smooth_strain);
+  }
+  if (options.exchange_water && body.step_count % exchange_interval == 0) {
+    exchange_water(body, options);
+    watch.add_to(timing.smooth_strain);
+  }
+  const MoverLists movers = advance_coupled_points(body, options);
+  watch.add_to(timing.advance_points);
+  if (options.smoothing == Smoothing::stable) {
+    smooth_plastic_return(body, options);
+    watch.add_to(timing.smooth_return);
+  }
+  body.time += options.dt;
+  ++body.step_count;
+  relocate(body, options, movers);
+  gather_loads(body);
+  watch.add_to(timing.relocate);
+}
+
+template <int D>
 void step(Body<D>& body, const StepOptions<D>& options) {
   using model::Smoothing;
+  if (body.water.is_wet()) {
+    step_coupled(body, options);
+    return;
+  }
   Timing& timing = body.timing;
   Stopwatch watch;
   solve_momentum(body, options);
@@ -48,5 +85,7 @@ void step(Body<D>& body, const StepOptions<D>& options) {
 
 template void step<2>(Body<2>&, const StepOptions<2>&);
 template void step<3>(Body<3>&, const StepOptions<3>&);
+template void step_coupled<2>(Body<2>&, const StepOptions<2>&);
+template void step_coupled<3>(Body<3>&, const StepOptions<3>&);
 
 }  // namespace talus::mpm

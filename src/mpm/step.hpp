@@ -22,6 +22,13 @@ struct StepOptions {
   bool objective = true;  ///< rotate stresses with the soil
   bool monitor = false;   ///< fill Body::monitor in this step
   int threads = 1;
+  // Soil with pore water.
+  bool implicit_drag = true;
+  double water_damping = 0;        ///< α of the water
+  bool net_damping = true;         ///< damp what is left with drag and skin, T14.10; else the source's form
+  bool smooth_pressure = false;    ///< (2.96-2.97)
+  bool exchange_water = false;     ///< between elements, against pressures that no node feels (T14.9)
+  double conductivity_factor = 1;  ///< multiplies k
 };
 
 /// Advances the body by one step. Reads nodes.sums of the last pass, leaves those of this one.

@@ -7,6 +7,9 @@
 #include <map>
 
 #include "report/look_up.hpp"
+#include "report/soil_water.hpp"
+#include "report/water_choices.hpp"
+#include "report/water_words.hpp"
 
 namespace talus::report {
 
@@ -68,6 +71,12 @@ json list_factors(const json& summary) {
     f["main"] = true;
     break;
   }
+  if (is_wet(summary))
+    for (json& f : factors) {
+      const std::string water =
+          find_water_of_trials(summary, f["name"] == "factor_of_safety.frozen" ? "frozen" : "curve");
+      if (!water.empty()) f["water"] = water;
+    }
   return factors;
 }
 
@@ -86,6 +95,9 @@ void say_factor(const json& summary, const json& factors, json& sentences) {
     const double low = get_number(frozen, {"dilatancy_angle_min"}), high = get_number(frozen, {"dilatancy_angle_max"});
     text += low == high ? fmt::format(" with a dilatancy angle of {:.3g}°", high)
                         : fmt::format(" with dilatancy angles from {:.3g}° to {:.3g}°", low, high);
+    if (found->contains("water"))
+      text +=
+          (*found)["water"] == "held" ? " and pore pressures held (drained)" : " and pore water that flows (coupled)";
     text += find(frozen, {"extrapolated"}) != nullptr
                 ? fmt::format(": {}, extrapolated to h = 0.", describe_meshes(frozen, length))
                 : fmt::format(": {}, on one mesh and not extrapolated; expect some percent less on a finer one.",
@@ -253,6 +265,7 @@ json make_answer(const ResultFolder& folder) {
   say_state(folder, sentences);
   say_factor(summary, factors, sentences);
   say_runouts(summary, sentences);
+  for (const std::string& sentence : tell_water(summary)) sentences.push_back(sentence);
   say_comparisons(find_list(summary, {"comparisons"}), sentences);
   return {{"sentences", sentences}, {"factors", factors}, {"results", list_results(summary)}};
 }

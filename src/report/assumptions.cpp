@@ -7,7 +7,9 @@
 #include <numbers>
 
 #include "report/look_up.hpp"
+#include "report/soil_water.hpp"
 #include "report/step_choices.hpp"
+#include "report/water_words.hpp"
 
 namespace talus::report {
 
@@ -49,11 +51,16 @@ class Assumptions {
     else
       add("Three dimensions: the section is extruded along z between walls. Tetrahedra lock more than triangles, and "
           "factors of safety in 3D have not been compared with other methods beyond a slab and an upper bound.");
-    add("Dry soil in one phase: no pore pressure, no seepage, no suction. Undrained ground can be calculated with "
-        "total stresses only (φ = 0, c = su).");
+    if (is_wet(summary_))
+      for (std::string& sentence : list_water_assumptions(summary_)) sentences_.push_back(std::move(sentence));
+    else
+      add("Dry soil in one phase: no pore pressure, no seepage, no suction. Undrained ground can be calculated with "
+          "total stresses only (φ = 0, c = su).");
     const json* initial = find(summary_, {"input", "initial"});
     if (initial == nullptr) return;
-    if (get_word(*initial, "stress") != "k0")
+    if (const std::string start = get_word(*initial, "result"); !start.empty())
+      add("The initial state is the end of the results in '{}'.", start);
+    else if (get_word(*initial, "stress") != "k0")
       add("There is no initial stress: the first stage brings the weight on, and the horizontal stress of the settled "
           "ground is about ν/(1−ν) times the vertical one, a matter of Poisson's ratio.");
     else if (const auto k0 = find_si(*initial, "k0"))

@@ -25,6 +25,11 @@ const std::map<std::string, Words>& list_words() {
       {"deviatoric_strain", {"deviatoric strain", false}},
       {"plastic_strain", {"plastic deviatoric strain", false}},
       {"volume", {"volume of the point", false}},
+      {"pore_pressure", {"pore pressure (compression positive)", true}},
+      // Not from zero on: what differs is seen.
+      {"saturation", {"degree of saturation", true}},
+      {"porosity", {"porosity", true}},
+      {"darcy_velocity", {"flow of the water (Darcy)", false}},
   };
   return words;
 }

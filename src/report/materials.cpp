@@ -6,6 +6,7 @@
 
 #include "material/mohr_coulomb.hpp"
 #include "report/look_up.hpp"
+#include "report/soil_water.hpp"
 
 namespace talus::report {
 
@@ -59,6 +60,22 @@ class Properties {
     add_one("tensile_strength", "tensile strength", "σt", stress_, &MohrCoulombStrength::tensile_strength);
   }
 
+  /// With all pores that fill full of water, and as light as the driest soil of the model.
+  void add_wet_weights(const json& summary, const model::PoreWater& soil, double density, double porosity,
+                       double gravity) {
+    const ShownUnit weight{"kN/m³", 1000};
+    const double water = read_water(summary).density;
+    const auto weigh = [&](double suction) {
+      return ((1 - porosity) * density + porosity * find_saturation(soil, suction) * water) * gravity;
+    };
+    add("unit_weight_saturated", "unit weight (below the water table)", "γ_sat", weight, weigh(0));
+    const auto largest = find_largest_suction(summary);
+    if (!largest || weigh(*largest) == weigh(0)) return;
+    const std::string title =
+        fmt::format("unit weight (at the largest suction, S = {:.2f})", find_saturation(soil, *largest));
+    add("unit_weight_moist", title.c_str(), "γ_moist", weight, weigh(*largest));
+  }
+
   json rows = json::array();
 
  private:
@@ -74,6 +91,8 @@ json list_materials(const json& summary, std::optional<double> factor_of_safety)
   const ShownUnits units = read_units(summary);
   const json* regions = find(summary, {"input", "regions"});
   const json& stages = find_list(summary, {"input", "stage"});
+  const json* weight = find(summary, {"input", "gravity"});
+  const double gravity = weight != nullptr ? get_si(*weight, "acceleration", 9.81) : 9.81;
   std::optional<double> stage_factor;
   if (!stages.empty()) stage_factor = find_si(stages.back(), "strength_factor");
   if (stage_factor == 1.0) stage_factor.reset();
@@ -90,21 +109,22 @@ json list_materials(const json& summary, std::optional<double> factor_of_safety)
     properties.add("grain_density", "density of the grains", "ρs", {"kg/m³", 1}, density);
     properties.add("porosity", "porosity", "n", {"-", 1}, porosity);
     if (density && porosity)
-      properties.add("unit_weight", "unit weight (dry)", "γ", {"kN/m³", 1000},
-                     (1 - *porosity) * *density *
-                         (find(summary, {"input", "gravity"}) != nullptr
-                              ? get_si(*find(summary, {"input", "gravity"}), "acceleration", 9.81)
-                              : 9.81));
+      properties.add("unit_weight", "unit weight (dry)", "γ", {"kN/m³", 1000}, (1 - *porosity) * *density * gravity);
+    const model::PoreWater pore_water = read_pore_water(soil);
+    if (density && porosity && pore_water.is_wet())
+      properties.add_wet_weights(summary, pore_water, *density, *porosity, gravity);
     properties.add("young_modulus", "Young's modulus", "E", {"MPa", 1e6}, find_si(soil, "young_modulus"));
     properties.add("poisson_ratio", "Poisson's ratio", "ν", {"-", 1}, find_si(soil, "poisson_ratio"));
     if (model == "mohr_coulomb") properties.add_strength(soil, stage_factor, factor_of_safety);
-    rows.push_back({{"name", name},
-                    {"index", index++},
-                    {"model", model == "mohr_coulomb"     ? "Mohr–Coulomb"
-                              : model == "linear_elastic" ? "linear elastic"
-                                                          : model},
-                    {"regions", own_regions},
-                    {"properties", properties.rows}});
+    json row{{"name", name},
+             {"index", index++},
+             {"model", model == "mohr_coulomb"     ? "Mohr–Coulomb"
+                       : model == "linear_elastic" ? "linear elastic"
+                                                   : model},
+             {"regions", own_regions},
+             {"properties", properties.rows}};
+    if (json water = describe_soil_water(summary, soil); !water.is_null()) row["water"] = std::move(water);
+    rows.push_back(std::move(row));
   }
   return rows;
 }

@@ -1,11 +1,37 @@
 #include "report/methods.hpp"
 
+#include <algorithm>
+
 #include "report/look_up.hpp"
+#include "report/soil_water.hpp"
 #include "report/step_choices.hpp"
+#include "report/water_choices.hpp"
 
 namespace talus::report {
 
 using nlohmann::json;
+
+namespace {
+
+/// Of a wet case.
+void add_water_methods(const json& summary, json& methods) {
+  const std::vector<WaterPart> parts = list_water_parts(summary);
+  const auto some = [&](auto holds) { return std::any_of(parts.begin(), parts.end(), holds); };
+  const auto add_if = [&](bool applies, const char* name) {
+    if (applies) methods.push_back(name);
+  };
+  const bool flows = some([](const WaterPart& p) { return p.flows; });
+  add_if(flows, "two_phase");
+  add_if(flows, "water_storage");
+  methods.push_back("soil_water");
+  add_if(some([](const WaterPart& p) { return p.flows && p.smooths_pressure; }), "pressure_smoothing");
+  add_if(flows, "hydraulic_conditions");
+  add_if(some([](const WaterPart& p) { return !p.flows; }), "held_pressures");
+  const json* initial = find(summary, {"input", "initial"});
+  add_if(initial != nullptr && get_word(*initial, "pore_pressure") == "seepage", "steady_seepage");
+}
+
+}  // namespace
 
 json list_methods(const json& summary) {
   const StepChoices choices = gather_step_choices(summary);
@@ -31,6 +57,7 @@ json list_methods(const json& summary) {
   add_if(choices.has_curve, "displacement_curve");
   add_if(choices.has_frozen, "frozen_factor");
   add_if(find(summary, {"runout"}) != nullptr || !find_list(summary, {"runouts"}).empty(), "runout");
+  if (is_wet(summary)) add_water_methods(summary, methods);
   return methods;
 }
 

@@ -11,6 +11,9 @@
 #include "report/boundary_lines.hpp"
 #include "report/look_up.hpp"
 #include "report/materials.hpp"
+#include "report/soil_water.hpp"
+#include "report/water.hpp"
+#include "report/water_choices.hpp"
 
 namespace talus::report {
 
@@ -120,7 +123,7 @@ json list_monitors(const ResultFolder& folder, std::size_t dimension) {
   return list;
 }
 
-std::string describe_stage(const json& s, const ShownUnits& units) {
+std::string describe_stage(const json& s, const ShownUnits& units, bool wet) {
   const bool rests = get_word(s, "until") == "rest";
   std::string text = rests ? fmt::format("until rest, at most {:g} s", get_si(s, "duration", 0))
                            : fmt::format("{:g} s", get_si(s, "duration", 0));
@@ -135,6 +138,7 @@ std::string describe_stage(const json& s, const ShownUnits& units) {
   if (const std::string smoothing = get_word(s, "smoothing", "none"); smoothing != "none")
     text += fmt::format(", {} smoothing", smoothing);
   if (get_word(s, "integration", "mixed") == "points") text += ", stresses integrated on the points";
+  if (wet) text += describe_stage_water(s);
   if (get_flag(s, "reset_displacement")) text += ", displacements counted from here";
   return text;
 }
@@ -143,6 +147,7 @@ json list_stages(const json& summary, const ShownUnits& units) {
   json list = json::array();
   const json& plans = find_list(summary, {"input", "stage"});
   const json& reports = find_list(summary, {"stages"});
+  const bool wet = is_wet(summary);
   for (std::size_t i = 0; i < std::max(plans.size(), reports.size()); ++i) {
     static const json none = json::object();
     const json& plan = i < plans.size() ? plans[i] : none;
@@ -151,7 +156,7 @@ json list_stages(const json& summary, const ShownUnits& units) {
     const std::string status = find_status(summary);
     const bool stopped_here = i == reports.size() && status != "finished" && status != "unfinished";
     list.push_back({{"name", get_text(report, {"name"}, get_word(plan, "name"))},
-                    {"text", plan.empty() ? "" : describe_stage(plan, units)},
+                    {"text", plan.empty() ? "" : describe_stage(plan, units, wet)},
                     {"end", get_text(report, {"end"}, stopped_here ? status : "not reached")},
                     {"time", get_number(report, {"time"})},
                     {"steps", get_number(report, {"steps"})},
@@ -258,7 +263,7 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
           {"polygons", polygons},
           {"boundaries", list_boundaries(summary, dimension, plane)},
           {"loads", list_loads(summary, dimension, units)},
-          {"water", json::array()},
+          {"water", list_water_tables(summary)},
           {"monitors", list_monitors(folder, dimension)},
           {"materials", list_materials(summary, factor_of_safety)},
           {"stages", list_stages(summary, units)},

@@ -17,6 +17,7 @@
 #include "report/run_sequences.hpp"
 #include "report/study.hpp"
 #include "report/tables.hpp"
+#include "report/water.hpp"
 
 namespace talus::report {
 
@@ -29,23 +30,25 @@ namespace {
 json make_common(const ResultFolder& folder, Packer& packer) {
   const json& summary = folder.summary;
   const ShownUnits units = read_units(summary);
-  return {{"format", 1},
-          {"kind", "run"},
-          {"project", make_project(summary)},
-          {"status", find_status(summary)},
-          {"units",
-           {{"length", to_json(units.length)},
-            {"displacement", to_json(units.displacement)},
-            {"stress", to_json(units.stress)}}},
-          {"model", make_model(folder, find_main_factor(summary), packer)},
-          {"sequences", json::array()},
-          {"tables", json::array()},
-          {"comparisons", find_list(summary, {"comparisons"})},
-          {"assumptions", list_assumptions(summary)},
-          {"methods", list_methods(summary)},
-          {"input", summary.value("input", json::object())},
-          {"provenance", make_provenance(summary, folder.path)},
-          {"timing", make_timing(summary)}};
+  json document{{"format", 1},
+                {"kind", "run"},
+                {"project", make_project(summary)},
+                {"status", find_status(summary)},
+                {"units",
+                 {{"length", to_json(units.length)},
+                  {"displacement", to_json(units.displacement)},
+                  {"stress", to_json(units.stress)}}},
+                {"model", make_model(folder, find_main_factor(summary), packer)},
+                {"sequences", json::array()},
+                {"tables", json::array()},
+                {"comparisons", find_list(summary, {"comparisons"})},
+                {"assumptions", list_assumptions(summary)},
+                {"methods", list_methods(summary)},
+                {"input", summary.value("input", json::object())},
+                {"provenance", make_provenance(summary, folder.path)},
+                {"timing", make_timing(summary)}};
+  if (json water = make_water(folder); !water.is_null()) document["water"] = std::move(water);
+  return document;
 }
 
 json make_run(const ResultFolder& folder, Packer& packer) {

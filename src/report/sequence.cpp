@@ -5,6 +5,7 @@
 #include <map>
 
 #include "report/fields.hpp"
+#include "report/shown_water.hpp"
 
 namespace talus::report {
 
@@ -69,7 +70,8 @@ class SequencePacker {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
   ThinFrame read(const SequenceFrame& source, std::size_t frame_count) {
-    const output::Frame frame = source.reader->read(source.index);
+    output::Frame frame = source.reader->read(source.index);
+    show_water(frame);
     if (scalars_.empty()) {
       scalars_ = list_scalars(frame.point_fields, dimension_, units_);
       stride_ = choose_stride(frame.ids.size(), frame_count, budget_);

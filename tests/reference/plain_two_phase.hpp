@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "reference/plain_two_phase_exchange.hpp"
 #include "reference/plain_two_phase_strain.hpp"
 #include "reference/plain_two_phase_surface.hpp"
 
@@ -74,9 +75,11 @@ void step(WetBody<D>& body, const WetSettings& settings) {
   count_water(body, settings);
   compute_wet_increments(body, settings);                                // (2.80), (2.81), (2.94), (2.95)
   smooth_water_increments(body, settings);                               // (2.96), (2.97)
+  exchange_water(body, settings);                                        // (T14.9)
   const std::vector<double> change = update_wet_points(body, settings);  // (2.82), (3.4), (2.50)
   if (settings.smoothing == Smoothing::stable) smooth_wet_plastic_mean_stress(body, change);
   if (!settings.frozen) move_wet_points(body, settings);
+  ++body.steps;
 }
 
 }  // namespace talus::reference

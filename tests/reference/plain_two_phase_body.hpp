@@ -3,6 +3,7 @@
 // nodes with two velocities, and what water needs to know of its soil. docs/theory/14-two-phase.md has the formulas.
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -22,6 +23,7 @@ struct PoreWater {
   std::function<double(double)> saturation = [](double) { return 1.0; };             ///< S(p)
   std::function<double(double)> saturation_slope = [](double) { return 0.0; };       ///< dS/dp <= 0 at p [1/Pa]
   std::function<double(double)> relative_conductivity = [](double) { return 1.0; };  ///< k_r(S)
+  double chi_air_entry = 0;  ///< s_e of Khalili and Khabbaz's χ [Pa]; 0: χ = S
 };
 
 struct Soil {
@@ -57,6 +59,7 @@ struct WetSettings {
   bool mixed = true;                      ///< full elements are integrated as one Gauss point (2.92)
   Smoothing smoothing = Smoothing::none;  ///< of the volumetric strain increments of both phases (2.94, 2.95)
   bool smooth_pressure = false;           ///< (2.96, 2.97)
+  bool exchange_water = false;            ///< (T14.9)
   bool objective = true;                  ///< rotate the stress with the soil
   bool frozen = false;                    ///< points and volumes stay as they are
 };
@@ -67,7 +70,9 @@ struct WetNode {
   double solid_mass = 0;  ///< M_s [kg]
   double water_mass = 0;  ///< M̄_w of (2.69): the water that is there [kg]
   double whole_mass = 0;  ///< M_w of (2.70): water in the whole volume of the wet points [kg]
-  double resistance = 0;  ///< Σ N ρ_w g/k V: what a unit of Darcy's flux θ(w−v) is held back with (2.75) [kg/s]
+  double resistance = 0;  ///< Σ N ρ_w g/k V, k saturated: what Darcy's flux θ(w−v) is held back with (2.75) [kg/s]
+  double volume = 0;      ///< Σ N V of wet points [m³]
+  double mobile_volume = 0;                      ///< Σ N V k_r [m³]
   Vector<D> solid_momentum = Vector<D>::Zero();  ///< at the start of the step [kg m/s]
   Vector<D> water_momentum = Vector<D>::Zero();
   Vector<D> force = Vector<D>::Zero();               ///< of the mixture, external minus internal (2.66) [N]
@@ -77,22 +82,25 @@ struct WetNode {
   Vector<D> v = Vector<D>::Zero();        ///< of the solid, after the remap [m/s]
   Vector<D> w = Vector<D>::Zero();        ///< of the water, after the remap [m/s]
   Vector<D> outside = Vector<D>::Zero();  ///< Σ V ∇N over wet points, V as integrated: where water leaves [m²]
-  double outside_scale = 0;               ///< Σ V |∇N| [m²]
+  double outside_scale = 0;               ///< Σ V (|∂N/∂x| + |∂N/∂y| + …) [m²]
+  double suction = 0;  ///< mean over the touching elements with an open side of their mean pressure [Pa]
   Vector<D> surface = Vector<D>::Zero();  ///< the part of `outside` that is free surface; zero: none [m²]
 
   /// n S of the node, M̄_w/M_w [-].
   double water_content() const { return whole_mass > 0 ? water_mass / whole_mass : 0.0; }
   /// D, the force per relative velocity w − v [kg/s].
-  double drag() const { return water_content() * resistance; }
+  double drag() const { return water_content() > 0 ? water_content() * resistance * volume / mobile_volume : 0.0; }
 };
 
 /// What happens to water where the node lies on a free surface of the wet soil.
 enum class SurfaceKind {
   open,     ///< p = 0, water may leave and enter
   seepage,  ///< p = 0 where water leaves; none enters
-  rain,     ///< as seepage, but up to the rain enters
-  closed,   ///< a tight skin that goes with the soil: none leaves or enters
-  head      ///< under standing water of the given level; above it a seepage face
+  rain,     ///< as seepage, but up to the rain enters; or evaporation draws water out
+  flux,     ///< just the given inflow
+  closed,   ///< flux 0, a tight skin that goes with the soil: none leaves or enters
+  head,     ///< under standing water of the given level; above it a seepage face
+  pressure  ///< the given pressure; water may leave and enter
 };
 
 template <int D>
@@ -100,7 +108,11 @@ struct SurfaceCondition {
   SurfaceKind kind = SurfaceKind::open;
   Vector<D> rain = Vector<D>::Zero();  ///< q̂, the rain as a vector: intensity on the plane normal to it [m/s]
   double normal_rain = 0;              ///< intensity on the surface itself [m/s]
+  double evaporation = 0;              ///< out of the surface itself, of kind rain [m/s]
+  double suction_limit = INFINITY;     ///< where evaporation ends; it fades over the last tenth [Pa]
+  double inflow = 0;                   ///< of kind flux, into the soil [m/s]
   double head = 0;                     ///< level of the standing water, along component 1 [m]
+  double pressure = 0;                 ///< of kind pressure, tension positive [Pa]
 };
 
 /// Mass of water [kg] that has passed, since the start.
@@ -108,6 +120,12 @@ struct WaterBudget {
   double entered = 0, left = 0;     ///< through free surfaces, by node and step
   double lost_between = 0;          ///< through nodes on none, where a full element meets one that is not [kg]
   double supplied = 0, runoff = 0;  ///< rain on surface nodes, and the part of it that did not enter
+
+  WaterBudget& operator+=(const WaterBudget& other) {
+    entered += other.entered, left += other.left, lost_between += other.lost_between;
+    supplied += other.supplied, runoff += other.runoff;
+    return *this;
+  }
 };
 
 struct WetCell : Cell {
@@ -131,6 +149,8 @@ struct WetBody {
   std::vector<WetNode<D>> nodes;  ///< of the last step, to be looked at
   std::vector<WetCell> cells;     ///< of the last step, one per element
   WaterBudget budget;
+  int steps = 0;
+  std::vector<WaterBudget> node_budgets;  ///< the same by node
 };
 
 template <int D>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference/plain_mpm.hpp"
-#include "reference/plain_two_phase_body.hpp"
+#include "reference/plain_two_phase_water.hpp"
 
 namespace talus::reference {
 
@@ -37,41 +37,6 @@ void classify_wet_elements(WetBody<D>& body, const WetSettings& settings) {
   }
 }
 
-/// σ' + χ p I of a point with χ = S (3.12) [Pa].
-template <int D>
-Tensor total_stress(const WetBody<D>& body, const WetPoint<D>& point) {
-  const Soil& soil = soil_of(body, point);
-  if (!soil.wet) return point.sigma;
-  return point.sigma + soil.water.saturation(point.pressure) * point.pressure * Tensor::Identity();
-}
-
-/// Gives the points of every full element one state: V_p-weighted means of effective stress, plastic strain and
-/// pressure; the water of the element is shared out by pore volume, so that none is lost.
-template <int D>
-void share_wet_state(WetBody<D>& body) {
-  for (const WetCell& cell : body.cells) {
-    if (!cell.full) continue;
-    Tensor sigma = Tensor::Zero();
-    double plastic_strain = 0, volume = 0, pressure = 0, water = 0, pores = 0;
-    for (std::size_t i : cell.points) {
-      const WetPoint<D>& point = body.points[i];
-      sigma += point.volume * point.sigma;
-      plastic_strain += point.volume * point.plastic_strain;
-      pressure += point.volume * point.pressure;
-      volume += point.volume;
-      water += point.water_mass;
-      pores += pore_volume(body, point);
-    }
-    for (std::size_t i : cell.points) {
-      WetPoint<D>& point = body.points[i];
-      point.sigma = sigma / volume;
-      point.plastic_strain = plastic_strain / volume;
-      point.pressure = pressure / volume;
-      point.water_mass = water * pore_volume(body, point) / pores;
-    }
-  }
-}
-
 /// Masses (2.68)–(2.70), momenta, gravity and the drag coefficient (2.75).
 template <int D>
 void map_wet_points(WetBody<D>& body) {
@@ -94,10 +59,12 @@ void map_wet_points(WetBody<D>& body) {
       node.water_momentum += n[i] * point.water_mass * point.w;
       node.whole_mass += whole;
       node.water_force += whole * body.gravity;
-      node.resistance += whole * soil.water.drag_gravity / k;
+      node.resistance += whole * soil.water.drag_gravity / soil.water.conductivity;
+      node.mobile_volume += n[i] * point.volume * k / soil.water.conductivity;
+      node.volume += n[i] * point.volume;
       const Vector<D> outside = at(body.cells, point.element).stretch * point.volume * b.row(i).transpose();
       node.outside += outside;
-      node.outside_scale += outside.norm();
+      node.outside_scale += outside.cwiseAbs().sum();
     }
   }
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference/plain_stress.hpp"
-#include "reference/plain_two_phase_body.hpp"
+#include "reference/plain_two_phase_water.hpp"
 
 namespace talus::reference {
 
@@ -85,39 +85,12 @@ void smooth_water_increments(WetBody<D>& body, const WetSettings& settings) {
     if (!soil_of(body, point).wet) continue;
     const WetCell& cell = at(body.cells, point.element);
     at(increment, point.element) +=
-        point.volume / at(weights, point.element) *
+        point.volume / at(weights, point.element) * cell.stretch *
         (soil_of(body, point).water.saturation(point.pressure) * cell.strain_increment.trace() +
-         settings.time_step * cell.stretch * cell.flux_divergence);
+         settings.time_step * cell.flux_divergence);
   }
   const std::vector<double> smoothed = smooth_with_weights(body.mesh, weights, increment);
   for (std::size_t e = 0; e < body.cells.size(); ++e) body.cells[e].surplus = smoothed[e] - increment[e];
-}
-
-/// ρ_w(p) of dρ_w/dp = −ρ_w/K_w (2.53) [kg/m³].
-inline double water_density(const PoreWater& water, double pressure) {
-  return water.density * std::exp(-pressure / water.bulk_modulus);
-}
-
-/// The pressure at which `pores` [m³] hold `mass` [kg] of water: S(p) ρ_w(p) = mass/pores. More than the pores hold at
-/// p = 0 is compressed, in closed form; less is suction, by Newton's method kept between bounds by bisection, from
-/// `guess` [Pa]. The retention curve must not rise with suction and be constant for p <= 0.
-inline double find_pressure(const PoreWater& water, double pores, double mass, double guess) {
-  const double content = mass / (pores * water.density), at_zero = water.saturation(0);
-  if (content >= at_zero) return -water.bulk_modulus * std::log(content / at_zero);
-  const auto excess = [&](double p) { return water.saturation(p) * std::exp(-p / water.bulk_modulus) - content; };
-  // Without the retention curve the water would be stretched this far.
-  double low = 0, high = water.bulk_modulus * std::log(at_zero / content);
-  double p = guess > low && guess < high ? guess : std::min(1.0, high);
-  for (int i = 0; i < 200; ++i) {
-    const double f = excess(p);
-    (f > 0 ? low : high) = p;
-    const double slope = water.saturation_slope(p) - water.saturation(p) / water.bulk_modulus;
-    double next = p - f / (slope * std::exp(-p / water.bulk_modulus));
-    if (!(next > low && next < high)) next = low > 0 && high > 16 * low ? 4 * low : (low + high) / 2;
-    if (std::abs(next - p) <= 1e-14 * p) return next;
-    p = next;
-  }
-  return p;
 }
 
 /// Water, volume, pressure, effective stress and strain of every point. Returns the change of the mean effective stress
@@ -135,11 +108,12 @@ std::vector<double> update_wet_points(WetBody<D>& body, const WetSettings& setti
         double lost =
             settings.time_step * cell.stretch * cell.flux_divergence + cell.surplus;  // volume of water per volume
         // Frozen pores do not shrink; the water that they would press out is pressed into the rest.
-        if (settings.frozen) lost += soil.water.saturation(point.pressure) * volumetric;
+        if (settings.frozen) lost += soil.water.saturation(point.pressure) * cell.stretch * volumetric;
         point.water_mass -= soil.water.density * point.volume * lost;
       }
-      if (!settings.frozen) point.volume *= 1 + volumetric;
-      if (soil.wet)
+      // The pores grow over the volume that the flux is integrated over: else pressures would work without balance.
+      if (!settings.frozen) point.volume *= 1 + (soil.wet ? cell.stretch : 1.0) * volumetric;
+      if (soil.wet && !cell.full)
         point.pressure = find_pressure(soil.water, pore_volume(body, point), point.water_mass, point.pressure);
       const StressUpdate update = update_stress(soil.skeleton, r * point.sigma * r.transpose(), cell.strain_increment);
       point.sigma = update.sigma;
@@ -147,6 +121,7 @@ std::vector<double> update_wet_points(WetBody<D>& body, const WetSettings& setti
       point.strain += cell.strain_increment;
       mean_stress_change[p] = update.mean_stress_change;
     }
+    if (cell.full && cell.wet) share_water(body, cell);
   }
   return mean_stress_change;
 }

@@ -4,7 +4,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "reference/plain_two_phase_momentum.hpp"
 
@@ -24,72 +26,134 @@ double submergence(const WetBody<D>& body, int node) {
 /// Shares smaller than this of Σ V|∇N| are no surface: round-off, or the quadrature error of crowded points.
 inline constexpr double surface_share = 1e-3;
 
-/// Finds the open sides and loads those under standing water with p̂ = −γ_w (H − y), linear over the side from its
-/// nodes' values, on the water and on the mixture. A side of a wet element is open when no wet element is behind it and
-/// its nodes do not all hold the water along its normal. Nodes of elements with an open side get their part of the
-/// surface, Σ V ∇N: in a partly filled element the surface lies inside, and its inner nodes have a part as well.
+/// Where the open sides of a node's elements close round it, as those of a lone element do, their sum is this share of
+/// them by round-off, and the sides that touch the node say where outside is.
+inline constexpr double closed_share = 1e-9;
+
+/// Pressure of the outer water on the soil at a node that is loaded by it [Pa].
+template <int D>
+double outer_pressure(const WetBody<D>& body, int node) {
+  const SurfaceCondition<D> condition = surface_condition(body, node);
+  if (condition.kind == SurfaceKind::pressure) return condition.pressure;
+  const double unit_weight = body.soils[0].water.density * body.gravity.norm();
+  return -unit_weight * std::max(0.0, submergence(body, node));
+}
+
+/// Whether outer water stands at a node, or a pressure is given there.
+template <int D>
+bool has_outer_water(const WetBody<D>& body, int node) {
+  const SurfaceKind kind = surface_condition(body, node).kind;
+  return kind == SurfaceKind::head || kind == SurfaceKind::pressure;
+}
+
+/// Loads an open side whose nodes all have outer water: p̂, linear over the side from its nodes' values, on the water
+/// and, where it presses, on the mixture. `share` is what each node has of the side, n S/D.
+template <int D>
+void load_side(WetBody<D>& body, const std::vector<int>& nodes, const Vector<D>& share) {
+  double sum = 0;
+  for (int node : nodes) {
+    if (!has_outer_water(body, node)) return;
+    sum += outer_pressure(body, node);
+  }
+  for (int node : nodes) {
+    const double mean = (sum + outer_pressure(body, node)) / (D + 1);
+    at(body.nodes, node).water_force += mean * share;
+    at(body.nodes, node).force += std::min(0.0, mean) * share;
+  }
+}
+
+/// V_p-weighted mean of the pressure over the wet points of an element [Pa].
+template <int D>
+double mean_pressure(const WetBody<D>& body, const WetCell& cell) {
+  double sum = 0, volume = 0;
+  for (std::size_t p : cell.points) {
+    if (!soil_of(body, body.points[p]).wet) continue;
+    sum += body.points[p].volume * body.points[p].pressure;
+    volume += body.points[p].volume;
+  }
+  return sum / volume;
+}
+
+/// Finds the open sides and loads those under outer water. A side of a wet element is open when no wet element is
+/// behind it and its nodes do not all hold the water along its normal. Nodes of elements with an open side get their
+/// part of the surface, Σ V ∇N: in a partly filled element the surface lies inside, and its inner nodes have a part as
+/// well.
 template <int D>
 void load_free_surface(WetBody<D>& body) {
-  std::vector<Vector<D>> facing(body.nodes.size(), Vector<D>::Zero());
+  std::vector<Vector<D>> facing(body.nodes.size(), Vector<D>::Zero()), touching = facing;
+  std::vector<double> size(body.nodes.size(), 0);
+  std::vector<int> open_elements(body.nodes.size(), 0);
   for (int e = 0; e < body.mesh.element_count(); ++e) {
     if (!at(body.cells, e).wet) continue;
     const Gradients<D> b = shape_gradients(body.mesh, e);
+    bool is_open = false;
     for (int k = 0; k <= D; ++k) {
       const int neighbour = at(at(body.mesh.neighbours, e), k);
       if (neighbour >= 0 && at(body.cells, neighbour).wet) continue;
       const Vector<D> share =
           -at(body.mesh.volumes, e) * b.row(k).transpose();  // n S/D: what each node has of the side
-      bool closed = true, under_head = true;
-      double pressure_sum = 0;
-      const double unit_weight =
-          soil_of(body, body.points[at(body.cells, e).points[0]]).water.density * body.gravity.norm();
-      const auto pressure = [&](int node) { return -unit_weight * std::max(0.0, submergence(body, node)); };
+      bool closed = true;
+      std::vector<int> nodes;
       for (int i = 0; i <= D; ++i) {
         if (i == k) continue;
-        const int node = node_of(body.mesh, e, i);
-        closed = closed && is_held(at(body.water_constraints, node), Vector<D>(share.normalized()));
-        under_head = under_head && surface_condition(body, node).kind == SurfaceKind::head;
-        pressure_sum += pressure(node);
+        nodes.push_back(node_of(body.mesh, e, i));
+        closed = closed && is_held(at(body.water_constraints, nodes.back()), Vector<D>(share.normalized()));
       }
       if (closed) continue;
+      is_open = true;
+      load_side(body, nodes, share);
       for (int i = 0; i <= D; ++i) {
-        const int number = node_of(body.mesh, e, i);
-        at(facing, number) += share;
-        if (i == k || !under_head) continue;
-        const Vector<D> load = (pressure_sum + pressure(number)) / (D + 1) * share;
-        at(body.nodes, number).force += load;
-        at(body.nodes, number).water_force += load;
+        at(facing, node_of(body.mesh, e, i)) += share;
+        at(size, node_of(body.mesh, e, i)) += share.norm();
+        if (i != k) at(touching, node_of(body.mesh, e, i)) += share;
       }
+    }
+    for (int i = 0; is_open && i <= D; ++i) {
+      at(body.nodes, node_of(body.mesh, e, i)).suction += mean_pressure(body, at(body.cells, e));
+      ++at(open_elements, node_of(body.mesh, e, i));
     }
   }
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     WetNode<D>& node = body.nodes[i];
+    if (open_elements[i] > 0) node.suction /= open_elements[i];
+    if (facing[i].norm() <= closed_share * size[i]) facing[i] = touching[i];
     const Vector<D> part = body.water_constraints[i].apply(node.outside);
     if (part.dot(facing[i]) > 0 && part.norm() > surface_share * node.outside_scale) node.surface = part;
   }
 }
 
-/// Rain that is offered to the node, along its outward normal: q̂·n [m/s], not positive.
-template <int D>
-double offered_rain(const SurfaceCondition<D>& condition, const Vector<D>& normal) {
-  if (condition.kind != SurfaceKind::rain) return 0;
-  return std::min(0.0, condition.rain.dot(normal)) - condition.normal_rain;
+/// Share of the evaporation that soil under a suction still gives: it fades over the last tenth before the limit.
+inline double evaporation_share(double suction, double limit) {
+  if (std::isinf(limit)) return 1;
+  return std::clamp((limit - suction) / (0.1 * limit), 0.0, 1.0);
 }
 
-/// Where more water would enter than is offered, an impulse along the normal, opposite on the two phases, puts the
-/// relative velocity right. What a phase may not do there (held directions) the supports take.
+/// What the condition offers to a node of the surface, along its outward normal: q̂_n [m/s], negative inwards.
+template <int D>
+double offered_flux(const SurfaceCondition<D>& condition, const WetNode<D>& node) {
+  if (condition.kind == SurfaceKind::flux) return -condition.inflow;
+  if (condition.kind != SurfaceKind::rain) return 0;
+  return std::min(0.0, condition.rain.dot(node.surface.normalized())) - condition.normal_rain +
+         condition.evaporation * evaporation_share(node.suction, condition.suction_limit);
+}
+
+/// Where more water would enter than is offered, or less would leave than evaporates, an impulse along the normal,
+/// opposite on the two phases, puts the relative velocity right; a given flux is put right always. What a phase may not
+/// do there (held directions) the supports take.
 template <int D>
 void limit_inflow(const WetBody<D>& body, int number, Vector<D>& v, Vector<D>& w) {
   const WetNode<D>& node = at(body.nodes, number);
   const SurfaceCondition<D> condition = surface_condition(body, number);
-  if (condition.kind == SurfaceKind::open || node.surface.norm() == 0 || node.water_mass <= 0) return;
+  if (node.surface.norm() == 0 || node.water_mass <= 0) return;
+  if (condition.kind == SurfaceKind::open || condition.kind == SurfaceKind::pressure) return;
   if (condition.kind == SurfaceKind::head && submergence(body, number) > 0) return;
   const Vector<D> normal = node.surface.normalized();
   const double theta = node.water_content();
-  const double net = theta * (w - v).dot(normal) - offered_rain(condition, normal);
+  const double net = theta * (w - v).dot(normal) - offered_flux(condition, node);
   const Vector<D> solid = at(body.solid_constraints, number).apply(normal) / node.solid_mass;
   const Vector<D> water = at(body.water_constraints, number).apply(normal) / node.water_mass;
-  const bool leaves = net >= 0 && condition.kind != SurfaceKind::closed;
+  const bool given = condition.kind == SurfaceKind::flux || condition.kind == SurfaceKind::closed;
+  const bool leaves = net >= 0 && !given;
   if (leaves || water.norm() * node.water_mass < 1e-9) return;
   const double impulse = -net / (theta * (solid + water).dot(normal));
   w += impulse * water;
@@ -126,25 +190,32 @@ void solve_wet_momentum(WetBody<D>& body, const WetSettings& settings) {
   }
 }
 
+/// What passes a node of the surface in this step: `out` [kg] leaves.
+template <int D>
+WaterBudget pass_surface(const WetBody<D>& body, std::size_t number, double out, double time_step) {
+  const WetNode<D>& node = body.nodes[number];
+  const SurfaceCondition<D> condition = surface_condition(body, static_cast<int>(number));
+  WaterBudget passed{.entered = std::max(0.0, -out), .left = std::max(0.0, out)};
+  const double inwards = condition.kind == SurfaceKind::rain ? -offered_flux(condition, node) : 0.0;
+  if (inwards <= 0) return passed;
+  passed.supplied = body.soils[0].water.density * time_step * node.surface.norm() * inwards;
+  passed.runoff = passed.supplied - passed.entered;
+  return passed;
+}
+
 /// Adds what passes in this step to the budget, with the velocities after the remap.
 template <int D>
 void count_water(WetBody<D>& body, const WetSettings& settings) {
+  body.node_budgets.resize(body.nodes.size());
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const WetNode<D>& node = body.nodes[i];
     if (node.whole_mass <= 0) continue;
     const double density = body.soils[0].water.density;
     const double out = density * node.water_content() * (node.w - node.v).dot(node.outside) * settings.time_step;
-    if (node.surface.norm() == 0) {
-      body.budget.lost_between += out;
-      continue;
-    }
-    (out > 0 ? body.budget.left : body.budget.entered) += std::abs(out);
-    const double offered =
-        -density * settings.time_step * node.surface.norm() *
-        offered_rain(surface_condition(body, static_cast<int>(i)), Vector<D>(node.surface.normalized()));
-    if (offered <= 0) continue;
-    body.budget.supplied += offered;
-    body.budget.runoff += offered - std::max(0.0, -out);
+    const WaterBudget passed =
+        node.surface.norm() == 0 ? WaterBudget{.lost_between = out} : pass_surface(body, i, out, settings.time_step);
+    body.budget += passed;
+    body.node_budgets[i] += passed;
   }
 }
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "material/conductivity.hpp"
 #include "reference/cases.hpp"
 #include "reference/plain_two_phase.hpp"
 #include "reference/plain_two_phase_limits.hpp"
@@ -23,6 +24,26 @@ inline Soil make_table_soil(double intrinsic_permeability = 1.0214e-12) {
   soil.water.bulk_modulus = 2.15e9;
   soil.water.conductivity = 1000 * 9.81 / 1.002e-3 * intrinsic_permeability;
   return soil;
+}
+
+/// Retention and conductivity as the engine has them, so that both compute with the same functions.
+struct Curves {
+  material::Retention retention = material::ConstantSaturation{};
+  material::Conductivity relative = material::ConstantConductivity{};
+};
+
+/// Makes `water` follow the curves. The relative conductivity must be a function of the saturation.
+inline void set_curves(PoreWater& water, const Curves& curves) {
+  const material::Retention retention = curves.retention;
+  const material::Conductivity relative = curves.relative;
+  water.saturation = [retention](double p) { return material::saturation(retention, p); };
+  water.saturation_slope = [retention](double p) { return material::find_water(retention, p).slope; };
+  water.relative_conductivity = [retention, relative](double s) {
+    const double range = std::visit([](const auto& curve) { return curve.maximum - curve.minimum; }, retention);
+    const double least = std::visit([](const auto& curve) { return curve.minimum; }, retention);
+    const material::SoilWater<double> at_s{0, s, 0, range > 0 ? (s - least) / range : 1.0, 0};
+    return material::find_relative_conductivity(relative, at_s).value;
+  };
 }
 
 /// S = 0.1 + 0.9 exp(−s/20 kPa) for suctions s.

@@ -11,10 +11,8 @@
 namespace talus::reference {
 
 /// S = 0.1 + 0.9 exp(−s/15 kPa), k_r = S³: smooth but for the kink at p = 0.
-inline void set_exponential_retention(PoreWater& water) {
-  water.saturation = [](double p) { return p > 0 ? 0.1 + 0.9 * std::exp(-p / 1.5e4) : 1.0; };
-  water.saturation_slope = [](double p) { return p > 0 ? -0.9 / 1.5e4 * std::exp(-p / 1.5e4) : 0.0; };
-  water.relative_conductivity = [](double s) { return s * s * s; };
+inline Curves wet_slope_curves() {
+  return {material::ExponentialRetention{0.1, 1, 1 / 1.5e4}, material::Hillel{3, material::SaturationMeasure::total}};
 }
 
 /// Soils: 0 the slope, 1 the ground below y = 1 m, 2 the dry berm on the crest. The steps of wet_slope_step() are
@@ -39,7 +37,7 @@ WetBody<D> make_wet_slope(unsigned seed = 1) {
                    .tensile_strength = 200};
   soil.water.conductivity = 1e-3;
   soil.water.bulk_modulus = 2e8;
-  set_exponential_retention(soil.water);
+  set_curves(soil.water, wet_slope_curves());
   Soil ground = soil, berm = soil;
   ground.water.conductivity = 1e-5;
   berm.wet = false;

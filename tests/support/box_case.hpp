@@ -51,11 +51,11 @@ mesh::Mesh<D> make_box_mesh(const std::array<int, D>& cells, const std::type_ide
 }
 
 inline model::Material make_elastic(double young_modulus = 10e6, double poisson_ratio = 0.3, double density = 1800) {
-  return {.model = model::MaterialModel::linear_elastic,
-          .grain_density = density,
-          .porosity = 0,
-          .young_modulus = young_modulus,
-          .poisson_ratio = poisson_ratio};
+  model::Material m;
+  m.grain_density = density;
+  m.young_modulus = young_modulus;
+  m.poisson_ratio = poisson_ratio;
+  return m;
 }
 
 inline model::Boundary make_boundary(const std::string& on, model::Fix fix) {

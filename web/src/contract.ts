@@ -43,6 +43,8 @@ export interface Report {
   tables: Table[];
   comparisons: Comparison[];
   study?: Study;
+  /** Absent where the ground is dry. */
+  water?: Water;
   /** Sentences: what the numbers rest on, and where they end. */
   assumptions: string[];
   /** Names of the paragraphs of the methods section that apply. */
@@ -80,7 +82,14 @@ export type Method =
   | "strength_reduction"
   | "displacement_curve"
   | "frozen_factor"
-  | "runout";
+  | "runout"
+  | "two_phase"
+  | "water_storage"
+  | "soil_water"
+  | "pressure_smoothing"
+  | "hydraulic_conditions"
+  | "steady_seepage"
+  | "held_pressures";
 
 export interface Answer {
   /** The answer in words, the most important sentence first. */
@@ -104,6 +113,8 @@ export interface Factor {
   note: string;
   /** The one that the first sentence names. */
   main: boolean;
+  /** What pore water did in the trials: absent where the ground is dry. */
+  water?: "flows" | "held";
 }
 
 /** A number that a [[compare]] of the case may name. */
@@ -140,6 +151,7 @@ export interface Model {
   /** Named lines of supports, each a list of polylines [m]; empty in 3D. */
   boundaries: { on: string; fix: string; text: string; lines: number[][][] }[];
   loads: { name: string; text: string }[];
+  /** Water tables at the start [m]; empty where none is known, and in 3D. */
   water: { name: string; points: number[][] }[];
   monitors: { name: string; at: number[]; id: number }[];
   materials: MaterialRow[];
@@ -176,6 +188,103 @@ export interface MaterialRow {
     /** At the factor of safety: c/F, atan(tan φ/F). */
     at_failure: number | null;
   }[];
+  /** Absent for dry soil. */
+  water?: SoilWater;
+}
+
+/** What a soil does with water: the laws in words, their parameters, and their curves. */
+export interface SoilWater {
+  /** "van Genuchten", and its formula in words. */
+  retention: string;
+  conductivity: string;
+  /** Of Bishop's effective stress. */
+  chi: string;
+  parameters: { key: string; title: string; symbol: string; unit: string; value: number }[];
+  curves: {
+    /** [Pa], rising, above 0. */
+    suction: number[];
+    /** S [-]. */
+    saturation: number[];
+    /** k [m/s]; empty where no saturated conductivity is known. */
+    conductivity: number[];
+    /** Largest suction of the results [Pa]; null when unknown or none. */
+    largest_suction: number | null;
+  };
+}
+
+/** Pore water of the case and of its results. */
+export interface Water {
+  /** "saturated and unsaturated soil, at the start in steady seepage", ... */
+  state: string;
+  /** How the pore pressures began, in one sentence. */
+  initial: string;
+  properties: { key: string; title: string; symbol: string; unit: string; value: number }[];
+  conditions: HydraulicCondition[];
+  /** Absent while the run has not ended. */
+  budget?: WaterBudget;
+  /** Absent where the pore pressures did not begin in steady seepage. */
+  seepage?: SteadySeepage;
+}
+
+/** What water meets on a side. */
+export interface HydraulicCondition {
+  on: string;
+  /** "total_head", "pressure", "seepage_face", "rain", "flux", "no_flow". */
+  condition: string;
+  title: string;
+  /** What happens there, in words. */
+  text: string;
+  /** Over time [s], in `unit`; a constant has one row, and a jump two rows at one time. */
+  series?: { title: string; unit: Unit; time: number[]; values: number[] };
+  /** Where it lies at the start, each a polyline [m]; empty in 3D. */
+  lines: number[][][];
+}
+
+/** Masses of water [kg], in 2D per metre of thickness, over the stages. */
+export interface WaterBudget {
+  surfaces: {
+    name: string;
+    condition: string;
+    entered: number;
+    left: number;
+    /** Of rain: what was offered, and what of it ran off. */
+    supplied: number;
+    runoff: number;
+  }[];
+  initial: number;
+  stored: number;
+  entered: number;
+  left: number;
+  runoff: number;
+  /** With soil that left the grid. */
+  left_grid: number;
+  /** At frozen geometry: what straining pores would have pressed out. */
+  pressed_in: number;
+  /** Between elements that are integrated differently. */
+  lost_between: number;
+  /** What the sum does not explain, over the water in the model [-]. */
+  error: number;
+  /** [kg/m³]: makes volumes of the masses. */
+  density: number;
+  /** At the end [Pa]. */
+  largest_pressure: number;
+  largest_suction: number;
+}
+
+/** Steady flow before the first stage; rates [m³/s], in 2D per metre. */
+export interface SteadySeepage {
+  discharges: { name: string; inflow: number; outflow: number; runoff: number }[];
+  inflow: number;
+  outflow: number;
+  balance_error: number;
+  iterations: number;
+  /** Nodes of surfaces whose state was not settled. */
+  undecided: number;
+  /** [Pa], and where [m]. */
+  largest_suction: number;
+  largest_suction_at: number[];
+  /** Where water leaves seepage faces [m]. */
+  exits: { name: string; lowest: number[]; highest: number[] }[];
 }
 
 /** Frames that belong together: the stages, the trials of the curve, one runout. */

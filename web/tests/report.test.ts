@@ -5,6 +5,8 @@ import { describe, expect, it } from "vitest";
 
 import type { Sequence } from "../src/contract";
 import { readIntegers, readValues } from "../src/data";
+import { measureSpacing } from "../src/viewer/extent";
+import { findWaterTable } from "../src/viewer/waterTable";
 import { findGiven, findPackedArrays, readReportFile } from "./reportFile";
 
 const given = findGiven();
@@ -55,16 +57,71 @@ describe.skipIf(!given)("a report holds the contract", () => {
     expect(new Set(names).size).toBe(names.length);
   });
 
-  it("a point has a value in all fields of a frame, or in none", async () => {
+  it("a point has a value in all fields of a frame, or in none; dry soil has no water", async () => {
+    const wet = new Set(report.model.materials.filter((m) => m.water).map((m) => m.index));
+    const ofWater = /^(pore_pressure|saturation|darcy_velocity(_[xyz])?)$/;
     for (const s of report.sequences) {
       const dimension = report.model.dimension;
       const positions = await readValues(s.positions, source);
+      const materials = await readIntegers(s.materials, source);
+      const isDry = (i: number) => !wet.has(materials[i % s.point_count]!);
       for (const field of s.fields) {
         const values = await readValues(field.values, source);
-        const differing = values.findIndex((v, i) => Number.isNaN(v) !== Number.isNaN(positions[i * dimension]!));
+        const isGone = (i: number) =>
+          Number.isNaN(positions[i * dimension]!) || (ofWater.test(field.name) && isDry(i));
+        const differing = values.findIndex((v, i) => Number.isNaN(v) !== isGone(i));
         expect(differing, `${s.id}: ${field.name}`).toBe(-1);
       }
     }
+  });
+
+  it("has water that is somewhere: budgets close, what flows in steadily flows out, laws fall with suction", () => {
+    const { water } = report;
+    expect(water !== undefined).toBe(report.model.materials.some((m) => m.water));
+    for (const { name, water: soil } of report.model.materials) {
+      if (!soil) continue;
+      const falls = (values: number[]) => values.every((v, i) => i === 0 || v <= values[i - 1]! * (1 + 1e-12));
+      const { suction, saturation, conductivity } = soil.curves;
+      expect([suction.length, falls([...suction].reverse())], name).toEqual([saturation.length, true]);
+      expect([falls(saturation), falls(conductivity)], name).toEqual([true, true]);
+      expect(saturation.every((s) => s >= 0 && s <= 1), name).toBe(true);
+    }
+    if (water?.budget) {
+      const { surfaces, initial, stored, left_grid, lost_between, pressed_in, error } = water.budget;
+      const passed = surfaces.reduce((sum, s) => sum + s.entered - s.left, 0);
+      const open = stored - (initial + passed + pressed_in - left_grid - lost_between);
+      expect(Math.abs(open) / stored).toBeLessThan(Math.abs(error) + 1e-9);
+      for (const s of surfaces) expect(s.runoff, s.name).toBeLessThanOrEqual(s.supplied * (1 + 1e-9) + 1e-12);
+    }
+    if (water?.seepage) {
+      const { discharges, inflow, outflow, balance_error } = water.seepage;
+      const sum = (key: "inflow" | "outflow") => discharges.reduce((total, d) => total + d[key], 0);
+      expect(Math.abs(sum("inflow") - sum("outflow"))).toBeLessThan(Math.abs(balance_error) + 1e-6 * inflow);
+      expect(Math.abs(sum("outflow") - outflow)).toBeLessThan(1e-6 * outflow);
+    }
+  });
+
+  it("draws the water table of the first frame where the steady seepage has it", async () => {
+    const [start] = report.model.water;
+    const stages = report.sequences.find((s) => s.id === "stages");
+    const field = stages?.fields.find((f) => f.name === "pore_pressure");
+    if (!start || !report.water?.seepage || !stages || !field) return;
+    const count = stages.point_count;
+    const positions = (await readValues(stages.positions, source)).slice(0, 2 * count);
+    const pressure = (await readValues(field.values, source)).slice(0, count);
+    const spacing = measureSpacing(positions, 2, report.model.mesh.mean_size);
+    const lines = findWaterTable(positions, pressure, () => true, spacing);
+    expect(lines.length).toBeGreaterThan(0);
+    // The start is the state after nothing has moved yet; an element knows its pressure, not where in it it is zero.
+    const distances = lines.flat().map(([x, y]) => {
+      const pieces = start.points.slice(1).map((p, k) => [start.points[k]!, p] as const);
+      const piece = pieces.find(([a, b]) => Math.min(a[0]!, b[0]!) <= x && x <= Math.max(a[0]!, b[0]!));
+      if (!piece) return 0;
+      const [a, b] = piece;
+      return Math.abs(y - (a[1]! + ((x - a[0]!) / (b[0]! - a[0]! || 1)) * (b[1]! - a[1]!)));
+    });
+    distances.sort((a, b) => a - b);
+    expect(distances[Math.floor(0.9 * distances.length)]).toBeLessThan(report.model.mesh.mean_size);
   });
 
   it("has points inside the box", async () => {

@@ -26,8 +26,9 @@ interface PanelProps {
 
 /** In the plane energies and momenta are those of a slice of one metre. */
 function nameUnit(unit: string): string {
-  const perMetre = /^([kMG]?J|kg|kg m\/s)$/.test(unit);
-  return report.value.model.dimension === 2 && perMetre ? `${unit} per m` : unit;
+  const shown = unit === "m3/s" ? "m³/s" : unit;
+  const perMetre = /^([kMG]?J|kg|kg m\/s|m³\/s)$/.test(shown);
+  return report.value.model.dimension === 2 && perMetre ? `${shown} per m` : shown;
 }
 
 export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelProps) {

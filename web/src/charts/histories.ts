@@ -52,6 +52,12 @@ function firstOverTime(sequences: readonly Sequence[]): Sequence | undefined {
   return sequences.find((s) => s.axis === "time");
 }
 
+/** Of the whole body, not of a monitor. */
+const isPressure = (name: string) => /^largest_(pore_pressure|suction)$/.test(name);
+const isFlow = (name: string) => /\.(inflow|outflow|runoff)$/.test(name);
+/** Flows below this share of the largest are round-off: nothing passes there. */
+const leastFlow = 1e-9;
+
 interface Kind {
   id: string;
   title: string;
@@ -64,6 +70,12 @@ const kinds: Kind[] = [
   { id: "force_ratio", title: "Force ratio", log: true, first: true, matches: (n) => n === "force_ratio" },
   { id: "nodal_speed", title: "Nodal speed", log: true, first: true, matches: (n) => n === "nodal_speed" },
   { id: "momentum", title: "Momentum, magnitude", log: true, first: true, matches: (n) => n.startsWith("momentum") },
+  // In front of what their names would match as well.
+  { id: "largest_pressure", title: "Largest pore pressure and suction", log: false, first: false, matches: isPressure },
+  { id: "water_flow", title: "Water through the border", log: false, first: true, matches: isFlow },
+  { id: "water_mass", title: "Water in the model", log: false, first: false, matches: (n) => n === "water_mass" },
+  { id: "pore_pressure", title: "Pore pressure", log: false, first: true, matches: (n) => /\.pore_pressure$/.test(n) },
+  { id: "saturation", title: "Degree of saturation", log: false, first: true, matches: (n) => /\.saturation$/.test(n) },
   { id: "largest", title: "Largest displacement", log: false, first: false, matches: (n) => /^largest_/.test(n) },
   { id: "displacement", title: "Displacement", log: false, first: true, matches: (n) => /displacement/.test(n) },
   { id: "stress", title: "Stress", log: false, first: true, matches: (n) => /stress|pressure/.test(n) },
@@ -95,9 +107,12 @@ function makeEnergyPanel(table: Table): Panel | null {
 export function makePanels(table: Table): Panel[] {
   const energy = makeEnergyPanel(table);
   const panels: Panel[] = energy ? [energy] : [];
+  const flows = table.columns.filter((c) => isFlow(c.name));
+  const least = leastFlow * findLargest(flows.flatMap((c) => c.values));
+  const isIdle = (column: Column) => flows.includes(column) && !(findLargest(column.values) > least);
   const rest = new Map<string, Panel>();
   for (const column of table.columns) {
-    if (energy && budgets.includes(column.name)) continue;
+    if ((energy && budgets.includes(column.name)) || isIdle(column)) continue;
     const kind = kinds.find((k) => k.matches(column.name));
     const key = kind ? `${kind.id} ${column.unit}` : `other ${column.name.replace(/_[xyz]$/, "")}`;
     let panel = rest.get(key);

@@ -35,6 +35,8 @@ const wanted = [
   "front_advance",
   "crest_retreat",
   "rest_time",
+  "largest_suction",
+  "largest_pressure",
 ];
 
 /** The results that are not factors, those named above first. */

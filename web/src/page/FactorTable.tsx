@@ -8,6 +8,11 @@ export const methodNames: { [method: string]: string } = {
   fem: "Finite elements",
 };
 
+/** What pore water did in the trials of a factor. */
+export function describeDrainage(water: NonNullable<Factor["water"]>): string {
+  return water === "held" ? "drained, pressures held" : "coupled, water flows";
+}
+
 /** The common axis: all brackets and the value 1, with a little room. */
 function findRange(factors: Factor[]): [number, number] {
   const all = factors.flatMap((factor) => [factor.value, factor.lower, factor.upper]).filter((x) => x !== null);
@@ -61,6 +66,7 @@ export function FactorTable({ factors }: { factors: Factor[] }) {
                 <span class="method">{methodNames[factor.method] ?? factor.method.toUpperCase()}: </span>
               )}
               {factor.title}
+              {factor.water && <span class="note">; {describeDrainage(factor.water)}</span>}
               {factor.value === null && factor.note && <span class="note"> – {factor.note}</span>}
             </th>
             <td class="number">{factor.value === null ? "none" : formatFactor(factor.value)}</td>

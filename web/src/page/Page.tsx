@@ -2,7 +2,14 @@
 import type { ComponentChildren } from "preact";
 
 import { report } from "../state";
-import { CompareSection, CurveSection, HistorySection, ProfileSection, StudySection } from "../charts/Charts";
+import {
+  CompareSection,
+  CurveSection,
+  HistorySection,
+  ProfileSection,
+  SoilWaterSection,
+  StudySection,
+} from "../charts/Charts";
 import { Viewer } from "../viewer/Viewer";
 import { Answer } from "./Answer";
 import { listContents } from "./contents";
@@ -95,6 +102,15 @@ export function Page() {
         )}
         {has("profiles") && (
           <ChartPart id="profiles" title="Profiles" what="The profiles" height={900} draw={() => <ProfileSection />} />
+        )}
+        {has("water") && (
+          <ChartPart
+            id="water"
+            title="Soil water: retention and conductivity"
+            what="The curves of the soil water"
+            height={380}
+            draw={() => <SoilWaterSection />}
+          />
         )}
         {has("comparison") && (
           <ChartPart

@@ -18,6 +18,7 @@ export function listContents(report: Report): Entry[] {
     [report.curve !== undefined, "curve", "Curve"],
     [has("history") || has("monitors"), "histories", "Histories"],
     [report.sequences.length > 0 || has("ground"), "profiles", "Profiles"],
+    [report.water !== undefined && report.model.materials.some((m) => m.water), "water", "Water"],
     [report.comparisons.length > 0, "comparison", "Comparison"],
     [true, "statement", "Report"],
     [report.methods.length > 0, "methods", "Methods"],

@@ -1,6 +1,6 @@
 /** How values become colours: the map, its ends, bands, the logarithm. */
 import { Choice } from "./Choice";
-import { colourMapTitles, type ColourMapName } from "./colours";
+import { chooseColourMap, colourMapTitles, type ColourMapName } from "./colours";
 import { writeUnit } from "./format";
 import { bands, colourMap, handLimits, limitMode, logarithmic, type LimitMode } from "./settings";
 import { canBeLogarithmic, field, materialField, scale } from "./shown";
@@ -37,7 +37,7 @@ function HandLimits() {
 }
 
 export function ColourMenu() {
-  const automatic = field.value?.diverging ? "blueRed" : "viridis";
+  const automatic = chooseColourMap(field.value);
   const named = field.value?.name === materialField;
   return (
     <details class="viewer-menu">

@@ -2,11 +2,14 @@
 import { report, sequence } from "../state";
 import { findComponents } from "./arrows";
 import { Choice } from "./Choice";
-import { arrowQuantity, layers, layerTitles, type ArrowQuantity, type LayerName } from "./settings";
+import { arrowQuantity, arrowTitles, layers, layerTitles, type ArrowQuantity, type LayerName } from "./settings";
 
 function hasLayer(name: LayerName): boolean {
   const { model } = report.value;
-  if (name === "water") return model.water.length > 0;
+  if (name === "water") return model.water.length > 0 || (model.dimension === 2 && hasPressure());
+  // Where the water table of each frame is not known, that of the start is the water table.
+  if (name === "startWater") return model.water.length > 0 && hasPressure();
+  if (name === "hydraulics") return report.value.water?.conditions.some((c) => c.lines.length > 0) ?? false;
   if (name === "mesh") return model.mesh.cells !== undefined;
   const hasStrain = sequence.value?.fields.some((f) => f.name === "deviatoric_strain") ?? false;
   if (name === "ridge") return model.dimension === 2 && hasStrain;
@@ -16,6 +19,8 @@ function hasLayer(name: LayerName): boolean {
   return true;
 }
 
+const hasPressure = () => sequence.value?.fields.some((f) => f.name === "pore_pressure") ?? false;
+
 /** Names that say what the layer is in this model. */
 function writeName(name: LayerName): string {
   if (report.value.model.dimension === 2) return layerTitles[name];
@@ -24,7 +29,7 @@ function writeName(name: LayerName): string {
 
 export function LayerMenu() {
   const { dimension } = report.value.model;
-  const quantities = ["displacement", "velocity"].filter(
+  const quantities = (Object.keys(arrowTitles) as ArrowQuantity[]).filter(
     (name) => findComponents(sequence.value?.fields ?? [], name, dimension).length > 0,
   );
   return (
@@ -46,12 +51,10 @@ export function LayerMenu() {
             label="Arrows"
             value={arrowQuantity.value}
             choose={(value) => (arrowQuantity.value = value as ArrowQuantity)}
-            items={[["none", "None"], ...quantities.map((name): [string, string] => [name, capitalize(name)])]}
+            items={(["none", ...quantities] as const).map((name): [string, string] => [name, arrowTitles[name]])}
           />
         )}
       </div>
     </details>
   );
 }
-
-const capitalize = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,11 +1,13 @@
 /** What the lines and symbols in the section mean. */
+import type { HydraulicCondition } from "../contract";
 import { pickedPoint, report } from "../state";
 import { writeNumber, writeUnit } from "./format";
+import { evaluateSeries } from "./hydraulics";
 import { inSpace, layers } from "./settings";
-import { shown } from "./shown";
+import { frame, shown } from "./shown";
 import { hasNoValue } from "./sizes";
 import { chooseSymbol } from "./supports";
-import { movedThreshold, slipSurface, strainRidge } from "./tracedLines";
+import { movedThreshold, slipSurface, strainRidge, waterTables } from "./tracedLines";
 
 const symbols = {
   hatching: "M1 3h24M5 3 1 11M11 3l-4 8M17 3l-4 8M23 3l-4 8",
@@ -32,6 +34,21 @@ function Entry(props: { path: string; text: string; colour?: string; dash?: stri
   );
 }
 
+const hydraulicSymbols: { [condition: string]: string } = {
+  total_head: "M1 6h24M9 0h8l-4 6zM10 9h6M12 11.5h2",
+  rain: "M5 1v10M3 8l2 3 2-3M13 1v10M11 8l2 3 2-3M21 1v10M19 8l2 3 2-3",
+  seepage_face: "M1 12h24M5 11V2M3 5l2-3 2 3M13 11V2M11 5l2-3 2 3M21 11V2M19 5l2-3 2 3",
+  flux: "M1 12h24M7 1v10M5 8l2 3 2-3M19 1v10M17 8l2 3 2-3",
+  no_flow: "M1 4.5h24M1 8.5h24",
+};
+
+/** "total head 10 m": what a condition is in the shown frame. */
+function writeCondition(condition: HydraulicCondition, time: number): string {
+  const value = evaluateSeries(condition, time);
+  if (!condition.series || Number.isNaN(value)) return condition.title;
+  return `${condition.title} ${writeNumber(value)} ${writeUnit(condition.series.unit)}`;
+}
+
 export function Legend() {
   const { model } = report.value;
   const on = layers.value;
@@ -43,6 +60,7 @@ export function Legend() {
     known.on.push(boundary.on);
     supports.set(boundary.text, known);
   }
+  const time = shown.value?.sequence.frames[frame.value]?.time ?? 0;
   const bar = "M1 6.5h24";
   const { length } = report.value.units;
   const limit = `${writeNumber(movedThreshold.value / length.si)} ${writeUnit(length)}`;
@@ -60,8 +78,11 @@ export function Legend() {
       {on.path && pickedPoint.value !== null && shown.value && (
         <Entry path={bar} colour="var(--v-accent)" width={2} text="Path of the picked point" />
       )}
-      {on.water && model.water.length > 0 && (
+      {on.water && (waterTables.value ?? model.water).length > 0 && (
         <Entry path={bar} colour="#2f7fd6" dash="8 2 2 2" width={1.8} text="Water table" />
+      )}
+      {on.startWater && waterTables.value && model.water.length > 0 && (
+        <Entry path={bar} colour="#2f7fd6" dash="2 3" width={1.4} text="Water table at the start" />
       )}
       {on.boundaries &&
         [...supports].map(([text, support]) => (
@@ -69,6 +90,16 @@ export function Legend() {
             key={text}
             path={inSpace.value && support.path ? bar : support.path}
             text={`${support.on.join(", ")}: ${text}`}
+          />
+        ))}
+      {on.hydraulics &&
+        (report.value.water?.conditions ?? []).map((condition, i) => (
+          <Entry
+            key={`hydraulic ${i}`}
+            path={condition.lines.length && !inSpace.value ? hydraulicSymbols[condition.condition] ?? bar : ""}
+            colour="#2f7fd6"
+            width={1.3}
+            text={`${condition.on}: ${writeCondition(condition, time)}`}
           />
         ))}
     </ul>

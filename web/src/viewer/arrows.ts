@@ -4,7 +4,7 @@ import { effect, signal } from "@preact/signals";
 import type { SequenceField } from "../contract";
 import { load, report } from "../state";
 import type { Camera } from "./camera";
-import { arrowQuantity, limitMode, type ArrowQuantity } from "./settings";
+import { arrowQuantity, arrowTitles, limitMode, type ArrowQuantity } from "./settings";
 import { fail, frame, shown, takeFrame, takePositions, type Shown } from "./shown";
 import { radii } from "./sizes";
 
@@ -98,6 +98,7 @@ export function chooseArrows(camera: Camera): ArrowField | null {
   }
   const { unit } = loaded.fields[0]!;
   const value = roundDown(full / unit.si);
-  const number = Number(value.toPrecision(1));
-  return { arrows, reference: ((value * unit.si) / full) * longest, text: `${loaded.quantity} ${number} ${unit.name}` };
+  const number = value < 1e-3 ? value.toExponential(0).replace("-", "−") : Number(value.toPrecision(1));
+  const name = arrowTitles[loaded.quantity].toLowerCase();
+  return { arrows, reference: ((value * unit.si) / full) * longest, text: `${name} ${number} ${unit.name}` };
 }

@@ -2,7 +2,7 @@
 import { computed } from "@preact/signals";
 
 import { report } from "../state";
-import { tabulateCategories, tabulateColours } from "./colours";
+import { chooseColourMap, tabulateCategories, tabulateColours } from "./colours";
 import { writeTitle } from "./format";
 import { bandColours, findShare, makeLevels, type Level, type Scale } from "./scale";
 import type { Bar, Key } from "./scaleBar";
@@ -24,7 +24,7 @@ function toUnit(some: Scale, si: number): Scale {
 export const colourTable = computed<Uint8Array>(() => {
   const now = shown.value;
   if (now?.field.name === materialField) return tabulateCategories();
-  const table = tabulateColours(colourMap.value ?? (now?.field.diverging ? "blueRed" : "viridis"));
+  const table = tabulateColours(colourMap.value ?? chooseColourMap(now?.field));
   if (!now || !bandLevels.value.length) return table;
   const inUnit = toUnit(scale.value, now.field.unit.si);
   return bandColours(table, bandLevels.value.map((level) => findShare(level.value, inUnit)));

@@ -20,23 +20,38 @@ const stops = {
     "f9eee7fbe4d6fdd9c4f9c6acf6b394f19e7de6866adc6e57d05548c43b3cb72230a21328",
 } as const;
 
-export type ColourMapName = keyof typeof stops;
+export type ColourMapName = keyof typeof stops | "redBlue";
 
 export const colourMapTitles: Record<ColourMapName, string> = {
   viridis: "Viridis",
   cividis: "Cividis",
   inferno: "Inferno",
   blueRed: "Blue–white–red",
+  redBlue: "Red–white–blue",
 };
 
 const tables = new Map<ColourMapName, Uint8Array>();
+
+/** The map of a field that the reader has chosen none for. Blue is where water presses, and red where it pulls. */
+export function chooseColourMap(field: { name: string; diverging: boolean } | null | undefined): ColourMapName {
+  if (!field?.diverging) return "viridis";
+  return field.name === "pore_pressure" ? "redBlue" : "blueRed";
+}
 
 /** 256 colours as red, green, blue, 255. */
 export function tabulateColours(name: ColourMapName): Uint8Array {
   let table = tables.get(name);
   if (table) return table;
   table = new Uint8Array(256 * 4).fill(255);
-  const channel = (stop: number, c: number) => parseInt(stops[name].slice(6 * stop + 2 * c, 6 * stop + 2 * c + 2), 16);
+  if (name === "redBlue") {
+    // The other way round: blue is where water is under pressure.
+    const from = tabulateColours("blueRed");
+    for (let i = 0; i < 256; ++i) table.set(from.subarray(4 * (255 - i), 4 * (256 - i)), 4 * i);
+    tables.set(name, table);
+    return table;
+  }
+  const map = stops[name];
+  const channel = (stop: number, c: number) => parseInt(map.slice(6 * stop + 2 * c, 6 * stop + 2 * c + 2), 16);
   for (let i = 0; i < 256; ++i) {
     const at = (i / 255) * 24;
     const first = Math.min(23, Math.floor(at));

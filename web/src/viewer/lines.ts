@@ -23,16 +23,24 @@ export function strokeLine(context: CanvasRenderingContext2D, line: Pixel[], sty
   context.setLineDash([]);
 }
 
-/** The inverted triangle over two short lines, in the middle of the longest piece of the water table. */
+/**
+ * The inverted triangle over two short lines, in the middle of the longest piece of the water table; of a line of many
+ * short ones in the middle of the line.
+ */
 export function drawWaterMark(context: CanvasRenderingContext2D, line: Pixel[], theme: Theme): void {
   let best = 0;
   const width = (i: number) => Math.abs(line[i + 1]![0] - line[i]![0]);
   for (let i = 0; i + 1 < line.length; ++i) if (width(i) > width(best)) best = i;
   if (line.length < 2) return;
+  if (width(best) < Math.abs(line.at(-1)![0] - line[0]![0]) / 4) best = (line.length - 1) >> 1;
   const [x, y] = [(line[best]![0] + line[best + 1]![0]) / 2, (line[best]![1] + line[best + 1]![1]) / 2];
   context.fillStyle = theme.water;
   context.beginPath();
   for (const [dx, dy] of [[-7, -12], [7, -12], [0, -1]] as const) context.lineTo(x + dx, y + dy);
+  context.closePath();
+  context.strokeStyle = theme.ground;
+  context.lineWidth = 2.5;
+  context.stroke();
   context.fill();
   strokeLine(context, [[x - 5, y + 4], [x + 5, y + 4]], { colour: theme.water, width: 1.2 });
   strokeLine(context, [[x - 2.5, y + 7], [x + 2.5, y + 7]], { colour: theme.water, width: 1.2 });

@@ -1,7 +1,8 @@
 /** Draws over the body, in pixels: outlines, supports, water, arrows, slip surface, points of interest, rulers. */
-import type { Model } from "../contract";
+import type { HydraulicCondition, Model } from "../contract";
 import type { ArrowField } from "./arrows";
 import type { Camera, Vec } from "./camera";
+import { drawHydraulic } from "./hydraulics";
 import { drawArrows, drawMonitor, drawPath, drawPicked, drawWaterMark, strokeLine, type Pixel } from "./lines";
 import { drawAxes, drawBox, drawRulers } from "./rulers";
 import type { LayerName } from "./settings";
@@ -18,6 +19,11 @@ export interface Overlay {
   box: [Vec, Vec];
   slip: [number, number][];
   ridge: [number, number][];
+  /** Of the shown frame; null where it is not known, and that of the start is drawn. */
+  waterTables: [number, number][][] | null;
+  hydraulics: HydraulicCondition[];
+  /** Of the shown frame [s]. */
+  time: number;
   /** Closed lines around the body as it is now. */
   present: [number, number][][];
   arrows: ArrowField | null;
@@ -71,10 +77,24 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
       }
     }
   }
+  if (layers.hydraulics && !inSpace) {
+    const [low, high] = overlay.box;
+    const middle = place([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], 0);
+    const sketch = { context, place: (at: number[]) => place(at, sides.at(-1)!), middle, theme };
+    for (const condition of overlay.hydraulics) drawHydraulic(sketch, condition, overlay.time);
+  }
+  const atStart = model.water.map((water) => water.points);
+  if (layers.startWater && overlay.waterTables) {
+    for (const points of atStart) {
+      const line = points.map((p) => place(p, sides.at(-1)!));
+      strokeLine(context, line, { colour: theme.water, width: 1.2, dash: [2, 4] });
+    }
+  }
   if (layers.water) {
-    for (const water of model.water) {
-      const line = water.points.map((p) => place(p, sides.at(-1)!));
-      strokeLine(context, line, { colour: theme.water, width: 1.8, dash: [10, 3, 2, 3] });
+    for (const points of overlay.waterTables ?? atStart) {
+      const line = points.map((p) => place(p, sides.at(-1)!));
+      strokeLine(context, line, { colour: theme.ground, width: 4 });
+      strokeLine(context, line, { colour: theme.water, width: 2, dash: [10, 3, 2, 3] });
       drawWaterMark(context, line, theme);
     }
   }

@@ -17,7 +17,14 @@ export const bands = signal(0);
 /** Whether strains, displacements and the like are coloured by their logarithm. */
 export const logarithmic = signal(false);
 
-export type ArrowQuantity = "none" | "displacement" | "velocity";
+/** What arrows may show, by the name of the field. */
+export const arrowTitles = {
+  none: "None",
+  displacement: "Displacement",
+  velocity: "Velocity",
+  darcy_velocity: "Flow of the water",
+} as const;
+export type ArrowQuantity = keyof typeof arrowTitles;
 /** What arrows show. */
 export const arrowQuantity = signal<ArrowQuantity>("none");
 
@@ -29,8 +36,10 @@ export const layerTitles = {
   present: "Present outline",
   path: "Path of the picked point",
   boundaries: "Boundary conditions",
+  hydraulics: "Hydraulic conditions",
   monitors: "Monitored points",
   water: "Water table",
+  startWater: "Water table at the start",
   mesh: "Background mesh",
   rulers: "Rulers",
 } as const;
@@ -43,8 +52,10 @@ export const layers = signal<Record<LayerName, boolean>>({
   present: false,
   path: true,
   boundaries: true,
+  hydraulics: true,
   monitors: true,
   water: true,
+  startWater: false,
   mesh: false,
   rulers: true,
 });

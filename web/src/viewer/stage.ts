@@ -18,7 +18,7 @@ import { cut, inSpace, layers, limitMode } from "./settings";
 import { frame, scale, shown } from "./shown";
 import { cells } from "./sizes";
 import { readTheme, watchTheme, type Theme } from "./theme";
-import { slipSurface, strainRidge } from "./tracedLines";
+import { slipSurface, strainRidge, waterTables } from "./tracedLines";
 
 /** Device pixels that the distance of two points may be zoomed to: many devices draw points of some 500 at most. */
 const largestSpacing = 160;
@@ -52,7 +52,7 @@ export class Stage {
       effect(() => {
         void [shown.value, frame.value, scale.value, colourTable.value, layers.value, inSpace.value, cut.value];
         void [meshEdges.value, slipSurface.value, strainRidge.value, pickedPoint.value, arrowArrays.value];
-        void limitMode.value;
+        void [limitMode.value, waterTables.value];
         this.request();
       }),
     );
@@ -182,6 +182,9 @@ export class Stage {
       box: now.box,
       slip: slipSurface.value,
       ridge: strainRidge.value,
+      waterTables: waterTables.value,
+      hydraulics: report.value.water?.conditions ?? [],
+      time: now.sequence.frames[frame.value]?.time ?? 0,
       present: cells.value?.outlines ?? [],
       arrows: chooseArrows(this.camera),
       monitors,

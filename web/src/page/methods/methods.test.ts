@@ -72,6 +72,47 @@ describe("writeMethods", () => {
   });
 });
 
+describe("methods of wet ground", () => {
+  const wet: InputTable = {
+    ...input,
+    stage: [
+      { name: given("gravity"), water: given("held"), drag: given("implicit") },
+      { name: given("rain"), water: given("flows"), drag: given("explicit"), water_damping: given(0.1) },
+    ],
+    materials: {
+      silt: { water: { retention: given("van_genuchten"), relative_conductivity: given("mualem") } },
+      rock: { model: given("linear_elastic") },
+    },
+    hydraulic: [{ condition: given("rain") }, { condition: given("total_head") }, { condition: given("rain") }],
+  };
+  const write = (methods: Method[]) => {
+    const report = { methods, input: wet, model: { dimension: 2 } } as unknown as Report;
+    const { paragraphs, cited } = writeMethods(report);
+    return writePlainMethods(paragraphs, cited);
+  };
+
+  it("name the laws that the soils have, and no other", () => {
+    const text = write(["soil_water"]);
+    expect(text).toContain("p_ref");
+    expect(text).toContain("Mualem, Y. (1976)");
+    for (const other of ["Gardner", "Hillel", "Khalili", "straight line"]) expect(text).not.toContain(other);
+  });
+
+  it("say where pressures were held, where drag was explicit, and each condition once", () => {
+    expect(write(["held_pressures"])).toContain("held in stage “gravity”:");
+    expect(write(["two_phase"])).toContain("(explicit drag) in stage “rain”");
+    expect(write(["hydraulic_conditions"]).split("counted as runoff")).toHaveLength(2);
+    expect(write(["hydraulic_conditions"])).not.toContain("is prescribed");
+  });
+
+  it("do not call two phases one", () => {
+    expect(write(["material_point_method"])).toContain("The soil is a single phase");
+    expect(write(["material_point_method", "two_phase"])).not.toContain("single phase");
+    expect(write(["time_step"])).not.toContain("frictionless");
+    expect(write(["time_step", "two_phase"])).toContain("frictionless");
+  });
+});
+
 describe("copies", () => {
   it("leave no TeX in the plain text", () => {
     const { paragraphs, cited } = make(allMethods);

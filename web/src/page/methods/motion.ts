@@ -1,8 +1,12 @@
 /** Paragraphs on the material point method itself; the formulas are those of the theory pages of the manual. */
 import { isOnAnywhere, quoteEach } from "./settings";
-import type { Writer } from "./writer";
+import type { Block, Writer } from "./writer";
 
-export const writeMaterialPoints: Writer = ({ model, input }) => {
+export const writeMaterialPoints: Writer = ({ model, input, methods }) => {
+  const phases = methods.includes("two_phase")
+    ? "Where the soil holds water this balance is that of soil and water together, and the water has one of its own, " +
+      "below"
+    : "The soil is a single phase";
   const simplex = model.dimension === 2 ? "triangles" : "tetrahedra";
   const plane =
     model.dimension === 2
@@ -32,7 +36,7 @@ export const writeMaterialPoints: Writer = ({ model, input }) => {
       text:
         "The motion of the soil was computed with the material point method [@sulsky1994]. The soil is " +
         "represented by material points, which carry mass, velocity, stress and state through a fixed background " +
-        `mesh of linear ${simplex}.${plane} The soil is a single phase; stresses are Cauchy stresses, positive in ` +
+        `mesh of linear ${simplex}.${plane} ${phases}; stresses are Cauchy stresses, positive in ` +
         "tension. In each explicit time step the balance of momentum is solved at the nodes $i$ of the mesh, with " +
         "a lumped mass matrix, from sums over the points $p$ [@source]:",
     },
@@ -66,7 +70,26 @@ export const writeMaterialPoints: Writer = ({ model, input }) => {
   ];
 };
 
-export const writeTimeStep: Writer = ({ input, model }) => {
+/** Where water flows the step is found in another way. */
+const wetStep: Block[] = [
+  {
+    text:
+      "Where pore water flows, the step is that of the frictionless waves of both phases, which implicit drag can " +
+      "only lengthen (explicit drag shortens it further). With $\\lambda=4/L_e^2$ it is the smallest root of",
+  },
+  {
+    tex:
+      "\\det\\left(4\\beta\\mathbf M-\\Delta t^2\\lambda\\mathbf K\\right)=0,\\quad " +
+      "\\mathbf M=\\begin{bmatrix}(1-n)\\rho_s&\\\\&\\theta\\rho_w\\end{bmatrix},\\quad " +
+      "\\mathbf K=\\begin{bmatrix}E_c&\\\\&0\\end{bmatrix}+\\frac{S^2}{n(S/K_w-dS/dp)}" +
+      "\\begin{bmatrix}1-n\\\\n\\end{bmatrix}\\begin{bmatrix}1-n&n\\end{bmatrix}",
+    plain:
+      "det(4 β M − Δt² λ K) = 0,  M = diag((1 − n) ρ_s, θ ρ_w),  K = diag(E_c, 0) + S² / (n (S/K_w − dS/dp)) [1 − n, " +
+      "n]ᵀ [1 − n, n]",
+  },
+];
+
+export const writeTimeStep: Writer = ({ input, model, methods }) => {
   const courant = quoteEach(input, "courant");
   return [
     {
@@ -88,6 +111,7 @@ export const writeTimeStep: Writer = ({ input, model }) => {
         "neighbours, and is found again as the soil moves." +
         (courant ? ` The Courant number was ${courant}.` : ""),
     },
+    ...(methods.includes("two_phase") ? wetStep : []),
   ];
 };
 

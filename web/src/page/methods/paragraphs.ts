@@ -10,20 +10,36 @@ import {
   writeStableSmoothing,
   writeStrainSmoothing,
 } from "./soil";
+import {
+  writeHeldPressures,
+  writeHydraulicConditions,
+  writePressureSmoothing,
+  writeSoilWater,
+  writeSteadySeepage,
+  writeTwoPhase,
+  writeWaterStorage,
+} from "./water";
 import type { Writer } from "./writer";
 import type { Method, Report } from "../../contract";
 
 const writers: { method: Method; title: string; write: Writer }[] = [
   { method: "material_point_method", title: "Material point method", write: writeMaterialPoints },
+  { method: "two_phase", title: "Soil and pore water", write: writeTwoPhase },
+  { method: "water_storage", title: "Storage of water and pore pressure", write: writeWaterStorage },
   { method: "time_step", title: "Time step", write: writeTimeStep },
   { method: "mixed_integration", title: "Mixed integration", write: writeMixedIntegration },
   { method: "point_integration", title: "Integration over points", write: writePointIntegration },
   { method: "strain_smoothing", title: "Smoothing of volumetric strain", write: writeStrainSmoothing },
   { method: "stable_smoothing", title: "Stable smoothing", write: writeStableSmoothing },
+  { method: "pressure_smoothing", title: "Smoothing of pore pressures", write: writePressureSmoothing },
   { method: "local_damping", title: "Local damping", write: writeDamping },
   { method: "mass_scaling", title: "Mass scaling", write: writeMassScaling },
   { method: "mohr_coulomb", title: "Mohr–Coulomb model", write: writeMohrCoulomb },
   { method: "linear_elastic", title: "Linear elastic model", write: writeLinearElastic },
+  { method: "soil_water", title: "Effective stress, retention and conductivity", write: writeSoilWater },
+  { method: "steady_seepage", title: "Steady seepage at the start", write: writeSteadySeepage },
+  { method: "hydraulic_conditions", title: "Hydraulic conditions", write: writeHydraulicConditions },
+  { method: "held_pressures", title: "Held pore pressures", write: writeHeldPressures },
   { method: "strength_reduction", title: "Strength reduction", write: writeStrengthReduction },
   { method: "frozen_factor", title: "Rest or run-away at frozen geometry", write: writeFrozenFactor },
   { method: "displacement_curve", title: "Criteria on the displacement curve", write: writeDisplacementCurve },

@@ -3,6 +3,11 @@ import type { Paragraph, Piece } from "./paragraphs";
 
 const signs: { [command: string]: string } = {
   alpha: "α",
+  chi: "χ",
+  theta: "θ",
+  gamma: "γ",
+  zeta: "ζ",
+  cdot: " · ",
   beta: "β",
   varepsilon: "ε",
   lambda: "λ",

@@ -31,6 +31,26 @@ export const references = {
   feng2021:
     "Feng and Xu (2021). Bilinear construction on the curve of displacement over strength reduction factor; as " +
     "used in the source.",
+  alkafaji2013:
+    "Al-Kafaji, I. K. J. (2013). Formulation of a dynamic material point method (MPM) for geomechanical problems. " +
+    "Dissertation, Universität Stuttgart.",
+  ceccato2021:
+    "Ceccato, F., Yerro, A., Girardi, V., Simonini, P. (2021). Two-phase dynamic MPM formulation for unsaturated " +
+    "soil. Computers and Geotechnics 129, 103876.",
+  bishop1959: "Bishop, A. W. (1959). The principle of effective stress. Teknisk Ukeblad 106 (39), 859–863.",
+  khalili1998:
+    "Khalili, N., Khabbaz, M. H. (1998). A unique relationship for χ for the determination of the shear strength of " +
+    "unsaturated soils. Géotechnique 48 (5), 681–687.",
+  vangenuchten1980:
+    "van Genuchten, M. Th. (1980). A closed-form equation for predicting the hydraulic conductivity of unsaturated " +
+    "soils. Soil Science Society of America Journal 44, 892–898.",
+  mualem1976:
+    "Mualem, Y. (1976). A new model for predicting the hydraulic conductivity of unsaturated porous media. Water " +
+    "Resources Research 12 (3), 513–522.",
+  hillel1971: "Hillel, D. (1971). Soil and Water: Physical Principles and Processes. Academic Press, New York.",
+  gardner1958:
+    "Gardner, W. R. (1958). Some steady-state solutions of the unsaturated moisture flow equation with application " +
+    "to evaporation from a water table. Soil Science 85, 228–232.",
 } as const;
 
 export type ReferenceKey = keyof typeof references;

@@ -47,6 +47,23 @@ function listCalculations(input: InputTable): { table: InputTable; name: string 
   return found;
 }
 
+const join = (parts: string[]) =>
+  parts.length < 2 ? (parts[0] ?? "") : `${parts.slice(0, -1).join(", ")} and ${parts.at(-1)}`;
+
+/** "stage “gravity” and the trials at frozen geometry": where a setting is a word. */
+export function quoteWhere(input: InputTable, key: string, word: string): string {
+  return join(listCalculations(input).flatMap(({ table, name }) => (findSetting(table, key) === word ? [name] : [])));
+}
+
+/** The words that the blocks of a list, or of a table of named blocks, have under a key; each once. */
+export function findWords(input: InputTable, list: string, key: string): string[] {
+  const blocks = input[list];
+  if (blocks === undefined || (!Array.isArray(blocks) && isValue(blocks))) return [];
+  const tables = Array.isArray(blocks) ? blocks : Object.values(blocks);
+  const words = tables.map((table) => (Array.isArray(table) || isValue(table) ? undefined : findSetting(table, key)));
+  return [...new Set(words.filter((word) => typeof word === "string"))];
+}
+
 /** "0.75 in stage “gravity” and 0.05 in the trials of the curve"; empty where nothing is known. */
 export function quoteEach(input: InputTable, key: string): string {
   const groups = new Map<string, string[]>();
@@ -56,8 +73,6 @@ export function quoteEach(input: InputTable, key: string): string {
     const text = writeNumber(value);
     groups.set(text, [...(groups.get(text) ?? []), name]);
   }
-  const join = (parts: string[]) =>
-    parts.length < 2 ? (parts[0] ?? "") : `${parts.slice(0, -1).join(", ")} and ${parts.at(-1)}`;
   if (groups.size === 1) return `${[...groups.keys()][0]} throughout`;
   return join([...groups].map(([text, names]) => `${text} in ${join(names)}`));
 }

@@ -1,16 +1,27 @@
 /** Geometry, mesh and water in numbers. */
-import type { ComponentChildren } from "preact";
+import { Fragment, type ComponentChildren } from "preact";
 
 import { report } from "../../state";
 import { DataTable, Facts } from "../DataTable";
-import { formatNumber, formatPlace, formatQuantity } from "../format";
-import type { Unit } from "../../contract";
+import { formatNumber, formatPlace, formatQuantity, formatSentence } from "../format";
+import type { Unit, Water } from "../../contract";
 
 const second: Unit = { name: "s", si: 1 };
 
-function describeWater(dimension: 2 | 3, count: number): string {
+function describeWater(dimension: 2 | 3, count: number, wet: Water | undefined): string {
+  if (wet) return formatSentence(wet.state);
   if (count === 0) return "Dry: no water table, no pore pressure";
   return count === 1 ? "One water table, below" : `${count} water ${dimension === 3 ? "surfaces" : "tables"}, below`;
+}
+
+/** A line that was calculated has a point in every element. */
+const mostPoints = 12;
+
+/** Evenly chosen, both ends among them. */
+function thin(points: number[][]): number[][] {
+  if (points.length <= mostPoints) return points;
+  const step = (points.length - 1) / (mostPoints - 1);
+  return Array.from({ length: mostPoints }, (_, i) => points[Math.round(i * step)]!);
 }
 
 /** Coordinates in the report's unit of length, one after the other. */
@@ -18,14 +29,16 @@ function Points({ points, unit }: { points: number[][]; unit: Unit }) {
   return (
     <span class="points">
       {points.map((point, i) => (
-        <span key={i}>{formatPlace(point.map((x) => x / unit.si))} </span>
+        <Fragment key={i}>
+          <span>{formatPlace(point.map((x) => x / unit.si))}</span>{" "}
+        </Fragment>
       ))}
     </span>
   );
 }
 
 export function GeometryTables() {
-  const { input, model, units } = report.value;
+  const { input, model, units, water: wet } = report.value;
   const { mesh, polygons, water } = model;
   const length = (x: number) => formatQuantity(x, units.length);
   const place = (x: number[]) => formatPlace(x.map((value) => value / units.length.si));
@@ -37,7 +50,7 @@ export function GeometryTables() {
     ["Dimension", model.dimension === 2 ? "2D, plane strain; quantities per metre of thickness" : "3D"],
     ["Box", `${soilSize}, from ${place(low)} to ${place(high)} ${units.length.name}`],
     ["Slope height H", known(model.slope_height, length(model.slope_height))],
-    ["Water", Object.keys(input).length > 0 ? describeWater(model.dimension, water.length) : "not known"],
+    ["Water", Object.keys(input).length > 0 ? describeWater(model.dimension, water.length, wet) : "not known"],
     [
       "Mesh",
       (mesh.elements > 0
@@ -77,7 +90,7 @@ export function GeometryTables() {
         </DataTable>
       )}
       {water.length > 0 && (
-        <DataTable caption={`Water tables, points in ${units.length.name}`}>
+        <DataTable caption={`${wet ? "Water table at the start" : "Water tables"}, points in ${units.length.name}`}>
           <thead>
             <tr>
               <th scope="col">Water table</th>
@@ -89,7 +102,10 @@ export function GeometryTables() {
               <tr key={table.name}>
                 <th scope="row">{table.name}</th>
                 <td class="prose">
-                  <Points points={table.points} unit={units.length} />
+                  <Points points={thin(table.points)} unit={units.length} />
+                  {table.points.length > mostPoints && (
+                    <span class="note"> ({mostPoints} of {table.points.length} points)</span>
+                  )}
                 </td>
               </tr>
             ))}

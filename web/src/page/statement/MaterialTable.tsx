@@ -1,7 +1,40 @@
 /** The materials: characteristic and design values, and what is left of them at failure. */
 import { report } from "../../state";
 import { DataTable, SymbolText } from "../DataTable";
-import { formatFactor, formatNumber, formatUnit } from "../format";
+import { formatFactor, formatNumber, formatSentence, formatUnit } from "../format";
+import type { SoilWater } from "../../contract";
+
+/** The laws of the soil's water and their parameters, which no strength factor divides. */
+function SoilWaterRows({ water, columns, spare }: { water: SoilWater; columns: number; spare: number }) {
+  return (
+    <>
+      <tr>
+        <th scope="row" colSpan={columns} class="prose">
+          <span class="note">
+            {[`Retention: ${water.retention}`, `Conductivity: ${water.conductivity}`, `Effective stress: ${water.chi}`]
+              .map(formatSentence)
+              .join(" ")}
+          </span>
+        </th>
+      </tr>
+      {water.parameters.map((parameter) => (
+        <tr key={parameter.key}>
+          <th scope="row">{parameter.title}</th>
+          <td>
+            <SymbolText text={parameter.symbol} />
+          </td>
+          <td>{formatUnit(parameter.unit) || "–"}</td>
+          <td class="number">{formatNumber(parameter.value)}</td>
+          {Array.from({ length: spare }, (_, i) => (
+            <td key={i} class="number">
+              –
+            </td>
+          ))}
+        </tr>
+      ))}
+    </>
+  );
+}
 
 export function MaterialTable() {
   const { kind, model, answer } = report.value;
@@ -58,6 +91,7 @@ export function MaterialTable() {
                 {hasFailure && <td class="number">{formatNumber(property.at_failure)}</td>}
               </tr>
             ))}
+            {material.water && <SoilWaterRows water={material.water} columns={columns} spare={columns - 4} />}
           </tbody>
         ))}
       </DataTable>

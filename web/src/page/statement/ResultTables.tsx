@@ -1,7 +1,7 @@
 /** Factors of safety with their spread, and every other number of the results. */
 import { report } from "../../state";
 import { DataTable } from "../DataTable";
-import { methodNames } from "../FactorTable";
+import { describeDrainage, methodNames } from "../FactorTable";
 import { formatFactor, formatNumber, formatQuantity, formatSentence } from "../format";
 import type { Factor } from "../../contract";
 
@@ -19,12 +19,14 @@ function describeSpread(factors: Factor[]): string {
 }
 
 function FactorRows({ factors }: { factors: Factor[] }) {
+  const isWet = factors.some((factor) => factor.water);
   return (
     <DataTable caption="Factors of safety, with the bracket of each search">
       <thead>
         <tr>
           <th scope="col">Method</th>
           <th scope="col">Criterion</th>
+          {isWet && <th scope="col">Pore water</th>}
           <th scope="col" class="number">
             F
           </th>
@@ -45,6 +47,7 @@ function FactorRows({ factors }: { factors: Factor[] }) {
               {factor.title}
               {factor.main && <span class="note"> (the answer)</span>}
             </th>
+            {isWet && <td>{factor.water ? describeDrainage(factor.water) : "–"}</td>}
             <td class="number">{factor.value === null ? "none" : formatFactor(factor.value)}</td>
             <td class="number">{formatFactor(factor.lower)}</td>
             <td class="number">{formatFactor(factor.upper)}</td>

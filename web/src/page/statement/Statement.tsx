@@ -11,6 +11,7 @@ import { ResultTables } from "./ResultTables";
 import { StageTable } from "./StageTable";
 import { SupportTables } from "./SupportTables";
 import { TitleBlock } from "./TitleBlock";
+import { WaterResults, WaterTables } from "./WaterTables";
 
 /** Two stand beside each other where there is room, unless one asks for the whole width. */
 function Block({ title, wide, children }: { title: string; wide?: boolean; children: ComponentChildren }) {
@@ -23,7 +24,7 @@ function Block({ title, wide, children }: { title: string; wide?: boolean; child
 }
 
 export function Statement() {
-  const { assumptions, kind, status, study, warnings } = report.value;
+  const { assumptions, kind, status, study, warnings, water } = report.value;
   const first = study?.rows[0]?.name;
   const lead =
     kind === "study" && first
@@ -47,6 +48,16 @@ export function Statement() {
         <Block title="Stages">
           <StageTable />
         </Block>
+        {water && (
+          <Block title="Pore water">
+            <WaterTables water={water} />
+          </Block>
+        )}
+        {water && (
+          <Block title={kind === "study" ? "Flow of water in the first variant" : "Flow of water"}>
+            <WaterResults water={water} />
+          </Block>
+        )}
         <Block title="Results by method" wide>
           <ResultTables />
         </Block>

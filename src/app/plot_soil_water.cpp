@@ -1,0 +1,29 @@
+#include "app/plot_soil_water.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "model/read.hpp"
+#include "output/atomic_file.hpp"
+#include "output/water_plot.hpp"
+
+namespace talus::app {
+
+void plot_soil_water(const CaseOptions& input, const std::filesystem::path& picture, const std::string& format) {
+  const model::LoadedCase loaded = model::read_case(input.file, input.parse_overrides());
+  const output::WaterPlot plot{loaded.data.title, output::sample_water_curves(loaded.data)};
+  if (plot.soils.empty())
+    throw Error(ExitCode::wrong_input,
+                fmt::format("there is nothing to draw in '{}': no material of it has pore water, a table "
+                            "[materials.NAME.water]; for the results of a run give their folder",
+                            input.file));
+  const std::string name = std::filesystem::path(input.file).stem().string() + "_soil_water";
+  const std::filesystem::path drawn =
+      picture.empty() ? std::filesystem::path(name + "." + (format.empty() ? "svg" : format)) : picture;
+  const std::filesystem::path table = std::filesystem::path(drawn).replace_extension(".csv");
+  output::draw(plot, drawn);
+  output::write_atomically(table, output::make_water_table(plot.soils));
+  fmt::print("{}\n{}\n", drawn.string(), table.string());
+}
+
+}  // namespace talus::app

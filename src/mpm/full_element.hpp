@@ -1,0 +1,60 @@
+#pragma once
+// Mixed integration: one stress and one state for all points of an element that is full (2.92).
+
+#include "mpm/kernels.hpp"
+#include "mpm/laws.hpp"
+#include "mpm/step.hpp"
+
+namespace talus::mpm {
+
+/// Stress and state that a full element (2.92) gives to all its points.
+template <int D, class Law>
+struct FullElement {
+  static constexpr int NS = material::stress_size<D>;
+  Mask full{false};
+  Pack stress[NS], state[material::max_state_size], volume, material{0.0};
+  material::Response<Pack> response{false, Pack(0.0), Pack(0.0)};
+};
+
+template <int D, class Law>
+FullElement<D, Law> update_full_elements(const Body<D>& body, const StepOptions<D>& options, const Law& law, int b,
+                                         Pack count, const Rotation<D, Pack>& rotation, const Pack* d_epsilon,
+                                         Pack pending) {
+  using P = Points<D>;
+  constexpr int NS = P::stress_size;
+  const P& points = body.points;
+  FullElement<D, Law> e;
+  Pack volume(0.0);
+  Mask uniform(true);
+  TALUS_UNROLL
+  for (int i = 0; i < NS; ++i) e.stress[i] = Pack(0.0);
+  for (int i = 0; i < Law::state_size; ++i) e.state[i] = Pack(0.0);
+  for (int k = 0; k < points.block_used[b]; ++k) {
+    const Mask active = count > Pack(static_cast<double>(k));
+    const double* p = points.slot(points.block_start[b] + k);
+    const Pack v = select(active, load<Pack>(p + P::volume * lane_width), Pack(0.0));
+    volume += v;
+    TALUS_UNROLL
+    for (int i = 0; i < NS; ++i) e.stress[i] += v * load<Pack>(p + (P::stress + i) * lane_width);
+    for (int i = 0; i < Law::state_size; ++i) e.state[i] += v * load<Pack>(p + (P::state + i) * lane_width);
+    if constexpr (!Law::is_single) {
+      const Pack m = lane_materials(points, points.block_start[b] + k);
+      if (k == 0) e.material = m;
+      uniform = uniform && (!active || m == e.material);
+    }
+  }
+  e.volume = volume;
+  e.full = volume > load<Pack>(&body.elements.fill_limit[static_cast<std::size_t>(b) * lane_width]) && uniform;
+  if (!any(e.full)) return e;
+  const Pack inverse = 1.0 / select(e.full, volume, Pack(1.0));
+  TALUS_UNROLL
+  for (int i = 0; i < NS; ++i) e.stress[i] *= inverse;
+  TALUS_UNROLL
+  for (int i = 0; i < 3; ++i) e.stress[i] += pending;
+  for (int i = 0; i < Law::state_size; ++i) e.state[i] *= inverse;
+  if (options.objective) rotation.apply(e.stress);
+  e.response = law.template update<NS>(e.stress, d_epsilon, e.state, e.full, e.material);
+  return e;
+}
+
+}  // namespace talus::mpm

@@ -1,0 +1,14 @@
+#pragma once
+// Pore water of a run: what it is, how it began, what it met, and where it went (`Water` in web/src/contract.ts).
+
+#include "report/folder.hpp"
+
+namespace talus::report {
+
+/// Null where the ground is dry.
+nlohmann::json make_water(const ResultFolder& folder);
+
+/// Water tables at the start [m], as `Model.water` lists them: of the steady seepage, or of the case.
+nlohmann::json list_water_tables(const nlohmann::json& summary);
+
+}  // namespace talus::report

@@ -1,0 +1,97 @@
+// Infiltration, drainage, flow round a corner and a dam of examples/verification through `talus run`'s own path, at a
+// larger step and for a shorter time than tools/verify_water.py runs them.
+
+#include <cmath>
+#include <numbers>
+
+#include "cases/water_run.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double weight = 9810;  // of water [N/m³]
+
+/// Srivastava and Yeh (1991): suction [m] at height z [m] after t [s] of 0.9 k_s on a soil that knew 0.1 k_s.
+double find_suction(double z, double t) {
+  const double l = 10, zs = 10 * z, ts = 10 * (0.01 / 3600) * t / 0.34;
+  double sum = 0;
+  for (int i = 1; i < 400; ++i) {
+    double a = (i - 0.5) * std::numbers::pi / l + 1e-12, b = i * std::numbers::pi / l;
+    for (int k = 0; k < 80; ++k) {
+      const double m = 0.5 * (a + b);
+      (std::tan(m * l) + 2 * m < 0 ? a : b) = m;
+    }
+    sum += std::sin(a * zs) * std::sin(a * l) * std::exp(-a * a * ts) / (1 + l / 2 + 2 * a * a * l);
+  }
+  return -std::log(0.9 + 0.1 * std::exp(-zs) - 3.2 * std::exp((l - zs) / 2) * std::exp(-ts / 4) * sum) / 10;
+}
+
+TEST(WaterFlow, InfiltrationFollowsSrivastavaAndYeh) {
+  const WaterRun run("infiltration/case.toml",
+                     {{"stage.rain.duration", "\"2 h\""}, {"stage.rain.mass_scaling", "1e7"}});
+  for (const double hours : {1.0, 2.0}) {
+    const output::Frame frame = run.frame(hours * 3600);
+    double largest = 0;
+    for_each_element(frame, "pore_pressure", [&](double z, double p) {
+      largest = std::max(largest, std::abs(-p / weight - find_suction(z, frame.time - 1)));
+    });
+    EXPECT_LT(largest, 0.003) << hours << " h: of 0.23 m";
+  }
+  EXPECT_NEAR(run.last("top.inflow") / 0.02 / (0.009 / 3600), 1, 1e-4);
+  EXPECT_LT(run.budget_error, 1e-9);
+}
+
+TEST(WaterFlow, DrainedColumnGivesTheWaterOfRichardsEquation) {
+  const WaterRun run("drainage/case.toml",
+                     {{"stage.drainage.duration", "\"1 h\""}, {"stage.drainage.mass_scaling", "1e7"}});
+  // 400 cells, backward Euler: tools/water_checks/drainage.py
+  EXPECT_NEAR(run.summary.at("water").at("left").get<double>() / 1000 / 0.02, 0.027630, 0.0003);
+  EXPECT_LT(run.budget_error, 1e-9);
+}
+
+TEST(WaterFlow, FlowRoundACornerApproachesItsExactDischarge) {
+  // Conformal mapping: 0.68062 k Δh (tools/water_checks/corner.py). The inlet's ends are singular: first order at best.
+  const double exact = 0.68062 * 1e-4 * 0.5;
+  const struct {
+    const char* smoothing;
+    double largest, ratio;
+  } variants[] = {{"false", 0.17, 0.65}, {"true", 0.13, 0.55}};
+  for (const auto& [smoothing, largest, ratio] : variants) {
+    double before = 0;
+    for (const char* size : {"0.1", "0.05"}) {
+      const WaterRun run(
+          "corner/case.toml",
+          {{"mesh.size", size}, {"stage.flow.duration", "20"}, {"stage.flow.pressure_smoothing", smoothing}});
+      const std::vector<double> outflow = run.column("outlet.outflow"), inflow = run.column("inlet.inflow");
+      const double error = 1 - outflow.back() / exact;
+      EXPECT_NEAR(inflow.back(), outflow.back(), 1e-3 * exact) << smoothing << ' ' << size;
+      // Flow that locks falls by 3 % in these 10 s.
+      EXPECT_NEAR(outflow[outflow.size() / 2] / exact, 1 - error, 1e-3) << "steady: " << smoothing << ' ' << size;
+      EXPECT_LT(std::abs(error), largest) << smoothing << ' ' << size;
+      if (before != 0) {
+        EXPECT_LT(std::abs(error), ratio * before) << smoothing << ' ' << size;
+      }
+      before = std::abs(error);
+    }
+  }
+}
+
+TEST(WaterFlow, DamHasDupuitsDischarge) {
+  const double dupuit = 1e-4 * (10 * 10 - 2 * 2) / 20;
+  const std::vector<model::Override> steady = {{"mesh.size", "1"}, {"stage.flow.duration", "\"3 h\""}};
+  std::vector<model::Override> low = steady;  // dry elements must fill
+  low.push_back({"initial.pore_pressure", "\"water_table\""});
+  low.push_back({"initial.water_table", "[[0, 10], [10, 4]]"});
+  for (const auto& start : {steady, low}) {
+    const WaterRun run("dam/case.toml", start);
+    EXPECT_NEAR(run.last("left.inflow") / dupuit, 1, 0.03) << start.size();
+    EXPECT_NEAR(run.last("right.outflow") / dupuit, 1, 0.03) << start.size();
+    EXPECT_LT(run.budget_error, 1e-11);
+    if (start.size() != steady.size()) continue;
+    const double solver = run.summary.at("seepage").at("inflow").get<double>();
+    EXPECT_NEAR(solver / dupuit, 1, 0.03);  // the fringe carries the rest
+  }
+}
+
+}  // namespace
+}  // namespace talus

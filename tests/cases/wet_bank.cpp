@@ -1,0 +1,181 @@
+// A bank of 2 m with steady seepage and rain, from its file to its results: the flow stays as it was found, the budget
+// closes, and held pressures carry their share of the weight.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "analysis/run_case.hpp"
+#include "base/parallel.hpp"
+#include "output/history.hpp"
+#include "output/results.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const char* const bank = R"(
+title = "Wet bank"
+[geometry]
+box = [[0, 0], [10, 4]]
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [10, 0], [10, 1], [7, 1], [4, 3], [0, 3]]
+[[geometry.line]]
+name = "crest"
+points = [[0, 3], [4, 3]]
+[[geometry.line]]
+name = "face"
+points = [[4, 3], [7, 1]]
+[[geometry.line]]
+name = "foot"
+points = [[7, 1], [10, 1]]
+[mesh]
+size = 0.2
+[water]
+bulk_modulus = "80 MPa"
+[materials.silt]
+model = "mohr_coulomb"
+grain_density = 2650
+porosity = 0.4
+young_modulus = "20 MPa"
+poisson_ratio = 0.3
+cohesion = "20 kPa"
+friction_angle = 30
+dilatancy_angle = 0
+tensile_strength = "5 kPa"
+[materials.silt.water]
+retention = "van_genuchten"
+minimum_saturation = 0.15
+reference_pressure = "6 kPa"
+lambda = 0.3
+conductivity = "1e-3 m/s"
+[regions]
+soil = "silt"
+[[boundary]]
+on = "bottom"
+fix = "full"
+[[boundary]]
+on = "left"
+fix = "normal"
+[[boundary]]
+on = "right"
+fix = "normal"
+[[hydraulic]]
+on = "left"
+condition = "total_head"
+head = 2
+[[hydraulic]]
+on = "foot"
+condition = "total_head"
+head = 1.2
+[[hydraulic]]
+on = "crest"
+condition = "rain"
+rate = "0 mm/h"
+[initial]
+stress = "k0"
+pore_pressure = "seepage"
+[[stage]]
+name = "weight"
+duration = 10
+until = "rest"
+geometry = "frozen"
+water = "held"
+damping = 0.5
+[[stage]]
+name = "flow"
+duration = 0.3
+damping = 0.1
+smoothing = "strain"
+reset_displacement = true
+[output]
+frame_interval = 0.1
+[[output.monitor]]
+name = "toe"
+at = [7, 1]
+)";
+
+class WetBank : public testing::Test {
+ protected:
+  json run(const std::vector<model::Override>& overrides) {
+    folder_ = fs::temp_directory_path() / ("talus_wet_bank_" + std::to_string(getpid()));
+    analysis::RunOptions options;
+    options.folder = folder_;
+    options.threads = default_threads();
+    options.overwrite = true;
+    return analysis::run_case(model::read_case_text(bank, "bank.toml", overrides), options);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path folder_;
+};
+
+double get(const json& summary, const std::string& name) {
+  for (const json& r : summary.at("results"))
+    if (r.at("name") == name) return r.at("value").get<double>();
+  ADD_FAILURE() << "no result " << name;
+  return NAN;
+}
+
+/// Σ of the last values of the columns that end so.
+double sum_last(const output::HistoryTable& history, const std::string& ending) {
+  double sum = 0;
+  for (std::size_t c = 0; c < history.columns.size(); ++c)
+    if (history.columns[c].name.ends_with(ending)) sum += history.values[c].back();
+  return sum;
+}
+
+TEST_F(WetBank, SteadySeepageStaysAsItIsWhenTheSoilIsLetGo) {
+  const json summary = run({});
+  EXPECT_EQ(summary.at("stages")[0].at("end"), "rest");
+  EXPECT_LT(summary.at("stages")[1].at("displacement").get<double>(), 1e-4) << "the bank stands";
+  EXPECT_LT(get(summary, "water.budget_error"), 1e-9);
+
+  const output::HistoryTable history = output::read_history(folder_ / "history.csv");
+  const double flow = summary.at("seepage").at("inflow");
+  EXPECT_GT(flow, 1e-4);
+  EXPECT_NEAR(sum_last(history, ".inflow"), flow, 0.1 * flow) << "finite elements and material points";
+  EXPECT_NEAR(sum_last(history, ".outflow"), flow, 0.1 * flow);
+
+  const output::ResultsReader frames(folder_);
+  const output::Frame first = frames.read(0), last = frames.read(frames.size() - 1);
+  const auto &before = output::find(first.point_fields, "pore_pressure")->values,
+             &after = output::find(last.point_fields, "pore_pressure")->values;
+  double squares = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) squares += (after[i] - before[i]) * (after[i] - before[i]);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(before.size())), 60) << "Pa, of up to 19 kPa";
+  EXPECT_NEAR(*std::max_element(before.begin(), before.end()), 19e3, 1e3) << "positive in compression";
+}
+
+TEST_F(WetBank, SteadyRainEntersAsFiniteElementsSay) {
+  // 20 m/h are more than the soil takes: k is 3.6 m/h.
+  const json summary = run({{"hydraulic.2.rate", "20000"}});
+  const output::HistoryTable history = output::read_history(folder_ / "history.csv");
+  const double enters = -get(summary, "seepage.discharge[crest]");
+  EXPECT_NEAR(sum_last(history, "crest.inflow"), enters, 0.03 * enters);
+  EXPECT_GT(sum_last(history, "crest.runoff"), 5 * enters);
+}
+
+TEST_F(WetBank, RainOnDrySoilEntersOrRunsOffAndIsAllCounted) {
+  // It begins while the weight comes on and the pressures are held; only what falls on flowing water counts.
+  const json summary = run({{"hydraulic.2.rate", "[[0, 0], [0.3, 0], [0.3, 20000]]"}});
+  const json& stage = summary.at("stages")[1];
+  const double lasts = stage.at("time").get<double>() - stage.at("start").get<double>();
+  EXPECT_NEAR(lasts, 0.3, 1e-9);
+  const double fell = 20.0 / 3600 * 4 * lasts, entered = get(summary, "water.inflow[crest]"),
+               ran_off = get(summary, "water.runoff[crest]");
+  // Half a side of the face belongs to the crest's last node.
+  EXPECT_NEAR(entered + ran_off, fell * (1 + 0.5 * 0.17 / 4), 0.01 * fell);
+  EXPECT_GT(entered, 1e-3 * 4 * lasts) << "at least under a unit gradient";
+  EXPECT_LT(get(summary, "water.budget_error"), 1e-9);
+  const json& water = summary.at("water");
+  EXPECT_GT(water.at("stored").get<double>() - water.at("initial").get<double>(), 900 * entered);
+}
+
+}  // namespace
+}  // namespace talus

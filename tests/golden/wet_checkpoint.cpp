@@ -1,0 +1,102 @@
+// A wet body that is saved, read back and carried on gives the same bits as one that was not, with rain, standing water
+// and pore pressures that flow or are held.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "analysis/checkpoint.hpp"
+#include "output/archive.hpp"
+#include "support/wet_case.hpp"
+
+namespace talus {
+namespace {
+
+using namespace support;
+using model::WaterCondition;
+
+template <int D>
+model::Case make_rained_step() {
+  model::Case data = make_box_case<D>(make_wet_soil(5e6));
+  model::PoreWater& water = data.materials["soil"].water;
+  water.retention = model::RetentionCurve::exponential;
+  water.minimum_saturation = 0.1;
+  water.decay = 1 / 15e3;
+  data.water.bulk_modulus = 2e8;
+  data.hydraulics = {make_hydraulic("crest", WaterCondition::rain, 2e-4),
+                     make_hydraulic("foot", WaterCondition::total_head, 1.3)};
+  data.initial.stress = model::InitialStress::k0;
+  data.initial.water = {model::InitialPressure::water_table, {{0, 1.3}}};
+  return data;
+}
+
+/// Runs a stage, and the same interrupted and resumed by way of a file.
+template <int D>
+void compare(model::StepSettings step, double duration) {
+  constexpr std::int64_t steps = 2 * analysis::look_interval;
+  const model::Case data = make_rained_step<D>();
+  const mesh::Mesh<D> mesh = make_step_mesh<D>();
+  mpm::Body<D> whole = analysis::prepare<D>(data, mesh);
+  const analysis::StagePlan<D> plan = make_stage<D>(data, whole, duration, step);
+  run(whole, plan);
+  struct Interruption {};
+  const auto file = std::filesystem::temp_directory_path() / ("talus_wet_" + std::to_string(getpid()) + ".h5");
+  {
+    mpm::Body<D> body = analysis::prepare<D>(data, mesh);
+    analysis::StageState state;
+    analysis::StageHooks<D> hooks;
+    hooks.look = [&](const mpm::Body<D>& b, const analysis::StageState& s) {
+      if (s.steps < steps) return;
+      output::ArchiveWriter archive;
+      analysis::put_body(archive, b);
+      analysis::put_stage(archive, s);
+      archive.write(file);
+      throw Interruption();
+    };
+    EXPECT_THROW(analysis::run_stage(body, plan, state, hooks), Interruption) << "the stage must be longer";
+  }
+  mpm::Body<D> resumed = analysis::prepare<D>(data, mesh);
+  const output::ArchiveReader archive(file);
+  analysis::get_body(archive, resumed);
+  analysis::StageState state = analysis::get_stage(archive);
+  analysis::run_stage(resumed, plan, state);
+  std::filesystem::remove(file);
+
+  EXPECT_EQ(whole.step_count, resumed.step_count);
+  ASSERT_EQ(whole.points.data.size(), resumed.points.data.size());
+  for_each_point(whole, [&](int id, const mpm::PointView<D>& p) {
+    const auto q = mpm::view_point(resumed, id);
+    EXPECT_EQ(p.position, q.position);
+    EXPECT_EQ(p.velocity, q.velocity);
+    EXPECT_EQ(p.stress, q.stress);
+    EXPECT_EQ(p.pressure, q.pressure);
+    EXPECT_EQ(p.water_mass, q.water_mass);
+    EXPECT_EQ(p.water_velocity, q.water_velocity);
+  });
+  ASSERT_EQ(whole.water.budgets.size(), resumed.water.budgets.size());
+  for (std::size_t i = 0; i < whole.water.budgets.size(); ++i) {
+    EXPECT_EQ(whole.water.budgets[i].entered, resumed.water.budgets[i].entered);
+    EXPECT_EQ(whole.water.budgets[i].left, resumed.water.budgets[i].left);
+    EXPECT_EQ(whole.water.budgets[i].runoff, resumed.water.budgets[i].runoff);
+  }
+  EXPECT_EQ(whole.water.lost_between, resumed.water.lost_between);
+  EXPECT_EQ(whole.work.external, resumed.work.external);
+}
+
+TEST(WetCheckpoint, MovingSoilGoesOnBitForBit) {
+  compare<2>({.damping = 0.05, .smoothing = model::Smoothing::strain, .pressure_smoothing = true}, 0.15);
+  compare<3>({.damping = 0.05}, 0.1);
+}
+
+TEST(WetCheckpoint, HeldWaterGoesOnBitForBit) {
+  compare<2>({.damping = 0.2,
+              .smoothing = model::Smoothing::stable,
+              .geometry = model::Geometry::frozen,
+              .courant = 0.2,
+              .water = model::WaterMotion::held},
+             0.5);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,260 @@
+/** Pore water in numbers: conditions, start, steady seepage, and where the water of the stages went. */
+import { report } from "../../state";
+import { DataTable, Facts, SymbolText } from "../DataTable";
+import { formatNumber, formatPlace, formatQuantity, formatSentence, formatUnit } from "../format";
+import type { HydraulicCondition, SteadySeepage, Unit, Water, WaterBudget } from "../../contract";
+
+/** Rows of a series that are written out; more are seen in its chart. */
+const mostRows = 8;
+
+function writeSeries({ series }: HydraulicCondition): string {
+  if (!series) return "–";
+  const value = (i: number) => formatQuantity(series.values[i], { name: series.unit.name, si: 1 });
+  if (series.values.length === 1) return value(0);
+  if (series.values.length > mostRows) return `${series.values.length} rows over time, drawn under “Soil water”`;
+  return series.values.map((_, i) => `${value(i)} at ${formatNumber(series.time[i])}\u00a0s`).join(", ");
+}
+
+function Properties({ water }: { water: Water }) {
+  return (
+    <DataTable caption="Water">
+      <thead>
+        <tr>
+          <th scope="col">Property</th>
+          <th scope="col">Symbol</th>
+          <th scope="col" class="number">
+            Value
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {water.properties.map((property) => (
+          <tr key={property.key}>
+            <th scope="row">{property.title}</th>
+            <td>
+              <SymbolText text={property.symbol} />
+            </td>
+            <td class="number">
+              {formatNumber(property.value)} {formatUnit(property.unit)}
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </DataTable>
+  );
+}
+
+function Conditions({ conditions }: { conditions: HydraulicCondition[] }) {
+  if (conditions.length === 0)
+    return <p>No hydraulic conditions: water may leave free surfaces at zero pressure, and none enters.</p>;
+  return (
+    <DataTable caption="Hydraulic conditions">
+      <thead>
+        <tr>
+          <th scope="col">Where</th>
+          <th scope="col">Condition</th>
+          <th scope="col">Value</th>
+          <th scope="col">Meaning</th>
+        </tr>
+      </thead>
+      <tbody>
+        {conditions.map((condition, i) => (
+          <tr key={i}>
+            <th scope="row">{condition.on}</th>
+            <td>{condition.title}</td>
+            <td>{writeSeries(condition)}</td>
+            <td class="prose">{formatSentence(condition.text)}</td>
+          </tr>
+        ))}
+      </tbody>
+    </DataTable>
+  );
+}
+
+/** "closes to 4 × 10⁻⁹ of the water in the model". */
+export function describeClosure(error: number): string {
+  const size = Math.abs(error);
+  return size < 1e-12 ? "closes to round-off" : `closes to ${formatNumber(size, 1)} of the water in the model`;
+}
+
+function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 | 3 }) {
+  const { units } = report.value;
+  const rate: Unit = { name: dimension === 2 ? "m³/s per m" : "m³/s", si: 1 };
+  const place = (x: number[]) => `${formatPlace(x.map((v) => v / units.length.si))}\u00a0${units.length.name}`;
+  const height = (x: number[]) => formatQuantity(x[1], units.length);
+  const runoff = seepage.discharges.reduce((sum, d) => sum + d.runoff, 0);
+  const hasRunoff = seepage.discharges.some((d) => d.runoff !== 0);
+  const closes = Math.abs(seepage.balance_error) <= 1e-9 * Math.max(seepage.inflow, seepage.outflow);
+  const rows: [string, string][] = [
+    ["Through the ground", formatQuantity(seepage.outflow, rate)],
+    [
+      "Balance",
+      closes ? "closes to 10⁻⁹ of the flow or better" : `open by ${formatQuantity(seepage.balance_error, rate)}`,
+    ],
+    ["Solution", `${formatNumber(seepage.iterations)} iterations on the mesh of the calculation`],
+    [
+      "Largest suction",
+      `${formatQuantity(seepage.largest_suction, units.stress)} at ${place(seepage.largest_suction_at)}`,
+    ],
+    ...seepage.exits.map((exit): [string, string] => [
+      `Water leaves ${exit.name}`,
+      dimension === 2
+        ? `from ${place(exit.lowest)} up to the exit point ${place(exit.highest)}`
+        : `between the heights ${height(exit.lowest)} and ${height(exit.highest)}`,
+    ]),
+  ];
+  return (
+    <>
+      <DataTable caption={`Steady seepage at the start, ${rate.name}`}>
+        <thead>
+          <tr>
+            <th scope="col">Boundary</th>
+            <th scope="col" class="number">
+              In
+            </th>
+            <th scope="col" class="number">
+              Out
+            </th>
+            {hasRunoff && (
+              <th scope="col" class="number">
+                Runs off
+              </th>
+            )}
+          </tr>
+        </thead>
+        <tbody>
+          {seepage.discharges.map((d) => (
+            <tr key={d.name}>
+              <th scope="row">{d.name}</th>
+              <td class="number">{formatNumber(d.inflow)}</td>
+              <td class="number">{formatNumber(d.outflow)}</td>
+              {hasRunoff && <td class="number">{formatNumber(d.runoff)}</td>}
+            </tr>
+          ))}
+          <tr class="main">
+            <th scope="row">Together</th>
+            <td class="number">{formatNumber(seepage.inflow)}</td>
+            <td class="number">{formatNumber(seepage.outflow)}</td>
+            {hasRunoff && <td class="number">{formatNumber(runoff)}</td>}
+          </tr>
+        </tbody>
+      </DataTable>
+      <Facts caption="The steady seepage" rows={rows} />
+    </>
+  );
+}
+
+/** Water that never was, to the digits that a balance of this size has, is none. */
+function dropNoise(mass: number, budget: WaterBudget): number {
+  return Math.abs(mass) < 1e-13 * Math.max(budget.initial, budget.stored) ? 0 : mass;
+}
+
+function Budget({ budget, dimension }: { budget: WaterBudget; dimension: 2 | 3 }) {
+  const { units } = report.value;
+  const unit: Unit = { name: dimension === 2 ? "m³ per m" : "m³", si: 1 };
+  const volume = (mass: number) => formatNumber(dropNoise(mass, budget) / budget.density);
+  const rains = budget.surfaces.some((s) => s.supplied !== 0 || s.runoff !== 0);
+  // Surfaces without a condition are named only where water passed.
+  const surfaces = budget.surfaces.filter((s, i) => i > 0 || dropNoise(s.entered, budget) || dropNoise(s.left, budget));
+  const change = budget.stored - budget.initial;
+  const rows: [string, string][] = [
+    ["Stored at the start", `${volume(budget.initial)} ${unit.name}`],
+    [
+      "Stored at the end",
+      `${volume(budget.stored)} ${unit.name}, ${change < 0 ? "less" : "more"} by ${volume(Math.abs(change))}`,
+    ],
+    ["Closure", `the balance ${describeClosure(budget.error)}`],
+    ["Largest pore pressure", `${formatQuantity(budget.largest_pressure, units.stress)} at the end`],
+    [
+      "Largest suction",
+      budget.largest_suction > 0 ? `${formatQuantity(budget.largest_suction, units.stress)} at the end` : "none",
+    ],
+  ];
+  if (budget.left_grid !== 0)
+    rows.push(["Left with soil that left the grid", `${volume(budget.left_grid)} ${unit.name}`]);
+  if (dropNoise(budget.pressed_in, budget) !== 0)
+    rows.push(["Pressed into pores at frozen geometry", `${volume(budget.pressed_in)} ${unit.name}`]);
+  if (dropNoise(budget.lost_between, budget) !== 0)
+    rows.push(["Lost between elements", `${volume(budget.lost_between)} ${unit.name}`]);
+  return (
+    <>
+      <DataTable caption={`Water budget of the stages, ${unit.name}`}>
+        <thead>
+          <tr>
+            <th scope="col">Boundary</th>
+            <th scope="col">Condition</th>
+            <th scope="col" class="number">
+              Came in
+            </th>
+            <th scope="col" class="number">
+              Left
+            </th>
+            {rains && (
+              <>
+                <th scope="col" class="number">
+                  Rained
+                </th>
+                <th scope="col" class="number">
+                  Ran off
+                </th>
+              </>
+            )}
+          </tr>
+        </thead>
+        <tbody>
+          {surfaces.map((s, i) => (
+            <tr key={i}>
+              <th scope="row">{s.name}</th>
+              <td>{s.condition}</td>
+              <td class="number">{volume(s.entered)}</td>
+              <td class="number">{volume(s.left)}</td>
+              {rains && (
+                <>
+                  <td class="number">{s.supplied ? volume(s.supplied) : "–"}</td>
+                  <td class="number">{s.supplied ? volume(s.runoff) : "–"}</td>
+                </>
+              )}
+            </tr>
+          ))}
+          <tr class="main">
+            <th scope="row" colSpan={2}>
+              Together
+            </th>
+            <td class="number">{volume(budget.entered)}</td>
+            <td class="number">{volume(budget.left)}</td>
+            {rains && (
+              <>
+                <td class="number">{volume(budget.surfaces.reduce((sum, s) => sum + s.supplied, 0))}</td>
+                <td class="number">{volume(budget.runoff)}</td>
+              </>
+            )}
+          </tr>
+        </tbody>
+      </DataTable>
+      <Facts caption="The water budget" rows={rows} />
+    </>
+  );
+}
+
+/** What is known before the run: the water, how it began, what it meets. */
+export function WaterTables({ water }: { water: Water }) {
+  return (
+    <>
+      <p>{formatSentence(water.state)}</p>
+      <Conditions conditions={water.conditions} />
+      <Properties water={water} />
+    </>
+  );
+}
+
+/** What came out: seepage and budget. */
+export function WaterResults({ water }: { water: Water }) {
+  const { dimension } = report.value.model;
+  if (!water.seepage && !water.budget) return <p>The results hold no water budget: the run has not ended.</p>;
+  return (
+    <>
+      {water.seepage && <Seepage seepage={water.seepage} dimension={dimension} />}
+      {water.budget && <Budget budget={water.budget} dimension={dimension} />}
+    </>
+  );
+}

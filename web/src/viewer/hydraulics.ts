@@ -1,0 +1,131 @@
+/** Symbols of hydraulic conditions, in pixels: levels of standing water, arrows of rain, seepage and inflow. */
+import type { HydraulicCondition } from "../contract";
+import { drawWaterMark, strokeLine, type Pixel } from "./lines";
+import type { Theme } from "./theme";
+
+/** The value of a condition at a time [s], in the unit of its series: straight between rows, constant beyond. */
+export function evaluateSeries(condition: HydraulicCondition, time: number): number {
+  const { time: times, values } = condition.series ?? { time: [], values: [] };
+  if (!times.length) return Number.NaN;
+  // The last row at or before the time: of two rows at one time, the second.
+  let i = -1;
+  while (i + 1 < times.length && times[i + 1]! <= time) ++i;
+  if (i < 0) return values[0]!;
+  if (i + 1 === times.length) return values[i]!;
+  const share = (time - times[i]!) / (times[i + 1]! - times[i]!);
+  return values[i]! + share * (values[i + 1]! - values[i]!);
+}
+
+/** The parts of a line that lie below a level, in metres. */
+export function clipBelow(line: number[][], level: number): number[][][] {
+  const parts: number[][][] = [];
+  let part: number[][] = [];
+  const end = () => {
+    if (part.length > 1) parts.push(part);
+    part = [];
+  };
+  line.forEach((p, i) => {
+    const q = line[i - 1];
+    if (q && q[1]! < level !== p[1]! < level && q[1] !== p[1]) {
+      const share = (level - q[1]!) / (p[1]! - q[1]!);
+      part.push([q[0]! + share * (p[0]! - q[0]!), level]);
+      if (p[1]! >= level) end();
+    }
+    if (p[1]! < level || (p[1] === level && (!q || q[1]! <= level))) part.push(p);
+    else end();
+  });
+  end();
+  return parts;
+}
+
+interface Sketch {
+  context: CanvasRenderingContext2D;
+  place: (at: number[]) => Pixel;
+  /** Middle of the model [px]: symbols stand on the other side. */
+  middle: Pixel;
+  theme: Theme;
+}
+
+/** Small arrows on a line, every so many pixels; `turn` gives their direction from the outward normal. */
+function drawLineArrows(sketch: Sketch, line: Pixel[], length: number, aim: (out: Pixel) => Pixel, inwards: boolean) {
+  const { context, middle, theme } = sketch;
+  context.strokeStyle = theme.water;
+  context.lineWidth = 1.3;
+  context.beginPath();
+  for (let i = 0; i + 1 < line.length; ++i) {
+    const [a, b] = [line[i]!, line[i + 1]!];
+    const size = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    const count = Math.floor(size / 30 + 0.5);
+    if (!count) continue;
+    let out: Pixel = [-(b[1] - a[1]) / size, (b[0] - a[0]) / size];
+    const side = ((a[0] + b[0]) / 2 - middle[0]) * out[0] + ((a[1] + b[1]) / 2 - middle[1]) * out[1];
+    if (side < 0) out = [-out[0], -out[1]];
+    const [dx, dy] = aim(out);
+    for (let k = 0; k < count; ++k) {
+      const share = (k + 0.5) / count;
+      const foot: Pixel = [a[0] + share * (b[0] - a[0]) + 4 * out[0], a[1] + share * (b[1] - a[1]) + 4 * out[1]];
+      const far: Pixel = [foot[0] + length * dx, foot[1] + length * dy];
+      const [from, to] = inwards ? [far, foot] : [foot, far];
+      const [ux, uy] = inwards ? [-dx, -dy] : [dx, dy];
+      context.moveTo(...from);
+      context.lineTo(...to);
+      for (const turn of [1, -1]) {
+        context.moveTo(...to);
+        context.lineTo(to[0] - 4.5 * ux + 2.5 * turn * uy, to[1] - 4.5 * uy - 2.5 * turn * ux);
+      }
+    }
+  }
+  context.stroke();
+}
+
+/** Wetted line, water over it, and the level with its triangle; beside the model where the line stands upright. */
+function drawLevel(sketch: Sketch, part: number[][], level: number): void {
+  const { context, place, middle, theme } = sketch;
+  const pixels = part.map(place);
+  const [left, right] = [Math.min(...pixels.map((p) => p[0])), Math.max(...pixels.map((p) => p[0]))];
+  const y = place([part[0]![0]!, level])[1];
+  strokeLine(context, pixels, { colour: theme.water, width: 2.6 });
+  if (right - left > 24) {
+    context.globalAlpha = 0.22;
+    context.fillStyle = theme.water;
+    context.beginPath();
+    for (const [x, z] of pixels) context.lineTo(x, z);
+    context.lineTo(pixels.at(-1)![0], y);
+    context.lineTo(pixels[0]![0], y);
+    context.fill();
+    context.globalAlpha = 1;
+    const surface: Pixel[] = [[left, y], [right, y]];
+    strokeLine(context, surface, { colour: theme.water, width: 1.4 });
+    drawWaterMark(context, surface, theme);
+    return;
+  }
+  const outwards = (left + right) / 2 < middle[0] ? -1 : 1;
+  const surface: Pixel[] = [[outwards < 0 ? left : right, y], [(outwards < 0 ? left : right) + 30 * outwards, y]];
+  strokeLine(context, surface, { colour: theme.water, width: 1.4 });
+  drawWaterMark(context, surface, theme);
+}
+
+/** Draws one condition as it is at a time [s]. */
+export function drawHydraulic(sketch: Sketch, condition: HydraulicCondition, time: number): void {
+  const { context, place, theme } = sketch;
+  const value = evaluateSeries(condition, time);
+  for (const line of condition.lines) {
+    const pixels = line.map(place);
+    if (condition.condition === "total_head") {
+      const level = value * (condition.series?.unit.si ?? 1);
+      // A line that lies just at the level is its surface.
+      for (const part of clipBelow(line, level + 1e-9 * Math.max(1, Math.abs(level)))) drawLevel(sketch, part, level);
+    } else if (condition.condition === "rain" && value !== 0) {
+      drawLineArrows(sketch, pixels, 15, () => [0, -1], value > 0);
+    } else if (condition.condition === "flux" && value !== 0) {
+      drawLineArrows(sketch, pixels, 15, (out) => out, value > 0);
+    } else if (condition.condition === "seepage_face") {
+      drawLineArrows(sketch, pixels, 11, (out) => out, false);
+    } else if (condition.condition === "pressure") {
+      strokeLine(context, pixels, { colour: theme.water, width: 2.6 });
+    } else if (condition.condition === "no_flow") {
+      strokeLine(context, pixels, { colour: theme.water, width: 4 });
+      strokeLine(context, pixels, { colour: theme.ground, width: 1.6 });
+    }
+  }
+}
