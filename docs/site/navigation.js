@@ -12,6 +12,7 @@ const manual = [
       "docs/manual/how-to/run-a-slide.md",
       "docs/manual/how-to/ready-mesh.md",
       "docs/manual/how-to/soil-water-curves.md",
+      "docs/manual/how-to/rain-on-a-slope.md",
       "docs/manual/how-to/follow-points.md",
       "docs/manual/how-to/study-a-parameter.md",
       "docs/manual/how-to/mesh-and-speed.md",

@@ -196,6 +196,19 @@ void monitor_node(const Body<D>& body, int i, const CoupledNode<D>& node, PieceS
   }
 }
 
+/// Whether a surface with water outside takes less of it than there is. It is wet then, and conducts like saturated
+/// soil, however dry the element behind it is on the mean.
+template <int D>
+bool drinks(const SurfaceNode<D>& surface, const CoupledNode<D>& node, const PhaseVectors<D>& a, double dt) {
+  if (!surface.supplies || !(node.water_mass > 0)) return false;
+  double flux = 0;
+  for (int d = 0; d < D; ++d) {
+    const double relative = node.now.water[d] + dt * a.water[d] - node.now.solid[d] - dt * a.solid[d];
+    flux += node.content * relative * surface.normal[d];
+  }
+  return flux < 0 && (surface.offered == 0 || flux > surface.offered * (1 - 1e-9));
+}
+
 /// A node that is held, at a wall, or on the surface. Fills in the damping forces.
 template <int D>
 PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t, const CoupledNode<D>& node,
@@ -206,12 +219,31 @@ PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t
   const int axes = body.water.axes_of_node[i];
   const HeldAxes<D>* held = axes >= 0 ? &body.water.axes[axes] : nullptr;
   const SurfaceNode<D> surface = find_surface_node(body, i, t + C::outside, t[C::outside_scale], pass.up, body.time);
-  if (o.damping > 0 || o.water_damping > 0) {
-    const PhaseForces<D> unbalanced =
-        o.net_damping ? find_inertia(node.pair, solve_node(pass, i, node, held, surface, {})) : node.forces;
-    damping = find_phase_damping(o, unbalanced, node.now);
+  const auto solve = [&](const CoupledNode<D>& n) {
+    if (o.damping > 0 || o.water_damping > 0) {
+      const PhaseForces<D> unbalanced =
+          o.net_damping ? find_inertia(n.pair, solve_node(pass, i, n, held, surface, {})) : n.forces;
+      damping = find_phase_damping(o, unbalanced, n.now);
+    }
+    return solve_node(pass, i, n, held, surface, damping);
+  };
+  PhaseVectors<D> a = solve(node);
+  if (!drinks(surface, node, a, o.dt)) return a;
+  CoupledNode<D> wetted = node;
+  wetted.pair = PhasePair(node.solid_mass, node.whole_mass, node.content, t[C::resistance], o.mass_scaling, o.dt,
+                          o.implicit_drag);
+  // Across the surface only: along it the water flows as the soil's mean lets it.
+  const PhaseVectors<D> b = solve(wetted);
+  double solid = 0, water = 0;
+  for (int d = 0; d < D; ++d) {
+    solid += (b.solid[d] - a.solid[d]) * surface.normal[d];
+    water += (b.water[d] - a.water[d]) * surface.normal[d];
   }
-  return solve_node(pass, i, node, held, surface, damping);
+  for (int d = 0; d < D; ++d) {
+    a.solid[d] += solid * surface.normal[d];
+    a.water[d] += water * surface.normal[d];
+  }
+  return a;
 }
 
 /// Nodes one by one, whatever meets at them.

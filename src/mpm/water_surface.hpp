@@ -32,6 +32,7 @@ struct SurfaceNode {
   double offered = 0;                           ///< q̂·n, negative inwards [m/s]
   bool limits = false;                          ///< the condition may correct the flux
   bool always = false;                          ///< it does so in both directions
+  bool supplies = false;                        ///< there is water outside: rain, or standing water
 };
 
 /// Level above which the node stands [m]; negative: it is dry.
@@ -64,12 +65,14 @@ SurfaceNode<D> find_surface_node(const Body<D>& body, int i, const double* outsi
   switch (s.condition->kind) {
     case SurfaceKind::open:
     case SurfaceKind::pressure:
+      s.supplies = true;
       break;
     case SurfaceKind::seepage:
       s.limits = true;
       break;
     case SurfaceKind::head:
       s.limits = find_submergence<D>(value, up, body.mesh().nodes[i]) <= 0;
+      s.supplies = !s.limits;
       break;
     case SurfaceKind::flux:
       s.limits = s.always = true;
@@ -79,6 +82,7 @@ SurfaceNode<D> find_surface_node(const Body<D>& body, int i, const double* outsi
       s.limits = true;
       if (value >= 0) {
         s.offered = s.condition->vertical ? std::min(0.0, -value * dot(up, s.normal)) : -value;
+        s.supplies = s.offered < 0;
       } else {
         const double limit = s.condition->suction_limit;
         const double left = std::isinf(limit) ? 1 : (limit - water.suction[i]) / (evaporation_taper * limit);

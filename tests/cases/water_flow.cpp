@@ -49,6 +49,17 @@ TEST(WaterFlow, DrainedColumnGivesTheWaterOfRichardsEquation) {
   EXPECT_LT(run.budget_error, 1e-9);
 }
 
+TEST(WaterFlow, RainBelowTheSaturatedConductivityEntersDrySoilThroughCoarseElements) {
+  // k_sat is 36 mm/h, but 0.04 of it at the suction of the start, 25 kPa. The wetted depth is a few per cent of an
+  // element.
+  const WaterRun run("../storm_on_a_bank/case.toml",
+                     {{"mesh.size", "0.6"}, {"hydraulic.0.rate", "\"18 mm/h\""}, {"stage.1.duration", "60"}});
+  const auto& ground = run.summary.at("water").at("surfaces").at(1);
+  EXPECT_NEAR(ground.at("supplied").get<double>(), 1000 * 14 * 5e-6 * 60, 0.01);
+  EXPECT_LT(ground.at("runoff").get<double>(), 0.01 * ground.at("supplied").get<double>());
+  EXPECT_LT(std::abs(run.budget_error), 1e-9);
+}
+
 TEST(WaterFlow, FlowRoundACornerApproachesItsExactDischarge) {
   // Conformal mapping: 0.68062 k Δh (tools/water_checks/corner.py). The inlet's ends are singular: first order at best.
   const double exact = 0.68062 * 1e-4 * 0.5;

@@ -72,7 +72,8 @@ struct WetNode {
   double whole_mass = 0;  ///< M_w of (2.70): water in the whole volume of the wet points [kg]
   double resistance = 0;  ///< Σ N ρ_w g/k V, k saturated: what Darcy's flux θ(w−v) is held back with (2.75) [kg/s]
   double volume = 0;      ///< Σ N V of wet points [m³]
-  double mobile_volume = 0;                      ///< Σ N V k_r [m³]
+  double mobile_volume = 0;  ///< Σ N V k_r [m³]
+  bool drinks = false;       ///< a wet surface that takes less water than there is outside: conducts as saturated
   Vector<D> solid_momentum = Vector<D>::Zero();  ///< at the start of the step [kg m/s]
   Vector<D> water_momentum = Vector<D>::Zero();
   Vector<D> force = Vector<D>::Zero();               ///< of the mixture, external minus internal (2.66) [N]
@@ -89,7 +90,10 @@ struct WetNode {
   /// n S of the node, M̄_w/M_w [-].
   double water_content() const { return whole_mass > 0 ? water_mass / whole_mass : 0.0; }
   /// D, the force per relative velocity w − v [kg/s].
-  double drag() const { return water_content() > 0 ? water_content() * resistance * volume / mobile_volume : 0.0; }
+  double drag() const {
+    if (water_content() <= 0) return 0.0;
+    return water_content() * resistance * (drinks ? 1.0 : volume / mobile_volume);
+  }
 };
 
 /// What happens to water where the node lies on a free surface of the wet soil.

@@ -173,12 +173,28 @@ void limit_predicted_inflow(WetBody<D>& body, std::size_t number, double time_st
   node.water_acceleration += (w - w0) / time_step;
 }
 
+/// Whether a surface node with water outside takes less of it than there is.
+template <int D>
+bool takes_less_than_offered(const WetBody<D>& body, std::size_t number, double time_step) {
+  const WetNode<D>& node = body.nodes[number];
+  const SurfaceCondition<D> condition = surface_condition(body, static_cast<int>(number));
+  if (node.surface.norm() == 0 || node.water_mass <= 0) return false;
+  const double offered = condition.kind == SurfaceKind::rain ? offered_flux(condition, node) : 0.0;
+  const bool supplies = condition.kind == SurfaceKind::open || condition.kind == SurfaceKind::pressure ||
+                        (condition.kind == SurfaceKind::head && submergence(body, static_cast<int>(number)) > 0) ||
+                        offered < 0;
+  if (!supplies) return false;
+  const Vector<D> relative = water_velocity(node) + time_step * node.water_acceleration - solid_velocity(node) -
+                             time_step * node.solid_acceleration;
+  const double flux = node.water_content() * relative.dot(node.surface.normalized());
+  return flux < 0 && (offered == 0 || flux > offered * (1 - 1e-9));
+}
+
 /// Accelerations of all nodes: (2.66), (2.67), (2.89)–(2.91), with inflow limited.
 template <int D>
 void solve_wet_momentum(WetBody<D>& body, const WetSettings& settings) {
   const double limit = massless_limit(body);
-  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
-    if (body.nodes[i].solid_mass <= limit) continue;
+  const auto solve = [&](std::size_t i) {
     PhaseForces<D> damping;
     if (settings.damped_force == DampedForce::net) {
       solve_node(body, i, settings, damping);
@@ -187,6 +203,18 @@ void solve_wet_momentum(WetBody<D>& body, const WetSettings& settings) {
     damping = find_damping(body.nodes[i], settings);
     solve_node(body, i, settings, damping);
     limit_predicted_inflow(body, i, settings.time_step);
+  };
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    if (body.nodes[i].solid_mass <= limit) continue;
+    solve(i);
+    if (!takes_less_than_offered(body, i, settings.time_step)) continue;
+    // Across the surface it conducts as saturated soil.
+    WetNode<D>& node = body.nodes[i];
+    const Vector<D> solid = node.solid_acceleration, water = node.water_acceleration, n = node.surface.normalized();
+    node.drinks = true;
+    solve(i);
+    node.solid_acceleration = solid + n.dot(node.solid_acceleration - solid) * n;
+    node.water_acceleration = water + n.dot(node.water_acceleration - water) * n;
   }
 }
 
