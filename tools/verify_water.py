@@ -41,6 +41,12 @@ Times are processor times of one thread of the machine it ran on.
 """
 
 
+def describe_run(run):
+    if run is None:  # it broke
+        return [""] * 5
+    return [f"{run.step:.4g}", run.steps, run.points, f"{run.seconds:.1f}", f"{run.rate:.3g}"]
+
+
 def write_tables(rows, target, figures):
     with open(target / "water.csv", "w", newline="") as file:
         out = csv.writer(file)
@@ -48,8 +54,7 @@ def write_tables(rows, target, figures):
                       "steps", "points", "processor time [s]", "point-steps per second", "note", "command"])
         for r in rows:
             out.writerow([r.problem, r.quantity, f"{r.computed:.7g}", f"{r.exact:.7g}", f"{r.computed - r.exact:.3g}",
-                          f"{r.bound:.3g}", r.unit, r.passes, f"{r.run.step:.4g}", r.run.steps, r.run.points,
-                          f"{r.run.seconds:.1f}", f"{r.run.rate:.3g}", r.note, r.run.command])
+                          f"{r.bound:.3g}", r.unit, r.passes, *describe_run(r.run), r.note, r.run.command if r.run else ""])
     lines = ["| problem | quantity | computed | exact or published | difference | bound | |", "|---|---|---|---|---|---|---|"]
     last = None
     for r in rows:
@@ -60,7 +65,7 @@ def write_tables(rows, target, figures):
                      f"{show(r.exact, r.unit)} | {difference} | {bound} | {verdict} |")
         last = r.problem
     lines += ["", "| run | time step | steps | points | processor time [s] | point-steps per second | command |", "|---|---|---|---|---|---|---|"]
-    for run in {r.run.command: r.run for r in rows}.values():
+    for run in {r.run.command: r.run for r in rows if r.run}.values():
         lines.append(f"| {run.folder.name} | {run.step:.3g} s | {run.steps} | {run.points} | {run.seconds:.1f} | {run.rate:.2g} | "
                      f"`{run.command}` |")
     text = "\n".join(lines) + "\n"

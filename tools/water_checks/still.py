@@ -17,8 +17,12 @@ SETTLING = (("", {}, 0.1, ""), (", elements of 0.05 m", {"mesh__size": 0.05}, 0.
 def check_settling(runner):
     rows = []
     for number, (label, settings, size, miss) in enumerate(SETTLING):
-        run = runner.run(f"hydrostatic_settling_{number}", "hydrostatic/settling.toml", **settings)
-        last, title = run.frames()[-1], f"soft column settling by 14 mm under water, 60 s{label}"
+        title = f"soft column settling by 14 mm under water, 60 s{label}"
+        run = runner.run(f"hydrostatic_settling_{number}", "hydrostatic/settling.toml", may_break=miss == FLUTTERS, **settings)
+        if run is None:
+            rows.append(Row(title, "runs to its end", 0, 1, 0.5, note=f"{FLUTTERS}, and ends with an error", known_miss=True))
+            continue
+        last = run.frames()[-1]
         # at points: half a kilopascal of it is that the pressure is one in an element
         error = np.abs(last["pore_pressure"].ravel() - WATER_WEIGHT * (3 - last.points[:, 1]))
         rows.append(Row(title, "largest difference of pressure from rest", error.max(), 0, 1000, "Pa", note=miss, run=run,
