@@ -6,6 +6,7 @@
 #include <map>
 
 #include "analysis/prepare.hpp"
+#include "mesh/shape_gradient.hpp"
 #include "mpm/observe.hpp"
 
 namespace talus::analysis {
@@ -86,19 +87,11 @@ double find_slope_height(const mpm::Body<D>& body, const model::Gravity& gravity
     for (int k = 0; k <= D; ++k) {
       const int n = mesh.neighbours[e][k];
       if (n >= 0 && body.points.count[n] > 0) continue;
+      const Vec<D> gradient = mesh::find_shape_gradient(mesh, e, k);
       double up = 0;  // component of -∇N_k, the outward direction, against gravity
-      double steepness = 0;
-      for (int d = 0; d < D; ++d) {
-        double gradient = 0;
-        if (k > 0)
-          gradient = mesh.gradients[e][(k - 1) * D + d];
-        else
-          for (int j = 0; j < D; ++j) gradient -= mesh.gradients[e][j * D + d];
-        up += gradient * gravity.direction[d];
-        steepness += gradient * gradient;
-      }
+      for (int d = 0; d < D; ++d) up += gradient[d] * gravity.direction[d];
       constexpr double steepest_ground = 0.05;  // cosine: a wall is no ground
-      if (up < steepest_ground * std::sqrt(steepness)) continue;
+      if (up < steepest_ground * norm(gradient)) continue;
       for (int j = 0; j <= D; ++j) {
         if (j == k) continue;
         double height = 0;

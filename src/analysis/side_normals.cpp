@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "mesh/shape_gradient.hpp"
 
 namespace talus::analysis {
 namespace {
@@ -54,16 +55,9 @@ SideMap<D> map_sides(const mesh::Mesh<D>& mesh, const std::vector<typename mesh:
 template <int D>
 std::pair<Vec<D>, double> find_outward_normal(const mesh::Mesh<D>& mesh, int e, int k) {
   // ∇N_k points from the side into the element, and |∇N_k| = 1/altitude.
-  Vec<D> n{};
-  for (int d = 0; d < D; ++d) {
-    if (k > 0) {
-      n[d] = -mesh.gradients[e][(k - 1) * D + d];
-    } else {
-      for (int j = 0; j < D; ++j) n[d] += mesh.gradients[e][j * D + d];
-    }
-  }
+  Vec<D> n = mesh::find_shape_gradient(mesh, e, k);
   const double steepness = norm(n);
-  for (double& c : n) c /= steepness;
+  for (double& c : n) c /= -steepness;
   return {n, D * mesh.volumes[e] * steepness};
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
+#include "model/checks.hpp"
 
 namespace talus::model {
 namespace {
@@ -59,11 +60,6 @@ void add_factors(std::vector<ResultName>& names, const Case& data) {
     add_runout(names, data, fmt::format("runout[{:g}]", f), fmt::format(", runout at SRF {:g}", f));
 }
 
-bool has_pore_water(const Case& data) {
-  return std::any_of(data.materials.begin(), data.materials.end(),
-                     [](const auto& m) { return m.second.water.is_wet(); });
-}
-
 /// Of soil with pore water: what came in and left by condition, and the steady seepage of the start.
 void add_water(std::vector<ResultName>& names, const Case& data) {
   const bool plane = data.mesh.dimension == 2;  // a plane section is one metre thick
@@ -103,7 +99,7 @@ std::vector<ResultName> list_result_names(const Case& data) {
     names.push_back(
         {fmt::format("stage[{}].time", stage.name), fmt::format("simulated time at the end of '{}'", stage.name), "s"});
   }
-  if (has_pore_water(data)) add_water(names, data);
+  if (is_wet(data)) add_water(names, data);
   names.push_back({"mesh.critical_time_step", "critical time step of the mesh", "s"});
   names.push_back({"mesh.points", "material points", ""});
   names.push_back({"mesh.soil_elements", "elements with soil", ""});

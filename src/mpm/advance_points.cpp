@@ -113,31 +113,8 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     }
     Pack material(0.0);
     if constexpr (!Law::is_single) material = lane_materials(points, slot);
-    material::Response<Pack> response = element.response;
-    if (none_partial) {
-      TALUS_UNROLL
-      for (int i = 0; i < NS; ++i) s[i] = element.stress[i];
-      for (int i = 0; i < Law::state_size; ++i) q[i] = element.state[i];
-    } else {
-      TALUS_UNROLL
-      for (int i = 0; i < NS; ++i) s[i] = load<Pack>(p + (P::stress + i) * lane_width);
-      for (int i = 0; i < Law::state_size; ++i) q[i] = load<Pack>(p + (P::state + i) * lane_width);
-      if (stable) {
-        TALUS_UNROLL
-        for (int i = 0; i < 3; ++i) s[i] += pending;
-      }
-      if (o.objective) rotation.apply(s);
-      response = law.template update<NS>(s, d_epsilon, q, Mixed ? active && !element.full : active, material);
-      if constexpr (Mixed) {
-        TALUS_UNROLL
-        for (int i = 0; i < NS; ++i) s[i] = select(element.full, element.stress[i], s[i]);
-        for (int i = 0; i < Law::state_size; ++i) q[i] = select(element.full, element.state[i], q[i]);
-        response.any_plastic = response.any_plastic || element.response.any_plastic;
-        response.dissipation = select(element.full, element.response.dissipation, response.dissipation);
-        response.plastic_mean_stress =
-            select(element.full, element.response.plastic_mean_stress, response.plastic_mean_stress);
-      }
-    }
+    const material::Response<Pack> response = update_point_stress<Mixed>(
+        o, law, element, {rotation, d_epsilon, pending}, p, none_partial, active, material, s, q);
     if constexpr (Law::is_plastic) {
       if (response.any_plastic) {
         const Pack v_p = select(active, volume, Pack(0.0));

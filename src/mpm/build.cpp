@@ -77,7 +77,13 @@ void allocate_water(Body<D>& body, std::vector<WaterLaw> laws) {
   const std::size_t lanes = static_cast<std::size_t>(l.blocks) * lane_width, rows = static_cast<std::size_t>(l.rows),
                     nodes = l.mesh.nodes.size();
   Water<D>& water = body.water;
-  for (WaterLaw& law : laws) water.laws.push_back(finish(std::move(law)));
+  for (WaterLaw& law : laws) {
+    if (law.wet) {
+      water.density = law.density;
+      water.bulk_modulus = law.bulk_modulus;
+    }
+    water.laws.push_back(finish(std::move(law)));
+  }
   water.first_field = body.points.fields;
   body.points.fields += WaterFields<D>::count;
   water.moments.assign(lanes * moment_size<D>, 0.0);

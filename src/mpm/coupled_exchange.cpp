@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "mesh/shape_gradient.hpp"
 #include "mpm/coupled.hpp"
 #include "mpm/coupled_kernels.hpp"
 #include "mpm/element_force.hpp"
@@ -65,18 +66,7 @@ double find_exchange(const Body<D>& body, const StepOptions<D>& o, int e, int k,
     first2 += first * first;
     second2 += second * second;
   }
-  // area of the side over the resistance between the middles
-  double area = 0;
-  for (int d = 0; d < D; ++d) {
-    double gradient = 0;
-    if (k > 0) {
-      gradient = mesh.gradients[e][static_cast<std::size_t>((k - 1) * D + d)];
-    } else {
-      for (int j = 0; j < D; ++j) gradient += mesh.gradients[e][static_cast<std::size_t>(j * D + d)];
-    }
-    area += gradient * gradient;
-  }
-  area = D * mesh.volumes[e] * std::sqrt(area);
+  const double area = D * mesh.volumes[e] * norm(mesh::find_shape_gradient(mesh, e, k));
   const double conductance = area / (from.resistance * std::sqrt(first2) + to.resistance * std::sqrt(second2));
   const double most = exchange_share * std::min(from.storage, to.storage);
   // Only down the head, and not more than there is: at a boundary layer that the mesh does not resolve the nodes'
@@ -93,12 +83,7 @@ void exchange_water(Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
   const mesh::Mesh<D>& mesh = body.mesh();
   const Layout<D>& layout = *body.layout;
-  double density = 0, compressibility = 0;
-  for (const WaterLaw& law : water.laws) {
-    if (!law.wet) continue;
-    density = law.density;
-    compressibility = 1 / (law.density * law.bulk_modulus);
-  }
+  const double density = water.density, compressibility = 1 / (water.density * water.bulk_modulus);
   if (!o.smooth_pressure) std::fill(water.surplus.begin(), water.surplus.end(), 0.0);
   // Each element looks at all its sides itself, so that a side gives both of its elements the same, in any order.
   parallel_for(layout.chunks, o.threads, [&](int c) {

@@ -210,32 +210,11 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     const Mask wet = lanes.is_wet(material);
     const Pack grains = mass * lanes.get_inverse_grain_density(material);  // their volume
     const Pack pores = volume - grains;
-    material::Response<Pack> response = element.response;
+    const material::Response<Pack> response = update_point_stress<Mixed>(
+        o, law, element, {rotation, d_epsilon, pending}, p, none_partial, active, material, s, q);
     PoreState<Pack> pore = full_water.pore;
     Pack water_mass = full_water.per_pores * pores;
-    if (none_partial) {
-      TALUS_UNROLL
-      for (int i = 0; i < NS; ++i) s[i] = element.stress[i];
-      for (int i = 0; i < Law::state_size; ++i) q[i] = element.state[i];
-    } else {
-      TALUS_UNROLL
-      for (int i = 0; i < NS; ++i) s[i] = load<Pack>(p + (P::stress + i) * lane_width);
-      for (int i = 0; i < Law::state_size; ++i) q[i] = load<Pack>(p + (P::state + i) * lane_width);
-      if (stable) {
-        TALUS_UNROLL
-        for (int i = 0; i < 3; ++i) s[i] += pending;
-      }
-      if (o.objective) rotation.apply(s);
-      response = law.template update<NS>(s, d_epsilon, q, Mixed ? active && !element.full : active, material);
-      if constexpr (Mixed) {
-        TALUS_UNROLL
-        for (int i = 0; i < NS; ++i) s[i] = select(element.full, element.stress[i], s[i]);
-        for (int i = 0; i < Law::state_size; ++i) q[i] = select(element.full, element.state[i], q[i]);
-        response.any_plastic = response.any_plastic || element.response.any_plastic;
-        response.dissipation = select(element.full, element.response.dissipation, response.dissipation);
-        response.plastic_mean_stress =
-            select(element.full, element.response.plastic_mean_stress, response.plastic_mean_stress);
-      }
+    if (!none_partial) {
       const Mask own = Mixed ? active && wet && !element.full : active && wet;
       if (any(own)) {
         const Pack pressure = load<Pack>(water + W::pressure * lane_width);
@@ -375,15 +354,11 @@ MoverLists advance_coupled_points(Body<D>& body, const StepOptions<D>& options) 
   MoverLists movers(chunks);
   std::vector<std::vector<int>> newly_full(chunks);
   std::vector<double> dissipated(chunks, 0.0), pressed_in(chunks, 0.0);
-  double density = 1000;
-  for (const WaterLaw& law : body.water.laws) {
-    if (law.wet) density = law.density;
-  }
   const bool far = body.points.size() > 30000;  // beyond the second-level cache
   constexpr int ahead = D == 2 ? 1 : 3;
   parallel_for(layout.chunks, options.threads, [&](int c) {
     const std::size_t chunk = static_cast<std::size_t>(c);
-    Pass<D> pass{body, options, movers[chunk], newly_full[chunk], density};
+    Pass<D> pass{body, options, movers[chunk], newly_full[chunk], body.water.density};
     const int begin = layout.chunk_start[c], end = layout.chunk_start[c + 1];
     const auto advance = [&](const auto& law, int b) {
       if (far && b + ahead < end && body.points.block_used[b + ahead] > 0) prefetch_block(body, b + ahead);

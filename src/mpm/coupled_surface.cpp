@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/shape_gradient.hpp"
 #include "mpm/coupled.hpp"
 #include "mpm/water_surface.hpp"
 
@@ -36,16 +37,8 @@ void find_open_sides(Body<D>& body) {
     if (!is_wet(body, e)) continue;
     for (int k = 0; k <= D; ++k) {
       if (is_wet(body, mesh.neighbours[e][k])) continue;
-      OpenSide<D> side{e, k, {}};
-      for (int d = 0; d < D; ++d) {
-        double gradient = 0;
-        if (k > 0) {
-          gradient = mesh.gradients[e][(k - 1) * D + d];
-        } else {
-          for (int j = 0; j < D; ++j) gradient -= mesh.gradients[e][j * D + d];
-        }
-        side.share[d] = -mesh.volumes[e] * gradient;
-      }
+      OpenSide<D> side{e, k, mesh::find_shape_gradient(mesh, e, k)};
+      for (double& c : side.share) c *= -mesh.volumes[e];
       Vec<D> normal = side.share;
       for (double& c : normal) c /= norm(side.share);
       bool closed = true;
@@ -133,17 +126,12 @@ template <int D>
 void load_surface(Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
   if (water.surface_is_stale) find_open_sides(body);
-  double density = 0;
-  for (const WaterLaw& law : water.laws) density = std::max(density, law.wet ? law.density : 0.0);
-  const double g = norm(o.gravity);
-  Vec<D> up{};
-  for (int d = 0; d < D && g > 0; ++d) up[d] = -o.gravity[d] / g;
   bool loads = false, evaporates = false;
   for (const SurfaceCondition& c : water.surfaces) {
     loads = loads || c.kind == SurfaceKind::head || c.kind == SurfaceKind::pressure;
     evaporates = evaporates || (c.kind == SurfaceKind::rain && !std::isinf(c.suction_limit));
   }
-  if (loads) load_open_sides(body, density * g, up);
+  if (loads) load_open_sides(body, water.density * norm(o.gravity), find_up<D>(o.gravity));
   if (evaporates) find_suctions(body);
 }
 

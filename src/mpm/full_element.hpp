@@ -57,4 +57,50 @@ FullElement<D, Law> update_full_elements(const Body<D>& body, const StepOptions<
   return e;
 }
 
+/// What a step does to the stress of an element's points.
+template <int D>
+struct StressIncrement {
+  const Rotation<D, Pack>& rotation;
+  const Pack* d_epsilon;
+  Pack pending;  ///< of the last plastic return (stable smoothing) [Pa]
+};
+
+/// Stress `s` and state `q` of the points in the slot at `p`: those of their element where it is full, else from their
+/// own. `none_partial`: no lane has points in an element that is not full.
+template <bool Mixed, int D, class Law>
+TALUS_KERNEL material::Response<Pack> update_point_stress(const StepOptions<D>& options, const Law& law,
+                                                          const FullElement<D, Law>& element,
+                                                          const StressIncrement<D>& increment, const double* p,
+                                                          bool none_partial, Mask active, Pack material, Pack* s,
+                                                          Pack* q) {
+  using P = Points<D>;
+  constexpr int NS = P::stress_size;
+  if (none_partial) {
+    TALUS_UNROLL
+    for (int i = 0; i < NS; ++i) s[i] = element.stress[i];
+    for (int i = 0; i < Law::state_size; ++i) q[i] = element.state[i];
+    return element.response;
+  }
+  TALUS_UNROLL
+  for (int i = 0; i < NS; ++i) s[i] = load<Pack>(p + (P::stress + i) * lane_width);
+  for (int i = 0; i < Law::state_size; ++i) q[i] = load<Pack>(p + (P::state + i) * lane_width);
+  if (options.smoothing == model::Smoothing::stable) {
+    TALUS_UNROLL
+    for (int i = 0; i < 3; ++i) s[i] += increment.pending;
+  }
+  if (options.objective) increment.rotation.apply(s);
+  material::Response<Pack> response =
+      law.template update<NS>(s, increment.d_epsilon, q, Mixed ? active && !element.full : active, material);
+  if constexpr (Mixed) {
+    TALUS_UNROLL
+    for (int i = 0; i < NS; ++i) s[i] = select(element.full, element.stress[i], s[i]);
+    for (int i = 0; i < Law::state_size; ++i) q[i] = select(element.full, element.state[i], q[i]);
+    response.any_plastic = response.any_plastic || element.response.any_plastic;
+    response.dissipation = select(element.full, element.response.dissipation, response.dissipation);
+    response.plastic_mean_stress =
+        select(element.full, element.response.plastic_mean_stress, response.plastic_mean_stress);
+  }
+  return response;
+}
+
 }  // namespace talus::mpm

@@ -84,8 +84,10 @@ inline constexpr int wet_motion_stride = D == 2 ? 8 : 16;
 
 template <int D>
 struct Water {
-  std::vector<WaterLaw> laws;  ///< by material number; empty: the body has one phase
-  int first_field = 0;         ///< of the point's water in a slot, see WaterFields in coupled_kernels.hpp
+  std::vector<WaterLaw> laws;   ///< by material number; empty: the body has one phase
+  double density = 1000;        ///< ρ_w at zero pressure, the same in all wet soils [kg/m³]
+  double bulk_modulus = 2.2e9;  ///< K_w, likewise [Pa]
+  int first_field = 0;          ///< of the point's water in a slot, see WaterFields in coupled_kernels.hpp
 
   // Conditions.
   std::vector<int> constraint_of_node;  ///< index into constraints, or -1

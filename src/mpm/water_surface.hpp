@@ -23,6 +23,15 @@ TALUS_KERNEL Vec<D> remove_fixed(const Vec<D>* fixed, int count, std::type_ident
   return f;
 }
 
+/// The unit vector against gravity; zero without gravity.
+template <int D>
+Vec<D> find_up(const Vec<D>& gravity) {
+  const double g = norm(gravity);
+  Vec<D> up{};
+  for (int d = 0; d < D && g > 0; ++d) up[d] = -gravity[d] / g;
+  return up;
+}
+
 /// What a node knows of its water and its surroundings when water passes.
 template <int D>
 struct SurfaceNode {
