@@ -101,6 +101,20 @@ def compare_wet(talus, yardstick, rounds):
                 print(f"| {case[0]}D {case[1]} | {points} | {water} | {integration} | {end}", flush=True)
 
 
+def compare_rooted(talus, rounds):
+    """The rooted-soil model over Mohr-Coulomb, in one engine on one slope, each with mixed integration (the default)."""
+    print("\n| case | water | rooted [M/s] | Mohr-Coulomb [M/s] | ratio |\n|---|---|---|---|---|")
+    for dimension, name in ((2, "small"), (3, "small")):
+        for water in ([], ["wet"]):
+            rooted, plain = [], []
+            for _ in range(rounds):
+                rooted.append(talus.measure(dimension, name, 1, 2000, 500, 3, "mixed", "objective", "rooted", *water)[0])
+                plain.append(talus.measure(dimension, name, 1, 2000, 500, 3, "mixed", "objective", *water)[0])
+            ratio = statistics.median(r / p for r, p in zip(rooted, plain))
+            wet = "unsaturated" if water else "dry"
+            print(f"| {dimension}D {name} | {wet} | {statistics.median(rooted):.1f} | {statistics.median(plain):.1f} | {ratio:.2f} |", flush=True)
+
+
 def measure_threads(talus, rounds):
     print("\n| case | threads | Talus [M/s] | speed-up |\n|---|---|---|---|")
     threads = os.cpu_count()
@@ -119,7 +133,7 @@ def main():
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--yardstick", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2] / "shared" / "ceiling")
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--only", choices=["dry", "wet", "threads"])
+    parser.add_argument("--only", choices=["dry", "wet", "rooted", "threads"])
     arguments = parser.parse_args()
     talus = Talus(arguments.build)
     print(describe_machine())
@@ -130,6 +144,8 @@ def main():
         if not yardstick.exists():
             print(f"SKIP: the yardstick's {name}.cpp is not here; no {part} ratio is measured (--yardstick FOLDER)", file=sys.stderr)
         function(talus, yardstick, arguments.rounds)
+    if arguments.only in (None, "rooted"):
+        compare_rooted(talus, arguments.rounds)
     if arguments.only in (None, "threads"):
         measure_threads(talus, arguments.rounds)
 

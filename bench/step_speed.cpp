@@ -1,9 +1,9 @@
 // Million point-steps per second of the engine on the yardstick's slope.
 //   step_speed D CASE THREADS [WARM STEPS REPEATS] [FLAG...]
-// CASE is small, mid or large. Flags: mixed, smooth, stable, objective; wet (pore water, unsaturated above the level)
-// or saturated (S = 1 everywhere), and with them net (damping), explicit (drag), pressure (smoothing), seepage
-// (surfaces that no water enters); parts (wall time by lines of the step), state (extremes of the points before
-// timing). Single-threaded runs are timed in CPU time, threaded ones in wall time.
+// CASE is small, mid or large. Flags: mixed, smooth, stable, objective; rooted (the rooted-soil model); wet (pore
+// water, unsaturated above the level) or saturated (S = 1 everywhere), and with them net (damping), explicit (drag),
+// pressure (smoothing), seepage (surfaces that no water enters); parts (wall time by lines of the step), state
+// (extremes of the points before timing). Single-threaded runs are timed in CPU time, threaded ones in wall time.
 
 #include <fmt/format.h>
 
@@ -52,10 +52,11 @@ std::size_t memory_per_point(const talus::mpm::Body<D>& body) {
 
 template <int D>
 talus::bench::Yardstick<D> make_case(const std::string& name, int threads, const std::set<std::string>& flags) {
-  const bool saturated = flags.contains("saturated"), wet = saturated || flags.contains("wet");
+  const bool saturated = flags.contains("saturated"), wet = saturated || flags.contains("wet"),
+             rooted = flags.contains("rooted");
   const int chunks = threads > 1 || name == "large" ? 0 : 1;
-  auto y = wet ? talus::bench::make_wet_yardstick<D>(name, chunks, saturated)
-               : talus::bench::make_yardstick<D>(name, chunks);
+  auto y = wet ? talus::bench::make_wet_yardstick<D>(name, chunks, saturated, rooted)
+               : talus::bench::make_yardstick<D>(name, chunks, rooted);
   y.options.threads = threads;
   y.options.mixed = flags.contains("mixed");
   if (flags.contains("smooth")) y.options.smoothing = talus::model::Smoothing::strain;

@@ -21,9 +21,10 @@ inline mpm::WaterLaw yardstick_water(double grain_density, bool saturated) {
   return law;
 }
 
-/// The wet case ready to step. `saturated`: S = 1 above the level as well. `chunks` as in make_layout.
+/// The wet case ready to step. `saturated`: S = 1 above the level as well. `chunks` as in make_layout. `rooted`: the
+/// rooted-soil model instead of Mohr–Coulomb.
 template <int D>
-Yardstick<D> make_wet_yardstick(const std::string& name, int chunks, bool saturated) {
+Yardstick<D> make_wet_yardstick(const std::string& name, int chunks, bool saturated, bool rooted = false) {
   const YardstickCase c = yardstick_case<D>(name);
   constexpr double grain_density = 2650, porosity = 0.35;
   const YardstickSoil soil{1e7, 0.3, (1 - porosity) * grain_density, 5e3, 30 * std::numbers::pi / 180, 0.6};
@@ -34,8 +35,10 @@ Yardstick<D> make_wet_yardstick(const std::string& name, int chunks, bool satura
   for (mpm::InitialPoint<D>& point : fill.points)
     point.pressure = -water.density * yardstick_gravity * (level - mesh::to_global(mesh, point.element, point.xi)[1]);
 
+  material::Law law = soil.law();
+  if (rooted) law = plant_roots(fill.points, soil.elastic().constrained_modulus(), soil.poisson);
   Yardstick<D> y;
-  y.body = mpm::make_body<D>(mpm::make_layout<D>(std::move(mesh), fill.in_element, chunks), {soil.law()}, {"soil"},
+  y.body = mpm::make_body<D>(mpm::make_layout<D>(std::move(mesh), fill.in_element, chunks), {law}, {"soil"},
                              fill.points, {water});
   hold_grains(y.body, c);
   mpm::Water<D>& w = y.body.water;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mpm/build.hpp"
+#include "rooted_soil.hpp"
 #include "yardstick_mesh.hpp"
 
 namespace talus::bench {
@@ -111,16 +112,18 @@ struct Yardstick {
   mpm::StepOptions<D> options;
 };
 
-/// The dry case ready to step. `chunks` as in make_layout.
+/// The dry case ready to step. `chunks` as in make_layout. `rooted`: the rooted-soil model instead of Mohr–Coulomb.
 template <int D>
-Yardstick<D> make_yardstick(const std::string& name, int chunks) {
+Yardstick<D> make_yardstick(const std::string& name, int chunks, bool rooted = false) {
   const YardstickCase c = yardstick_case<D>(name);
   const YardstickSoil soil{1.0e7, 0.3, 1800, 1e3, 18 * std::numbers::pi / 180};
   mesh::Mesh<D> mesh = make_yardstick_mesh<D>(c);
-  const YardstickFill<D> fill = fill_slope(mesh, c, soil);
+  YardstickFill<D> fill = fill_slope(mesh, c, soil);
+  material::Law law = soil.law();
+  if (rooted) law = plant_roots(fill.points, soil.elastic().constrained_modulus(), soil.poisson);
   Yardstick<D> y;
-  y.body = mpm::make_body<D>(mpm::make_layout<D>(std::move(mesh), fill.in_element, chunks), {soil.law()}, {"soil"},
-                             fill.points);
+  y.body =
+      mpm::make_body<D>(mpm::make_layout<D>(std::move(mesh), fill.in_element, chunks), {law}, {"soil"}, fill.points);
   hold_grains(y.body, c);
   const double size = c.size * (D == 3 ? 0.6 : 1);
   y.options.dt = 0.25 * size / std::sqrt(soil.elastic().constrained_modulus() / soil.density);

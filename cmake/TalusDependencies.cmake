@@ -11,3 +11,6 @@ find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED PATH_SUFFIXES udunits2)
 find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
 find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
 find_library(GMSH_LIBRARY gmsh REQUIRED)
+find_path(CERES_INCLUDE_DIR ceres/ceres.h REQUIRED)
+find_library(CERES_LIBRARY ceres REQUIRED)
+find_library(GLOG_LIBRARY glog REQUIRED) # the headers of Ceres write its messages

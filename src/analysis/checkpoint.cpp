@@ -88,6 +88,7 @@ void put_budgets(ArchiveWriter& archive, const mpm::Water<D>& water) {
   std::vector<double> flat{water.lost_between, water.left_grid, water.pressed_in};
   for (const mpm::SurfaceBudget& b : water.budgets) flat.insert(flat.end(), {b.entered, b.left, b.supplied, b.runoff});
   archive.put("water/budgets", flat);
+  archive.put("water/transpired", std::vector<double>{water.transpired});
 }
 
 template <int D>
@@ -96,6 +97,7 @@ void get_water(const ArchiveReader& archive, mpm::Body<D>& body) {
   const auto& flat = archive.reals("water/budgets");
   water.lost_between = flat[0];
   water.left_grid = flat[1];
+  water.transpired = archive.reals("water/transpired")[0];
   water.budgets.clear();
   water.pressed_in = flat[2];
   for (std::size_t i = 3; i + 4 <= flat.size(); i += 4)

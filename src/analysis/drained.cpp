@@ -36,6 +36,20 @@ mpm::Load<D> make_pore_load(const mpm::Body<D>& wet, const StagePlan<D>& plan, c
   return load;
 }
 
+/// Mean saturation of each element, 1 where no soil is wet: laws with suction hardening ask for it.
+template <int D>
+AlignedVector<double> find_saturation(const mpm::Body<D>& wet) {
+  AlignedVector<double> sum(wet.elements.fill_limit.size(), 0.0), volume(sum.size(), 0.0);
+  for (int id = 0; id < wet.points.size(); ++id) {
+    if (!mpm::is_present(wet, id)) continue;
+    const auto p = mpm::view_point(wet, id);
+    sum[p.element] += p.volume * (p.wet ? p.saturation : 1.0);
+    volume[p.element] += p.volume;
+  }
+  for (std::size_t e = 0; e < sum.size(); ++e) sum[e] = volume[e] > 0 ? sum[e] / volume[e] : 1.0;
+  return sum;
+}
+
 /// One phase, with the mass of the water added to that of the grains.
 template <int D>
 mpm::Body<D> make_heavy(const mpm::Body<D>& wet) {
@@ -55,6 +69,7 @@ mpm::Body<D> make_heavy(const mpm::Body<D>& wet) {
 template <int D>
 mpm::Body<D> make_drained_body(const mpm::Body<D>& wet, const StagePlan<D>& plan, const StageState& state) {
   mpm::Body<D> drained = make_heavy(wet);
+  drained.elements.held_saturation = find_saturation(wet);
   drained.conditions.loads.push_back(make_pore_load(wet, plan, state));
   return drained;
 }
@@ -77,6 +92,7 @@ void copy_from_drained(const mpm::Body<D>& drained, mpm::Body<D>& wet) {
     }
   }
   wet.elements = drained.elements;
+  wet.elements.held_saturation.clear();
   wet.nodes = drained.nodes;
   // For whoever looks at the nodes: the grains move, no water moves against them.
   for (int row = 0; row < wet.layout->rows; ++row) {

@@ -8,7 +8,9 @@
 
 #include "analysis/checkpoint.hpp"
 #include "analysis/recorder.hpp"
+#include "analysis/root_content.hpp"
 #include "base/error.hpp"
+#include "model/declare_material.hpp"
 #include "mpm/coupled_kernels.hpp"
 #include "mpm/observe.hpp"
 #include "mpm/pore_state.hpp"
@@ -151,6 +153,27 @@ int EndState::points_per_element() const {
   return input_.at("mesh").at("points_per_element").at("value");
 }
 
+std::vector<model::MaterialModel> EndState::list_models() const {
+  std::vector<model::MaterialModel> by_number, models;  // materials are numbered by name, as objects are ordered
+  for (const auto& [name, material] : input_.at("materials").items()) {
+    const std::string word = material.at("model").at("value");
+    const auto& words = model::choices<model::MaterialModel>;
+    const auto found = std::find_if(words.begin(), words.end(), [&](const auto& c) { return c.word == word; });
+    if (found == words.end())
+      throw Error(ExitCode::wrong_input, fmt::format("the result '{}' has a material of the model '{}', which this "
+                                                     "version does not know",
+                                                     result_, word));
+    by_number.push_back(found->value);
+  }
+  for (const int number : archive_.integers("points/material"))
+    models.push_back(by_number[static_cast<std::size_t>(number)]);
+  return models;
+}
+
+bool EndState::has_roots_of(const model::Case& data) const {
+  return archive_.has("roots") && archive_.text("roots") == write_root_input(data);
+}
+
 template <int D>
 mesh::Mesh<D> EndState::get_mesh() const {
   return analysis::get_mesh<D>(archive_);
@@ -209,11 +232,12 @@ std::vector<std::string> EndState::list_refilled(const mpm::Body<D>& body) const
 
 template <int D>
 void save_end_state(const std::filesystem::path& folder, json echo, const json& mesh_input,
-                    const std::string& input_hash, const mpm::Body<D>& body) {
+                    const std::string& input_hash, const mpm::Body<D>& body, const std::string& roots) {
   for (const char* block : {"geometry", "mesh"}) echo[block] = mesh_input.at(block);
   output::ArchiveWriter archive;
   archive.put("input", echo.dump());
   archive.put("input_hash", input_hash);
+  archive.put("roots", roots);
   archive.put("state_hash",
               hash_text(hash_values(body.mesh().nodes) + hash_values(body.points.data) + hash_values(body.points.id)));
   if (body.water.is_wet()) archive.put("water/retention_samples", sample_storage(body.water.laws));
@@ -227,7 +251,7 @@ void save_end_state(const std::filesystem::path& folder, json echo, const json& 
   template void EndState::take_over<D>(mpm::Body<D>&) const;                                           \
   template std::vector<std::string> EndState::list_refilled<D>(const mpm::Body<D>&) const;             \
   template void save_end_state<D>(const std::filesystem::path&, json, const json&, const std::string&, \
-                                  const mpm::Body<D>&);
+                                  const mpm::Body<D>&, const std::string&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

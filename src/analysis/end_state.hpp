@@ -32,13 +32,19 @@ class EndState {
   bool is_on_another_mesh(const nlohmann::json& echo) const;
   int points_per_element() const;
 
+  /// The model of each point's material.
+  std::vector<model::MaterialModel> list_models() const;
+  /// Whether the roots of the result are those that `data` describes.
+  bool has_roots_of(const model::Case& data) const;
+
   template <int D>
   mesh::Mesh<D> get_mesh() const;
 
   /// Moves the soil of `body`, filled on the mesh of this state, to where it ended: its stress, pore water, motion and
-  /// strain are those of the result; time is 0, displacements count from here, nothing was lost. Water keeps its
-  /// pressure where its material stores it differently now. The work done before stays in the body, as rest is judged
-  /// by it. Throws Error (wrong_input) when one has pore water and the other has none, or no point is left.
+  /// strain are those of the result (state variables: see adopt_state()); time is 0, displacements count from here,
+  /// nothing was lost. Water keeps its pressure where its material stores it differently now. The work done before
+  /// stays in the body, as rest is judged by it. Throws Error (wrong_input) when one has pore water and the other has
+  /// none, or no point is left.
   template <int D>
   void take_over(mpm::Body<D>& body) const;
 
@@ -53,9 +59,9 @@ class EndState {
 };
 
 /// Writes the end of the stages of the case with this echo into `folder`. `mesh_input` is the echo of the case that the
-/// mesh was made for: another one where the case itself started from a result.
+/// mesh was made for: another one where the case itself started from a result. `roots`: write_root_input().
 template <int D>
 void save_end_state(const std::filesystem::path& folder, nlohmann::json echo, const nlohmann::json& mesh_input,
-                    const std::string& input_hash, const mpm::Body<D>& body);
+                    const std::string& input_hash, const mpm::Body<D>& body, const std::string& roots = {});
 
 }  // namespace talus::analysis

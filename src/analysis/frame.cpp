@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "analysis/state_fields.hpp"
 #include "mpm/coupled_kernels.hpp"
 #include "mpm/observe.hpp"
 
@@ -11,8 +12,10 @@ namespace {
 /// A list of fields that grows point by point.
 class Fields {
  public:
-  void add(const std::string& name, const std::string& unit, int components) {
+  /// Returns the number of the new field.
+  std::size_t add(const std::string& name, const std::string& unit, int components) {
     fields_.push_back({name, unit, components, {}});
+    return fields_.size() - 1;
   }
   void push(std::size_t field, double value) { fields_[field].values.push_back(value); }
   std::vector<output::Field> take() { return std::move(fields_); }
@@ -136,6 +139,9 @@ output::Frame make_frame(const mpm::Body<D>& body, const std::string& stage, boo
     fields.add("porosity", "-", 1);
     fields.add("water_velocity", "m/s", 3);
   }
+  const StateFields states(body.laws);
+  std::vector<std::size_t> of_state;
+  for (const material::StateField& f : states.list()) of_state.push_back(fields.add(f.name, f.unit, 1));
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
     const auto p = mpm::view_point(body, id);
@@ -158,6 +164,9 @@ output::Frame make_frame(const mpm::Body<D>& body, const std::string& stage, boo
     fields.push(8, p.plastic_strain);
     fields.push(9, p.volume);
     if (body.water.is_wet()) push_water<D>(fields, 10, p);
+    if (of_state.empty()) continue;
+    const std::vector<double> values = states.read(body, p);
+    for (std::size_t k = 0; k < values.size(); ++k) fields.push(of_state[k], values[k]);
   }
   frame.point_fields = fields.take();
   if (cells || nodes) frame.mesh = make_mesh_frame(body, cells, nodes);

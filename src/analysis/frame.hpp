@@ -20,8 +20,8 @@ template <int N>
 Invariants find_strain_invariants(const std::array<double, N>& strain);
 
 /// All points that are on the grid, with displacement, velocity, stress, p, q, strains, plastic strain and volume;
-/// with pore water also its pressure, positive in compression, saturation, porosity and the water's velocity. Element
-/// and nodal fields on request.
+/// with pore water also its pressure, positive in compression, saturation, porosity and the water's velocity; and
+/// what the laws have beside stress (state_fields.hpp). Element and nodal fields on request.
 template <int D>
 output::Frame make_frame(const mpm::Body<D>& body, const std::string& stage, bool cells = false, bool nodes = false);
 

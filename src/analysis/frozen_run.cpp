@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "analysis/checkpoint.hpp"
+#include "analysis/initial_state.hpp"
 #include "analysis/prepare.hpp"
 #include "analysis/runout.hpp"
 #include "analysis/water_conditions.hpp"
@@ -140,6 +141,7 @@ class FrozenMesh {
             stage.name, i > 0 ? ", and the trials start from the state before it" : "");
         if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
       }
+      if (is_equilibrium_stage(data_, i)) set_preconsolidation(state_, data_);
       recorder.end_leg(state_);
       fs::copy_file(folder_ / recording_.checkpoint_name, folder_ / stage_start, fs::copy_options::overwrite_existing);
       stage_state = {};

@@ -31,15 +31,38 @@ void set_from_table(const model::Case& data, const mesh::Mesh<D>& mesh, InitialW
 }
 
 template <int D>
-void set_from_seepage(const model::Case& data, const mesh::Mesh<D>& mesh, InitialWater<D>& water) {
-  mesh::Mesh<D> wet_mesh;
-  water.seepage = fem::solve_steady_seepage(make_seepage_model<D>(data, mesh, wet_mesh));
+void set_from_seepage(const model::Case& data, const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& seepage,
+                      InitialWater<D>& water) {
   for (int e = 0; e < mesh.element_count(); ++e) {
     if (!is_wet(data, mesh, e)) continue;
-    for (int node : mesh.elements[e]) water.pressure[e] += water.seepage->pressure[node] / (D + 1);
-    const double content = find_soil(data, mesh, e)->porosity * water.seepage->saturation[e];
-    for (std::size_t d = 0; d < D; ++d) water.velocity[e][d] = water.seepage->velocity[e][d] / content;
+    for (int node : mesh.elements[e]) water.pressure[e] += seepage.pressure[node] / (D + 1);
+    const double content = find_soil(data, mesh, e)->porosity * seepage.saturation[e];
+    for (std::size_t d = 0; d < D; ++d) water.velocity[e][d] = seepage.velocity[e][d] / content;
   }
+}
+
+/// Heads of the nodes in the state that the season begins with [m].
+template <int D>
+std::vector<double> find_first_heads(const model::Case& data, const mesh::Mesh<D>& mesh, const InitialWater<D>& water) {
+  if (water.seepage) return water.seepage->head;
+  const model::InitialWater& initial = data.initial.water;
+  const double weight = find_water_weight(data);
+  std::vector<double> heads;
+  for (const Vec<D>& x : mesh.nodes) {
+    const double level =
+        initial.pressure == model::InitialPressure::zero ? x[1] : find_water_table(initial.water_table, x[0]);
+    heads.push_back(x[1] - std::min(x[1] - level, initial.largest_suction / weight));
+  }
+  return heads;
+}
+
+template <int D>
+void follow_season(const model::Case& data, const mesh::Mesh<D>& mesh, const fem::SeepageModel<D>& model,
+                   InitialWater<D>& water) {
+  Season<D> season = run_season<D>(data, model, find_first_heads<D>(data, mesh, water));
+  water.pressure.assign(mesh.elements.size(), 0.0);
+  set_from_seepage<D>(data, mesh, season.end, water);
+  water.season = std::move(season.record);
 }
 
 /// Level above the place x (z in 3D as well) of the side that covers it; nothing when it lies beside the side.
@@ -79,6 +102,12 @@ InitialWater<D> find_initial_water(const model::Case& data, const mesh::Mesh<D>&
   water.pressure.assign(mesh.elements.size(), 0.0);
   water.velocity.assign(mesh.elements.size(), {});
   if (!has_water(data)) return water;
+  // A state that is taken over has its weather behind it.
+  const bool has_season = data.initial.water.season > 0 && data.initial.result.empty();
+  const bool seeps = data.initial.water.pressure == model::InitialPressure::seepage;
+  mesh::Mesh<D> wet_mesh;
+  fem::SeepageModel<D> model;
+  if (has_season || seeps) model = make_seepage_model<D>(data, mesh, wet_mesh);
   switch (data.initial.water.pressure) {
     case model::InitialPressure::zero:
       break;
@@ -86,9 +115,11 @@ InitialWater<D> find_initial_water(const model::Case& data, const mesh::Mesh<D>&
       set_from_table(data, mesh, water);
       break;
     case model::InitialPressure::seepage:
-      set_from_seepage(data, mesh, water);
+      water.seepage = fem::solve_steady_seepage(model, {}, {}, has_season ? -data.initial.water.season : 0);
+      set_from_seepage<D>(data, mesh, *water.seepage, water);
       break;
   }
+  if (has_season) follow_season<D>(data, mesh, model, water);
   return water;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
-// Pore water at the start: pressures by [initial], from a water table or from steady seepage on the same mesh.
+// Pore water at the start: pressures by [initial], from a water table or from steady seepage on the same mesh, and the
+// weather that followed.
 
 #include <optional>
 
+#include "analysis/season.hpp"
 #include "fem/seepage.hpp"
 #include "model/case.hpp"
 #include "mpm/build.hpp"
@@ -12,12 +14,14 @@ namespace talus::analysis {
 /// By element; zero where there is no pore water.
 template <int D>
 struct InitialWater {
-  std::vector<double> pressure;  ///< in the middle of the element, positive in tension [Pa]
-  std::vector<Vec<D>> velocity;  ///< of the water in the pores, against the grains [m/s]
-  std::optional<fem::SeepageResult<D>> seepage;
+  std::vector<double> pressure;                  ///< in the middle of the element, positive in tension [Pa]
+  std::vector<Vec<D>> velocity;                  ///< of the water in the pores, against the grains [m/s]
+  std::optional<fem::SeepageResult<D>> seepage;  ///< steady, before the season
+  std::optional<SeasonRecord> season;
 };
 
-/// Throws Error (wrong_input) when gravity is inclined where levels matter, and what solve_steady_seepage() throws.
+/// Throws Error (wrong_input) when gravity is inclined where levels matter, and what solve_steady_seepage() and
+/// run_season() throw.
 template <int D>
 InitialWater<D> find_initial_water(const model::Case& data, const mesh::Mesh<D>& mesh);
 

@@ -125,8 +125,14 @@ json describe_unit(const std::string& unit, const model::Output& output) {
 
 std::optional<double> find_result(const json& summary, const std::string& name) {
   if (const auto factor = model::find_trial_factor(name)) return find_displacement(summary, *factor).displacement;
+  if (model::find_point_result_name(name)) return get_number(get(summary, "point_results"), name.c_str());
   const Path path = split(name);
   if (path.block == "factor_of_safety") return find_factor(summary, path.key);
+  if (path.block == "onset" || path.block == "displacement") {
+    const json& monitors = get(get(summary, "motion"), "monitors");
+    const json* monitor = monitors.is_array() ? find_member(monitors, "name", path.index) : nullptr;
+    return monitor == nullptr ? std::nullopt : get_number(*monitor, path.block.c_str());
+  }
   if (path.block == "mesh") return get_number(get(summary, "mesh"), path.key.c_str());
   if (path.block == "stage") {
     const json& stages = get(summary, "stages");
@@ -163,6 +169,8 @@ json list_results(const model::Case& data, const json& summary) {
 json compare_results(const model::Case& data, const json& summary) {
   json list = json::array();
   for (const model::Compare& compare : data.compare) {
+    // Element tests are no part of a run, and a run none of theirs.
+    if (model::find_point_result_name(compare.name).has_value() != summary.contains("point_results")) continue;
     const auto result = model::find_result_name(data, compare.name);
     const auto known = result ? result : model::find_possible_name(data, compare.name);
     const std::string unit = compare.value.unit.empty() && known ? known->unit : compare.value.unit;

@@ -7,7 +7,9 @@
 
 #include "analysis/conditions.hpp"
 #include "analysis/end_state.hpp"
+#include "analysis/initial_state.hpp"
 #include "analysis/initial_water.hpp"
+#include "analysis/root_sink.hpp"
 #include "analysis/water.hpp"
 #include "analysis/water_conditions.hpp"
 #include "base/error.hpp"
@@ -88,7 +90,7 @@ void set_k0_stress(const model::Case& data, const mesh::Mesh<D>& mesh, const std
 /// A body whose soil is where the mesh says.
 template <int D>
 mpm::Body<D> fill_mesh(const model::Case& data, mesh::Mesh<D> mesh, int points_per_element, int chunks,
-                       std::optional<fem::SeepageResult<D>>* seepage) {
+                       std::optional<fem::SeepageResult<D>>* seepage, std::optional<SeasonRecord>* season) {
   const std::vector<std::string> names = list_materials(data);
   if (names.size() > 32)
     throw Error(ExitCode::wrong_input, fmt::format("{} materials are too many; at most 32 are possible", names.size()));
@@ -124,11 +126,14 @@ mpm::Body<D> fill_mesh(const model::Case& data, mesh::Mesh<D> mesh, int points_p
 
   std::vector<material::Law> laws;
   for (const std::string& name : names) laws.push_back(make_law(data.materials.at(name)));
+  set_initial_state<D>(data, mesh, laws, names, water_laws, points);
   auto layout = mpm::make_layout<D>(std::move(mesh), in_element, chunks);
   mpm::Body<D> body = mpm::make_body<D>(std::move(layout), std::move(laws), names, points, water_laws);
   resolve_conditions(body, data);
   resolve_water_conditions(body, data);
+  resolve_root_uptakes(body, data);
   if (seepage != nullptr) *seepage = std::move(water.seepage);
+  if (season != nullptr) *season = std::move(water.season);
   return body;
 }
 
@@ -138,14 +143,6 @@ std::vector<std::string> list_materials(const model::Case& data) {
   std::vector<std::string> names;
   for (const auto& [name, material] : data.materials) names.push_back(name);
   return names;
-}
-
-material::Law make_law(const model::Material& m, std::optional<double> cohesion, double factor) {
-  const auto elastic = material::LinearElastic::from_young(m.young_modulus, m.poisson_ratio);
-  if (m.model == model::MaterialModel::linear_elastic) return elastic;
-  material::MohrCoulombStrength strength{m.cohesion, m.friction_angle, m.dilatancy_angle, m.tensile_strength};
-  if (cohesion) strength.cohesion = *cohesion;
-  return material::MohrCoulomb(elastic, factor == 1 ? strength : strength.reduced(factor));
 }
 
 template <int D>
@@ -164,12 +161,18 @@ Vec<D> find_gravity(const model::Gravity& gravity) {
 
 template <int D>
 mpm::Body<D> prepare(const model::Case& data, mesh::Mesh<D> mesh, int chunks,
-                     std::optional<fem::SeepageResult<D>>* seepage) {
-  if (data.initial.result.empty()) return fill_mesh(data, std::move(mesh), data.points_per_element, chunks, seepage);
+                     std::optional<fem::SeepageResult<D>>* seepage, std::optional<SeasonRecord>* season) {
+  if (data.initial.result.empty())
+    return fill_mesh(data, std::move(mesh), data.points_per_element, chunks, seepage, season);
   // Conditions belong to nodes and points as they were when the mesh was filled, and follow the soil from there.
   const EndState end(data.initial);
-  mpm::Body<D> body = fill_mesh(data, end.get_mesh<D>(), end.points_per_element(), chunks, seepage);
+  mpm::Body<D> body = fill_mesh(data, end.get_mesh<D>(), end.points_per_element(), chunks, seepage, season);
+  const bool has_state = std::any_of(body.laws.begin(), body.laws.end(), [](const material::Law& law) {
+    return material::state_size(law) > material::MohrCoulomb::state_size;
+  });
+  const mpm::Body<D> fresh = has_state ? body : mpm::Body<D>();
   end.take_over(body);
+  if (has_state) adopt_state(body, data, fresh, end.list_models(), end.has_roots_of(data));
   return body;
 }
 
@@ -189,10 +192,11 @@ double find_soil_height(const mpm::Body<D>& body, const model::Gravity& gravity)
   return highest - lowest;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                                       \
-  template void set_strength<D>(mpm::Body<D>&, const model::Case&, std::optional<double>, double);                 \
-  template Vec<D> find_gravity<D>(const model::Gravity&);                                                          \
-  template mpm::Body<D> prepare<D>(const model::Case&, mesh::Mesh<D>, int, std::optional<fem::SeepageResult<D>>*); \
+#define TALUS_INSTANTIATE(D)                                                                                      \
+  template void set_strength<D>(mpm::Body<D>&, const model::Case&, std::optional<double>, double);                \
+  template Vec<D> find_gravity<D>(const model::Gravity&);                                                         \
+  template mpm::Body<D> prepare<D>(const model::Case&, mesh::Mesh<D>, int, std::optional<fem::SeepageResult<D>>*, \
+                                   std::optional<SeasonRecord>*);                                                 \
   template double find_soil_height<D>(const mpm::Body<D>&, const model::Gravity&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

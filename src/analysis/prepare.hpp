@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/season.hpp"
+#include "analysis/soil_laws.hpp"
 #include "fem/seepage.hpp"
 #include "model/case.hpp"
 #include "mpm/build.hpp"
@@ -13,21 +15,19 @@ namespace talus::analysis {
 /// Material numbers of a case: the names of its materials in alphabetical order.
 std::vector<std::string> list_materials(const model::Case& data);
 
-/// The law of a material, its Mohr–Coulomb strength with another cohesion [Pa] and reduced by `factor` (3.14-3.15).
-material::Law make_law(const model::Material& material, std::optional<double> cohesion = {}, double factor = 1);
-
 /// Gives every material of the body the strength of a stage or trial.
 template <int D>
 void set_strength(mpm::Body<D>& body, const model::Case& data, std::optional<double> cohesion, double factor);
 
 /// Points, initial stress, velocity and pore water, boundary conditions and tractions of the case on its mesh; time 0.
 /// A case that starts from a result has the mesh and the state of that, whatever `mesh` is (end_state.hpp).
-/// `chunks` as in mpm::make_layout; `seepage` receives the steady seepage that the pore pressures are from, if they
-/// are. Throws Error (wrong_input) when a name of the case is not in the mesh, or no element holds soil; what
-/// find_initial_water(), resolve_water_conditions() and open_end_state() throw.
+/// `chunks` as in mpm::make_layout; `seepage` receives the steady seepage that the pore pressures are from, and
+/// `season` the weather since, where there are such. Throws Error (wrong_input) when a name of the case is not in the
+/// mesh, or no element holds soil; what find_initial_water(), resolve_water_conditions() and open_end_state() throw.
 template <int D>
 mpm::Body<D> prepare(const model::Case& data, mesh::Mesh<D> mesh, int chunks = 0,
-                     std::optional<fem::SeepageResult<D>>* seepage = nullptr);
+                     std::optional<fem::SeepageResult<D>>* seepage = nullptr,
+                     std::optional<SeasonRecord>* season = nullptr);
 
 /// Height H of the soil: extent against gravity of the elements that hold points [m].
 template <int D>

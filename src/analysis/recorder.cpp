@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 #include "analysis/checkpoint.hpp"
 #include "analysis/frame.hpp"
@@ -41,19 +42,27 @@ std::vector<output::Column> list_columns(const model::Case& data) {
   return columns;
 }
 
+bool is_stress(const material::StateField& field) {
+  return std::string_view(field.unit) == "Pa";
+}
+
 template <int D>
-std::vector<output::Column> list_monitor_columns(const model::Case& data, bool wet) {
+std::vector<output::Column> list_monitor_columns(const model::Case& data, bool wet, const StateFields& states) {
   std::vector<output::Column> columns{{"time", "s"}};
   for (const model::Monitor& m : data.output.monitors) {
     for (int d = 0; d < D; ++d)
       columns.push_back({fmt::format("{}.displacement_{}", m.name, axes[d]), data.output.displacement_unit});
+    columns.push_back({m.name + ".displacement", data.output.displacement_unit});
     for (int d = 0; d < D; ++d) columns.push_back({fmt::format("{}.velocity_{}", m.name, axes[d]), "m/s"});
     columns.push_back({m.name + ".mean_stress", data.output.stress_unit});
     columns.push_back({m.name + ".deviatoric_stress", data.output.stress_unit});
     columns.push_back({m.name + ".deviatoric_strain", "-"});
-    if (!wet) continue;
-    columns.push_back({m.name + ".pore_pressure", data.output.stress_unit});
-    columns.push_back({m.name + ".saturation", "-"});
+    if (wet) {
+      columns.push_back({m.name + ".pore_pressure", data.output.stress_unit});
+      columns.push_back({m.name + ".saturation", "-"});
+    }
+    for (const material::StateField& f : states.list())
+      columns.push_back({fmt::format("{}.{}", m.name, f.name), is_stress(f) ? data.output.stress_unit : f.unit});
   }
   return columns;
 }
@@ -108,6 +117,7 @@ int get_leg(const output::ArchiveReader& checkpoint) {
 template <int D>
 Recorder<D>::Recorder(const RecorderSettings& settings, const mpm::Body<D>& body)
     : settings_(settings),
+      states_(body.laws),
       monitor_points_(settings.monitor_points.empty() ? find_monitor_points(*settings.data, body)
                                                       : settings.monitor_points) {
   if (body.water.is_wet()) water_.emplace(*settings.data, body);
@@ -127,7 +137,7 @@ void Recorder<D>::open_histories(bool resumes) {
   }
   history_.emplace(open("history.csv", columns));
   if (!settings_.data->output.monitors.empty())
-    monitors_.emplace(open("monitors.csv", list_monitor_columns<D>(*settings_.data, water_.has_value())));
+    monitors_.emplace(open("monitors.csv", list_monitor_columns<D>(*settings_.data, water_.has_value(), states_)));
 }
 
 template <int D>
@@ -234,20 +244,25 @@ void Recorder<D>::write_rows(const mpm::Body<D>& body) {
   row = {body.time};
   for (const int id : monitor_points_) {
     if (!mpm::is_present(body, id)) {
-      row.insert(row.end(), 2 * D + (water_ ? 5 : 3), std::numeric_limits<double>::quiet_NaN());
+      row.insert(row.end(), 2 * D + (water_ ? 6 : 4) + states_.list().size(), std::numeric_limits<double>::quiet_NaN());
       continue;
     }
     constexpr int NS = material::stress_size<D>;
     const auto p = mpm::view_point(body, id);
     for (const double u : p.displacement) row.push_back(u / displacement);
+    row.push_back(norm(p.displacement) / displacement);
     for (const double v : p.velocity) row.push_back(v);
     const Invariants s = find_stress_invariants<NS>(p.stress);
     row.push_back(s.mean / stress);
     row.push_back(s.deviatoric / stress);
     row.push_back(find_strain_invariants<NS>(p.strain).deviatoric);
-    if (!water_) continue;
-    row.push_back(p.wet ? -p.pressure / stress : 0.0);
-    row.push_back(p.saturation);
+    if (water_) {
+      row.push_back(p.wet ? -p.pressure / stress : 0.0);
+      row.push_back(p.saturation);
+    }
+    const std::vector<double> state = states_.read(body, p);
+    for (std::size_t k = 0; k < state.size(); ++k)
+      row.push_back(is_stress(states_.list()[k]) ? state[k] / stress : state[k]);
   }
   monitors_->append(row);
 }

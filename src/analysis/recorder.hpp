@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "analysis/stage.hpp"
+#include "analysis/state_fields.hpp"
 #include "analysis/water_record.hpp"
 #include "base/progress.hpp"
 #include "output/archive.hpp"
@@ -58,6 +59,7 @@ class Recorder {
   void show_progress(const mpm::Body<D>& body, const StageState& state);
 
   RecorderSettings settings_;
+  StateFields states_;
   std::optional<output::ResultsWriter> results_;
   std::optional<output::History> history_, monitors_;
   std::optional<WaterRecord<D>> water_;

@@ -13,9 +13,13 @@
 
 #include "analysis/checkpoint.hpp"
 #include "analysis/end_state.hpp"
+#include "analysis/initial_state.hpp"
+#include "analysis/motion.hpp"
 #include "analysis/named_results.hpp"
 #include "analysis/onset.hpp"
 #include "analysis/prepare.hpp"
+#include "analysis/root_content.hpp"
+#include "analysis/sections.hpp"
 #include "analysis/strength_reduction.hpp"
 #include "analysis/water_record.hpp"
 #include "analysis/water_summary.hpp"
@@ -34,7 +38,7 @@ using nlohmann::json;
 const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf",  "mesh.xdmf",     "frames",
                                  "history.csv",    "monitors.csv", "summary.json", "checkpoint.h5", "stages.json",
                                  "curve.csv",      "profile.csv",  "trials",       "frozen",        "mesh.h5",
-                                 "report.html",    end_state_file};
+                                 "report.html",    "season.csv",   "sections",     end_state_file};
 
 /// Unbalanced forces above this share of gravity at the end of a timed stage deserve a warning.
 constexpr double restless_force_ratio = 0.01;
@@ -91,11 +95,30 @@ std::optional<json> load_finished(const RunOptions& options, const std::string& 
   return summary;
 }
 
-/// What a finished run compares with, and its title block, may have changed since: neither needs the run again.
+/// What follows from the histories and frames that a run has written: onset of movement, sections.
+void describe_output(json& summary, const model::Case& data, const fs::path& folder) {
+  for (const char* key : {"clock", "motion", "sections"}) summary.erase(key);
+  const json stages = summary.value("stages", json::array());
+  const double size = summary.at("mesh").value("mean_size", 1.0);
+  if (const auto clock = find_clock(data, stages))
+    summary["clock"] = {{"stage", clock->stage},
+                        {"start", clock->start},
+                        {"resets", clock->resets},
+                        {"shown_times", data.output.shown_times}};
+  if (json motion = describe_motion(data, stages, summary.value("slope_height", 0.0), folder);
+      !motion.is_null() && data.analysis == model::AnalysisKind::run)
+    summary["motion"] = std::move(motion);
+  if (json sections = write_sections(data, stages, size, folder); !sections.empty())
+    summary["sections"] = std::move(sections);
+}
+
+/// What a finished run compares with, what is read off its results, and its title block, may have changed since: none
+/// needs the run again.
 void renew_finished(json& summary, const model::Case& data, const fs::path& folder) {
   const json before = summary;
   summary["title"] = data.title;
   summary["project"] = describe_project(data);
+  describe_output(summary, data, folder);
   summary["results"] = list_results(data, summary);
   summary["comparisons"] = compare_results(data, summary);
   if (summary != before) output::write_atomically(folder / "summary.json", summary.dump(2) + "\n");
@@ -118,7 +141,8 @@ class CaseRun {
                                     : mesh::generate<D>(data_.mesh);
     check_names(mesh);
     std::optional<fem::SeepageResult<D>> seepage;
-    body_ = prepare<D>(data_, std::move(mesh), 0, &seepage);
+    std::optional<SeasonRecord> season;
+    body_ = prepare<D>(data_, std::move(mesh), 0, &seepage, &season);
     work_before_ = body_.work;
     if (body_.water.is_wet()) initial_water_ = find_water_state(body_).mass;
     preparation_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -130,6 +154,7 @@ class CaseRun {
           fmt::format("steady seepage: {} nodes of the ground fit neither a dry nor a wet surface; the "
                       "mesh is coarse for the height of the capillary fringe",
                       seepage->undecided));
+    if (season) summary_["season"] = describe_season(*season);
     if (origin) describe_origin(*origin);
     origin.reset();  // it is as large as the body
     if (body_.conditions.constraints.empty())
@@ -140,6 +165,7 @@ class CaseRun {
     clear_folder(options_);
     output::make_folder(options_.folder);
     keep_mesh();
+    if (season) write_season(options_.folder / "season.csv", *season);
     try {
       run_stages(checkpoint.get());
       if (data_.analysis == model::AnalysisKind::strength_reduction) {
@@ -213,7 +239,7 @@ class CaseRun {
 
   /// The end of the stages for whoever starts from it, and what they did without what was done before them.
   void end_stages() {
-    save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_);
+    save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_, write_root_input(data_));
     json& budgets = summary_["budgets"] = describe_budgets<D>(body_, find_gravity<D>(data_.gravity));
     budgets["plastic_work"] = body_.work.dissipated - work_before_.dissipated;
     budgets["damping_work"] = body_.work.damped - work_before_.damped;
@@ -289,6 +315,10 @@ class CaseRun {
       report.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       warn_about(stage, report, i + 1 == count);
       stages_.push_back(to_json(report));
+      if (is_equilibrium_stage(data_, i)) {
+        if (const Preconsolidation done = set_preconsolidation(body_, data_); done.points > 0)
+          stages_.back()["preconsolidation"] = to_json(done);
+      }
       save_stage_reports();
       recorder.end_leg(body_);
       state = {};
@@ -371,6 +401,11 @@ class CaseRun {
           body_.lost.size(), mass, body_.lost.front().time));
     }
     summary_["stages"] = stages_;
+    try {
+      describe_output(summary_, data_, options_.folder);
+    } catch (const Error& error) {
+      warnings_.push_back(error.what());  // a table that cannot be made must not cost the summary
+    }
     summary_["warnings"] = warnings_;
     const double cpu = process_seconds() - cpu_start;
     summary_["timing"] = {{"wall", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -27,7 +28,8 @@ double find_wave_speed(const mpm::Body<D>& body) {
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
     const auto p = mpm::view_point(body, id);
-    double sum = material::constrained_modulus(body.laws[p.material]) * p.volume / p.mass;
+    double sum =
+        material::constrained_modulus(body.laws[p.material], p.stress.data(), p.state.data()) * p.volume / p.mass;
     if (p.wet) {
       // The trace of M⁻¹K (T14.12) with S = 1 and ζ' = n/K_w, which is above its greatest eigenvalue.
       const mpm::WaterLaw& law = body.water.laws[p.material];
@@ -55,6 +57,15 @@ double find_smallest_step(const mpm::Body<D>& body, double wave_speed, const Sta
     step *= std::min(1.0, find_critical_step(body, plan).dt / find_critical_step(body, without).dt);
   }
   return step;
+}
+
+/// Steps between two looks at the critical step. Soil that stiffens as weight comes on would outrun a longer one.
+template <int D>
+int find_step_interval(const mpm::Body<D>& body) {
+  constexpr int changing = 4;
+  static_assert(look_interval % changing == 0, "a checkpoint, which is made at a look, has the step that follows it");
+  const bool follows = std::any_of(body.laws.begin(), body.laws.end(), material::has_changing_stiffness);
+  return follows ? changing : look_interval;
 }
 
 /// Where and how fast something moves that should not.
@@ -106,19 +117,43 @@ Runaway<D> find_swollen(const mpm::Body<D>& body, int e) {
   return {mesh::to_global(body.mesh(), e, centre), body.monitor.speed, "soil that has swollen beyond bounds"};
 }
 
+/// "(1.2, 3.4) m"
+template <int D>
+std::string show_place(const Vec<D>& x) {
+  return fmt::format("({:.4g}) m", fmt::join(x, ", "));
+}
+
+/// A UMAT that failed in the last step ends the run. `save` keeps the last good state and says where.
+template <int D>
+void watch_external_models(const mpm::Body<D>& body, const StagePlan<D>& plan,
+                           const std::function<std::string()>& save) {
+  for (const material::Law& law : body.laws) {
+    const auto* model = std::get_if<material::External>(&law);
+    if (!model) continue;
+    const auto failure = model->take_failure();
+    if (!failure) continue;
+    std::string place;
+    if (failure->point >= 0 && mpm::is_present(body, failure->point))
+      place = " at " + show_place<D>(mpm::view_point(body, failure->point).position);
+    const std::string saved = save();
+    throw Error(ExitCode::unstable,
+                fmt::format("stage '{}', step {}: {}{}", plan.name, body.step_count, failure->describe(place),
+                            saved.empty() ? "" : "; the last good state is in " + saved));
+  }
+}
+
 template <int D>
 [[noreturn]] void throw_unstable(const mpm::Body<D>& body, const mpm::Body<D>& last_good, const StagePlan<D>& plan,
                                  const Runaway<D>& r, double wave_speed, const std::string& saved) {
-  std::string place = fmt::format("({:.4g}, {:.4g}", r.place[0], r.place[1]);
-  if constexpr (D == 3) place += fmt::format(", {:.4g}", r.place[2]);
   const std::string speed = std::isfinite(r.speed) ? fmt::format("{:.3g} m/s", r.speed) : "no finite speed";
   throw Error(
       ExitCode::unstable,
-      fmt::format("the calculation became unstable in stage '{}' at t = {:.4g} s (step {}): {} at {}) m, in material "
+      fmt::format("the calculation became unstable in stage '{}' at t = {:.4g} s (step {}): {} at {}, in material "
                   "'{}', has {}, while "
                   "compression waves run at {:.3g} m/s; try a smaller courant number (now {:g}){}",
-                  plan.name, body.time, body.step_count, r.what, place, find_nearest_material<D>(last_good, r.place),
-                  speed, wave_speed, plan.step.courant, saved.empty() ? "" : "; the last good state is in " + saved));
+                  plan.name, body.time, body.step_count, r.what, show_place<D>(r.place),
+                  find_nearest_material<D>(last_good, r.place), speed, wave_speed, plan.step.courant,
+                  saved.empty() ? "" : "; the last good state is in " + saved));
 }
 
 }  // namespace
@@ -205,18 +240,23 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
   // That of the start: later densities may be those of an explosion.
   if (state.wave_speed == 0) state.wave_speed = find_wave_speed(body);
   const double smallest_step = find_smallest_step(body, state.wave_speed, plan);
+  const auto save_last_good = [&]() -> std::string {
+    return hooks.save_last_good ? hooks.save_last_good(last_good, last_good_state) : "";
+  };
   const auto give_up = [&](const Runaway<D>& runaway) {
-    const std::string saved = hooks.save_last_good ? hooks.save_last_good(last_good, last_good_state) : "";
-    throw_unstable(body, last_good, plan, runaway, state.wave_speed, saved);
+    throw_unstable(body, last_good, plan, runaway, state.wave_speed, save_last_good());
   };
   const bool watches_displacement = plan.failed_displacement > 0;
+  const int step_interval = find_step_interval(body);
 
   for (;;) {
-    if (state.steps % look_interval == 0) {
+    if (state.steps % step_interval == 0) {
       critical = find_critical_step(body, plan);
       if (critical.element < 0) return StageEnd::time;  // nothing is left on the grid
       state.dt = plan.step.courant * critical.dt;
       if (!(critical.dt >= smallest_step)) give_up(find_swollen<D>(body, critical.element));
+    }
+    if (state.steps % look_interval == 0) {
       if (state.steps % (look_interval * looks_per_copy) == 0) {
         last_good = body;
         last_good_state = state;
@@ -234,6 +274,7 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
     const std::size_t lost_before = body.lost.size();
     mpm::step(body, options);
     ++state.steps;
+    watch_external_models(body, plan, save_last_good);
     if (const auto runaway = find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * state.wave_speed))
       give_up(*runaway);
     if (!options.monitor) continue;

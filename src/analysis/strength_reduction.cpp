@@ -18,14 +18,15 @@ using nlohmann::json;
 /// Below this share of the slope's height a displacement is elastic and no jump.
 constexpr double elastic_share = 1e-3;
 
+/// Least and greatest angle of dilatancy [deg]; zero where no soil has one.
 std::pair<double, double> find_dilatancy_range(const model::Case& data) {
   double low = 1e9, high = -1e9;
   for (const auto& [name, m] : data.materials) {
-    if (m.model != model::MaterialModel::mohr_coulomb) continue;
+    if (m.model != model::MaterialModel::mohr_coulomb && m.model != model::MaterialModel::rooted_mohr_coulomb) continue;
     low = std::min(low, m.dilatancy_angle * 180 / std::numbers::pi);
     high = std::max(high, m.dilatancy_angle * 180 / std::numbers::pi);
   }
-  return {low, high};
+  return low <= high ? std::pair{low, high} : std::pair{0.0, 0.0};
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ class StudyRun {
     if (options_.progress) options_.progress->clear();
     write_study_tables(plan_, rows_, options_.folder);
     draw_study(plan_, rows_, options_.folder / "study.svg");
+    draw_motion(plan_, rows_, options_.folder);
     return rows_;
   }
 

@@ -127,6 +127,10 @@ std::vector<Choice> list_choices(const model::Study& study) {
       }
     return choices;
   }
+  if (study.mode == model::StudyMode::together) {
+    for (std::size_t j = 0; j < study.vary.front().values.size(); ++j) choices.emplace_back(study.vary.size(), j);
+    return choices;
+  }
   std::vector<Choice> grid{Choice(study.vary.size())};
   for (std::size_t k = 0; k < study.vary.size(); ++k) {
     std::vector<Choice> longer;
@@ -141,6 +145,24 @@ std::vector<Choice> list_choices(const model::Study& study) {
   return choices;
 }
 
+const char* find_mode_word(model::StudyMode mode) {
+  switch (mode) {
+    case model::StudyMode::grid:
+      return "grid";
+    case model::StudyMode::together:
+      return "together";
+    default:
+      return "one_at_a_time";
+  }
+}
+
+/// With mode = "together", names of one key's values can stand for those of all.
+bool is_unnamed(const model::Study& study, std::size_t key) {
+  const auto has_names = [](const model::Vary& v) { return !v.names.empty(); };
+  return study.mode == model::StudyMode::together && study.vary[key].names.empty() &&
+         std::any_of(study.vary.begin(), study.vary.end(), has_names);
+}
+
 void check_study(const model::LoadedCase& base) {
   const model::Study& study = base.data.study;
   const auto fail = [&](const std::string& path, const std::string& sentence) {
@@ -149,7 +171,15 @@ void check_study(const model::LoadedCase& base) {
   };
   if (study.vary.empty()) fail("study", "there is nothing to vary: add a [[study.vary]] with a key and its values");
   std::size_t count = 1;
-  for (const model::Vary& v : study.vary) {
+  for (std::size_t k = 0; k < study.vary.size(); ++k) {
+    const model::Vary& v = study.vary[k];
+    if (!v.names.empty() && v.names.size() != v.values.size())
+      fail(fmt::format("study.vary.{}.names", k),
+           fmt::format("there are {} names for {} values", v.names.size(), v.values.size()));
+    if (study.mode == model::StudyMode::together && v.values.size() != study.vary.front().values.size())
+      fail(fmt::format("study.vary.{}.values", k),
+           fmt::format("'{}' has {} values and '{}' has {}; with mode = \"together\" all keys have as many", v.key,
+                       v.values.size(), study.vary.front().key, study.vary.front().values.size()));
     if (study.mode != model::StudyMode::grid) continue;
     count *= v.values.size();
     if (count > most_variants)
@@ -164,17 +194,20 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
   const model::Study& study = base.data.study;
   StudyPlan plan;
   plan.title = base.data.title;
-  plan.mode = study.mode == model::StudyMode::grid ? "grid" : "one_at_a_time";
+  plan.mode = find_mode_word(study.mode);
   plan.file = base.file;
   plan.factors = study.factors;
   plan.displacement_unit = base.data.output.displacement_unit;
   plan.length_unit = base.data.output.length_unit;
+  if (base.data.analysis == model::AnalysisKind::run)
+    for (const model::Monitor& m : base.data.output.monitors) plan.monitors.push_back(m.name);
   for (const model::Vary& v : study.vary) plan.keys.push_back({v.key, shorten(v.key, study.vary), ""});
 
   const model::Place place = base.places.find("study.vary.0");
   std::vector<Diagnostic> faults;
   std::set<std::string> known_faults, names;
   std::map<std::string, std::string> known_cases;  // what a case calculates → label
+  std::map<std::string, std::size_t> numbers;      // label or folder → number of the variant
   for (const Choice& choice : list_choices(study)) {
     Variant variant;
     std::vector<model::Override> changes = overrides;
@@ -182,13 +215,20 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
     for (std::size_t k = 0; k < study.vary.size(); ++k) {
       if (!choice[k]) continue;
       const std::string& value = study.vary[k].values[*choice[k]];
+      const std::vector<std::string>& titles = study.vary[k].names;
       changes.push_back({study.vary[k].key, value});
-      variant.name +=
-          (variant.name.empty() ? "" : "__") + make_name(plan.keys[k].name) + "_" + make_name(strip_quotes(value));
-      variant.label +=
-          (variant.label.empty() ? "" : ", ") + fmt::format("{} = {}", plan.keys[k].name, strip_quotes(value));
+      if (is_unnamed(study, k)) continue;
+      const std::string title = titles.empty() ? fmt::format("{} = {}", plan.keys[k].name, strip_quotes(value))
+                                               : strip_quotes(titles[*choice[k]]);
+      const std::string name =
+          titles.empty() ? make_name(plan.keys[k].name) + "_" + make_name(strip_quotes(value)) : make_name(title);
+      variant.name += (variant.name.empty() ? "" : "__") + name;
+      variant.label += (variant.label.empty() ? "" : ", ") + title;
     }
-    if (variant.label.empty()) variant.name = variant.label = "base";
+    if (variant.label.empty()) {
+      variant.name = "base";
+      variant.label = study.base_name;
+    }
     try {
       variant.loaded = model::read_case_text(base.text, base.file, changes);
     } catch (const InputError& error) {
@@ -201,6 +241,7 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
     const auto [same, is_new] = known_cases.try_emplace(strip_given(variant.loaded.echo).dump(), variant.label);
     if (!is_new) {
       plan.notes.push_back(fmt::format("{} is the same case as {}.", variant.label, same->second));
+      numbers[variant.label] = numbers[variant.name] = numbers.at(same->second);
       continue;
     }
     const std::string name = variant.name;
@@ -212,6 +253,7 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
       variant.values.push_back(entry != nullptr ? write_value(entry->at("value")) : text);
     }
     variant.input_hash = hash_input(variant.loaded.echo);
+    numbers[variant.label] = numbers[variant.name] = plan.variants.size();
     plan.variants.push_back(std::move(variant));
   }
   const auto has_curve = [](const Variant& v) {
@@ -222,6 +264,15 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
     const model::Place at = base.places.find("study.factors");
     faults.push_back(
         {at.file, at.line, at.column, "'factors' needs a displacement curve, and no variant calculates one"});
+  }
+  if (const auto found = numbers.find(study.reference); found != numbers.end()) {
+    plan.reference = found->second;
+  } else if (faults.empty()) {
+    const model::Place at = base.places.find("study.reference");
+    std::string labels;
+    for (const Variant& v : plan.variants) labels += (labels.empty() ? "'" : ", '") + v.label + "'";
+    faults.push_back({at.file, at.line, at.column,
+                      fmt::format("the study has no variant '{}'; it has {}", study.reference, labels)});
   }
   if (!faults.empty()) throw InputError(faults);
   return plan;

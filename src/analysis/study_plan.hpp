@@ -29,9 +29,11 @@ struct StudyPlan {
   std::string mode;  ///< how the values are combined, as in the case
   std::string displacement_unit, length_unit;
   std::vector<StudyKey> keys;
-  std::vector<double> factors;     ///< strength reduction factors whose displacement the table lists
-  std::vector<Variant> variants;   ///< the base case first
-  std::vector<std::string> notes;  ///< values that make no variant of their own
+  std::vector<double> factors;        ///< strength reduction factors whose displacement the table lists
+  std::vector<Variant> variants;      ///< the base case first
+  std::vector<std::string> monitors;  ///< whose onset and displacement the table lists
+  std::size_t reference = 0;          ///< the variant that displacements are divided by
+  std::vector<std::string> notes;     ///< values that make no variant of their own
 };
 
 /// Reads every variant of the study in `base`, which was read with `overrides`. Variants that equal an earlier one are

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "analysis/named_results.hpp"
@@ -75,6 +76,19 @@ std::set<double> list_runout_factors(const std::vector<StudyRow>& rows) {
   return factors;
 }
 
+/// What the pattern of movement is called in the table.
+std::string describe_pattern(const json& summary) {
+  static const std::map<std::string, const char*> words{{"none", "none"},
+                                                        {"single", "one monitor only"},
+                                                        {"together", "together"},
+                                                        {"upwards", "from the bottom upwards"},
+                                                        {"downwards", "from the top downwards"},
+                                                        {"mixed", "in no such order"}};
+  const json* pattern = find(summary, {"motion", "pattern"});
+  const auto found = pattern == nullptr ? words.end() : words.find(pattern->get<std::string>());
+  return found == words.end() ? "" : found->second;
+}
+
 /// Adds columns of numbers to a table.
 class Columns {
  public:
@@ -118,6 +132,31 @@ std::string write_cell(const std::string& text) {
   return cell.empty() ? "–" : cell;
 }
 
+/// Onset and displacement of every monitor, the latter also over that of the reference, and the order of movement.
+void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Columns& columns) {
+  for (const std::string& name : plan.monitors)
+    columns.add("onset of " + name, "s", "{:.4g}", false,
+                [&](const json& s) { return find_result(s, fmt::format("onset[{}]", name)); });
+  for (const std::string& name : plan.monitors) {
+    const auto get = [&](const json& s) { return find_result(s, fmt::format("displacement[{}]", name)); };
+    columns.add("displacement of " + name, plan.displacement_unit, "{:.4g}", false, get);
+    const json& base = rows[plan.reference].summary;
+    const std::optional<double> reference = base.is_object() ? get(base) : std::nullopt;
+    columns.add(fmt::format("displacement of {} over that of {}", name, plan.variants[plan.reference].label), "",
+                "{:.3f}", false, [&](const json& s) {
+                  const std::optional<double> value = get(s);
+                  return value && reference && *reference > 0 ? std::optional(*value / *reference) : std::nullopt;
+                });
+  }
+  StudyColumn order{"order of movement", "order of movement", "", {}};
+  for (const StudyRow& row : rows) {
+    const std::string words = row.summary.is_object() ? describe_pattern(row.summary) : "";
+    order.cells.push_back({words, words});
+  }
+  const auto is_empty = [](const StudyCell& cell) { return cell.full.empty(); };
+  if (!std::all_of(order.cells.begin(), order.cells.end(), is_empty)) columns.table.push_back(std::move(order));
+}
+
 }  // namespace
 
 std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
@@ -144,10 +183,12 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
       const json* trial = find_trial(find(s, {"runouts"}), f);
       return trial == nullptr ? std::nullopt : get_number(*trial, {"runout", "front_advance"});
     });
+  add_motion(plan, rows, columns);
   columns.add("largest displacement", plan.displacement_unit, "{:.4g}", false, [](const json& s) {
     return get_number(s, {"runout", "largest_displacement"});
   });
   for (const auto& [name, key] : {std::pair{"front advance", "front_advance"},
+                                  {"runout beyond the toe", "toe_distance"},
                                   {"crest retreat", "crest_retreat"},
                                   {"advance of the centre", "centre_advance"}})
     columns.add(name, plan.length_unit, "{:.3g}", false, [k = key](const json& s) {
@@ -240,6 +281,7 @@ json describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
           {"title", plan.title},
           {"case_file", plan.file},
           {"mode", plan.mode},
+          {"reference", plan.variants.empty() ? "" : plan.variants[plan.reference].label},
           {"vary", vary},
           {"columns", columns},
           {"variants", variants},

@@ -38,4 +38,7 @@ void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows
 /// The displacement curves of all variants; nothing is drawn when there is none. Errors as for output::draw.
 void draw_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& picture);
 
+/// Displacement of each monitor over time in all variants: displacement_NAME.svg in `folder`; errors as above.
+void draw_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder);
+
 }  // namespace talus::analysis

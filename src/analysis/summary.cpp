@@ -250,10 +250,19 @@ std::string write_digest(const json& s) {
                         m.at("front_advance").get<double>(), m.at("largest_displacement").get<double>(),
                         m.at("moved_volume").get<double>());
   }
+  if (s.contains("motion")) text += s.at("motion").at("sentence").get<std::string>() + "\n";
   if (s.contains("seepage")) {
     const json& w = s.at("seepage");
     text += fmt::format("Steady seepage: {:.3g} m³/s through, largest suction {:.3g} kPa\n",
                         w.at("inflow").get<double>(), 1e-3 * w.at("largest_suction").get<double>());
+  }
+  if (s.contains("season")) {
+    const json& w = s.at("season");
+    text += fmt::format(
+        "Season of {:.4g} days: {:.3g} m³ of rain and inflow entered, {:.3g} m³ left, {:.3g} of {:.3g} m³ transpired; "
+        "closes to {:.1g}\n",
+        w.at("duration").get<double>() / 86400, w.at("inflow").get<double>(), w.at("outflow").get<double>(),
+        w.at("transpired").get<double>(), w.at("potential").get<double>(), std::abs(w.at("error").get<double>()));
   }
   if (s.contains("water")) {
     const json& w = s.at("water");

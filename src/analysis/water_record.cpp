@@ -46,6 +46,7 @@ WaterRecord<D>::WaterRecord(const model::Case& data, const mpm::Body<D>& body)
       stress_(units::get_si_factor(data.output.stress_unit)),
       stress_unit_(data.output.stress_unit) {
   for (const mpm::SurfaceCondition& s : body.water.surfaces) is_rain_.push_back(s.kind == mpm::SurfaceKind::rain);
+  has_roots_ = !body.water.uptakes.empty();
   begin_interval(body);
 }
 
@@ -53,6 +54,7 @@ template <int D>
 void WaterRecord<D>::begin_interval(const mpm::Body<D>& body) {
   time_ = body.time;
   budgets_ = body.water.budgets;
+  transpired_ = body.water.transpired;
 }
 
 template <int D>
@@ -64,6 +66,7 @@ std::vector<output::Column> WaterRecord<D>::list_columns() const {
     columns.push_back({names_[i] + ".outflow", "m3/s"});
     if (is_rain_[i]) columns.push_back({names_[i] + ".runoff", "m3/s"});
   }
+  if (has_roots_) columns.push_back({"transpiration", "m3/s"});
   return columns;
 }
 
@@ -78,6 +81,7 @@ void WaterRecord<D>::append(const mpm::Body<D>& body, std::vector<double>& row) 
     row.push_back((now.left - before.left) * share);
     if (is_rain_[i]) row.push_back((now.runoff - before.runoff) * share);
   }
+  if (has_roots_) row.push_back((body.water.transpired - transpired_) * share);
   begin_interval(body);
 }
 
@@ -85,6 +89,7 @@ template <int D>
 std::vector<double> WaterRecord<D>::save() const {
   std::vector<double> saved{time_};
   for (const mpm::SurfaceBudget& b : budgets_) saved.insert(saved.end(), {b.entered, b.left, b.supplied, b.runoff});
+  saved.push_back(transpired_);
   return saved;
 }
 
@@ -93,6 +98,7 @@ void WaterRecord<D>::restore(const std::vector<double>& saved) {
   time_ = saved[0];
   for (std::size_t i = 0; i < budgets_.size(); ++i)
     budgets_[i] = {saved[4 * i + 1], saved[4 * i + 2], saved[4 * i + 3], saved[4 * i + 4]};
+  transpired_ = saved.back();
 }
 
 #define TALUS_INSTANTIATE(D)                                       \

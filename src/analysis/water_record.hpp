@@ -42,7 +42,8 @@ class WaterRecord {
   std::vector<bool> is_rain_;
   double density_, stress_;
   std::string stress_unit_;
-  double time_ = 0;
+  bool has_roots_ = false;
+  double time_ = 0, transpired_ = 0;
   std::vector<mpm::SurfaceBudget> budgets_;
 };
 

@@ -58,21 +58,23 @@ json describe_water(const model::Case& data, const mpm::Body<D>& body, double in
   const WaterState<D> state = find_water_state(body);
   const double stored = state.mass;
   const double unexplained =
-      stored - (initial + entered + water.pressed_in - left - water.lost_between - water.left_grid);
-  return {{"density", data.water.density},
-          {"initial", initial},
-          {"stored", stored},
-          {"entered", entered},
-          {"left", left},
-          {"runoff", runoff},
-          {"lost_between", water.lost_between},
-          {"left_grid", water.left_grid},
-          {"pressed_in", water.pressed_in},
-          {"error", unexplained / std::max({initial, stored, 1e-300})},
-          {"largest_pressure", state.largest_pressure},
-          {"largest_suction", state.largest_suction},
-          {"largest_suction_at", to_list(state.place)},
-          {"surfaces", surfaces}};
+      stored - (initial + entered + water.pressed_in - left - water.transpired - water.lost_between - water.left_grid);
+  json budget{{"density", data.water.density},
+              {"initial", initial},
+              {"stored", stored},
+              {"entered", entered},
+              {"left", left},
+              {"runoff", runoff},
+              {"lost_between", water.lost_between},
+              {"left_grid", water.left_grid},
+              {"pressed_in", water.pressed_in},
+              {"error", unexplained / std::max({initial, stored, 1e-300})},
+              {"largest_pressure", state.largest_pressure},
+              {"largest_suction", state.largest_suction},
+              {"largest_suction_at", to_list(state.place)},
+              {"surfaces", surfaces}};
+  if (!water.uptakes.empty()) budget["transpired"] = water.transpired;
+  return budget;
 }
 
 template <int D>

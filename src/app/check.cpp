@@ -40,10 +40,15 @@ void add_check(CLI::App& app) {
   const auto options = std::make_shared<CaseOptions>();
   options->add_to(*command);
   command->callback([options] {
-    const model::LoadedCase loaded = model::read_case(options->file, options->parse_overrides());
+    const model::LoadedCase loaded =
+        model::read_case(options->file, options->parse_overrides(), model::CaseScope::whole_or_tests);
     if (!loaded.data.initial.result.empty())
       model::check_against_result(loaded, analysis::EndState(loaded.data.initial).input());
-    fmt::print("{}: no errors\n{}", options->file, summarise(loaded.data));
+    fmt::print("{}: no errors\n{}", options->file,
+               loaded.is_whole ? summarise(loaded.data)
+                               : fmt::format("  {} of {}, no slope\n",
+                                             count(loaded.data.tests.size(), "element test", "element tests"),
+                                             count(loaded.data.materials.size(), "material", "materials")));
   });
 }
 

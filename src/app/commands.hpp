@@ -8,6 +8,8 @@ namespace talus::app {
 void add_run(CLI::App& app);
 void add_study(CLI::App& app);
 void add_collect(CLI::App& app);
+void add_point(CLI::App& app);
+void add_calibrate(CLI::App& app);
 void add_plot(CLI::App& app);
 void add_report(CLI::App& app);
 void add_check(CLI::App& app);

@@ -34,8 +34,8 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("`talus COMMAND --help` explains a command; `talus manual` lists every key of a case file.");
   using namespace talus::app;
-  for (const auto add : {add_run, add_study, add_collect, add_plot, add_report, add_check, add_manual, add_template,
-                         add_schema, add_version})
+  for (const auto add : {add_run, add_study, add_collect, add_point, add_calibrate, add_plot, add_report, add_check,
+                         add_manual, add_template, add_schema, add_version})
     add(app);
   try {
     app.parse(argc, argv);

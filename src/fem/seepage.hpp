@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fem/hydraulic_boundary.hpp"
+#include "fem/root_sink.hpp"
 #include "material/conductivity.hpp"
 #include "mesh/mesh.hpp"
 
@@ -30,8 +31,9 @@ struct SeepageModel {
   const mesh::Mesh<D>* mesh = nullptr;  ///< finished; elements of empty_region take no part
   std::vector<HydraulicSoil<D>> soils;  ///< by element_region
   std::vector<HydraulicBoundary<D>> boundaries;
-  double unit_weight = 9810;  ///< γ_w [N/m³]
-  int up = 1;                 ///< the axis against gravity
+  double unit_weight = 9810;      ///< γ_w [N/m³]
+  int up = 1;                     ///< the axis against gravity
+  std::vector<RootSink> sinks{};  ///< water that plants draw, in steady flow too
 };
 
 struct SeepageOptions {
@@ -66,17 +68,19 @@ struct FaceExtent {
 
 template <int D>
 struct SeepageResult {
-  double time = 0;                                              ///< [s]; 0 when steady
-  std::vector<double> head;                                     ///< per node [m]; the elevation where no soil is
-  std::vector<double> pressure;                                 ///< per node, positive in tension [Pa]
-  std::vector<double> saturation;                               ///< per element, its mean [-]
-  std::vector<std::array<double, D>> velocity;                  ///< per element, Darcy's, of the whole area [m/s]
-  std::vector<FaceState> face;                                  ///< per node
-  std::vector<Discharge> discharges;                            ///< per boundary, from the consistent nodal fluxes
-  double inflow = 0, outflow = 0;                               ///< their sums [m³/s]
-  double storage_rate = 0;                                      ///< growth of the stored water [m³/s]
-  double balance_error = 0;                                     ///< inflow - outflow - storage_rate [m³/s]
-  std::vector<FaceExtent<D>> exits;                             ///< faces that are wet somewhere
+  double time = 0;                              ///< [s]; 0 when steady
+  std::vector<double> head;                     ///< per node [m]; the elevation where no soil is
+  std::vector<double> pressure;                 ///< per node, positive in tension [Pa]
+  std::vector<double> saturation;               ///< per element, its mean [-]
+  std::vector<std::array<double, D>> velocity;  ///< per element, Darcy's, of the whole area [m/s]
+  std::vector<FaceState> face;                  ///< per node
+  std::vector<Discharge> discharges;            ///< per boundary, from the consistent nodal fluxes
+  double inflow = 0, outflow = 0;               ///< their sums [m³/s]
+  std::vector<Uptake> uptakes;                  ///< per sink
+  double transpired = 0;                        ///< their sum [m³/s]
+  double storage_rate = 0;                      ///< growth of the stored water [m³/s]
+  double balance_error = 0;                     ///< inflow - outflow - transpired - storage_rate [m³/s]
+  std::vector<FaceExtent<D>> exits;             ///< faces that are wet somewhere
   std::vector<std::vector<std::array<double, D>>> water_table;  ///< 2D: polylines p = 0 [m]; 3D: empty
   int undecided = 0;   ///< face nodes that fit neither state exactly, on meshes far coarser than the capillary fringe
   int iterations = 0;  ///< linear systems solved
@@ -101,6 +105,7 @@ template <int D>
 struct SeepageHistory {
   std::vector<SeepageResult<D>> states;         ///< at the outputs
   std::vector<std::vector<Discharge>> volumes;  ///< through each boundary from the start to each output [m³]
+  std::vector<std::vector<Uptake>> uptakes;     ///< drawn by each sink from the start to each output [m³]
   std::vector<double> stored;                   ///< growth of the stored water since the start [m³]
   int steps = 0, rejected = 0, iterations = 0;
 };

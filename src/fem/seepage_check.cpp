@@ -64,6 +64,21 @@ void check_boundary(const SeepageModel<D>& model, const HydraulicBoundary<D>& b)
   for (const auto& pair : b.history) check(pair[1]);
 }
 
+template <int D>
+void check_sink(const SeepageModel<D>& model, const RootSink& sink) {
+  const std::string who = "The roots \"" + sink.name + "\"";
+  const auto& s = sink.reduction.suctions;
+  if (!(s[0] <= s[1] && s[1] <= s[2] && s[2] < s[3]))
+    fail(fmt::format("{} have suctions of {:g}, {:g}, {:g} and {:g} Pa; they must increase.", who, s[0], s[1], s[2],
+                     s[3]));
+  if (sink.weights.size() != model.mesh->nodes.size())
+    throw Error(ExitCode::internal_error, who + " have not as many weights as the mesh has nodes.");
+  for (double rate : sink.rate.value) {
+    if (!(rate >= 0 && std::isfinite(rate)))
+      fail(fmt::format("{} have a potential transpiration of {:g} m/s; it must be 0 or above.", who, rate));
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -79,6 +94,7 @@ void check_model(const SeepageModel<D>& model) {
   if (!any) fail("No element of the mesh holds soil, so no water can flow.");
   for (const auto& soil : model.soils) check_soil(soil);
   for (const auto& b : model.boundaries) check_boundary(model, b);
+  for (const auto& sink : model.sinks) check_sink(model, sink);
 }
 
 template <int D>

@@ -59,6 +59,7 @@ void SeepageNewton<D>::evaluate(const SeepageState& state) {
   fault_ = 0;
   double through = std::abs(sums_.storage_rate);
   for (double q : sums_.drained) through += q;
+  for (double q : sums_.drawn) through += q;
   for (std::size_t u = 0; u < weight_.size(); ++u) {
     const NodeCondition& c = (*conditions_)[u];
     through += std::abs(c.given) + (state.face[u] == FaceState::open ? std::abs(c.offered) : 0);

@@ -116,8 +116,15 @@ SeepageResult<D> make_result(const SeepageSystem<D>& system, const SeepageState&
     }
   }
   add_discharges(system, sums, conditions, time, r, state.face);
+  for (std::size_t q = 0; q < sums.drawn.size(); ++q) {
+    const RootSink& sink = system.model.sinks[q];
+    double covered = 0;
+    for (int node : system.node_of_unknown) covered += sink.weights[static_cast<std::size_t>(node)];
+    r.uptakes.push_back({sink.name, covered * input.sink_rates[q], sums.drawn[q]});
+    r.transpired += sums.drawn[q];
+  }
   r.storage_rate = sums.storage_rate;
-  r.balance_error = r.inflow - r.outflow - r.storage_rate;
+  r.balance_error = r.inflow - r.outflow - r.transpired - r.storage_rate;
   add_exits(system, state.face, r);
   if constexpr (D == 2) r.water_table = find_water_table(mesh, r.pressure);
   return r;

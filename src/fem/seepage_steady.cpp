@@ -76,6 +76,7 @@ SeepageResult<D> solve_steady_seepage(const SeepageModel<D>& model, const Seepag
   check_hold(model, conditions);
   SeepageNewton<D> newton(system, options);
   StepInput input;
+  input.sink_rates = find_sink_rates(model, time);
   SeepageState state{system.elevation, std::vector<FaceState>(system.elevation.size(), FaceState::none)};
   bool done = false;
   if (!guess.empty()) {

@@ -1,4 +1,5 @@
-// The sums over elements: Darcy's flow with the mean conductivity of an element, and the water that nodes store.
+// The sums over elements: Darcy's flow with the mean conductivity of an element, and the water that nodes store and
+// lose to roots.
 
 #include <cmath>
 
@@ -53,7 +54,44 @@ void add_drainage(const SeepageSystem<D>& system, const std::vector<double>& hea
   }
 }
 
+/// Water that roots draw (T16.2). The slope by the head is negative where roots begin to lack air; with conductivities
+/// held the matrix must stay positive, and leaves that out.
+template <int D>
+void add_uptake(const SeepageSystem<D>& system, const std::vector<double>& head, const StepInput& input,
+                NodalSums& sums) {
+  sums.drawn.assign(system.model.sinks.size(), 0);
+  for (std::size_t q = 0; q < system.model.sinks.size(); ++q) {
+    const RootSink& sink = system.model.sinks[q];
+    const double rate = input.sink_rates[q];
+    if (rate == 0) continue;
+    for (std::size_t u = 0; u < head.size(); ++u) {
+      const double asked = rate * sink.weights[static_cast<std::size_t>(system.node_of_unknown[u])];
+      if (asked == 0) continue;
+      const double suction = system.suction(u, head[u]);
+      auto share = sink.reduction.evaluate(suction);
+      if (input.chord > 0)
+        share.slope = (sink.reduction.evaluate(suction + input.chord).value -
+                       sink.reduction.evaluate(suction - input.chord).value) /
+                      (2 * input.chord);
+      sums.outflow[u] += asked * share.value;
+      sums.drawn[q] += asked * share.value;
+      sums.rounding += asked * share.value;
+      if (sums.jacobian.empty() || share.slope == 0) continue;
+      if (input.hold_conductivity && share.slope > 0) continue;
+      if (!input.hold_conductivity) sums.symmetric = false;
+      sums.jacobian[static_cast<std::size_t>(system.diagonal[u])] -= asked * share.slope * system.model.unit_weight;
+    }
+  }
+}
+
 }  // namespace
+
+template <int D>
+std::vector<double> find_sink_rates(const SeepageModel<D>& model, double time) {
+  std::vector<double> rates;
+  for (const RootSink& sink : model.sinks) rates.push_back(sink.rate.at(time));
+  return rates;
+}
 
 template <int D>
 material::CurvePoint<double> find_relative(const HydraulicSoil<D>& soil, double suction, const StepInput& input) {
@@ -145,10 +183,13 @@ NodalSums sum_over_elements(const SeepageSystem<D>& system, const std::vector<do
     }
   }
   add_drainage(system, head, input, sums);
+  add_uptake(system, head, input, sums);
   if (input.dt > 0) add_storage(system, head, input, sums);
   return sums;
 }
 
+template std::vector<double> find_sink_rates<2>(const SeepageModel<2>&, double);
+template std::vector<double> find_sink_rates<3>(const SeepageModel<3>&, double);
 template ElementWater<2> find_element_water<2>(const HydraulicSoil<2>&, const std::array<double, 3>&, const StepInput&);
 template ElementWater<3> find_element_water<3>(const HydraulicSoil<3>&, const std::array<double, 4>&, const StepInput&);
 template NodalSums sum_over_elements<2>(const SeepageSystem<2>&, const std::vector<double>&, const StepInput&, bool);

@@ -70,10 +70,15 @@ struct StepInput {
   double stretch = 1;  ///< k_r is taken at this share of the suction: 0 is saturated flow, 1 the soil's law
   double dt = 0;       ///< [s]; 0: steady
   const std::vector<double>* old_contents = nullptr;  ///< per store [m³]
+  std::vector<double> sink_rates;                     ///< per sink [m/s]
   double smallest_conductivity = 1e-9;
   double chord = 0;  ///< half the range of suction over which the slope of k_r is taken [Pa]; 0: the tangent
   bool hold_conductivity = false;  ///< the Jacobian leaves out that k_r changes (Picard): it is symmetric
 };
+
+/// Potential rate of every sink at a time [m/s].
+template <int D>
+std::vector<double> find_sink_rates(const SeepageModel<D>& model, double time);
 
 /// k_r of a soil as `input` says, not below the smallest one, and its slope by suction [1/Pa].
 template <int D>
@@ -81,8 +86,9 @@ material::CurvePoint<double> find_relative(const HydraulicSoil<D>& soil, double 
 
 /// Sums at given heads.
 struct NodalSums {
-  std::vector<double> outflow;   ///< from a node into elements and free drainage, plus growth of its store [m³/s]
+  std::vector<double> outflow;   ///< from a node into elements, drainage and roots, plus growth of its store [m³/s]
   std::vector<double> drained;   ///< its part by free drainage, per boundary [m³/s]
+  std::vector<double> drawn;     ///< its part by roots, per sink [m³/s]
   std::vector<double> weight;    ///< diagonal of the symmetric part, a scale of the equation [m²/s]
   std::vector<double> jacobian;  ///< d outflow / d head by column [m²/s]; empty when not wanted
   double rounding = 0;           ///< sum of the magnitudes of all terms [m³/s]

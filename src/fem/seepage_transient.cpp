@@ -14,13 +14,14 @@ namespace talus::fem {
 
 namespace {
 
-/// Times that a step must not pass: outputs and the corners of the boundaries' tables.
+/// Times that a step must not pass: outputs and the corners of the tables of boundaries and sinks.
 template <int D>
 std::vector<double> find_stops(const SeepageModel<D>& model, const SeepageSchedule& schedule) {
   std::vector<double> stops = schedule.outputs;
   for (const auto& b : model.boundaries) {
     for (const auto& pair : b.history) stops.push_back(pair[0]);
   }
+  for (const RootSink& sink : model.sinks) stops.insert(stops.end(), sink.rate.time.begin(), sink.rate.time.end());
   const double end = schedule.outputs.back();
   std::erase_if(stops, [&](double t) { return t <= schedule.start || t > end; });
   std::sort(stops.begin(), stops.end());
@@ -30,9 +31,12 @@ std::vector<double> find_stops(const SeepageModel<D>& model, const SeepageSchedu
 
 template <int D>
 bool is_corner(const SeepageModel<D>& model, double time) {
-  return std::any_of(model.boundaries.begin(), model.boundaries.end(), [&](const auto& b) {
-    return std::any_of(b.history.begin(), b.history.end(), [&](const auto& pair) { return pair[0] == time; });
+  const bool of_sink = std::any_of(model.sinks.begin(), model.sinks.end(), [&](const RootSink& sink) {
+    return std::find(sink.rate.time.begin(), sink.rate.time.end(), time) != sink.rate.time.end();
   });
+  return of_sink || std::any_of(model.boundaries.begin(), model.boundaries.end(), [&](const auto& b) {
+           return std::any_of(b.history.begin(), b.history.end(), [&](const auto& pair) { return pair[0] == time; });
+         });
 }
 
 void check_schedule(const SeepageSchedule& s) {
@@ -49,6 +53,15 @@ void add_volumes(std::vector<Discharge>& volumes, const std::vector<Discharge>& 
     volumes[b].inflow += rates[b].inflow * dt;
     volumes[b].outflow += rates[b].outflow * dt;
     volumes[b].runoff += rates[b].runoff * dt;
+  }
+}
+
+void add_uptakes(std::vector<Uptake>& volumes, const std::vector<Uptake>& rates, double dt) {
+  volumes.resize(rates.size());
+  for (std::size_t q = 0; q < rates.size(); ++q) {
+    volumes[q].name = rates[q].name;
+    volumes[q].potential += rates[q].potential * dt;
+    volumes[q].actual += rates[q].actual * dt;
   }
 }
 
@@ -75,6 +88,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
   std::vector<double> contents = system.find_contents(state.head), rate;  // rate: of the heads in the last step [m/s]
   const double stored_at_start = sum(contents);
   std::vector<Discharge> volumes(model.boundaries.size());
+  std::vector<Uptake> drawn;
   SeepageHistory<D> history;
   double time = schedule.start, last_dt = 0;
   std::size_t stop = 0, output = 0;
@@ -90,6 +104,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     // A table that jumps at a stop holds its old value up to there.
     const double at = lands ? then - 1e-9 * step : then;
     const auto conditions = system.find_conditions(at);
+    input.sink_rates = find_sink_rates(model, at);
     SeepageState trial = state;
     const bool solved = newton.solve(trial, conditions, input);
     double error = 0;
@@ -111,6 +126,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     auto result = make_result(system, trial, newton.sums(), conditions, at, input);
     result.time = then;
     add_volumes(volumes, result.discharges, step);
+    add_uptakes(drawn, result.uptakes, step);
     state = std::move(trial);
     contents = new_contents;
     last_dt = step;
@@ -124,6 +140,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
       result.undecided = newton.undecided();
       history.states.push_back(std::move(result));
       history.volumes.push_back(volumes);
+      history.uptakes.push_back(drawn);
       history.stored.push_back(sum(contents) - stored_at_start);
       ++output;
     }

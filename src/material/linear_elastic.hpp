@@ -1,7 +1,7 @@
 #pragma once
 // Isotropic linear elasticity: the predictor of every other model.
 
-#include "base/lane.hpp"
+#include "material/surroundings.hpp"
 
 namespace talus::material {
 
@@ -41,7 +41,8 @@ struct LinearElastic {
   }
 
   template <int NS, class T>
-  TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* /*state*/, MaskOf<T> /*active*/) const {
+  TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* /*state*/, MaskOf<T> /*active*/,
+                                  const Surroundings<T>& = {}) const {
     add_elastic_increment<NS>(sigma, d_epsilon);
     return {false, T(0.0), T(0.0)};
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace talus::material {
 namespace {
@@ -30,13 +31,16 @@ MohrCoulomb::MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength
   const double sin_phi = std::sin(strength.friction_angle), sin_psi = std::sin(strength.dilatancy_angle);
   k_ = (1 + sin_phi) / (1 - sin_phi);
   const double m = (1 + sin_psi) / (1 - sin_psi);
-  intercept_ = 2 * strength.cohesion * std::sqrt(k_);
+  intercept_per_cohesion_ = 2 * std::sqrt(k_);
+  bounds_.intercept = 2 * strength.cohesion * std::sqrt(k_);
   // Round-off of a trial stress is about 1e-16 of the modulus times the strain; 1e-12 E is far above it and far below
   // any stress that matters.
   tolerance_ = 1e-12 * elastic.mu;
-  const double apex = k_ > 1 ? intercept_ / (k_ - 1) : strength.tensile_strength;
-  tensile_strength_ = std::min(strength.tensile_strength, apex);
-  tension_limit_ = tensile_strength_ + tolerance_;
+  const double apex = k_ > 1 ? bounds_.intercept / (k_ - 1) : strength.tensile_strength;
+  bounds_.tension = std::min(strength.tensile_strength, apex);
+  bounds_.tension_limit = bounds_.tension + tolerance_;
+  // Without friction there is no apex; a huge number, and not infinity, keeps 0 times it a number.
+  apex_per_intercept_ = k_ > 1 ? 1 / (k_ - 1) : std::numeric_limits<double>::max();
 
   const auto stiffness = [&](const Vector& b) {
     const double volumetric = elastic.lambda * (b[0] + b[1] + b[2]);
@@ -66,7 +70,8 @@ MohrCoulomb::MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength
   // f = (s1-s3) + (s1+s3) sinφ - 2c cosφ with s1-s3 <= 2√J2 and |s1+s3-2p| <= 2√(J2/3)
   const double scale = 2 + 2 / std::sqrt(3.0) * sin_phi;
   cone_slope_ = 2 * sin_phi / scale;
-  cone_offset_ = 2 * strength.cohesion * std::cos(strength.friction_angle) / scale;
+  cone_per_cohesion_ = 2 * std::cos(strength.friction_angle) / scale;
+  bounds_.cone_offset = 2 * strength.cohesion * std::cos(strength.friction_angle) / scale;
   compliance_trace_ = elastic.lambda / (3 * elastic.lambda + 2 * elastic.mu);
   half_over_mu_ = 1 / (2 * elastic.mu);
 }

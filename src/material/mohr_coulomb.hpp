@@ -8,6 +8,8 @@
 // The return goes to the plane, to the edges s2 = s3 or s1 = s2, to the tension planes or to a vertex, after Clausen,
 // Damkilde and Andersen (2006), Comput. Struct. 84, 1795: all candidates are affine in the trial stress, so lanes
 // differ by a selection only. σ_t is at most the apex c/tanφ; equal to it, the cut-off is the apex return.
+//
+// Cohesion enters through Bounds alone: one for all points here, one per point in rooted soil, by the same code.
 
 #include "material/linear_elastic.hpp"
 #include "material/principal_stress.hpp"
@@ -23,6 +25,15 @@ struct MohrCoulombStrength {
   /// c/F, arctan(tanφ/F), (3.14-3.15). The dilatancy angle is kept but never above the reduced friction angle, and
   /// the tensile strength is divided like the cohesion, so that the cut-off keeps its place on the cone.
   MohrCoulombStrength reduced(double factor) const;
+};
+
+/// What follows from the cohesion; T: double where it is the same for all points.
+template <class T>
+struct MohrCoulombBounds {
+  T intercept;      ///< 2c√k [Pa]
+  T tension;        ///< σ_t, at most the apex [Pa]
+  T tension_limit;  ///< the same with the tolerance [Pa]
+  T cone_offset;    ///< √J2 <= offset - slope·p is inside the pyramid [Pa]
 };
 
 class MohrCoulomb {
@@ -42,33 +53,53 @@ class MohrCoulomb {
 
   /// Stress at the end of a step with strain increment `d_epsilon`. Lanes outside `active` may hold anything.
   template <int NS, class T>
-  TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active) const {
+  TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
+                                  const Surroundings<T>& = {}) const {
+    return update_within<NS>(sigma, d_epsilon, state, active, bounds_);
+  }
+
+  /// The bounds with `extra` cohesion [Pa] of the points' own. σ_t stays as given: roots let the soil bear more tension
+  /// only as far as the apex held it below σ_t.
+  template <class T>
+  TALUS_KERNEL MohrCoulombBounds<T> widen_bounds(T extra) const {
+    const T intercept = bounds_.intercept + extra * intercept_per_cohesion_;
+    const T tension = lane_min(T(strength_.tensile_strength), intercept * apex_per_intercept_);
+    return {intercept, tension, tension + tolerance_, bounds_.cone_offset + extra * cone_per_cohesion_};
+  }
+  /// update() within other bounds.
+  template <int NS, class T, class B>
+  TALUS_KERNEL Response<T> update_within(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
+                                         const MohrCoulombBounds<B>& bounds) const {
     elastic_.add_elastic_increment<NS>(sigma, d_epsilon);
     if constexpr (NS == 4) {
-      return return_to_surface<NS>(PlanePrincipal<T>(sigma), sigma, state, active);
+      return return_to_surface<NS>(PlanePrincipal<T>(sigma), sigma, state, active, bounds);
     } else {
       // A cone inside the pyramid rules most points out before any principal stress is computed.
       const T p = (sigma[0] + sigma[1] + sigma[2]) * (1.0 / 3);
       const T x = sigma[0] - p, y = sigma[1] - p, z = sigma[2] - p;
       const T root_j2 =
           lane_sqrt(0.5 * (x * x + y * y + z * z) + sigma[3] * sigma[3] + sigma[4] * sigma[4] + sigma[5] * sigma[5]);
-      const auto outside =
-          active && (root_j2 > cone_offset_ - cone_slope_ * p || p + two_over_root3 * root_j2 > T(tension_limit_));
+      const auto outside = active && (root_j2 > bounds.cone_offset - cone_slope_ * p ||
+                                      p + two_over_root3 * root_j2 > T(bounds.tension_limit));
       if (!any(outside)) return {false, T(0.0), T(0.0)};
-      return return_to_surface<NS>(SpacePrincipal<T>(sigma, cosine_), sigma, state, outside);
+      return return_to_surface<NS>(SpacePrincipal<T>(sigma, cosine_), sigma, state, outside, bounds);
     }
   }
 
   /// Returns principal stresses s1 >= s2 >= s3 [Pa] that violate the strength. Public for the tests.
   template <class T>
   TALUS_KERNEL void return_principal(T& s1, T& s2, T& s3) const {
-    const T f = k_ * s1 - s3 - intercept_;
+    return_principal(s1, s2, s3, bounds_);
+  }
+  template <class T, class B>
+  TALUS_KERNEL void return_principal(T& s1, T& s2, T& s3, const MohrCoulombBounds<B>& bounds) const {
+    const T f = k_ * s1 - s3 - bounds.intercept;
     const T t1 = s1, t2 = s2, t3 = s3;
     T a = s1 - f * plane_[0], b = s2 - f * plane_[1], c = s3 - f * plane_[2];
     const auto below = c > b + tolerance_;  // left the plane across s2 = s3
     const auto above = b > a + tolerance_;  // left the plane across s1 = s2
     if (any(below || above)) {
-      const T f12 = k_ * s1 - s2 - intercept_, f23 = k_ * s2 - s3 - intercept_;
+      const T f12 = k_ * s1 - s2 - bounds.intercept, f23 = k_ * s2 - s3 - bounds.intercept;
       T a1, b1, c1, a2, b2, c2;
       edge_low_.apply(f, f12, s1, s2, s3, a1, b1, c1);
       edge_high_.apply(f, f23, s1, s2, s3, a2, b2, c2);
@@ -81,10 +112,10 @@ class MohrCoulomb {
     a = select(shears, a, t1);
     b = select(shears, b, t2);
     c = select(shears, c, t3);
-    const auto tears = a > T(tension_limit_);
+    const auto tears = a > T(bounds.tension_limit);
     if (any(tears)) {
       T u = t1, v = t2, w = t3;
-      return_tension(u, v, w);
+      return_tension(u, v, w, bounds);
       a = select(tears, u, a);
       b = select(tears, v, b);
       c = select(tears, w, c);
@@ -109,13 +140,14 @@ class MohrCoulomb {
   };
   static constexpr double two_over_root3 = 1.1547005383792517;
 
-  template <int NS, class T, class Principal>
-  TALUS_KERNEL Response<T> return_to_surface(const Principal& trial, T* sigma, T* state, MaskOf<T> active) const {
-    const auto yields = active && (k_ * trial.s1 - trial.s3 > T(intercept_ + tolerance_) ||
-                                   trial.s1 > T(tensile_strength_ + tolerance_));
+  template <int NS, class T, class Principal, class B>
+  TALUS_KERNEL Response<T> return_to_surface(const Principal& trial, T* sigma, T* state, MaskOf<T> active,
+                                             const MohrCoulombBounds<B>& bounds) const {
+    const auto yields =
+        active && (k_ * trial.s1 - trial.s3 > T(bounds.intercept + tolerance_) || trial.s1 > T(bounds.tension_limit));
     if (!any(yields)) return {false, T(0.0), T(0.0)};
     T n1 = trial.s1, n2 = trial.s2, n3 = trial.s3;
-    return_principal(n1, n2, n3);
+    return_principal(n1, n2, n3, bounds);
     const T d1 = trial.s1 - n1, d2 = trial.s2 - n2, d3 = trial.s3 - n3;
     const T trace = d1 + d2 + d3, mean = trace * (1.0 / 3);
     // ε^p = C⁻¹:(σ_trial - σ), principal
@@ -134,9 +166,9 @@ class MohrCoulomb {
   }
 
   /// From the trial stress to the tension planes, or to where they meet the shear planes.
-  template <class T>
-  TALUS_KERNEL void return_tension(T& s1, T& s2, T& s3) const {
-    const T limit(tensile_strength_);
+  template <class T, class B>
+  TALUS_KERNEL void return_tension(T& s1, T& s2, T& s3, const MohrCoulombBounds<B>& bounds) const {
+    const T limit(bounds.tension);
     const double l = elastic_.lambda, l2m = elastic_.lambda + 2 * elastic_.mu;
     const T one = (s1 - limit) * (l / l2m);
     T v = s2 - one, w = s3 - one;
@@ -144,9 +176,9 @@ class MohrCoulomb {
     w = select(two_planes, s3 - (s1 + s2 - 2.0 * limit) * (l / (l + l2m)), w);
     v = lane_min(v, limit);
     w = lane_min(w, limit);
-    const auto shears = k_ * limit - w - intercept_ > T(tolerance_);
+    const auto shears = k_ * limit - w - bounds.intercept > T(tolerance_);
     if (any(shears)) {  // the line s1 = σ_t, s3 = kσ_t - 2c√k, between its two vertices
-      const T s3_line = k_ * limit - intercept_;
+      const T s3_line = k_ * limit - bounds.intercept;
       // s - γ C:b - τ C:(1,0,0) with s1 and s3 given: two equations for γ and τ
       const T r1 = s1 - limit, r3 = s3 - s3_line;
       const T gamma = (r1 * corner_inverse_[0] + r3 * corner_inverse_[1]);
@@ -162,13 +194,15 @@ class MohrCoulomb {
 
   LinearElastic elastic_;
   MohrCoulombStrength strength_;
-  double k_, intercept_, tolerance_;
-  double tensile_strength_, tension_limit_;  ///< σ_t, and with the tolerance [Pa]
-  double plane_[3]{};                        ///< C:b / (a:C:b) of the shear plane
-  Edge edge_low_{}, edge_high_{};            ///< s2 = s3 and s1 = s2
-  double shear_direction_[3]{};              ///< C:b of the shear plane [Pa]
+  double k_, tolerance_;
+  MohrCoulombBounds<double> bounds_{};
+  double plane_[3]{};              ///< C:b / (a:C:b) of the shear plane
+  Edge edge_low_{}, edge_high_{};  ///< s2 = s3 and s1 = s2
+  double shear_direction_[3]{};    ///< C:b of the shear plane [Pa]
   double corner_inverse_[4]{};
-  double cone_slope_, cone_offset_;  ///< √J2 <= offset - slope·p is inside the pyramid
+  double cone_slope_;
+  /// Of the bounds, per Pa of cohesion; the apex per Pa of intercept, infinite without friction.
+  double intercept_per_cohesion_, cone_per_cohesion_, apex_per_intercept_;
   double compliance_trace_, half_over_mu_;
   CosineThird cosine_;
 };

@@ -8,28 +8,80 @@
 #include <vector>
 
 #include "mesh/plan.hpp"
+#include "model/amount.hpp"
+#include "model/calibration.hpp"
+#include "model/point_test.hpp"
+#include "model/roots.hpp"
 #include "model/time_table.hpp"
 #include "model/water.hpp"
 
 namespace talus::model {
 
-enum class MaterialModel { linear_elastic, mohr_coulomb };
+enum class MaterialModel {
+  linear_elastic,
+  mohr_coulomb,
+  rooted_mohr_coulomb,
+  modified_cam_clay,
+  rooted_cam_clay,
+  external
+};
+
+/// Modified Cam-clay, bare or rooted (4.1-4.15).
+struct CamClaySoil {
+  double compression = 0;                        ///< λ [-]
+  double swelling = 0;                           ///< κ [-]
+  double critical_state_slope = 0;               ///< M_0 [-]
+  double suction_hardening = 0;                  ///< b [-]
+  std::optional<double> preconsolidation;        ///< p'_c0 of the saturated bare soil [Pa]; or
+  std::optional<double> preconsolidation_ratio;  ///< R_0 over the mean effective stress after initial.equilibrium [-]
+  double smallest_pressure = 1e3;                ///< K = (1+e) max(p', this)/κ [Pa]
+};
+
+/// What roots do to the soil, per per cent of content.
+struct RootedSoil {
+  double content = 0;                                                ///< m_r^ini where no [[roots]] says otherwise [%]
+  double hardening = 0;                                              ///< R_p [1/%]
+  double strength = 0;                                               ///< R_a [1/%]
+  std::optional<double> activation;                                  ///< R_p m_r of (4.10) as one number [-]
+  double breaking_strain = std::numeric_limits<double>::infinity();  ///< ε_r^peak [-]
+  double breaking_range = 0.1;                                       ///< over which they break [-]
+  double residual_share = 0;                                         ///< [-]
+  double cohesion = 0;  ///< c_r where no [[roots]] says otherwise, rooted_mohr_coulomb [Pa]
+};
+
+/// A compiled Abaqus UMAT.
+struct ExternalModel {
+  std::string library;       ///< shared library, as given
+  std::string library_file;  ///< the same as it is found from here
+  std::string material;      ///< name of the material, for CMNAME
+  std::string symbol = "umat_";
+  std::vector<double> constants;       ///< PROPS
+  int states = 0;                      ///< NSTATV
+  std::vector<double> initial_states;  ///< zero where not given
+  double constrained_modulus = 0;      ///< for the time step [Pa]
+};
 
 struct Material {
   MaterialModel model = MaterialModel::linear_elastic;
-  double grain_density = 0;     ///< ρ_s [kg/m³]
-  double porosity = 0;          ///< n [-]
-  double young_modulus = 0;     ///< E [Pa]
-  double poisson_ratio = 0;     ///< ν [-]
-  double cohesion = 0;          ///< c [Pa], Mohr–Coulomb
-  double friction_angle = 0;    ///< φ [rad], Mohr–Coulomb
-  double dilatancy_angle = 0;   ///< ψ [rad], Mohr–Coulomb
-  double tensile_strength = 0;  ///< σ_t [Pa], Mohr–Coulomb; at most the apex c/tanφ
-  PoreWater water;              ///< by default none
+  double grain_density = 0;                ///< ρ_s [kg/m³]
+  double porosity = 0;                     ///< n [-]
+  std::optional<double> given_void_ratio;  ///< e_0 where the case gives it; the porosity follows from it [-]
+  double young_modulus = 0;                ///< E [Pa]
+  double poisson_ratio = 0;                ///< ν [-]
+  double cohesion = 0;                     ///< c [Pa], Mohr–Coulomb
+  double friction_angle = 0;               ///< φ [rad], Mohr–Coulomb
+  double dilatancy_angle = 0;              ///< ψ [rad], Mohr–Coulomb
+  double tensile_strength = 0;             ///< σ_t [Pa], Mohr–Coulomb; at most the apex c/tanφ
+  CamClaySoil cam_clay;
+  RootedSoil roots;
+  ExternalModel external;
+  PoreWater water;  ///< by default none
 
+  /// e_0 = n/(1-n) [-].
+  double void_ratio() const { return porosity / (1 - porosity); }
   /// Bulk density of the dry soil (1-n)ρ_s [kg/m³].
   double density() const { return (1 - porosity) * grain_density; }
-  /// E_c of (2.84) [Pa].
+  /// E_c of (2.84) of a soil with a Young's modulus [Pa].
   double constrained_modulus() const;
 };
 
@@ -65,6 +117,7 @@ struct Initial {
   std::optional<double> k0;                               ///< K0 [-]; by default ν/(1-ν) of each material
   std::map<std::string, std::array<double, 3>> velocity;  ///< by region [m/s]
   InitialWater water;
+  std::string equilibrium;    ///< stage at whose end preconsolidation_ratio is applied; empty: the first
   std::string result;         ///< folder of results whose end is the start, as given; empty: none
   std::string result_folder;  ///< the same as it is found from here
 };
@@ -155,39 +208,47 @@ struct Monitor {
   std::array<double, 3> at{};  ///< the nearest material point at the start is followed [m]
 };
 
+/// A line through the soil along which the fields of the stored frames are taken.
+struct Section {
+  std::string name;
+  std::array<double, 3> from{}, to{};  ///< [m]
+  std::optional<double> width;         ///< of the band around the line whose points count [m]; not given: element size
+};
+
 struct Output {
   double frame_interval = 0;        ///< simulated time between stored frames [s]; 0: only at the end of stages
   double history_interval = 0;      ///< simulated time between history rows [s]; 0: 200 rows a stage
   double checkpoint_interval = 60;  ///< wall time between checkpoints [s]
   bool cells = false;               ///< store element fields as well
   bool nodes = false;               ///< store nodal fields as well
+  std::string count_from;           ///< stage at whose start the clock of onset, sections and pictures is zero
+  double onset_ratio = 0.01;        ///< displacement over the relief of the ground that counts as movement [-]; or
+  std::optional<double> onset_displacement;  ///< as a length [m]
+  std::vector<double> shown_times;           ///< of sections and pictures in the report [s]; empty: evenly spread
   std::vector<Monitor> monitors;
+  std::vector<Section> sections;
   std::string length_unit = "m", displacement_unit = "mm", stress_unit = "kPa";
 };
 
 struct Vary {
   std::string key;                  ///< dotted path of the key, as for --set
   std::vector<std::string> values;  ///< TOML texts of the values
+  std::vector<std::string> names;   ///< of the values for people, as TOML texts; empty: "key = value"
 };
 
-enum class StudyMode { one_at_a_time, grid };
+enum class StudyMode { one_at_a_time, grid, together };
 
 struct Study {
   StudyMode mode = StudyMode::one_at_a_time;
   std::vector<Vary> vary;
-  std::vector<double> factors;  ///< strength reduction factors whose displacement the table lists [-]
+  std::vector<double> factors;     ///< strength reduction factors whose displacement the table lists [-]
+  std::string base_name = "base";  ///< of the case as the file has it
+  std::string reference = "base";  ///< the variant that displacements of monitors are divided by
 };
 
 /// What the title block of a report shows besides the title.
 struct Project {
   std::string name, client, author, checked_by, revision, notes;
-};
-
-/// A number as the user writes it, with its unit: 1.58, "212 mm", "5 %".
-struct Amount {
-  double number = 0;
-  std::string unit;  ///< empty for a plain number
-  std::string text;  ///< as in the file, for people
 };
 
 /// A published or measured value that a result is held against.
@@ -209,6 +270,7 @@ struct Case {
   std::vector<Traction> tractions;
   std::vector<Hydraulic> hydraulics;
   Water water;
+  std::vector<Roots> roots;
   Gravity gravity;
   Initial initial;
   std::vector<Stage> stages;
@@ -217,7 +279,10 @@ struct Case {
   StrengthReduction strength_reduction;
   Output output;
   std::vector<Compare> compare;
+  std::vector<PointTest> tests;
+  std::vector<Material> test_soils;  ///< of each test: its material with what the test sets
   Study study;
+  std::optional<Calibration> calibration;
 };
 
 }  // namespace talus::model

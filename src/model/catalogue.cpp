@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 
@@ -33,6 +34,12 @@ class Collector {
   template <class T>
   void table(const std::string& name, T&& block, const char* meaning) {
     collect(add(BlockKind::table, name, "", 1, meaning), block);
+  }
+
+  template <class T>
+  void optional_table(const std::string& name, std::optional<T>&, const char* meaning) {
+    T block{};
+    collect(add(BlockKind::table, name, "", 0, meaning), block);
   }
 
   template <class T>

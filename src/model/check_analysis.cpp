@@ -19,9 +19,26 @@ void check_names(const std::vector<T>& list, const std::string& path, const char
   }
 }
 
-bool has_strength(const Case& data) {
+template <class Holds>
+bool some_material(const Case& data, Holds holds) {
   return std::any_of(data.materials.begin(), data.materials.end(),
-                     [](const auto& entry) { return entry.second.model == MaterialModel::mohr_coulomb; });
+                     [&](const auto& entry) { return holds(entry.second); });
+}
+
+const std::string soils_of_strength = "Mohr–Coulomb or Cam-clay, bare or rooted";
+
+/// Whether a strength can be divided by a factor.
+bool has_strength(const Case& data) {
+  return some_material(data, [](const Material& m) { return is_mohr_coulomb(m) || is_cam_clay(m); });
+}
+
+/// Nobody knows which of the constants of a UMAT are its strength.
+void check_no_external(const Case& data, const std::string& path, const std::string& what, Findings& findings) {
+  for (const auto& [name, material] : data.materials)
+    if (material.model == MaterialModel::external)
+      return findings.add(path, fmt::format("{} is not possible with material '{}': which of the constants of an "
+                                            "external model are its strength is not known",
+                                            what, name));
 }
 
 void check_stages(const Case& data, Findings& findings) {
@@ -36,11 +53,16 @@ void check_stages(const Case& data, Findings& findings) {
       findings.add(path + ".gravity_ramp",
                    fmt::format("'gravity_ramp' is {:.6g} s; it must not be longer than the stage, {:.6g} s",
                                stage.gravity_ramp, stage.duration));
-    if (has_strength(data) || !findings.is_sound("materials")) continue;
-    for (const auto& [key, is_given] : {std::pair{"cohesion", stage.cohesion.has_value()},
-                                        std::pair{"strength_factor", stage.strength_factor.has_value()}})
-      if (is_given)
-        findings.add(path + "." + key, fmt::format("'{}' needs a material with model = \"mohr_coulomb\"", key));
+    if (!findings.is_sound("materials")) continue;
+    if (stage.cohesion && !some_material(data, is_mohr_coulomb))
+      findings.add(path + ".cohesion",
+                   "'cohesion' needs a material with model = \"mohr_coulomb\" or \"rooted_mohr_coulomb\"");
+    if (!stage.strength_factor) continue;
+    if (!has_strength(data))
+      findings.add(path + ".strength_factor",
+                   "'strength_factor' needs a material with a strength: " + soils_of_strength);
+    else
+      check_no_external(data, path + ".strength_factor", "'strength_factor'", findings);
   }
 }
 
@@ -71,8 +93,12 @@ void check_strength_reduction(const Case& data, Findings& findings) {
                  fmt::format("'refine_step' is {:.6g} and 'step' is {:.6g}; 'refine_step' must not be larger",
                              reduction.curve.refine_step, reduction.curve.step));
   if (data.analysis != AnalysisKind::strength_reduction || !findings.is_sound("analysis.kind")) return;
-  if (!has_strength(data) && findings.is_sound("materials"))
-    findings.add("analysis.kind", "strength reduction needs a material with model = \"mohr_coulomb\"");
+  if (findings.is_sound("materials")) {
+    if (!has_strength(data))
+      findings.add("analysis.kind", "strength reduction needs a material with a strength: " + soils_of_strength);
+    else
+      check_no_external(data, "analysis.kind", "strength reduction", findings);
+  }
   if (!reduction.curve.enabled && !reduction.frozen.enabled && findings.is_sound(frozen + ".enabled"))
     findings.add(frozen + ".enabled", "both the curve and the frozen factor are switched off; one must be enabled");
 }

@@ -13,6 +13,9 @@ namespace {
 std::string suggest(const Case& data, const std::string& name) {
   std::vector<std::string> names;
   for (const ResultName& known : list_result_names(data)) names.push_back(known.name);
+  for (const PointTest& test : data.tests)
+    for (const PointQuantity& q : list_point_quantities())
+      names.push_back(fmt::format("test[{}].{}", test.name, q.name));
   const std::string near = find_nearest(name, names);
   if (!near.empty()) return fmt::format("did you mean '{}'?", near);
   std::string list;
@@ -45,7 +48,7 @@ void check_amount(const Amount& amount, const ResultName& result, const std::str
 }  // namespace
 
 void check_compare(const Case& data, Findings& findings) {
-  if (!findings.is_sound("analysis") || !findings.is_sound("stage")) return;
+  if (!findings.is_sound("analysis") || !findings.is_sound("stage") || !findings.is_sound("test")) return;
   for (std::size_t i = 0; i < data.compare.size(); ++i) {
     const Compare& compare = data.compare[i];
     const std::string path = fmt::format("compare.{}", i);

@@ -54,6 +54,8 @@ void check_sides(const Case& data, const std::set<std::string>& sides, Findings&
     check_side(data.tractions[i].on, fmt::format("traction.{}.on", i), sides, findings);
   for (std::size_t i = 0; i < data.hydraulics.size(); ++i)
     check_side(data.hydraulics[i].on, fmt::format("hydraulic.{}.on", i), sides, findings);
+  for (std::size_t i = 0; i < data.roots.size(); ++i)
+    check_side(data.roots[i].ground, fmt::format("roots.{}.ground", i), sides, findings);
 }
 
 void check_conditions(const Case& data, Findings& findings) {

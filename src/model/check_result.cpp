@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "model/checks.hpp"
@@ -91,14 +92,34 @@ class Comparison {
                     fmt::format("material '{}' is {}, but region '{}' is {} in {}; a start from there can change the "
                                 "parameters of a soil, not whether it has pore water",
                                 name, wet ? "wet" : "dry", region, wet ? "dry" : "wet", result_));
-    for (const char* key : {"grain_density", "porosity"}) {
-      const json given = look_up(now_, {"materials", name, key}), was = look_up(before_, {"materials", old, key});
-      if (given != was)
-        findings_.add(fmt::format("{}.{}", path, key),
-                      fmt::format("'{}' of material '{}' is {}, but the masses are those of {}, where region '{}' was "
-                                  "given {}",
-                                  key, name, given.dump(), result_, region, was.dump()));
-    }
+    check_number(region, name, "grain_density", look_up(now_, {"materials", name, "grain_density"}),
+                 look_up(before_, {"materials", old, "grain_density"}));
+    // One of both may give the void ratio and the other the porosity.
+    const bool by_ratio = !look_up(now_, {"materials", name, "void_ratio"}).is_null();
+    check_number(region, name, by_ratio ? "void_ratio" : "porosity", find_pores(now_, name, by_ratio),
+                 find_pores(before_, old, by_ratio));
+  }
+
+  /// The void ratio or the porosity of a material, whichever of them its case gave.
+  static json find_pores(const json& echo, const std::string& material, bool as_ratio) {
+    const json given = look_up(echo, {"materials", material, as_ratio ? "void_ratio" : "porosity"});
+    if (!given.is_null()) return given;
+    const json other = look_up(echo, {"materials", material, as_ratio ? "porosity" : "void_ratio"});
+    if (!other.is_number()) return nullptr;
+    const double x = other.get<double>();
+    return as_ratio ? x / (1 - x) : x / (1 + x);
+  }
+
+  void check_number(const std::string& region, const std::string& name, const char* key, const json& now,
+                    const json& before) {
+    const bool both = now.is_number() && before.is_number();
+    if (both ? std::abs(now.get<double>() - before.get<double>()) <= 1e-12 * std::abs(now.get<double>())
+             : now == before)
+      return;
+    findings_.add(
+        fmt::format("materials.{}.{}", name, key),
+        fmt::format("'{}' of material '{}' is {}, but the masses are those of {}, where region '{}' was given {}", key,
+                    name, now.dump(), result_, region, before.dump()));
   }
 
   const json& now_;

@@ -82,12 +82,17 @@ void check_conductivity(const Soil& soil) {
 }
 
 void check_porosity(const Soil& soil) {
-  const std::string path = "materials." + soil.name + ".porosity";
+  const bool by_ratio = soil.material.given_void_ratio.has_value();
+  const std::string path = "materials." + soil.name + (by_ratio ? ".void_ratio" : ".porosity");
   const double n = soil.material.porosity;
-  if (soil.findings.is_sound(path) && (n <= 0 || n >= 1))
-    soil.findings.add(path, fmt::format("'porosity' is {:.6g}; material '{}' has pore water, which needs pores: a "
-                                        "porosity above 0 and below 1",
-                                        n, soil.name));
+  if (!soil.findings.is_sound(path) || (n > 0 && n < 1)) return;
+  soil.findings.add(path,
+                    by_ratio ? fmt::format("'void_ratio' is 0; material '{}' has pore water, which needs pores: a void "
+                                           "ratio above 0",
+                                           soil.name)
+                             : fmt::format("'porosity' is {:.6g}; material '{}' has pore water, which needs pores: a "
+                                           "porosity above 0 and below 1",
+                                           n, soil.name));
 }
 
 /// Below the water table all curves are flat, and water is stored by its own compression alone.

@@ -13,6 +13,8 @@ namespace talus::model {
 void check_geometry(const Case& data, Findings& findings);
 /// Materials, and which region has which.
 void check_materials(const Case& data, Findings& findings);
+/// [[roots]], the soils that they are in, and the stage of initial.equilibrium.
+void check_roots(const Case& data, Findings& findings);
 /// Vectors that need a direction, names of sides and regions, units of the output.
 void check_conditions(const Case& data, Findings& findings);
 /// The result that the case starts from, and what has no meaning with one.
@@ -23,13 +25,23 @@ void check_analysis(const Case& data, Findings& findings);
 void check_water(const Case& data, Findings& findings);
 /// Hydraulic conditions and the pore pressure at the start.
 void check_hydraulics(const Case& data, Findings& findings);
+/// Clock and sections of the output.
+void check_output(const Case& data, Findings& findings);
 /// Names, units and tolerances of the values that results are held against. A result that this case leaves out is no
 /// fault: the report says that it was not calculated.
 void check_compare(const Case& data, Findings& findings);
+/// Element tests: names, materials, and what each of them follows.
+void check_point_tests(const Case& data, Findings& findings);
+/// [calibration]: keys, limits and curves, and what follows from them and from the files of the measurements, which are
+/// found from the folder of the case file `file`. The tests must be checked before.
+void complete_calibration(Case& data, const std::string& file, Findings& findings);
 
 /// Whether any material has pore water.
 bool is_wet(const Case& data);
-/// Reports boundaries, tractions and hydraulic conditions on sides that are not in `sides`.
+/// Whether a material is one of Mohr and Coulomb's, bare or rooted; whether it is Cam-clay, bare or rooted.
+bool is_mohr_coulomb(const Material& material);
+bool is_cam_clay(const Material& material);
+/// Reports boundaries, tractions, hydraulic conditions and roots on sides that are not in `sides`.
 void check_sides(const Case& data, const std::set<std::string>& sides, Findings& findings);
 /// Reports regions without material, and materials and velocities for regions that do not exist.
 void check_regions(const Case& data, const std::set<std::string>& regions, Findings& findings);

@@ -11,7 +11,8 @@ using Pairs = std::vector<std::array<double, 2>>;
 const Spec seconds = quantity("s");
 const Spec share = plain().at_least(0).at_most(1);
 
-/// Rows of two numbers, each with the unit and range of its column.
+}  // namespace
+
 bool decode_pairs(const Decoding& in, const toml::node& node, const std::string& path, const Spec& first,
                   const Spec& second, const std::string& wanted, Pairs& out) {
   const toml::array* rows = node.as_array();
@@ -39,8 +40,6 @@ json write_pair_schema(const Spec& first, const Spec& second) {
   row["prefixItems"] = json::array({write_number_schema(first), write_number_schema(second)});
   return write_array_schema(row, 1, -1);
 }
-
-}  // namespace
 
 bool Codec<Series>::decode(const Decoding& in, const toml::node& node, const std::string& path, Series& out) {
   out.table = {};

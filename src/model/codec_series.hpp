@@ -5,6 +5,11 @@
 
 namespace talus::model {
 
+/// Rows of two numbers, each with the unit and range of its column.
+bool decode_pairs(const Decoding& in, const toml::node& node, const std::string& path, const Spec& first,
+                  const Spec& second, const std::string& wanted, std::vector<std::array<double, 2>>& out);
+nlohmann::json write_pair_schema(const Spec& first, const Spec& second);
+
 /// A quantity that may change with time: one value, or rows [[time, value], ...] whose times do not decrease; two rows
 /// at one time are a jump. The unit and the range of the key are those of the value.
 struct Series {

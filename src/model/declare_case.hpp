@@ -3,11 +3,14 @@
 
 #include "model/declare_analysis.hpp"
 #include "model/declare_boundary.hpp"
+#include "model/declare_calibration.hpp"
 #include "model/declare_geometry.hpp"
 #include "model/declare_material.hpp"
 #include "model/declare_mesh.hpp"
 #include "model/declare_output.hpp"
+#include "model/declare_point_test.hpp"
 #include "model/declare_report.hpp"
+#include "model/declare_roots.hpp"
 #include "model/declare_stage.hpp"
 #include "model/declare_start.hpp"
 #include "model/declare_water.hpp"
@@ -33,6 +36,9 @@ void describe(Visitor& v, Case& c) {
       "hydraulic", c.hydraulics, 0,
       "What pore water meets on a side or a line. Without one, sides that a [[boundary]] holds let no water pass, and "
       "the rest of the surface is a seepage face.");
+  v.tables("roots", c.roots, 0,
+           "Roots under a named line of the ground, as a function of depth. Several blocks add up. Where none reaches, "
+           "the content or cohesion of the material counts.");
   v.table("gravity", c.gravity, "Gravity.");
   v.table("initial", c.initial, "The state at the start.");
   v.tables("stage", c.stages, 1, "A stretch of time. Stages follow one another; at least one is needed.");
@@ -41,6 +47,10 @@ void describe(Visitor& v, Case& c) {
   v.table("strength_reduction", c.strength_reduction, "How the factor of safety is found.");
   v.table("output", c.output, "What is stored, and the units of tables and plots.");
   v.tables("compare", c.compare, 0, "A published or measured value that a result is held against in the report.");
+  v.tables("test", c.tests, 0, "An element test: one point of soil without a mesh, for `talus point`.");
+  v.optional_table("calibration", c.calibration,
+                   "What `talus calibrate` fits: numbers of the materials, and the measured curves that the element "
+                   "tests are to meet.");
   v.table("study", c.study, "What `talus study` varies.");
 }
 

@@ -78,8 +78,10 @@ void describe(Visitor& v, Stage& s) {
         "Gravity grows linearly from its value before the stage (zero before the first) over this time; 0: at once.");
   v.key("cohesion", s.cohesion, quantity("kPa").at_least(0).example("100"),
         "Replaces the cohesion of every Mohr–Coulomb material in this stage; if not given, the materials keep theirs.");
-  v.key("strength_factor", s.strength_factor, plain().above(0).example("1.2"),
-        "Divides c and tan φ of every Mohr–Coulomb material in this stage; if not given, the strength is whole.");
+  v.key(
+      "strength_factor", s.strength_factor, plain().above(0).example("1.2"),
+      "Divides c, tan φ and the cohesion of roots in this stage, and in Cam-clay soils tan φ of the critical state; if "
+      "not given, the strength is whole.");
   v.key("reset_displacement", s.reset_displacement, plain(), "Count displacements from the start of this stage.");
 }
 

@@ -46,6 +46,15 @@ void describe(Visitor& v, Initial& i) {
         quantity("kPa").at_least(0).or_infinite().allowed_with("pore_pressure", i.water.pressure,
                                                                InitialPressure::water_table),
         "Suction grows with the height above the water table up to this value.");
+  v.key("season", i.water.season,
+        quantity("day")
+            .at_least(0)
+            .allowed_with("pore_pressure", i.water.pressure, {InitialPressure::water_table, InitialPressure::seepage})
+            .example("90"),
+        "Weather before the run: seepage is calculated in soil at rest from this long before time 0, where the pore "
+        "pressure named above holds, with the [[hydraulic]] series at negative times and the roots' transpiration.");
+  v.key("equilibrium", i.equilibrium, plain().example(R"("gravity")"),
+        "The stage at whose end `preconsolidation_ratio` of Cam-clay soils is applied; if not given, the first one.");
   v.entries("velocity", i.velocity, "soil", 0, quantity("m/s").example("[1, 0]"),
             "Velocity of a region at the start; not with 'result'.");
 }

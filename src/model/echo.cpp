@@ -1,6 +1,7 @@
 #include "model/echo.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -31,6 +32,11 @@ class Echo {
   template <class T>
   void table(const std::string& name, T&& block, const char* /*meaning*/) {
     object_[name] = write_block(write_path(name), block);
+  }
+
+  template <class T>
+  void optional_table(const std::string& name, std::optional<T>& block, const char* meaning) {
+    if (block) table(name, *block, meaning);
   }
 
   template <class T>

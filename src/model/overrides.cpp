@@ -33,7 +33,7 @@ toml::table parse_value(const std::string& text) {
   return table;
 }
 
-/// The entry of a list that `step` names: by number from 0, or by its `name` or `on`.
+/// The entry of a list that `step` names: by number from 0, or by its `name`, `on` or `ground`.
 std::optional<std::size_t> find_entry(const toml::array& list, const std::string& step) {
   std::size_t number = 0;
   const auto [end, failure] = std::from_chars(step.data(), step.data() + step.size(), number);
@@ -42,7 +42,7 @@ std::optional<std::size_t> find_entry(const toml::array& list, const std::string
   for (std::size_t i = 0; i < list.size(); ++i) {
     const toml::table* table = list[i].as_table();
     if (table == nullptr) continue;
-    for (const char* label : {"name", "on"})
+    for (const char* label : {"name", "on", "ground"})
       if ((*table)[label].value<std::string>() == step) return i;
   }
   return std::nullopt;

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "model/checks.hpp"
@@ -47,11 +49,17 @@ void normalise(std::array<double, 3>& v) {
 /// What follows from several keys.
 void complete(Case& data, const std::string& file, const Places& places) {
   if (data.mesh.dimension == 3 && !places.is_given("mesh.points_per_element")) data.points_per_element = 4;
-  if (!data.mesh.file.empty())
-    data.mesh.file = (std::filesystem::path(file).parent_path() / data.mesh.file).lexically_normal().string();
+  const auto find_file = [&](const std::string& path) {
+    return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
+  };
+  if (!data.mesh.file.empty()) data.mesh.file = find_file(data.mesh.file);
+  for (auto& [name, material] : data.materials) {
+    if (const auto e = material.given_void_ratio) material.porosity = *e / (1 + *e);
+    material.external.material = name;
+    if (!material.external.library.empty()) material.external.library_file = find_file(material.external.library);
+  }
   if (data.initial.result.empty()) return;
-  data.initial.result_folder =
-      (std::filesystem::path(file).parent_path() / data.initial.result).lexically_normal().string();
+  data.initial.result_folder = find_file(data.initial.result);
   // The mesh of a result cannot be halved.
   if (!places.is_given("strength_reduction.frozen.meshes")) data.strength_reduction.frozen.meshes = 1;
 }
@@ -63,27 +71,49 @@ void normalise_directions(Case& data) {
     if (boundary.fix == Fix::plane) normalise(boundary.normal);
 }
 
-std::optional<LoadedCase> read_without_study(const std::string& text, const std::string& name,
-                                             const std::vector<Override>& overrides, Findings& findings) {
+/// Blocks of which a slope has at least one, and a file of element tests alone has none.
+const std::set<std::string> slope_blocks{"geometry", "mesh", "regions", "stage"};
+
+bool has_tests_alone(const toml::table& root) {
+  return root.contains("test") && std::none_of(slope_blocks.begin(), slope_blocks.end(),
+                                               [&](const std::string& name) { return root.contains(name); });
+}
+
+/// Of element tests alone the echo names what the file gives, and not the defaults of a slope.
+void drop_absent_blocks(nlohmann::json& echo, const Places& places) {
+  for (auto block = echo.begin(); block != echo.end();)
+    block = places.is_given(block.key()) ? std::next(block) : echo.erase(block);
+}
+
+/// The case without what needs several readings of it: values of a study, soils of element tests.
+std::optional<LoadedCase> read_once(const std::string& text, const std::string& name,
+                                    const std::vector<Override>& overrides, CaseScope scope, Findings& findings) {
   toml::table root = parse(text, name);
   apply_overrides(root, overrides, findings);
   LoadedCase loaded;
+  loaded.is_whole = scope == CaseScope::whole || !has_tests_alone(root);
   // [geometry] comes first in the file, and has to know whether [mesh] names a ready mesh.
   loaded.data.mesh.file = root["mesh"]["file"].value_or(std::string());
   Reader reader(root, findings);
+  if (!loaded.is_whole) reader.leave_out(slope_blocks);
   describe(reader, loaded.data);
   reader.finish();
   complete(loaded.data, name, findings.places);
-  check_geometry(loaded.data, findings);
+  if (loaded.is_whole) check_geometry(loaded.data, findings);
   check_materials(loaded.data, findings);
+  check_roots(loaded.data, findings);
   check_conditions(loaded.data, findings);
   check_water(loaded.data, findings);
   check_hydraulics(loaded.data, findings);
   check_result(loaded.data, findings);
-  check_analysis(loaded.data, findings);
+  if (loaded.is_whole) check_analysis(loaded.data, findings);
+  check_output(loaded.data, findings);
+  check_point_tests(loaded.data, findings);
+  complete_calibration(loaded.data, name, findings);
   check_compare(loaded.data, findings);
   if (!findings.empty()) return std::nullopt;
   loaded.echo = echo(loaded.data, findings.places);
+  if (!loaded.is_whole) drop_absent_blocks(loaded.echo, findings.places);
   normalise_directions(loaded.data);
   loaded.text = text;
   loaded.file = name;
@@ -99,7 +129,7 @@ void check_study(const LoadedCase& loaded, const std::vector<Override>& override
       changes.push_back({vary[i].key, vary[i].values[j]});
       Places trial_places(loaded.file);
       Findings trial(trial_places);
-      if (read_without_study(loaded.text, loaded.file, changes, trial)) continue;
+      if (read_once(loaded.text, loaded.file, changes, CaseScope::whole_or_tests, trial)) continue;
       findings.add(fmt::format("study.vary.{}.values.{}", i, j),
                    fmt::format("the study cannot set {} = {}: {}", vary[i].key, vary[i].values[j],
                                trial.sort().front().sentence));
@@ -109,20 +139,42 @@ void check_study(const LoadedCase& loaded, const std::vector<Override>& override
   }
 }
 
+/// The soil of each test: what the test sets is right when the case with it is right.
+void read_test_soils(LoadedCase& loaded, const std::vector<Override>& overrides, Findings& findings) {
+  for (std::size_t i = 0; i < loaded.data.tests.size(); ++i) {
+    const PointTest& test = loaded.data.tests[i];
+    std::vector<Override> changes = overrides;
+    for (const PointSetting& s : test.set)
+      changes.push_back({fmt::format("materials.{}.{}", test.material, s.key), s.value});
+    Places trial_places(loaded.file);
+    Findings trial(trial_places);
+    const auto changed = test.set.empty()
+                             ? std::nullopt
+                             : read_once(loaded.text, loaded.file, changes, CaseScope::whole_or_tests, trial);
+    if (changed || test.set.empty())
+      loaded.data.test_soils.push_back((changed ? *changed : loaded).data.materials.at(test.material));
+    else
+      findings.add(fmt::format("test.{}.set", i), fmt::format("the test '{}' cannot change material '{}' so: {}",
+                                                              test.name, test.material, trial.sort().front().sentence));
+  }
+}
+
 }  // namespace
 
-LoadedCase read_case_text(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
+LoadedCase read_case_text(const std::string& text, const std::string& name, const std::vector<Override>& overrides,
+                          CaseScope scope) {
   Places places(name);
   Findings findings(places);
-  std::optional<LoadedCase> loaded = read_without_study(text, name, overrides, findings);
+  std::optional<LoadedCase> loaded = read_once(text, name, overrides, scope, findings);
   if (loaded) check_study(*loaded, overrides, findings);
+  if (loaded) read_test_soils(*loaded, overrides, findings);
   if (!findings.empty()) throw InputError(findings.sort());
   loaded->places = std::move(places);
   return std::move(*loaded);
 }
 
-LoadedCase read_case(const std::string& path, const std::vector<Override>& overrides) {
-  return read_case_text(read_text(path), path, overrides);
+LoadedCase read_case(const std::string& path, const std::vector<Override>& overrides, CaseScope scope) {
+  return read_case_text(read_text(path), path, overrides, scope);
 }
 
 void check_against_mesh(const LoadedCase& loaded, const std::set<std::string>& sides,

@@ -15,18 +15,23 @@ namespace talus::model {
 /// A case that was read without a fault.
 struct LoadedCase {
   Case data;
-  nlohmann::json echo;  ///< every value with its unit and whether it was given, see model/echo.hpp
-  std::string text;     ///< the file as it is
-  std::string file;     ///< its name, as messages show it
-  Places places;        ///< where each key stands, for faults that are found later
+  nlohmann::json echo;   ///< every value with its unit and whether it was given, see model/echo.hpp
+  std::string text;      ///< the file as it is
+  std::string file;      ///< its name, as messages show it
+  Places places;         ///< where each key stands, for faults that are found later
+  bool is_whole = true;  ///< false: element tests and their soils, without anything that could be calculated else
 };
 
+/// What a file must hold: a slope that can be calculated, or element tests and their soils without one as well.
+enum class CaseScope { whole, whole_or_tests };
+
 /// Reads and checks a case file. Throws InputError with all faults of the file.
-LoadedCase read_case(const std::string& path, const std::vector<Override>& overrides = {});
+LoadedCase read_case(const std::string& path, const std::vector<Override>& overrides = {},
+                     CaseScope scope = CaseScope::whole);
 
 /// The same for a text; `name` stands for the file in messages, and mesh files are relative to its folder.
-LoadedCase read_case_text(const std::string& text, const std::string& name,
-                          const std::vector<Override>& overrides = {});
+LoadedCase read_case_text(const std::string& text, const std::string& name, const std::vector<Override>& overrides = {},
+                          CaseScope scope = CaseScope::whole);
 
 /// Checks the names in a case against those of its mesh, which for a ready file are known only now. `sides` are named
 /// sides and lines; `regions` without the empty one. Throws InputError with all faults.

@@ -66,7 +66,9 @@ const toml::node* Reader::find_key(const std::string& name, const Spec& spec) {
     Condition reasons;
     for (const Alternative& other : condition.any)
       if (other.holds) reasons.any.push_back(other);
-    if (is_required && !condition.is_absence()) reason = fmt::format("; {} needs it", write_condition(reasons));
+    if (is_required)
+      reason = condition.is_absence() ? fmt::format(", or give '{}'", condition.any.front().key)
+                                      : fmt::format("; {} needs it", write_condition(reasons));
   }
   if (node == nullptr && is_required) {
     const std::string example =
@@ -74,6 +76,12 @@ const toml::node* Reader::find_key(const std::string& name, const Spec& spec) {
     findings_.add(path, fmt::format("missing key '{}' {}{}{}", name, write_place(scope.header), example, reason));
   }
   return node;
+}
+
+bool Reader::is_given(const std::string& name) {
+  Scope& scope = scopes_.back();
+  scope.known.push_back(name);
+  return !scope.is_broken && scope.table->contains(name);
 }
 
 const toml::table* Reader::find_table(const std::string& name) {

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -25,10 +26,22 @@ class Reader {
       Codec<std::remove_cvref_t<T>>::decode({spec, name, findings_}, *node, write_path(name), member);
   }
 
+  /// Blocks at the top of the file whose absence is no fault.
+  void leave_out(const std::set<std::string>& blocks) { left_out_ = blocks; }
+
   template <class T>
   void table(const char* name, T&& block, const char* /*meaning*/) {
+    if (is_left_out(name)) return;
     enter(name, find_table(name), write_name(name), false);
     describe(*this, block);
+    leave();
+  }
+
+  template <class T>
+  void optional_table(const char* name, std::optional<T>& block, const char* /*meaning*/) {
+    if (!is_given(name)) return;
+    enter(name, find_table(name), write_name(name), false);
+    describe(*this, block.emplace());
     leave();
   }
 
@@ -78,10 +91,15 @@ class Reader {
     std::vector<std::string> known;
   };
 
+  bool is_left_out(const std::string& name) const {
+    return scopes_.size() == 1 && left_out_.count(name) != 0 && !scopes_.back().table->contains(name);
+  }
   std::string write_path(const std::string& name) const;
   std::string write_name(const std::string& name) const;
   /// The node of a key of the current table, or nullptr when it is not given or refused.
   const toml::node* find_key(const std::string& name, const Spec& spec);
+  /// Whether the current table has a key of that name; it counts as known from here on.
+  bool is_given(const std::string& name);
   /// The table of that name; an empty one when it is not given, nullptr when it is no table.
   const toml::table* find_table(const std::string& name);
   std::vector<const toml::table*> find_tables(const std::string& name);
@@ -94,6 +112,7 @@ class Reader {
 
   Findings& findings_;
   std::vector<Scope> scopes_;
+  std::set<std::string> left_out_;
 };
 
 }  // namespace talus::model

@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* trial_prefix = "curve.displacement[";
 constexpr const char* runout_prefix = "runout[";
+constexpr const char* test_prefix = "test[";
 constexpr const char* per_cent = "%";
 
 /// The number that stands in `text` between `prefix`, with which it begins, and the first `end`.
@@ -28,6 +29,23 @@ std::optional<double> read_number_between(const std::string& text, const std::st
 
 ResultName name_trial(const std::string& name, double factor) {
   return {name, fmt::format("largest displacement at SRF {:g}", factor), "m"};
+}
+
+/// Nothing when the case has no such test, or tests have no such quantity.
+std::optional<ResultName> name_point_result(const Case& data, const std::string& name, const PointResultName& result) {
+  const auto test =
+      std::find_if(data.tests.begin(), data.tests.end(), [&](const PointTest& t) { return t.name == result.test; });
+  if (test == data.tests.end()) return std::nullopt;
+  if (result.quantity == "peak_q" && !result.strain)
+    return ResultName{name, fmt::format("largest deviatoric stress, {}", result.test), "Pa"};
+  for (const PointQuantity& q : list_point_quantities()) {
+    if (result.quantity != q.name) continue;
+    const std::string at =
+        result.strain ? fmt::format(" at {} strain {:g}", test->get_strain_word(), *result.strain) : " at the end";
+    return ResultName{name, fmt::format("{}{}, {}", q.title, at, result.test),
+                      std::string(q.unit) == "-" ? "" : q.unit};
+  }
+  return std::nullopt;
 }
 
 void add_runout(std::vector<ResultName>& names, const Case& data, const std::string& path, const std::string& of) {
@@ -60,6 +78,18 @@ void add_factors(std::vector<ResultName>& names, const Case& data) {
     add_runout(names, data, fmt::format("runout[{:g}]", f), fmt::format(", runout at SRF {:g}", f));
 }
 
+/// Of the monitored points of a run.
+void add_motion(std::vector<ResultName>& names, const Case& data) {
+  const Stage* from = find_clock_stage(data);
+  if (from == nullptr) return;
+  for (const Monitor& m : data.output.monitors) {
+    names.push_back({fmt::format("onset[{}]", m.name),
+                     fmt::format("onset of movement of '{}' after the start of '{}'", m.name, from->name), "s"});
+    names.push_back(
+        {fmt::format("displacement[{}]", m.name), fmt::format("displacement of '{}' at the end", m.name), "m"});
+  }
+}
+
 /// Of soil with pore water: what came in and left by condition, and the steady seepage of the start.
 void add_water(std::vector<ResultName>& names, const Case& data) {
   const bool plane = data.mesh.dimension == 2;  // a plane section is one metre thick
@@ -87,12 +117,22 @@ void add_water(std::vector<ResultName>& names, const Case& data) {
 
 }  // namespace
 
+const Stage* find_clock_stage(const Case& data) {
+  const Stage* found = data.stages.empty() ? nullptr : &data.stages.front();
+  for (const Stage& stage : data.stages)
+    if (data.output.count_from.empty() ? stage.reset_displacement : stage.name == data.output.count_from)
+      found = &stage;
+  return found;
+}
+
 std::vector<ResultName> list_result_names(const Case& data) {
   std::vector<ResultName> names;
-  if (data.analysis == AnalysisKind::strength_reduction)
+  if (data.analysis == AnalysisKind::strength_reduction) {
     add_factors(names, data);
-  else
+  } else {
     add_runout(names, data, "runout", "");
+    add_motion(names, data);
+  }
   for (const Stage& stage : data.stages) {
     names.push_back({fmt::format("stage[{}].displacement", stage.name),
                      fmt::format("largest displacement at the end of '{}'", stage.name), "m"});
@@ -110,7 +150,22 @@ std::optional<double> find_trial_factor(const std::string& name) {
   return name.ends_with("]") ? read_number_between(name, trial_prefix, "]") : std::nullopt;
 }
 
+std::optional<PointResultName> find_point_result_name(const std::string& name) {
+  const auto close = name.find("].");
+  if (!name.starts_with(test_prefix) || close == std::string::npos) return std::nullopt;
+  const std::size_t first = std::string(test_prefix).size();
+  PointResultName result{name.substr(first, close - first), name.substr(close + 2), std::nullopt};
+  const auto open = result.quantity.find('[');
+  if (open == std::string::npos) return result;
+  if (!result.quantity.ends_with("]")) return std::nullopt;
+  result.strain = read_number_between(result.quantity, result.quantity.substr(0, open + 1), "]");
+  if (!result.strain) return std::nullopt;
+  result.quantity.resize(open);
+  return result;
+}
+
 std::optional<ResultName> find_result_name(const Case& data, const std::string& name) {
+  if (const auto of_test = find_point_result_name(name)) return name_point_result(data, name, *of_test);
   const bool has_curve = data.analysis == AnalysisKind::strength_reduction && data.strength_reduction.curve.enabled;
   if (const auto factor = find_trial_factor(name); factor && has_curve) return name_trial(name, *factor);
   for (const ResultName& known : list_result_names(data))

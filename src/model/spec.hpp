@@ -1,6 +1,7 @@
 #pragma once
 // What a declaration says about a key besides its name, place and meaning.
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <utility>
@@ -79,7 +80,16 @@ struct Spec {
   Spec allowed_with(const char* key, const T& other, const T& value) && {
     return condition = Condition{{{key, write_value(value), other == value}}, false}, std::move(*this);
   }
-  /// Or where `other` has `value`; after one of the two above.
+  /// The same for each of several values.
+  template <class T>
+  Spec needed_with(const char* key, const T& other, std::initializer_list<T> values) && {
+    return condition = Condition{list_values(key, other, values), true}, std::move(*this);
+  }
+  template <class T>
+  Spec allowed_with(const char* key, const T& other, std::initializer_list<T> values) && {
+    return condition = Condition{list_values(key, other, values), false}, std::move(*this);
+  }
+  /// Or where `other` has `value`; after one of those above.
   template <class T>
   Spec or_with(const char* key, const T& other, const T& value) && {
     return condition->any.push_back({key, write_value(value), other == value}), std::move(*this);
@@ -110,6 +120,12 @@ struct Spec {
     for (const auto& choice : choices<E>)
       if (choice.value == value) return '"' + std::string(choice.word) + '"';
     return "";
+  }
+  template <class T>
+  static std::vector<Alternative> list_values(const char* key, const T& other, std::initializer_list<T> values) {
+    std::vector<Alternative> any;
+    for (const T& value : values) any.push_back({key, write_value(value), other == value});
+    return any;
   }
 };
 

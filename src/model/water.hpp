@@ -74,6 +74,9 @@ struct InitialWater {
   InitialPressure pressure = InitialPressure::zero;
   std::vector<std::array<double, 2>> water_table;  ///< polyline of zero pressure [m]; horizontal beyond its ends
   double largest_suction = std::numeric_limits<double>::infinity();  ///< above the water table [Pa]
+  /// Weather before the run [s]: transient seepage in soil at rest from time -season, where `pressure` holds, to time
+  /// 0.
+  double season = 0;
 };
 
 }  // namespace talus::model

@@ -87,8 +87,15 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
   TALUS_UNROLL
   for (int i = 0; i < NS; ++i) store(strain + i * lane_width, load<Pack>(strain + i * lane_width) + d_epsilon[i]);
 
+  const StressIncrement<D> increment{rotation, d_epsilon, pending, body.time};
+  const Pack saturation = body.elements.held_saturation.empty()
+                              ? Pack(1.0)
+                              : load<Pack>(&body.elements.held_saturation[block * lane_width]);
   FullElement<D, Law> element;
-  if constexpr (Mixed) element = update_full_elements(body, o, law, b, count, rotation, d_epsilon, pending);
+  if constexpr (Mixed) {
+    element = gather_full_elements(body, law, b, count);
+    update_full_elements(body, o, law, b, increment, saturation, element);
+  }
   const bool none_partial = Mixed && all(element.full || !(count > Pack(0.0)));
 
   const Pack growth = 1.0 + volumetric;
@@ -113,8 +120,9 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     }
     Pack material(0.0);
     if constexpr (!Law::is_single) material = lane_materials(points, slot);
+    const int* ids = &points.id[static_cast<std::size_t>(slot * lane_width)];
     const material::Response<Pack> response = update_point_stress<Mixed>(
-        o, law, element, {rotation, d_epsilon, pending}, p, none_partial, active, material, s, q);
+        o, law, element, increment, p, ids, none_partial, active, material, saturation, s, q);
     if constexpr (Law::is_plastic) {
       if (response.any_plastic) {
         const Pack v_p = select(active, volume, Pack(0.0));
@@ -132,7 +140,7 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     for (int i = 0; i < NS; ++i) store(p + (P::stress + i) * lane_width, s[i]);
     if (o.moving) store(p + P::volume * lane_width, volume);
     if (Mixed || response.any_plastic) {
-      for (int i = 0; i < Law::state_size; ++i) store(p + (P::state + i) * lane_width, q[i]);
+      for (int i = 0; i < law.state_size; ++i) store(p + (P::state + i) * lane_width, q[i]);
     }
 
     Mask stays = active;

@@ -78,8 +78,9 @@ struct Elements {
   AlignedVector<double> fill_limit;  ///< mixed integration: an element is full when ΣV_p exceeds this [m³]
   AlignedVector<double>
       return_pressure;  ///< change of mean stress still to be given to the points (stable smoothing) [Pa]
-  AlignedVector<double> force_volume;  ///< volume that the internal force of the last pass was taken over [m³]
-  AlignedVector<double> plastic_mean;  ///< mean-stress change of the last plastic return, element mean [Pa]
+  AlignedVector<double> force_volume;     ///< volume that the internal force of the last pass was taken over [m³]
+  AlignedVector<double> plastic_mean;     ///< mean-stress change of the last plastic return, element mean [Pa]
+  AlignedVector<double> held_saturation;  ///< S of pore water that is held while one phase moves [-]; empty: no water
 };
 
 template <int D>

@@ -6,6 +6,7 @@
 #include "mpm/coupled_kernels.hpp"
 #include "mpm/element_force.hpp"
 #include "mpm/kernels.hpp"
+#include "mpm/laws.hpp"
 #include "mpm/pore_state.hpp"
 #include "mpm/slots.hpp"
 
@@ -145,11 +146,8 @@ Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material:
   const std::size_t blocks = static_cast<std::size_t>(l.blocks), rows = static_cast<std::size_t>(l.rows),
                     nodes = l.mesh.nodes.size();
 
-  int states = 0;
-  for (const material::Law& law : body.laws) states = std::max(states, material::state_size(law));
-  // Blocks of several materials load the most that any model could have.
-  if (body.laws.size() > 1) states = material::max_state_size;
   P& points = body.points;
+  const int states = find_state_size(body.laws);
   points.fields = P::state + states;
   if (!water.empty()) allocate_water(body, std::move(water));
   const std::size_t n = initial.size();
@@ -191,6 +189,7 @@ Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material:
     for (int s = 0; s < P::stress_size; ++s) r.fields[P::stress + s] = p.stress[s];
     r.fields[P::volume] = p.volume;
     r.fields[P::mass] = p.mass;
+    for (int s = 0; s < states; ++s) r.fields[P::state + s] = p.state[static_cast<std::size_t>(s)];
     if (body.water.is_wet()) {
       using W = WaterFields<D>;
       double* w = r.fields + body.water.first_field;

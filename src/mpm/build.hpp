@@ -15,6 +15,7 @@ struct InitialPoint {
   double mass = 0;                                        ///< of the grains [kg]
   double volume = 0;                                      ///< [m³]
   int material = 0;
+  std::array<double, material::max_state_size> state{};  ///< of its law
   double pressure = 0;      ///< of the pore water, tension positive [Pa]; its mass follows from it
   Vec<D> water_velocity{};  ///< [m/s]
 };

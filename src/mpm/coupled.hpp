@@ -28,13 +28,14 @@ void remap_coupled_momentum(Body<D>& body, const StepOptions<D>& options);
 template <int D>
 void smooth_coupled_increments(Body<D>& body, const StepOptions<D>& options);
 
-/// Water is exchanged in every so many steps.
+/// Water is exchanged, and drawn by roots, in every so many steps.
 inline constexpr int exchange_interval = 4;
 
 /// Whether this step's surplus holds anything.
 template <int D>
 bool has_surplus(const Body<D>& body, const StepOptions<D>& o) {
-  return o.smooth_pressure || (o.exchange_water && body.step_count % exchange_interval == 0);
+  const bool moves_water = o.exchange_water || !body.water.uptakes.empty();
+  return o.smooth_pressure || (moves_water && body.step_count % exchange_interval == 0);
 }
 
 /// Adds to the surplus what neighbouring elements exchange (T14.9).

@@ -170,11 +170,14 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
   TALUS_UNROLL
   for (int i = 0; i < NS; ++i) store(strain + i * lane_width, load<Pack>(strain + i * lane_width) + d_epsilon[i]);
 
+  const StressIncrement<D> stress_increment{rotation, d_epsilon, pending, body.time};
   FullElement<D, Law> element;
   FullWater full_water;
   if constexpr (Mixed) {
-    element = update_full_elements(body, o, law, b, count, rotation, d_epsilon, pending);
+    element = gather_full_elements(body, law, b, count);
     if (any(element.full)) full_water = update_full_water(pass, element, lanes, b, count, increment);
+    const Pack saturation = select(lanes.is_wet(element.material), full_water.pore.saturation, Pack(1.0));
+    update_full_elements(body, o, law, b, stress_increment, saturation, element);
   }
   // The pores of a full element grow as the flux is integrated, over its whole volume: only so does the work of the
   // pressure in the balance of forces equal that in the balance of water.
@@ -210,8 +213,6 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     const Mask wet = lanes.is_wet(material);
     const Pack grains = mass * lanes.get_inverse_grain_density(material);  // their volume
     const Pack pores = volume - grains;
-    const material::Response<Pack> response = update_point_stress<Mixed>(
-        o, law, element, {rotation, d_epsilon, pending}, p, none_partial, active, material, s, q);
     PoreState<Pack> pore = full_water.pore;
     Pack water_mass = full_water.per_pores * pores;
     if (!none_partial) {
@@ -235,6 +236,10 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
         pore.capacity = select(own, mine.capacity, pore.capacity);
       }
     }
+    const int* ids = &points.id[static_cast<std::size_t>(slot * lane_width)];
+    const material::Response<Pack> response =
+        update_point_stress<Mixed>(o, law, element, stress_increment, p, ids, none_partial, active, material,
+                                   select(wet, pore.saturation, Pack(1.0)), s, q);
     if constexpr (Law::is_plastic) {
       if (response.any_plastic) {
         const Pack v_p = select(active, volume, Pack(0.0));
@@ -256,7 +261,7 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
     store(water + W::capacity * lane_width, pore.capacity);
     store(water + W::mass * lane_width, water_mass);
     if (Mixed || response.any_plastic) {
-      for (int i = 0; i < Law::state_size; ++i) store(p + (P::state + i) * lane_width, q[i]);
+      for (int i = 0; i < law.state_size; ++i) store(p + (P::state + i) * lane_width, q[i]);
     }
 
     Mask stays = active;

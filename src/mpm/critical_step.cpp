@@ -26,6 +26,16 @@ CoupledSoil make_coupled_soil(const WaterLaw& law, double modulus, double porosi
   return {modulus, porosity, saturation, porosity * storage, law.grain_density, law.density, resistance};
 }
 
+/// E_c of the point whose fields begin at `p` [Pa].
+template <int D>
+double find_modulus(const material::Law& law, const double* p) {
+  using P = Points<D>;
+  double sigma[P::stress_size], state[material::max_state_size];
+  for (int i = 0; i < P::stress_size; ++i) sigma[i] = p[(P::stress + i) * lane_width];
+  for (int i = 0; i < material::state_size(law); ++i) state[i] = p[(P::state + i) * lane_width];
+  return material::constrained_modulus(law, sigma, state);
+}
+
 /// Smallest altitude of an element and its neighbours, which its points may enter before the next look.
 template <int D>
 std::pair<double, int> find_shortest(const mesh::Mesh<D>& mesh, int e) {
@@ -58,8 +68,6 @@ CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
   // Squared wave speed of each element, from its points; a point may enter a neighbour before the next look.
   CriticalStep critical;
   double smallest = 0;
-  std::vector<double> moduli;
-  for (const material::Law& law : body.laws) moduli.push_back(material::constrained_modulus(law));
   for (int e = 0; e < mesh.element_count(); ++e) {
     const int b = e / lane_width, lane = e % lane_width;
     double speed2 = 0;
@@ -67,8 +75,8 @@ CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
       const std::int64_t slot = body.points.block_start[b] + k;
       const double* p = body.points.slot(slot) + lane;
       const int id = body.points.id[static_cast<std::size_t>(slot * lane_width + lane)];
-      speed2 = std::max(speed2, moduli[body.points.material[id]] * p[Points<D>::volume * lane_width] /
-                                    p[Points<D>::mass * lane_width]);
+      speed2 = std::max(speed2, find_modulus<D>(body.laws[body.points.material[id]], p) *
+                                    p[Points<D>::volume * lane_width] / p[Points<D>::mass * lane_width]);
     }
     if (speed2 == 0) continue;
     const auto look = [&](int i) {
@@ -102,7 +110,7 @@ CriticalStep find_critical_step(const Body<D>& body, const StepOptions<D>& o) {
       const double* p = body.points.slot(slot) + e % lane_width;
       const int m = body.points.material[body.points.id[static_cast<std::size_t>(slot * lane_width + e % lane_width)]];
       const WaterLaw& law = body.water.laws[m];
-      const double modulus = material::constrained_modulus(body.laws[m]);
+      const double modulus = find_modulus<D>(body.laws[m], p);
       const double mass = p[P::mass * lane_width], volume = p[P::volume * lane_width];
       double dt = length * std::sqrt(o.mass_scaling * mass / (modulus * volume));
       if (law.wet) {

@@ -61,7 +61,10 @@ PointView<D> view_point(const Body<D>& body, int id) {
   v.volume = f[P::volume * lane_width];
   v.mass = f[P::mass * lane_width];
   const bool wet = body.water.is_wet();
-  if ((wet ? body.water.first_field : body.points.fields) > P::state) v.plastic_strain = f[P::state * lane_width];
+  const material::Law& law_of_point = body.laws[v.material];
+  for (int i = 0; i < material::state_size(law_of_point); ++i)
+    v.state[static_cast<std::size_t>(i)] = f[(P::state + i) * lane_width];
+  v.plastic_strain = v.state[0];
   if (!wet || !body.water.laws[v.material].wet) return v;
   using W = WaterFields<D>;
   const double* w = f + body.water.first_field * lane_width;
@@ -107,11 +110,8 @@ Totals<D> sum_points(const Body<D>& body, const std::type_identity_t<Vec<D>>& gr
     t.water += p.water_mass;
     t.kinetic += 0.5 * (p.mass * dot(p.velocity, p.velocity) + p.water_mass * dot(p.water_velocity, p.water_velocity));
     t.potential -= (p.mass + p.water_mass) * dot(gravity, p.position);
-    t.elastic += p.volume * std::visit(
-                                [&](const auto& law) {
-                                  return law.template elastic_energy<Points<D>::stress_size>(p.stress.data());
-                                },
-                                body.laws[p.material]);
+    t.elastic += p.volume * material::elastic_energy<Points<D>::stress_size>(body.laws[p.material], p.stress.data(),
+                                                                             p.state.data());
     for (int d = 0; d < D; ++d) {
       t.momentum[d] += p.mass * p.velocity[d] + p.water_mass * p.water_velocity[d];
       t.centre[d] += p.mass * p.position[d];

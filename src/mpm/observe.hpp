@@ -15,6 +15,7 @@ struct PointView {
   std::array<double, material::stress_size<D>> strain{};  ///< summed increments, engineering shear [-]
   double mass = 0, volume = 0;                            ///< of the grains [kg], [m³]
   double plastic_strain = 0;                              ///< deviatoric, 0 for elastic models [-]
+  std::array<double, material::max_state_size> state{};   ///< of its law
   bool wet = false;                                       ///< has pore water
   Vec<D> water_velocity{};                                ///< [m/s]
   double pressure = 0, water_mass = 0;                    ///< tension positive [Pa], [kg]

@@ -40,6 +40,10 @@ void step_coupled(Body<D>& body, const StepOptions<D>& options) {
     exchange_water(body, options);
     watch.add_to(timing.smooth_strain);
   }
+  if (!body.water.uptakes.empty() && body.step_count % exchange_interval == 0) {
+    draw_root_water(body, options);
+    watch.add_to(timing.smooth_strain);
+  }
   const MoverLists movers = advance_coupled_points(body, options);
   watch.add_to(timing.advance_points);
   if (options.smoothing == Smoothing::stable) {

@@ -11,6 +11,7 @@
 #include "base/vec.hpp"
 #include "material/conductivity.hpp"
 #include "mpm/conditions.hpp"
+#include "mpm/root_uptake.hpp"
 
 namespace talus::mpm {
 
@@ -104,7 +105,7 @@ struct Water {
   AlignedVector<double> mean_saturation;  ///< Σ V_p S/Σ V_p [-]
   AlignedVector<double> mean_pressure;    ///< Σ V_p p/Σ V_p [Pa]
   AlignedVector<double> mean_resistance;  ///< ρ_w g/k of the element [N s/m⁴]
-  AlignedVector<double> surplus;  ///< what smoothing and exchange take from the water per volume, T14.8, T14.9 [-]
+  AlignedVector<double> surplus;          ///< what smoothing, exchange and roots take from the water per volume [-]
 
   // Nodes, by row.
   AlignedVector<double> sums;      ///< [wet_sums_stride]: see coupled_kernels.hpp
@@ -122,8 +123,11 @@ struct Water {
   bool surface_is_stale = true;      ///< an element has lost its last point or received its first one
   std::vector<int> newly_full;       ///< elements that the last pass left full for the first time
 
+  std::vector<RootUptake> uptakes;  ///< plants that draw water, by block of roots
+
   // Budget.
   std::vector<SurfaceBudget> budgets;  ///< by surface condition
+  double transpired = 0;               ///< drawn by roots [kg]
   double lost_between = 0;             ///< through nodes on no surface: error of quadrature [kg]
   double left_grid = 0;                ///< with points that left the grid [kg]
   double pressed_in = 0;               ///< frozen geometry: what the pores would have pressed out, and kept [kg]

@@ -238,14 +238,17 @@ void draw(const TablePlot& plot, const std::filesystem::path& picture) {
       1 - (right - 12) / width, text_colour);
   if (plot.log_x) script += "set logscale x\n";
   if (plot.log_y) script += "set logscale y\n";
-  script += "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n";
+  script += plot.is_history ? "set offsets 0, graph 0.03, graph 0.05, 0\nset xrange [0:*]\nset yrange [0:*]\n"
+                            : "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n";
   Layers layers;
   constexpr std::array<int, 6> markers{7, 5, 9, 11, 13, 6};  // circle, square, triangles, diamond, ring
   for (std::size_t i = 0; i < plot.series.size(); ++i)
-    layers.add(plot.series[i],
-               fmt::format("with linespoints linewidth 1.8 pointtype {} pointsize 0.8 linecolor rgb '{}'",
-                           markers[i % markers.size()], colour(i)),
-               plot.series.size() > 1 ? plot.series[i].label : "");
+    layers.add(
+        plot.series[i],
+        fmt::format("with linespoints linewidth 1.8 pointtype {} pointsize 0.8 pointinterval {} linecolor rgb '{}'",
+                    markers[i % markers.size()],
+                    plot.is_history ? std::max<std::size_t>(1, plot.series[i].x.size() / 12) : 1, colour(i)),
+        plot.series.size() > 1 ? plot.series[i].label : "");
   run_gnuplot(picture, script + layers.text(), width, height);
 }
 

@@ -45,6 +45,7 @@ struct TablePlot {
   std::string title, x_label, y_label;
   std::vector<PlotSeries> series;
   bool log_x = false, log_y = false;
+  bool is_history = false;  ///< many rows from zero on: a symbol for every twelfth of a curve, and both axes from zero
 };
 
 /// Draw into `picture` (.svg or .png); errors as for run_gnuplot. A curve without points is an Error (wrong_input).

@@ -265,6 +265,8 @@ json make_answer(const ResultFolder& folder) {
   say_state(folder, sentences);
   say_factor(summary, factors, sentences);
   say_runouts(summary, sentences);
+  if (const std::string motion = get_text(summary, {"motion", "sentence"}); !motion.empty())
+    sentences.push_back(motion);
   for (const std::string& sentence : tell_water(summary)) sentences.push_back(sentence);
   say_comparisons(find_list(summary, {"comparisons"}), sentences);
   return {{"sentences", sentences}, {"factors", factors}, {"results", list_results(summary)}};

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "report/look_up.hpp"
+#include "report/properties.hpp"
+#include "report/roots.hpp"
 #include "report/soil_water.hpp"
 #include "report/step_choices.hpp"
 #include "report/water_words.hpp"
@@ -75,26 +77,44 @@ class Assumptions {
   void add_soils() {
     const json* materials = find(summary_, {"input", "materials"});
     if (materials == nullptr) return;
-    std::vector<std::string> elastic, tensile;
+    std::vector<std::string> elastic, tensile, external, clay;
+    std::size_t with_strength = 0;
     for (const auto& [name, soil] : materials->items()) {
-      if (get_word(soil, "model") != "mohr_coulomb") {
-        elastic.push_back(name);
-        continue;
-      }
-      is_plastic_ = true;
+      const std::string model = get_word(soil, "model");
+      if (model == "linear_elastic") elastic.push_back(name);
+      if (model == "external") external.push_back(name);
+      if (is_cam_clay(soil)) clay.push_back(name);
+      if (!is_mohr_coulomb(soil)) continue;
+      ++with_strength;
       if (get_si(soil, "tensile_strength", 0) > 0) tensile.push_back(name);
       add_dilatancy(name, soil);
     }
-    if (is_plastic_)
+    is_plastic_ = with_strength + clay.size() > 0;
+    if (with_strength > 0)
       add("The strength is perfectly plastic: no softening, no rate effect, the same in all directions. With peak "
           "strength a slide stops too early, with residual strength it starts too early.");
     if (!tensile.empty())
       add("A tensile strength is kept in {}: ground may hang together in tension where real ground would crack.",
           join_words(tensile));
-    if (is_plastic_ && tensile.size() + elastic.size() < materials->size())
+    if (tensile.size() < with_strength)
       add("{} no tensile strength: it opens freely, and separated soil swells a little.",
           tensile.empty() ? "The soil has" : "The other soil has");
+    if (!external.empty())
+      add("{}: stress follows strain as a compiled UMAT says, which Talus can neither see nor check. It is told strain "
+          "increments, not deformation gradients; its state variables are carried with the soil, and not rotated.",
+          join_words(external));
+    if (!clay.empty()) add_clay(clay);
+    for (std::string& sentence : list_root_assumptions(summary_)) sentences_.push_back(std::move(sentence));
     if (!elastic.empty()) add("Without any limit of strength (linear elastic): {}.", join_words(elastic));
+  }
+
+  void add_clay(const std::vector<std::string>& names) {
+    add("{}: modified Cam-clay, the same in all directions. Soil that is preconsolidated beyond the critical state "
+        "dilates and softens in bands as thick as the elements are; contraction together with softening, as of loose "
+        "or cemented soil, is not in it.",
+        join_words(names));
+    if (choices_.is_reduction)
+      add("In Cam-clay soils the factor divides tan φ of the critical state. The preconsolidation stays as it is.");
   }
 
   void add_dilatancy(const std::string& name, const json& soil) {

@@ -10,6 +10,7 @@ namespace {
 struct Words {
   const char* title;
   bool is_signed;
+  const char* unit = nullptr;  ///< shown instead of the stored one, of the same size
 };
 
 /// Stresses and strains keep the sign of the results files; the title says which it is.
@@ -30,6 +31,14 @@ const std::map<std::string, Words>& list_words() {
       {"saturation", {"degree of saturation", true}},
       {"porosity", {"porosity", true}},
       {"darcy_velocity", {"flow of the water (Darcy)", false}},
+      {"water_velocity", {"velocity of the water", false}},
+      {"preconsolidation_pressure", {"preconsolidation pressure p'c", false}},
+      // Changes of the void ratio are small against itself.
+      {"void_ratio", {"void ratio e", true}},
+      {"root_content", {"root content", false, "%"}},
+      {"root_activation_strain", {"activation strain of the roots", false}},
+      {"intact_roots", {"share of the roots that is intact", false}},
+      {"root_cohesion", {"root cohesion", false}},
   };
   return words;
 }
@@ -58,7 +67,8 @@ std::vector<ScalarField> list_scalars(const std::vector<output::Field>& fields, 
     const auto known = list_words().find(f.name);
     const std::string title = known != list_words().end() ? known->second.title : to_title(f.name);
     const bool is_signed = known == list_words().end() || known->second.is_signed;
-    const ShownUnit unit = choose_unit(f.unit, dimension, units);
+    ShownUnit unit = choose_unit(f.unit, dimension, units);
+    if (known != list_words().end() && known->second.unit != nullptr) unit.name = known->second.unit;
     if (f.components == 1) {
       scalars.push_back({f.name, -1, f.name, title, unit, is_signed});
     } else if (f.components == 3) {
@@ -75,6 +85,19 @@ std::vector<ScalarField> list_scalars(const std::vector<output::Field>& fields, 
     }
   }
   return scalars;
+}
+
+ScalarField find_scalar(const std::string& name, const std::string& unit, std::size_t dimension,
+                        const ShownUnits& units) {
+  // "stress_xx" is a part of "stress"; "void_ratio" is no part of "void".
+  const std::size_t cut = name.rfind('_');
+  const std::string base = cut == std::string::npos ? name : name.substr(0, cut);
+  int components = 1;
+  if (!list_words().contains(name) && list_words().contains(base)) components = name.size() - cut == 2 ? 3 : 6;
+  const output::Field field{components == 1 ? name : base, unit, components, {}};
+  for (const ScalarField& scalar : list_scalars({field}, dimension, units))
+    if (scalar.name == name) return scalar;
+  return {name, -1, name, to_title(name), choose_unit(unit, dimension, units), true};
 }
 
 double evaluate(const ScalarField& scalar, const output::Field& stored, std::size_t i) {

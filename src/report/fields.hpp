@@ -27,6 +27,10 @@ struct ScalarField {
 std::vector<ScalarField> list_scalars(const std::vector<output::Field>& fields, std::size_t dimension,
                                       const ShownUnits& units);
 
+/// The scalar called `name` ("stress_xx") with the stored `unit`, as a table of the results has it.
+ScalarField find_scalar(const std::string& name, const std::string& unit, std::size_t dimension,
+                        const ShownUnits& units);
+
 /// Value of item `i` of the stored field.
 double evaluate(const ScalarField& scalar, const output::Field& stored, std::size_t i);
 

@@ -76,12 +76,21 @@ ResultFolder open_folder(const fs::path& path) {
   folder.path = path;
   folder.summary = read_json(path / "summary.json");
   folder.study = read_json(path / "study.json");
-  for (const auto& [name, found] : {std::pair{"summary.json", &folder.summary}, {"study.json", &folder.study}})
+  folder.point = read_json(path / "point" / "point.json");
+  for (const auto& [name, found] :
+       {std::pair{"summary.json", &folder.summary}, {"study.json", &folder.study}, {"point/point.json", &folder.point}})
     if (!found->is_null() && !found->is_object())
       fail(fmt::format("'{}' is no result of Talus: it should hold one JSON object", (path / name).string()));
   folder.trials = list_trials(path / "trials");
   folder.frames = open_frames(path);
   if (folder.summary.is_null() && folder.study.is_null() && !folder.frames && folder.trials.empty()) {
+    if (folder.point.is_object()) {
+      // What a report needs of a run, the tests tell of themselves.
+      folder.summary = folder.point;
+      folder.summary["status"] = "finished";
+      folder.has_tests_alone = true;
+      return folder;
+    }
     if (fs::exists(path / "study.csv"))
       fail(
           fmt::format("the study in '{}' has no study.json, which older versions did not write; "

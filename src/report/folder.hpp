@@ -1,5 +1,6 @@
 #pragma once
-// What a results folder holds: of a finished run, of one that was interrupted or killed, or of a study.
+// What a results folder holds: of a finished run, of one that was interrupted or killed, of a study, or
+// of element tests.
 
 #include <filesystem>
 #include <memory>
@@ -31,6 +32,8 @@ struct ResultFolder {
   nlohmann::json study;             ///< study.json; null for a run
   std::vector<TrialFolder> trials;  ///< by factor
   std::shared_ptr<const output::ResultsReader> frames;  ///< of the stages; nullptr when there are none
+  nlohmann::json point;                                 ///< point/point.json: element tests; null when there are none
+  bool has_tests_alone = false;                         ///< neither a run nor a study
 
   bool is_study() const { return !study.is_null(); }
 };

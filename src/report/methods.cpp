@@ -13,6 +13,24 @@ using nlohmann::json;
 
 namespace {
 
+void add_soil_methods(const json& summary, json& methods) {
+  const json* materials = find(summary, {"input", "materials"});
+  if (materials == nullptr) return;
+  const auto some = [&](auto... models) {
+    return std::any_of(materials->begin(), materials->end(),
+                       [&](const json& m) { return ((get_word(m, "model") == models) || ...); });
+  };
+  const auto add_if = [&](bool applies, const char* name) {
+    if (applies) methods.push_back(name);
+  };
+  add_if(some("mohr_coulomb", "rooted_mohr_coulomb"), "mohr_coulomb");
+  add_if(some("rooted_mohr_coulomb"), "root_cohesion");
+  add_if(some("modified_cam_clay", "rooted_cam_clay"), "modified_cam_clay");
+  add_if(some("rooted_cam_clay"), "rooted_cam_clay");
+  add_if(some("linear_elastic"), "linear_elastic");
+  add_if(some("external"), "external_model");
+}
+
 /// Of a wet case.
 void add_water_methods(const json& summary, json& methods) {
   const std::vector<WaterPart> parts = list_water_parts(summary);
@@ -45,14 +63,7 @@ json list_methods(const json& summary) {
   add_if(choices.smoothings.contains("stable"), "stable_smoothing");
   add_if(choices.largest_damping > 0, "local_damping");
   add_if(choices.largest_mass_scaling > 1, "mass_scaling");
-  bool plastic = false, elastic = false;
-  if (const json* materials = find(summary, {"input", "materials"}))
-    for (const json& m : *materials) {
-      plastic = plastic || get_word(m, "model") == "mohr_coulomb";
-      elastic = elastic || get_word(m, "model") == "linear_elastic";
-    }
-  add_if(plastic, "mohr_coulomb");
-  add_if(elastic, "linear_elastic");
+  add_soil_methods(summary, methods);
   add_if(choices.is_reduction, "strength_reduction");
   add_if(choices.has_curve, "displacement_curve");
   add_if(choices.has_frozen, "frozen_factor");

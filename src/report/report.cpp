@@ -7,6 +7,7 @@
 #include "output/atomic_file.hpp"
 #include "report/answer.hpp"
 #include "report/assumptions.hpp"
+#include "report/calibration.hpp"
 #include "report/curve.hpp"
 #include "report/folder.hpp"
 #include "report/head.hpp"
@@ -14,7 +15,9 @@
 #include "report/methods.hpp"
 #include "report/model.hpp"
 #include "report/page.hpp"
+#include "report/point_tests.hpp"
 #include "report/run_sequences.hpp"
+#include "report/sections.hpp"
 #include "report/study.hpp"
 #include "report/tables.hpp"
 #include "report/water.hpp"
@@ -59,11 +62,14 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   if (json curve = make_curve(folder); !curve.is_null()) document["curve"] = std::move(curve);
   document["sequences"] = pack_sequences(folder, packer);
   document["tables"] = make_tables(folder, document["warnings"]);
+  if (const json* motion = find(folder.summary, {"motion"})) document["motion"] = take_motion(*motion);
+  if (json sections = make_sections(folder.path, folder.summary, document["warnings"]); !sections.empty())
+    document["sections"] = std::move(sections);
   return document;
 }
 
 json make_study_report(const ResultFolder& folder, Packer& packer) {
-  const StudyContent study = read_study(folder);
+  const StudyContent study = read_study(folder, packer);
   ResultFolder first = study.first;
   first.path = folder.path;  // its own frames are not shown; its folder's name must not be taken for the study's
   json document = make_common(first, packer);
@@ -72,9 +78,31 @@ json make_study_report(const ResultFolder& folder, Packer& packer) {
   document["answer"] = study.answer;
   document["warnings"] = study.warnings;
   document["study"] = study.table;
+  document["sequences"] = study.sequences;
   document["comparisons"] = json::array();
   document["timing"] = study.timing;
   return document;
+}
+
+/// Element tests without a run: what is said of slopes is left out.
+json make_tests_report(const ResultFolder& folder, Packer& packer) {
+  json document = make_common(folder, packer);
+  document["kind"] = "tests";
+  document["answer"] = make_point_answer(folder);
+  document["warnings"] = find_list(folder.summary, {"warnings"});
+  document["methods"] = json::array();
+  document["assumptions"] = list_point_assumptions();
+  return document;
+}
+
+/// The element tests of the folder, beside whatever else it holds.
+void add_point_tests(const ResultFolder& folder, json& document) {
+  json tests = make_point_tests(folder);
+  if (tests.is_null()) return;
+  document["point_tests"] = std::move(tests);
+  if (folder.has_tests_alone) return;
+  for (const char* list : {"warnings", "comparisons"})
+    for (const json& entry : find_list(folder.point, {list})) document[list].push_back(entry);
 }
 
 }  // namespace
@@ -84,11 +112,18 @@ Content collect_report(const fs::path& path) {
   Packer packer;
   Content content;
   try {
-    content.document = folder.is_study() ? make_study_report(folder, packer) : make_run(folder, packer);
+    content.document = folder.is_study()        ? make_study_report(folder, packer)
+                       : folder.has_tests_alone ? make_tests_report(folder, packer)
+                                                : make_run(folder, packer);
+    add_point_tests(folder, content.document);
+    add_calibration(folder, content.document);
   } catch (const json::exception& error) {
     throw Error(ExitCode::wrong_input,
                 fmt::format("cannot make a report of '{}': its {} is not as this version writes it ({})", path.string(),
-                            folder.is_study() ? "study.json" : "summary.json", error.what()));
+                            folder.is_study()        ? "study.json"
+                            : folder.has_tests_alone ? "point/point.json"
+                                                     : "summary.json",
+                            error.what()));
   }
   content.arrays = packer.compress(default_threads());
   return content;

@@ -72,6 +72,13 @@ class SequencePacker {
   ThinFrame read(const SequenceFrame& source, std::size_t frame_count) {
     output::Frame frame = source.reader->read(source.index);
     show_water(frame);
+    if (source.starts_count)
+      for (output::Field& f : frame.point_fields)
+        if (f.name == "displacement") std::fill(f.values.begin(), f.values.end(), 0.0);
+    if (!plan_.fields.empty())
+      std::erase_if(frame.point_fields, [&](const output::Field& f) {
+        return std::find(plan_.fields.begin(), plan_.fields.end(), f.name) == plan_.fields.end();
+      });
     if (scalars_.empty()) {
       scalars_ = list_scalars(frame.point_fields, dimension_, units_);
       stride_ = choose_stride(frame.ids.size(), frame_count, budget_);

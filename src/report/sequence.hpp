@@ -20,6 +20,7 @@ struct SequenceFrame {
   int index = 0;
   std::optional<double> factor;  ///< strength reduction factor
   std::string label;
+  bool starts_count = false;  ///< displacements are zero here, whatever the frame, written before that, says
 };
 
 struct SequencePlan {
@@ -27,6 +28,7 @@ struct SequencePlan {
   std::string title;
   std::string axis;  ///< "time" or "factor"
   std::vector<SequenceFrame> frames;
+  std::vector<std::string> fields{};  ///< names of the stored fields that are packed; empty: all
 };
 
 /// Reads the frames that `budget` allows and packs them. A point that a frame lacks (it left the grid) has no value

@@ -6,12 +6,16 @@
 #include <charconv>
 #include <map>
 
+#include "base/error.hpp"
 #include "report/curve.hpp"
 #include "report/head.hpp"
 #include "report/look_up.hpp"
+#include "report/sections.hpp"
+#include "report/study_pictures.hpp"
 
 namespace talus::report {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
@@ -25,9 +29,10 @@ json to_number(const std::string& text) {
 
 json make_column(const json& column) {
   json shown = json::array(), values = json::array();
+  const bool is_name = get_text(column, {"name"}) == "variant";  // "25" may be the name of a folder
   for (const json& cell : find_list(column, {"cells"})) {
     shown.push_back(get_text(cell, {"shown"}));
-    values.push_back(to_number(get_text(cell, {"full"})));
+    values.push_back(is_name ? json() : to_number(get_text(cell, {"full"})));
   }
   return {{"name", get_text(column, {"name"})},
           {"title", get_text(column, {"title"})},
@@ -40,7 +45,9 @@ json make_column(const json& column) {
 void say_ranges(const json& columns, json& sentences) {
   for (const json& c : columns) {
     const std::string name = c["name"];
-    if (!name.starts_with("FoS") && !name.starts_with("front advance") && name != "largest displacement") continue;
+    const bool is_ratio = name.starts_with("displacement of ") && name.find(" over ") != std::string::npos;
+    if (!name.starts_with("FoS") && !name.starts_with("front advance") && name != "largest displacement" && !is_ratio)
+      continue;
     double low = 0, high = 0;
     int count = 0;
     for (const json& v : c["values"]) {
@@ -64,13 +71,33 @@ void say_ranges(const json& columns, json& sentences) {
   }
 }
 
+/// What a variant of kind "run" did: onset, paths of the monitors, sections.
+void add_run(const fs::path& folder, const json& summary, json& row, json& warnings) {
+  if (const json* motion = find(summary, {"motion"})) row["motion"] = take_motion(*motion);
+  if (json paths = make_paths(folder, summary, warnings); !paths.is_null()) row["paths"] = std::move(paths);
+  if (json sections = make_sections(folder, summary, warnings); !sections.empty())
+    row["sections"] = std::move(sections);
+}
+
+/// In a large study the table says it.
+constexpr std::size_t most_motions = 6;
+
+void say_motions(const json& rows, json& sentences) {
+  if (rows.size() > most_motions) return;
+  for (const json& row : rows)
+    if (const json* motion = find(row, {"motion"}))
+      sentences.push_back(fmt::format("{}: {}", row["name"].get<std::string>(), get_text(*motion, {"sentence"})));
+}
+
 }  // namespace
 
-StudyContent read_study(const ResultFolder& folder) {
+StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   StudyContent content;
   content.first.summary = json::object();
   json rows = json::array(), vary = json::array(), columns = json::array(), warnings = json::array();
   std::map<std::string, int> statuses;
+  std::vector<PictureSource> sources;
+  std::vector<std::size_t> rows_of_sources;
   double wall = 0, cpu = 0;
   for (const json& v : find_list(folder.study, {"variants"})) {
     const std::string name = get_text(v, {"name"}), status = get_text(v, {"status"}, "not started");
@@ -85,9 +112,23 @@ StudyContent read_study(const ResultFolder& folder) {
     for (const json& w : row["warnings"]) warnings.push_back(fmt::format("{}: {}", name, w.get<std::string>()));
     if (summary.is_object()) {
       if (json curve = make_curve(summary); !curve.is_null()) row["curve"] = std::move(curve);
+      const fs::path path = folder.path / get_text(v, {"folder"}, name);
+      if (content.first.summary.empty()) {
+        content.first.summary = summary;
+        content.first.path = path;
+      }
+      add_run(path, summary, row, warnings);
+      if (find(summary, {"motion"}) != nullptr || find(summary, {"sections"}) != nullptr) {
+        try {
+          sources.push_back({name, open_folder(path)});
+          if (content.first.path == path) content.first.frames = sources.back().folder.frames;
+          rows_of_sources.push_back(rows.size());
+        } catch (const Error& error) {
+          warnings.push_back(fmt::format("{}: no pictures: {}", name, error.what()));
+        }
+      }
       wall += get_number(summary, {"timing", "wall"});
       cpu += get_number(summary, {"timing", "cpu"});
-      if (content.first.summary.empty()) content.first.summary = summary;
     }
     rows.push_back(std::move(row));
   }
@@ -97,6 +138,14 @@ StudyContent read_study(const ResultFolder& folder) {
     keys.push_back(get_text(k, {"key"}));
   }
   for (const json& c : find_list(folder.study, {"columns"})) columns.push_back(make_column(c));
+
+  json sequences = json::array();
+  std::vector<Pictures> pictures = pack_pictures(sources, packer);
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    if (pictures[k].sequence.is_null()) continue;
+    sequences.push_back(std::move(pictures[k].sequence));
+    rows[rows_of_sources[k]]["frames"] = std::move(pictures[k].frames);
+  }
 
   const bool finished = statuses.size() == 1 && statuses.contains("finished");
   content.status = finished                           ? "finished"
@@ -110,12 +159,18 @@ StudyContent read_study(const ResultFolder& folder) {
                                   keys.empty() ? "" : ", which differ in " + join_words(keys),
                                   finished ? std::string("all") : std::to_string(statuses["finished"])));
   say_ranges(columns, sentences);
+  say_motions(rows, sentences);
   if (const std::string title = get_text(folder.study, {"title"}); !title.empty())
     content.first.summary["title"] = title;
   content.answer = {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
   content.warnings = warnings;
   content.timing = {{"wall", wall}, {"cpu", cpu}, {"parts", json::array()}};
-  content.table = {{"vary", vary}, {"mode", get_text(folder.study, {"mode"})}, {"columns", columns}, {"rows", rows}};
+  content.sequences = sequences;
+  content.table = {{"vary", vary},
+                   {"mode", get_text(folder.study, {"mode"})},
+                   {"reference", get_text(folder.study, {"reference"})},
+                   {"columns", columns},
+                   {"rows", rows}};
   return content;
 }
 

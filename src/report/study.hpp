@@ -5,6 +5,7 @@
 #include <string>
 
 #include "report/folder.hpp"
+#include "report/pack.hpp"
 
 namespace talus::report {
 
@@ -13,10 +14,11 @@ struct StudyContent {
   std::string status;     ///< finished when all variants are
   nlohmann::json answer;  ///< `Answer` of web/src/contract.ts
   nlohmann::json warnings, timing;
-  nlohmann::json table;  ///< `Study`
+  nlohmann::json table;      ///< `Study`
+  nlohmann::json sequences;  ///< frames of the variants, for pictures side by side
 };
 
 /// Reads study.json and the summaries of the variants; those that are not there are left out.
-StudyContent read_study(const ResultFolder& folder);
+StudyContent read_study(const ResultFolder& folder, Packer& packer);
 
 }  // namespace talus::report

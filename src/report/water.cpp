@@ -16,7 +16,8 @@ using nlohmann::json;
 
 namespace {
 
-std::string describe_start(const json& summary) {
+/// The state before the season, if there was one.
+std::string describe_first_state(const json& summary) {
   const json* initial = find(summary, {"input", "initial"});
   const std::string word = initial != nullptr ? get_word(*initial, "pore_pressure", "zero") : "";
   if (word == "seepage") return "steady seepage with the hydraulic conditions of the start";
@@ -25,6 +26,13 @@ std::string describe_start(const json& summary) {
   std::string text = "hydrostatic under a water table, with suction above it";
   if (const auto limit = find_si(*initial, "largest_suction"))
     text += " up to " + show(*limit, read_units(summary).stress);
+  return text;
+}
+
+std::string describe_start(const json& summary) {
+  std::string text = describe_first_state(summary);
+  if (const json* season = find(summary, {"season"}); season != nullptr && !text.empty())
+    text += fmt::format(", and {:.4g} days of weather since then", get_number(*season, {"duration"}) / 86400);
   return text;
 }
 
@@ -75,7 +83,22 @@ json make_budget(const json& water) {
   for (const char* key : {"initial", "stored", "entered", "left", "runoff", "left_grid", "pressed_in", "lost_between",
                           "error", "largest_pressure", "largest_suction"})
     budget[key] = get_number(water, {key});
+  if (water.contains("transpired")) budget["transpired"] = get_number(water, {"transpired"});
   return budget;
+}
+
+json make_season(const json& season) {
+  json block, layers = json::array();
+  for (const char* key : {"duration", "inflow", "outflow", "runoff", "potential", "transpired", "growth", "error"})
+    block[key] = get_number(season, {key});
+  for (const json& layer : find_list(season, {"layers"})) {
+    json row;
+    for (const char* key : {"depth", "initial", "mean", "least", "greatest", "driest"})
+      row[key] = get_number(layer, {key});
+    layers.push_back(row);
+  }
+  block["layers"] = layers;
+  return block;
 }
 
 json make_seepage(const json& seepage) {
@@ -112,6 +135,7 @@ json make_water(const ResultFolder& folder) {
              {"conditions", list_hydraulics(summary, mesh)}};
   if (const json* budget = find(summary, {"water"})) water["budget"] = make_budget(*budget);
   if (const json* seepage = find(summary, {"seepage"})) water["seepage"] = make_seepage(*seepage);
+  if (const json* season = find(summary, {"season"})) water["season"] = make_season(*season);
   return water;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "report/look_up.hpp"
+#include "report/properties.hpp"
 #include "report/soil_water.hpp"
 #include "report/water_choices.hpp"
 
@@ -86,11 +87,17 @@ class WaterAssumptions {
           show(*largest, units_.stress));
   }
 
+  /// E_c of the soil [Pa]; nothing where it changes with the stress.
+  static std::optional<double> find_oedometric(const json& material) {
+    if (const auto given = find_si(material, "constrained_modulus")) return given;
+    const auto young = find_si(material, "young_modulus");
+    const double poisson = get_si(material, "poisson_ratio", 0);
+    return young ? std::optional(*young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson))) : std::nullopt;
+  }
+
   /// How much of a load that is brought on undrained the water takes: 1/(1 + n E_c/K_w), in one dimension.
-  static double find_share(const json& material, double modulus) {
-    const double young = get_si(material, "young_modulus", 0), poisson = get_si(material, "poisson_ratio", 0),
-                 oedometric = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
-    return 1 / (1 + get_si(material, "porosity", 0) * oedometric / modulus);
+  static double find_share(const json& material, double oedometric, double modulus) {
+    return 1 / (1 + find_porosity(material).value_or(0) * oedometric / modulus);
   }
 
   void add_modulus() {
@@ -99,17 +106,24 @@ class WaterAssumptions {
     if (!(ratio > 1.1)) return;
     double lowest = 1, real = 1;
     list_soils(summary_, [&](const auto& soil, const json& material) {
-      if (!soil.is_wet()) return false;
-      if (const double share = find_share(material, modulus); share < lowest) {
+      const auto oedometric = find_oedometric(material);
+      if (!soil.is_wet() || !oedometric) return false;
+      if (const double share = find_share(material, *oedometric, modulus); share < lowest) {
         lowest = share;
-        real = find_share(material, real_modulus);
+        real = find_share(material, *oedometric, real_modulus);
       }
       return true;
     });
+    const std::string effect =
+        lowest == 1 ? "Of a load that is brought on undrained, water carries less than it would, the less the stiffer "
+                      "the soil is under its stress"
+                    : fmt::format(
+                          "Of a load that is brought on undrained, water carries {:.0f} % instead of {:.0f} % in "
+                          "the stiffest of the wet soils",
+                          100 * lowest, 100 * real);
     add("The bulk modulus of the water is {} MPa, {} times less than that of water (2200 MPa), for a longer time step. "
-        "Of a load that is brought on undrained, water carries {:.0f} % instead of {:.0f} % in the stiffest of the wet "
-        "soils: pore pressures that shearing raises come out too small, and steady flow is the same.",
-        show_number(modulus / 1e6, 4), show_number(ratio, ratio < 10 ? 2 : 3), 100 * lowest, 100 * real);
+        "{}: pore pressures that shearing raises come out too small, and steady flow is the same.",
+        show_number(modulus / 1e6, 4), show_number(ratio, ratio < 10 ? 2 : 3), effect);
   }
 
   void add_conductivity() {

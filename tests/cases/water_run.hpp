@@ -51,6 +51,8 @@ class WaterRun {
     return frames.read(frames.find_nearest(time));
   }
 
+  std::filesystem::path path(const char* file) const { return folder_ / file; }
+
   nlohmann::json summary;
   double budget_error = 0;
 

@@ -19,6 +19,9 @@ from markdown import ROOT
 PROGRAM = str(Path(sys.argv[1]).resolve())
 MANUAL = ROOT / "docs/manual"
 COARSE = ["--set", "mesh.size=1.5"]
+# Pages whose materials, lines and files are not the tutorial's: of their blocks the keys must be known, no more.
+OTHER_CASES = {"calibrate.md", "compare-plantings.md", "element-tests.md", "external-model.md", "roots.md"}
+NOT_KNOWN = re.compile(r"unknown (key|table)|is not TOML|is a list of tables|must be")
 
 
 def find_blocks(page: Path, language: str) -> list[str]:
@@ -117,8 +120,12 @@ def check_how_to(folder: Path) -> list[str]:
             if "factors =" in block:
                 base += '\n[analysis]\nkind = "strength_reduction"\n'
                 base += "[strength_reduction.curve]\nfrom = 1.4\nto = 1.6\nstep = 0.1\n"
+            if block.startswith("[roots."):
+                block = f"[[roots]]\n{block}"
             (folder / "how_to.toml").write_text(f"{base}\n{block}")
             result = call(folder, "check", "how_to.toml")
+            if page.name in OTHER_CASES and not NOT_KNOWN.search(result.stderr):
+                continue
             if result.returncode != 0:
                 faults.append(f"{page.name}: not accepted in the tutorial's case:\n{block}\n{result.stderr}")
     return faults

@@ -29,6 +29,14 @@ TEST(Override, MakesTablesThatTheFileLacks) {
   EXPECT_DOUBLE_EQ(read_with({{"strength_reduction.curve.to", "3"}}).strength_reduction.curve.to, 3);
 }
 
+TEST(Override, OfARegionMayLeaveAMaterialOver) {
+  const std::string two = change(slope, "[regions]\n",
+                                 "[materials.rock]\nmodel = \"linear_elastic\"\ngrain_density = 2700\nporosity = 0\n"
+                                 "young_modulus = 1e6\npoisson_ratio = 0.2\n\n[regions]\n");
+  EXPECT_EQ(find_faults(two).size(), 1u) << "in the file it is a slip";
+  EXPECT_TRUE(find_faults(two, {{"regions.soil", "rock"}}).empty()) << "here it compares two soils";
+}
+
 TEST(Override, IsNamedInItsErrors) {
   const std::vector<std::pair<Override, std::string>> faults{
       {{"materials.sand.cohesion", "2 kg"}, "'2 kg' is a mass"},

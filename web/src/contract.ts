@@ -5,6 +5,11 @@
  * that schema, the tests of the page hold a real report against it too. Numbers are SI; `Unit.si` converts for display.
  */
 
+import type { Calibration } from "./contractCalibration";
+import type { SoilWater, Water } from "./contractWater";
+
+export type { HydraulicCondition, Season, SoilWater, SteadySeepage, Water, WaterBudget } from "./contractWater";
+
 /** How a quantity is shown: value in SI = value shown × si. */
 export interface Unit {
   name: string;
@@ -26,10 +31,10 @@ export interface PackedArray {
   range?: [number, number];
 }
 
-/** A report: of one run, or of a study. */
+/** A report: of one run, of a study, or of element tests alone. */
 export interface Report {
   format: 1;
-  kind: "run" | "study";
+  kind: "run" | "study" | "tests";
   project: Project;
   status: "finished" | "interrupted" | "unstable" | "failed" | "unfinished";
   /** Why the run did not finish. */
@@ -43,6 +48,14 @@ export interface Report {
   tables: Table[];
   comparisons: Comparison[];
   study?: Study;
+  /** Absent where the folder holds no element tests. */
+  point_tests?: PointTests;
+  /** Of `talus calibrate`. */
+  calibration?: Calibration;
+  /** Of a run with monitors. */
+  motion?: Motion;
+  /** Of a run whose case has sections. */
+  sections?: Section[];
   /** Absent where the ground is dry. */
   water?: Water;
   /** Sentences: what the numbers rest on, and where they end. */
@@ -78,6 +91,10 @@ export type Method =
   | "local_damping"
   | "mass_scaling"
   | "mohr_coulomb"
+  | "root_cohesion"
+  | "modified_cam_clay"
+  | "rooted_cam_clay"
+  | "external_model"
   | "linear_elastic"
   | "strength_reduction"
   | "displacement_curve"
@@ -192,101 +209,6 @@ export interface MaterialRow {
   water?: SoilWater;
 }
 
-/** What a soil does with water: the laws in words, their parameters, and their curves. */
-export interface SoilWater {
-  /** "van Genuchten", and its formula in words. */
-  retention: string;
-  conductivity: string;
-  /** Of Bishop's effective stress. */
-  chi: string;
-  parameters: { key: string; title: string; symbol: string; unit: string; value: number }[];
-  curves: {
-    /** [Pa], rising, above 0. */
-    suction: number[];
-    /** S [-]. */
-    saturation: number[];
-    /** k [m/s]; empty where no saturated conductivity is known. */
-    conductivity: number[];
-    /** Largest suction of the results [Pa]; null when unknown or none. */
-    largest_suction: number | null;
-  };
-}
-
-/** Pore water of the case and of its results. */
-export interface Water {
-  /** "saturated and unsaturated soil, at the start in steady seepage", ... */
-  state: string;
-  /** How the pore pressures began, in one sentence. */
-  initial: string;
-  properties: { key: string; title: string; symbol: string; unit: string; value: number }[];
-  conditions: HydraulicCondition[];
-  /** Absent while the run has not ended. */
-  budget?: WaterBudget;
-  /** Absent where the pore pressures did not begin in steady seepage. */
-  seepage?: SteadySeepage;
-}
-
-/** What water meets on a side. */
-export interface HydraulicCondition {
-  on: string;
-  /** "total_head", "pressure", "seepage_face", "rain", "flux", "no_flow". */
-  condition: string;
-  title: string;
-  /** What happens there, in words. */
-  text: string;
-  /** Over time [s], in `unit`; a constant has one row, and a jump two rows at one time. */
-  series?: { title: string; unit: Unit; time: number[]; values: number[] };
-  /** Where it lies at the start, each a polyline [m]; empty in 3D. */
-  lines: number[][][];
-}
-
-/** Masses of water [kg], in 2D per metre of thickness, over the stages. */
-export interface WaterBudget {
-  surfaces: {
-    name: string;
-    condition: string;
-    entered: number;
-    left: number;
-    /** Of rain: what was offered, and what of it ran off. */
-    supplied: number;
-    runoff: number;
-  }[];
-  initial: number;
-  stored: number;
-  entered: number;
-  left: number;
-  runoff: number;
-  /** With soil that left the grid. */
-  left_grid: number;
-  /** At frozen geometry: what straining pores would have pressed out. */
-  pressed_in: number;
-  /** Between elements that are integrated differently. */
-  lost_between: number;
-  /** What the sum does not explain, over the water in the model [-]. */
-  error: number;
-  /** [kg/m³]: makes volumes of the masses. */
-  density: number;
-  /** At the end [Pa]. */
-  largest_pressure: number;
-  largest_suction: number;
-}
-
-/** Steady flow before the first stage; rates [m³/s], in 2D per metre. */
-export interface SteadySeepage {
-  discharges: { name: string; inflow: number; outflow: number; runoff: number }[];
-  inflow: number;
-  outflow: number;
-  balance_error: number;
-  iterations: number;
-  /** Nodes of surfaces whose state was not settled. */
-  undecided: number;
-  /** [Pa], and where [m]. */
-  largest_suction: number;
-  largest_suction_at: number[];
-  /** Where water leaves seepage faces [m]. */
-  exits: { name: string; lowest: number[]; highest: number[] }[];
-}
-
 /** Frames that belong together: the stages, the trials of the curve, one runout. */
 export interface Sequence {
   /** "stages", "curve", "runout_1.75". */
@@ -353,12 +275,103 @@ export interface Column {
   values: (number | null)[];
 }
 
+/** When the monitored points began to move. */
+export interface Motion {
+  stage: string;
+  /** Where the clock of onset and sections starts, in the time of the run [s]. */
+  start: number;
+  /** Displacement beyond which a point has begun to move [m]. */
+  threshold: number;
+  /** Onset on that clock [s], null for a point that did not move; displacement at the end [m]. */
+  monitors: { name: string; onset: number | null; displacement: number | null }[];
+  pattern: "none" | "single" | "together" | "upwards" | "downwards" | "mixed";
+  sentence: string;
+}
+
+/** The fields along a line of the case at some of its stored frames. */
+export interface Section {
+  name: string;
+  /** Ends of the line [m]. */
+  from: number[];
+  to: number[];
+  /** Width of the band around the line whose points count [m]. */
+  width: number;
+  fields: { name: string; title: string; unit: Unit }[];
+  profiles: {
+    /** On the clock [s]. */
+    time: number;
+    /** From `from` [m]. */
+    distance: number[];
+    /** [field][row], SI; null where there is no value. */
+    values: (number | null)[][];
+  }[];
+}
+
+/** Displacement of each monitor [m] over time on the clock [s]. */
+export interface MonitorPaths {
+  time: number[];
+  paths: { name: string; displacement: (number | null)[] }[];
+}
+
+/** Element tests: one point of soil each, without a mesh. */
+export interface PointTests {
+  tests: PointTest[];
+  groups: PointGroup[];
+}
+
+export interface PointTest {
+  name: string;
+  material: string;
+  /** "drained triaxial compression". */
+  kind: string;
+  /** "from 100 kPa all round to an axial strain of 25 %, strain-controlled". */
+  path: string;
+  /** What the test changes of its material: "root_content = 0.44". */
+  set: string;
+  /** Why it ended before its goal; empty when it did not. */
+  stopped: string;
+  /** Largest deviatoric stress [Pa], and the axial (of simple shear: shear) strain there [-]. */
+  peak_q: number;
+  peak_q_strain: number;
+  /** Of the last row: stresses [Pa]. */
+  end: { q: number; p: number; volumetric_strain: number; void_ratio: number; preconsolidation: number };
+  /** What the diagrams show; all of one length. */
+  columns: Column[];
+}
+
+/** Tests of one kind of apparatus, and the diagrams that show them. */
+export interface PointGroup {
+  id: string;
+  title: string;
+  /** Names of columns. */
+  panels: { x: string; y: string; log_x: boolean }[];
+  /** Numbers of its tests, and of each the number of its colour and of its dashes. */
+  tests: number[];
+  colour: number[];
+  dash: number[];
+}
+
 export interface Study {
   /** Keys that are varied, with the values' texts. */
   vary: { key: string; values: string[] }[];
   mode: string;
   columns: { name: string; title: string; unit: string; shown: string[]; values: (number | null)[] }[];
-  rows: { name: string; status: string; reason: string; warnings: string[]; curve?: Curve }[];
+  /** Name of the variant that displacements are divided by; empty where nothing is. */
+  reference: string;
+  rows: StudyRow[];
+}
+
+export interface StudyRow {
+  name: string;
+  status: string;
+  reason: string;
+  warnings: string[];
+  curve?: Curve;
+  motion?: Motion;
+  paths?: MonitorPaths;
+  sections?: Section[];
+  /** Its frames in the report's sequences, their times on the clock; `pictures` are those that stand side by side. */
+  frames?: { sequence: string; clock: number[]; pictures: number[] };
 }
 
 export interface InputValue {

@@ -59,6 +59,8 @@ describe.skipIf(!given)("a report holds the contract", () => {
 
   it("a point has a value in all fields of a frame, or in none; dry soil has no water", async () => {
     const wet = new Set(report.model.materials.filter((m) => m.water).map((m) => m.index));
+    // A soil may have no such quantity, and preconsolidation is set at the end of a stage.
+    const ofSoil = /^(preconsolidation_pressure|void_ratio)$/;
     const ofWater = /^(pore_pressure|saturation|darcy_velocity(_[xyz])?)$/;
     for (const s of report.sequences) {
       const dimension = report.model.dimension;
@@ -66,6 +68,7 @@ describe.skipIf(!given)("a report holds the contract", () => {
       const materials = await readIntegers(s.materials, source);
       const isDry = (i: number) => !wet.has(materials[i % s.point_count]!);
       for (const field of s.fields) {
+        if (ofSoil.test(field.name)) continue;
         const values = await readValues(field.values, source);
         const isGone = (i: number) =>
           Number.isNaN(positions[i * dimension]!) || (ofWater.test(field.name) && isDry(i));
@@ -141,7 +144,8 @@ describe.skipIf(!given)("a report holds the contract", () => {
   });
 
   it("has a mean stress that is the mean, a deviatoric stress that follows from the components", async () => {
-    for (const s of report.sequences) await checkStress(s);
+    // A study shows no stresses of its variants.
+    for (const s of report.sequences) if (report.kind === "run") await checkStress(s);
   });
 
   it("has a mesh whose cells name its nodes and fill the box or less", async () => {

@@ -5,13 +5,18 @@ import type { Study } from "../contract";
 import { report } from "../state";
 import { CsvButton } from "./Legend";
 import { titleWithUnit } from "./numbers";
+import { SectionFigure } from "./SectionCharts";
+import { listSectionsOf } from "./sectionData";
 import { StudyCurves } from "./StudyCurves";
 import { makeStudyColumns, orderRows } from "./studyData";
+import { StudyMotion } from "./StudyMotion";
+import { StudyPictures } from "./StudyPictures";
 import { StudyPlot } from "./StudyPlot";
 
 export function StudySection() {
   const study = report.value.study;
   if (!study) return null;
+  const sections = [...new Set(study.rows.flatMap((r) => (r.sections ?? []).map((s) => s.name)))];
   const failed = study.rows.filter((r) => r.status !== "finished").length;
   return (
     <section class="chart-section" aria-labelledby="chart-study-title">
@@ -27,6 +32,11 @@ export function StudySection() {
       <StudyTable study={study} />
       <StudyPlot study={study} />
       {study.rows.some((r) => r.curve) && <StudyCurves study={study} />}
+      {study.rows.some((r) => r.paths) && <StudyMotion study={study} />}
+      <StudyPictures study={study} />
+      {sections.map((name) => (
+        <SectionFigure key={name} runs={listSectionsOf(study, name)} />
+      ))}
     </section>
   );
 }

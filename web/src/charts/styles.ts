@@ -19,3 +19,8 @@ export function styleOf(index: number): SeriesStyle {
     symbol: symbols[(index + round * 2) % count]!,
   };
 }
+
+/** The nth dashes alone, where they mean something else than the colour. */
+export function dashOf(index: number): string {
+  return dashes[index % count]!;
+}

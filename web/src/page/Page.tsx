@@ -3,9 +3,11 @@ import type { ComponentChildren } from "preact";
 
 import { report } from "../state";
 import {
+  CalibrationSection,
   CompareSection,
   CurveSection,
   HistorySection,
+  PointSection,
   ProfileSection,
   SoilWaterSection,
   StudySection,
@@ -60,7 +62,6 @@ function ChartPart({ id, title, what, height, draw }: ChartProps) {
 }
 
 export function Page() {
-  const { kind, sequences } = report.value;
   const entries = listContents(report.value);
   const has = (id: string) => entries.some((entry) => entry.id === id);
   return (
@@ -74,7 +75,7 @@ export function Page() {
         <div class="print-only">
           <TitleBlock />
         </div>
-        <div class={kind === "run" && sequences.length > 0 ? "first-screen" : "first-screen alone"}>
+        <div class={has("section") ? "first-screen" : "first-screen alone"}>
           <Answer />
           {has("section") && <SectionPane />}
         </div>
@@ -110,6 +111,24 @@ export function Page() {
             what="The curves of the soil water"
             height={380}
             draw={() => <SoilWaterSection />}
+          />
+        )}
+        {has("calibration") && (
+          <ChartPart
+            id="calibration"
+            title="Calibration of the soils"
+            what="The calibration"
+            height={900}
+            draw={() => <CalibrationSection />}
+          />
+        )}
+        {has("tests") && (
+          <ChartPart
+            id="tests"
+            title="Element tests of the soils"
+            what="The element tests"
+            height={900}
+            draw={() => <PointSection />}
           />
         )}
         {has("comparison") && (

@@ -25,6 +25,7 @@ export function TitleLine() {
       <h1 style={{ overflowWrap: "anywhere", minWidth: 0 }}>
         {project.title}
         {kind === "study" && <span class="kind"> – parameter study</span>}
+        {kind === "tests" && <span class="kind"> – element tests</span>}
       </h1>
       <dl class="facts no-print">
         {facts

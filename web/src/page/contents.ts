@@ -12,13 +12,19 @@ export function listContents(report: Report): Entry[] {
   const has = (kind: string) => report.tables.some((table) => table.kind === kind);
   const entries: [boolean, string, string][] = [
     [true, "answer", "Answer"],
-    [!isStudy && report.sequences.length > 0, "section", report.model.dimension === 3 ? "View" : "Section"],
+    [report.sequences.length > 0, "section", report.model.dimension === 3 ? "View" : "Section"],
     [isStudy && report.study !== undefined, "study", "Study"],
     [isStudy && report.study !== undefined, "variants", "Variants"],
     [report.curve !== undefined, "curve", "Curve"],
     [has("history") || has("monitors"), "histories", "Histories"],
-    [report.sequences.length > 0 || has("ground"), "profiles", "Profiles"],
+    [
+      !isStudy && (report.sequences.length > 0 || has("ground") || (report.sections ?? []).length > 0),
+      "profiles",
+      "Profiles",
+    ],
     [report.water !== undefined && report.model.materials.some((m) => m.water), "water", "Water"],
+    [report.calibration !== undefined, "calibration", "Calibration"],
+    [report.point_tests !== undefined, "tests", "Tests"],
     [report.comparisons.length > 0, "comparison", "Comparison"],
     [true, "statement", "Report"],
     [report.methods.length > 0, "methods", "Methods"],

@@ -9,6 +9,7 @@ const column = (name: string, values: (number | null)[], shown = values.map((v) 
 
 const study = {
   mode: "all",
+  reference: "",
   vary: [{ key: "mesh.size", values: [] }, { key: "mesh.algorithm", values: [] }],
   columns: [
     column("mesh.size", [0.75, 10, 2, 0.5]),

@@ -141,3 +141,26 @@ it("quotes settings by value, and trials only where they were asked for", () => 
   expect(quoteEach(input, "courant")).toBe("0.9 throughout");
   expect(quoteEach(input, "mass_scaling")).toBe("");
 });
+
+describe("methods of rooted ground", () => {
+  const write = (methods: Method[], roots: InputTable[]) => {
+    const rooted = { methods, input: { ...input, roots }, model: { dimension: 2 } } as unknown as Report;
+    const { paragraphs, cited } = writeMethods(rooted);
+    return writePlainMethods(paragraphs, cited);
+  };
+
+  it("say how the cohesion of roots was found, and cite nobody where it is given", () => {
+    const bundle = write(["root_cohesion"], [{ bundle: { model: given("fibre_bundle") } }]);
+    expect(bundle).toContain("Pollen, N., Simon, A. (2005)");
+    expect(bundle).not.toContain("Waldron");
+    const plain = write(["root_cohesion"], [{ cohesion: given(5) }]);
+    expect(plain).toContain("Its value is given.");
+    for (const other of ["Pollen", "Waldron", "fibre"]) expect(plain).not.toContain(other);
+  });
+
+  it("cite the rooted model beside the clay that it stands on", () => {
+    const text = write(["modified_cam_clay", "rooted_cam_clay"], []);
+    for (const name of ["Tamagnini, R. (2004)", "Świtała, B. M."]) expect(text).toContain(name);
+    expect(write(["modified_cam_clay"], [])).not.toContain("Świtała");
+  });
+});

@@ -1,6 +1,7 @@
 /** The paragraphs of the methods section: which there are, in which order, with equations and references numbered. */
 import { writeDisplacementCurve, writeFrozenFactor, writeStrengthReduction } from "./factor";
 import { writeDamping, writeMassScaling, writeMaterialPoints, writeRunout, writeTimeStep } from "./motion";
+import { writeExternalModel, writeModifiedCamClay, writeRootCohesion, writeRootedCamClay } from "./roots";
 import { references, type ReferenceKey } from "./references";
 import {
   writeLinearElastic,
@@ -35,6 +36,10 @@ const writers: { method: Method; title: string; write: Writer }[] = [
   { method: "local_damping", title: "Local damping", write: writeDamping },
   { method: "mass_scaling", title: "Mass scaling", write: writeMassScaling },
   { method: "mohr_coulomb", title: "Mohr–Coulomb model", write: writeMohrCoulomb },
+  { method: "root_cohesion", title: "Cohesion of roots", write: writeRootCohesion },
+  { method: "modified_cam_clay", title: "Modified Cam-clay", write: writeModifiedCamClay },
+  { method: "rooted_cam_clay", title: "Rooted Cam-clay", write: writeRootedCamClay },
+  { method: "external_model", title: "External model", write: writeExternalModel },
   { method: "linear_elastic", title: "Linear elastic model", write: writeLinearElastic },
   { method: "soil_water", title: "Effective stress, retention and conductivity", write: writeSoilWater },
   { method: "steady_seepage", title: "Steady seepage at the start", write: writeSteadySeepage },

@@ -3,7 +3,7 @@ export const references = {
   source:
     "Aldakhil, S. K. (2026). Application of the Material Point Method to the Stability and Runout Analysis of " +
     "Vegetated Slopes. Dissertation, University of California, Los Angeles. “The source” of the Talus manual: formulation in chapter 2, strength reduction " +
-    "in chapter 3.",
+    "in chapter 3, rooted soil in chapter 4.",
   sulsky1994:
     "Sulsky, D., Chen, Z., Schreyer, H. L. (1994). A particle method for history-dependent materials. Computer " +
     "Methods in Applied Mechanics and Engineering 118, 179–196.",
@@ -23,6 +23,27 @@ export const references = {
   clausen2007:
     "Clausen, J., Damkilde, L., Andersen, L. (2007). An efficient return algorithm for non-associated plasticity " +
     "with linear yield criteria in principal stress space. Computers and Structures 85, 1795–1807.",
+  roscoe1968:
+    "Roscoe, K. H., Burland, J. B. (1968). On the generalized stress–strain behaviour of wet clay. In: Engineering " +
+    "Plasticity, Cambridge University Press, 535–609.",
+  tamagnini2004:
+    "Tamagnini, R. (2004). An extended Cam-clay model for unsaturated soils with hydraulic hysteresis. Géotechnique " +
+    "54 (3), 223–228.",
+  borja1990:
+    "Borja, R. I., Lee, S. R. (1990). Cam-Clay plasticity, part I: implicit integration of elasto-plastic constitutive " +
+    "relations. Computer Methods in Applied Mechanics and Engineering 78, 49–72.",
+  switala2018:
+    "Świtała, B. M., Askarinejad, A., Wu, W., Springman, S. M. (2018). Experimental validation of a coupled " +
+    "hydro-mechanical model for vegetated soil. Géotechnique 68 (5), 375–385.",
+  wu1979:
+    "Wu, T. H., McKinnell, W. P., Swanston, D. N. (1979). Strength of tree roots and landslides on Prince of Wales " +
+    "Island, Alaska. Canadian Geotechnical Journal 16, 19–33.",
+  waldron1977:
+    "Waldron, L. J. (1977). The shear resistance of root-permeated homogeneous and stratified soil. Soil Science " +
+    "Society of America Journal 41, 843–849.",
+  pollen2005:
+    "Pollen, N., Simon, A. (2005). Estimating the mechanical effects of riparian vegetation on stream bank stability " +
+    "using a fiber bundle model. Water Resources Research 41, W07025.",
   matsui1992:
     "Matsui, T., San, K.-C. (1992). Finite element slope stability analysis by shear strength reduction " +
     "technique. Soils and Foundations 32 (1), 59–70.",

@@ -26,6 +26,7 @@ function Block({ title, wide, children }: { title: string; wide?: boolean; child
 export function Statement() {
   const { assumptions, kind, status, study, warnings, water } = report.value;
   const first = study?.rows[0]?.name;
+  const hasSlope = kind !== "tests";
   const lead =
     kind === "study" && first
       ? `The tables describe the variant “${first}”; the others differ from it in what the study varies.`
@@ -36,18 +37,24 @@ export function Statement() {
         <TitleBlock />
       </div>
       <div class="blocks">
-        <Block title="Geometry and water">
-          <GeometryTables />
-        </Block>
+        {hasSlope && (
+          <Block title="Geometry and water">
+            <GeometryTables />
+          </Block>
+        )}
         <Block title="Materials">
           <MaterialTable />
         </Block>
-        <Block title="Supports, loads and monitors">
-          <SupportTables />
-        </Block>
-        <Block title="Stages">
-          <StageTable />
-        </Block>
+        {hasSlope && (
+          <Block title="Supports, loads and monitors">
+            <SupportTables />
+          </Block>
+        )}
+        {hasSlope && (
+          <Block title="Stages">
+            <StageTable />
+          </Block>
+        )}
         {water && (
           <Block title="Pore water">
             <WaterTables water={water} />
@@ -58,9 +65,11 @@ export function Statement() {
             <WaterResults water={water} />
           </Block>
         )}
-        <Block title="Results by method" wide>
-          <ResultTables />
-        </Block>
+        {hasSlope && (
+          <Block title="Results by method" wide>
+            <ResultTables />
+          </Block>
+        )}
         <Block title="Assumptions and limits of validity">
           {assumptions.length === 0 ? (
             <p>None are stated.</p>

@@ -1,6 +1,7 @@
 /** Pore water in numbers: conditions, start, steady seepage, and where the water of the stages went. */
 import { report } from "../../state";
 import { DataTable, Facts, SymbolText } from "../DataTable";
+import { SeasonTable } from "./SeasonTable";
 import { formatNumber, formatPlace, formatQuantity, formatSentence, formatUnit } from "../format";
 import type { HydraulicCondition, SteadySeepage, Unit, Water, WaterBudget } from "../../contract";
 
@@ -170,6 +171,8 @@ function Budget({ budget, dimension }: { budget: WaterBudget; dimension: 2 | 3 }
       budget.largest_suction > 0 ? `${formatQuantity(budget.largest_suction, units.stress)} at the end` : "none",
     ],
   ];
+  if (budget.transpired !== undefined)
+    rows.push(["Transpired by plants", `${volume(budget.transpired)} ${unit.name}`]);
   if (budget.left_grid !== 0)
     rows.push(["Left with soil that left the grid", `${volume(budget.left_grid)} ${unit.name}`]);
   if (dropNoise(budget.pressed_in, budget) !== 0)
@@ -254,6 +257,7 @@ export function WaterResults({ water }: { water: Water }) {
   return (
     <>
       {water.seepage && <Seepage seepage={water.seepage} dimension={dimension} />}
+      {water.season && <SeasonTable season={water.season} dimension={dimension} />}
       {water.budget && <Budget budget={water.budget} dimension={dimension} />}
     </>
   );

@@ -1,0 +1,58 @@
+// `talus calibrate CASE`: parameters of soils from measured curves.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "analysis/run_calibration.hpp"
+#include "app/case_options.hpp"
+#include "app/commands.hpp"
+#include "base/interrupt.hpp"
+#include "model/read.hpp"
+#include "report/report.hpp"
+
+namespace talus::app {
+namespace {
+
+struct CalibrateCommand {
+  CaseOptions input;
+  analysis::CalibrationRun run;
+  bool quiet = false, no_report = false;
+};
+
+void calibrate(CalibrateCommand& command) {
+  analysis::CalibrationRun& run = command.run;
+  run.overrides = command.input.parse_overrides();
+  const model::LoadedCase loaded =
+      model::read_case(command.input.file, run.overrides, model::CaseScope::whole_or_tests);
+  if (run.folder.empty()) run.folder = std::filesystem::path(command.input.file).stem().string() + "_calibration";
+  catch_interrupts();
+  Progress progress(!command.quiet);
+  run.options.progress = &progress;
+  const nlohmann::json summary = analysis::run_calibration(loaded, run);
+  if (!command.no_report) report::write_report(run.folder);
+  if (command.quiet) return;
+  fmt::print("{}Tables are in {}{}\n", analysis::write_calibration_digest(summary),
+             (run.folder / "calibration").string(),
+             command.no_report ? "" : fmt::format("; open {} in a browser", (run.folder / "report.html").string()));
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("calibrate", "Fit numbers of the soils to measured curves of element tests");
+  const auto options = std::make_shared<CalibrateCommand>();
+  options->input.add_to(*command);
+  command->add_option("-o,--output,--out", options->run.folder,
+                      "Folder for the results (default: the case's name with _calibration)");
+  command->add_option("--threads", options->run.options.threads, "Threads to use (default: all cores)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--pictures", options->run.pictures, "Format of the pictures of the tests (default: svg)")
+      ->check(CLI::IsMember({"svg", "png"}));
+  command->add_flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
+  command->add_flag("-q,--quiet", options->quiet, "Print errors only");
+  command->callback([options] { calibrate(*options); });
+}
+
+}  // namespace talus::app

@@ -1,0 +1,55 @@
+// `talus point CASE`: element tests of the soils of a case, without a mesh.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "analysis/run_point_tests.hpp"
+#include "app/case_options.hpp"
+#include "app/commands.hpp"
+#include "model/read.hpp"
+#include "report/report.hpp"
+
+namespace talus::app {
+namespace {
+
+struct PointCommand {
+  CaseOptions input;
+  analysis::PointOptions options;
+  bool quiet = false, no_report = false;
+};
+
+void run_tests(PointCommand& command) {
+  const model::LoadedCase loaded =
+      model::read_case(command.input.file, command.input.parse_overrides(), model::CaseScope::whole_or_tests);
+  if (command.options.folder.empty())
+    command.options.folder = std::filesystem::path(command.input.file).stem().string() + "_point";
+  const nlohmann::json summary = analysis::run_point_tests(loaded, command.options);
+  if (!command.no_report) report::write_report(command.options.folder);
+  if (command.quiet) return;
+  fmt::print("{}Tables and pictures are in {}{}\n", analysis::write_point_digest(summary),
+             (command.options.folder / "point").string(),
+             command.no_report
+                 ? ""
+                 : fmt::format("; open {} in a browser", (command.options.folder / "report.html").string()));
+}
+
+}  // namespace
+
+void add_point(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("point", "Calculate the element tests of a case: one point, no mesh");
+  const auto options = std::make_shared<PointCommand>();
+  options->input.add_to(*command);
+  command->add_option("-o,--output,--out", options->options.folder,
+                      "Folder for the results, which may be that of a run (default: the case's name with _point)");
+  command->add_option("--test", options->options.names, "Calculate only the test of this name; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--pictures", options->options.pictures, "Format of the pictures (default: svg)")
+      ->check(CLI::IsMember({"svg", "png"}));
+  command->add_flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
+  command->add_flag("-q,--quiet", options->quiet, "Print errors only");
+  command->callback([options] { run_tests(*options); });
+}
+
+}  // namespace talus::app

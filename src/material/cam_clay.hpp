@@ -1,0 +1,219 @@
+#pragma once
+// Modified Cam-clay, and the rooted-soil model of Świtała et al. over it (4.1-4.15): hardening by plastic volume,
+// saturation and root activation, associated flow, implicit return mapping.
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "material/cam_clay_return.hpp"
+#include "material/linear_elastic.hpp"
+
+namespace talus::material {
+
+struct CamClayParameters {
+  double compression = 0;           ///< λ, slope of the normal-compression line in e - ln p' [-]
+  double swelling = 0;              ///< κ, of the swelling line [-]
+  double poisson_ratio = 0;         ///< ν [-]
+  double critical_state_slope = 0;  ///< M_0 [-]
+  double suction_hardening = 0;     ///< b of (4.6), (4.9) [-]
+  double smallest_pressure = 1e3;   ///< K = (1+e) max(p', this)/κ [Pa]
+  double strength_factor = 1;       ///< divides tan φ of the critical state [-]
+};
+
+/// Per cent of root mass per dry mass throughout: (4.4), (4.6) and (4.10) as physics of the published runs are.
+struct RootParameters {
+  double hardening = 0;    ///< R_p of (4.6), (4.10) [1/%]
+  double strength = 0;     ///< R_a of (4.4) [1/%]
+  double activation = -1;  ///< R_p m_r of (4.10) given as one number [-]; negative: hardening × content
+  double breaking_strain = std::numeric_limits<double>::infinity();  ///< ε_r^peak, beyond which roots break [-]
+  double breaking_range = 0.1;  ///< ε_r beyond the peak over which they do, linearly [-]
+  double residual_share = 0;    ///< share of the roots' part that stays [-]
+};
+
+/// State variables: 0 deviatoric plastic strain [-]; 1 preconsolidation pressure p'_c without suction and roots [Pa],
+/// positive; 2 void ratio e [-]; and rooted: 3 root content m_r [%]; 4 exponent of the roots' part of p'_c while they
+/// are intact [-]; 5 activation strain ε_r [-]; 6 share of the roots that is intact [-].
+template <bool Rooted>
+class CamClay {
+ public:
+  static constexpr int state_size = Rooted ? 7 : 3;
+  static constexpr bool is_plastic = true;
+  /// p'_c of a point whose preconsolidation is not set yet: elastic whatever the stress [Pa].
+  static constexpr double not_set = 1e30;
+
+  explicit CamClay(const CamClayParameters& soil, const RootParameters& roots = {});
+
+  const CamClayParameters& soil() const { return soil_; }
+  const RootParameters& roots() const { return roots_; }
+  /// E_c at a stress and state, for the time step [Pa].
+  double constrained_modulus(const double* sigma, const double* state) const;
+  /// Density of the elastic energy: that of compressing from zero along the swelling line, and q²/(6G) [J/m³].
+  template <int NS>
+  double elastic_energy(const double* sigma, const double* state) const {
+    const double p = find_pressure(sigma),
+                 bulk = (1 + state[2]) / soil_.swelling * std::max(p, soil_.smallest_pressure);
+    const double volume = soil_.swelling / (1 + state[2]);
+    double squares = 0;
+    for (int i = 0; i < NS; ++i) squares += i < 3 ? (sigma[i] + p) * (sigma[i] + p) : 2 * sigma[i] * sigma[i];
+    const double small = soil_.smallest_pressure;
+    return volume * (p > small ? p - 0.5 * small : p * p / (2 * small)) + squares / (4 * shear_ratio_ * bulk);
+  }
+
+  /// Stress and state at the end of a step with strain increment `d_epsilon`. Lanes outside `active` may hold anything.
+  /// Void ratio and activation strain change in every step: `any_plastic` is true always.
+  template <int NS, class T>
+  TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
+                                  const Surroundings<T>& around = {}) const {
+    const T p_before = (sigma[0] + sigma[1] + sigma[2]) * (-1.0 / 3);
+    const T volume = -(d_epsilon[0] + d_epsilon[1] + d_epsilon[2]), third = volume * (1.0 / 3);
+    const T specific = change_void_ratio(volume, state[2]);  // mean of 1 + e
+    const T bulk = find_secant_bulk(p_before, volume, specific), shear = bulk * shear_ratio_;
+    const T p_trial = p_before + bulk * volume;
+    T squares(0.0), strain_squares(0.0);  // s:s of the trial, and of the strain deviator
+    TALUS_UNROLL
+    for (int i = 0; i < 3; ++i) {
+      const T e = d_epsilon[i] + third;
+      strain_squares += e * e;
+      sigma[i] += p_before + 2.0 * shear * e;
+      squares += sigma[i] * sigma[i];
+    }
+    TALUS_UNROLL
+    for (int i = 3; i < NS; ++i) {
+      strain_squares += 0.5 * d_epsilon[i] * d_epsilon[i];
+      sigma[i] += shear * d_epsilon[i];
+      squares += 2.0 * sigma[i] * sigma[i];
+    }
+    const auto set = active && state[1] < T(set_below);
+    T m_square(slope_square_), exponent = (1.0 - around.saturation) * soil_.suction_hardening;
+    if constexpr (Rooted) {
+      activate_roots(volume + lane_sqrt(strain_squares * (2.0 / 3)), specific - 1.0, set, state);
+      const T m = reduce(soil_.critical_state_slope + roots_.strength * state[3] * state[6]);
+      m_square = m * m;
+      exponent += state[6] * state[4];
+    }
+    const T p_c = find_preconsolidation(state[1], exponent);
+    const T q_square = 1.5 * squares;
+    const auto yields =
+        set && q_square - m_square * p_trial * (p_c - p_trial) > cam_clay_tolerance * m_square * p_c * p_c;
+    if (!any(yields)) {
+      TALUS_UNROLL
+      for (int i = 0; i < 3; ++i) sigma[i] -= p_trial;
+      return {true, T(0.0), T(0.0)};
+    }
+    const T over_both = 1.0 / (p_c * m_square), over_c = over_both * m_square, over_m = over_both * p_c;
+    const CamClayReturn<T> back =
+        return_cam_clay<T>({p_trial * over_c, q_square * over_m * over_c * over_c, bulk * over_c,
+                            6.0 * shear * over_m * over_c, specific * over_plastic_slope_, floor_ * over_c},
+                           yields);
+    const T p = select(yields, back.pressure * p_c, p_trial), ratio = select(yields, back.shear, T(1.0));
+    TALUS_UNROLL
+    for (int i = 0; i < 3; ++i) sigma[i] = sigma[i] * ratio - p;
+    TALUS_UNROLL
+    for (int i = 3; i < NS; ++i) sigma[i] *= ratio;
+    const T multiplier = select(yields, back.multiplier, T(0.0));
+    state[0] += multiplier * (2.0 * over_c * over_m) * lane_sqrt(q_square) * ratio;
+    state[1] = select(yields, raise_to_floor(state[1], p_c, exponent) * back.growth, state[1]);
+    return {true, p_trial - p, multiplier * back.pressure * back.growth * p_c};
+  }
+
+  /// p'_c with suction and roots (4.6-4.10) [Pa]; `not_set` as it is.
+  double find_preconsolidation(const double* state, double saturation) const;
+  /// The state at a stress: void ratio `e`, root content `content` [%], and state[1] so that the saturated soil without
+  /// roots has p'_c = max(`preconsolidation`, what p' needs) [Pa]; `preconsolidation` = not_set leaves it open.
+  void set_initial_state(const double* sigma, double e, double content, double preconsolidation, double saturation,
+                         double* state) const;
+  /// What results show: p'_c, e, and rooted: m_r, ε_r, intact share; `values` as listed.
+  static constexpr auto fields() {
+    if constexpr (Rooted)
+      return std::array<StateField, 5>{{{"preconsolidation_pressure", "Pa"},
+                                        {"void_ratio", "-"},
+                                        {"root_content", "%"},
+                                        {"root_activation_strain", "-"},
+                                        {"intact_roots", "-"}}};
+    else
+      return std::array<StateField, 2>{{{"preconsolidation_pressure", "Pa"}, {"void_ratio", "-"}}};
+  }
+  void show(const double* state, double saturation, double* values) const;
+
+ private:
+  static constexpr double set_below = 1e28;  ///< means over points that are not set and others are not set either
+  static constexpr double least_void_ratio = 0.01, most_void_ratio = 4;
+  static constexpr double most_exponent = 50;  ///< of suction and roots together
+
+  static double find_pressure(const double* sigma) { return -(sigma[0] + sigma[1] + sigma[2]) / 3; }
+
+  /// Void ratio after the volumetric strain `volume` (compression positive), and the mean of 1 + e over it.
+  template <class T>
+  static TALUS_KERNEL T change_void_ratio(T volume, T& e) {
+    const T v = lane_max(T(-0.5), lane_min(T(0.5), volume));
+    const T specific = (1.0 + e) * (1.0 - v * (0.5 - v * (1.0 / 6 - v * (1.0 / 24))));  // (1 - exp(-v))/v
+    const T after = e - specific * v;
+    e = lane_max(lane_min(after, lane_max(e, T(most_void_ratio))), lane_min(e, T(least_void_ratio)));
+    return specific;
+  }
+
+  /// Δp'/Δε_v of an elastic step: exact along the swelling line, constant below the smallest pressure.
+  template <class T>
+  TALUS_KERNEL T find_secant_bulk(T p, T volume, T specific) const {
+    const T stiffness = specific * over_swelling_;
+    T x = lane_max(T(-1.0), lane_min(T(1.0), stiffness * volume));
+    x = select(p > T(soil_.smallest_pressure), x, T(0.0));
+    const T growth = 1.0 + x * (0.5 + x * (1.0 / 6 + x * (1.0 / 24 + x * (1.0 / 120 + x * (1.0 / 720)))));
+    return stiffness * lane_max(p, T(soil_.smallest_pressure)) * growth;
+  }
+
+  /// Activation strain, exponent and intact share after the increment `d_activation` (4.5, 4.10).
+  template <class T>
+  TALUS_KERNEL void activate_roots(T d_activation, T e, MaskOf<T> set, T* state) const {
+    const T d = select(set, d_activation, T(0.0));
+    const T rate = roots_.activation < 0 ? state[3] * roots_.hardening : T(roots_.activation);
+    state[4] += rate * e * d;
+    state[5] += d;
+    if (breaks_) {
+      const T left = 1.0 - lane_max(T(0.0), lane_min(T(1.0), (state[5] - roots_.breaking_strain) * over_range_));
+      state[6] = lane_min(state[6], roots_.residual_share + (1 - roots_.residual_share) * left);
+    }
+  }
+
+  /// M with its tan φ divided by the strength factor.
+  template <class T>
+  TALUS_KERNEL T reduce(T m) const {
+    if (soil_.strength_factor == 1) return m;
+    const T sine = lane_min(3.0 * m / (6.0 + m), T(0.9999));
+    const T tangent = sine / (lane_sqrt(1.0 - sine * sine) * soil_.strength_factor);
+    const T reduced = tangent / lane_sqrt(1.0 + tangent * tangent);
+    return 6.0 * reduced / (3.0 - reduced);
+  }
+
+  template <class T>
+  static TALUS_KERNEL T limit_exponent(T x) {
+    return lane_max(T(-most_exponent), lane_min(T(most_exponent), x));
+  }
+  template <class T>
+  TALUS_KERNEL T find_preconsolidation(T p_b, T exponent) const {
+    if (!Rooted && soil_.suction_hardening == 0) return lane_max(p_b, T(floor_));
+    return lane_max(p_b * lane_exp(limit_exponent(exponent)), T(floor_));
+  }
+  /// p_b of a p'_c that may have been raised to its floor.
+  template <class T>
+  TALUS_KERNEL T raise_to_floor(T p_b, T p_c, T exponent) const {
+    const auto raised = !(p_c > T(floor_));
+    if (!any(raised)) return p_b;
+    return select(raised, floor_ * lane_exp(-limit_exponent(exponent)), p_b);
+  }
+
+  CamClayParameters soil_;
+  RootParameters roots_;
+  double over_swelling_, over_plastic_slope_;  ///< 1/κ, 1/(λ-κ)
+  double shear_ratio_;                         ///< G/K
+  double slope_square_;                        ///< M² without roots, reduced
+  double floor_;                               ///< least p'_c [Pa]
+  double over_range_;
+  bool breaks_;
+};
+
+using ModifiedCamClay = CamClay<false>;
+using RootedCamClay = CamClay<true>;
+
+}  // namespace talus::material

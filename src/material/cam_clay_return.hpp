@@ -1,0 +1,117 @@
+#pragma once
+// The return of modified Cam-clay to its ellipse (4.12-4.15), in numbers without dimension: pressures over the trial
+// p'_c, the multiplier times it. Unknowns are d = Δλ p'_c and y = ln of the growth of p'_c; p' and q follow:
+//
+//   P(d, y) = (P_t + k d c)/(1 + 2 k d),  R(d) = 1 + g d,  c = max(e^y, c_min)
+//   0 = y - θ d (2P - c)                  hardening by plastic volume (4.15)
+//   0 = Q_t/R² - P (c - P)                yield (4.1)
+//
+// Newton's method from the trial state in lanes; a bracketed search on d alone for the lanes that it leaves.
+
+#include "base/lane_math.hpp"
+
+namespace talus::material {
+
+/// A trial state outside its ellipse.
+template <class T>
+struct CamClayTrial {
+  T pressure;         ///< P_t = p'/p'_c, of either sign
+  T shear;            ///< Q_t = q²/(M² p'_c²)
+  T bulk;             ///< k = K/p'_c
+  T shear_stiffness;  ///< g = 6G/(M² p'_c)
+  T hardening;        ///< θ = (1+e)/(λ-κ)
+  T least_growth;     ///< c_min, that p'_c does not vanish, at most 1
+};
+
+/// What the return makes of it.
+template <class T>
+struct CamClayReturn {
+  T pressure;    ///< P
+  T growth;      ///< c of p'_c
+  T shear;       ///< 1/R, ratio of q to that of the trial
+  T multiplier;  ///< d
+};
+
+/// The return by bracketing: slow, and it always ends, with f <= 1e-10 p'_c².
+CamClayReturn<double> search_cam_clay_return(const CamClayTrial<double>& trial);
+
+/// f/p'_c² and |error of y| up to which a state counts as on the surface.
+inline constexpr double cam_clay_tolerance = 1e-10;
+
+/// Residuals at (y, d) and what Newton's step needs of them.
+template <class T>
+struct CamClayPoint {
+  T pressure, distance, growth, slope;  ///< P, 2P - c, c, dc/dy
+  T over_den, over_shear;               ///< 1/(1 + 2kd), 1/R
+  T f, r;                               ///< residuals of yield and hardening
+
+  TALUS_KERNEL CamClayPoint(const CamClayTrial<T>& t, T y, T d) {
+    const T e = lane_exp(y), kd = t.bulk * d, den = 1.0 + 2.0 * kd, shear = 1.0 + t.shear_stiffness * d;
+    growth = lane_max(e, t.least_growth);
+    slope = select(e > t.least_growth, e, T(0.0));
+    const T both = 1.0 / (den * shear);
+    over_den = both * shear;
+    over_shear = both * den;
+    pressure = (t.pressure + kd * growth) * over_den;
+    distance = (2.0 * t.pressure - growth) * over_den;
+    f = t.shear * over_shear * over_shear - pressure * (growth - pressure);
+    r = y - t.hardening * d * distance;
+  }
+};
+
+/// Returns the lanes of `yields`; the others hold anything that is a number if their trial is.
+template <class T>
+TALUS_KERNEL CamClayReturn<T> return_cam_clay(const CamClayTrial<T>& t, MaskOf<T> yields) {
+  // The first guess: the root of the expansion of f(d, y(d)) about the trial, by Chebyshev's step of third order, so
+  // that the small increments of an explicit step need no other. It has one exponential and no quotient less than
+  // Newton's.
+  const T n = 2.0 * t.pressure - 1.0, theta = select(t.least_growth < T(1.0), t.hardening, T(0.0));
+  const T k_n = t.bulk * n, theta_n = theta * n, softening = 2.0 * t.bulk + theta, g_q = t.shear_stiffness * t.shear;
+  const T f_0 = t.shear - t.pressure * (1.0 - t.pressure);
+  const T over_f_1 = 1.0 / (2.0 * g_q + k_n * n + theta_n * t.pressure);  // of the slope's negative
+  const T f_2 = 3.0 * t.shear_stiffness * g_q + k_n * (n * softening + theta_n + k_n) -
+                t.pressure * theta_n * (0.5 * theta_n - softening);
+  T d = lane_max(f_0 * over_f_1, T(0.0));
+  d += d * lane_max(T(-0.5), lane_min(T(1.0), f_2 * d * over_f_1));
+  T y = theta_n * d / (1.0 + softening * d);
+  auto open = yields;
+  CamClayReturn<T> result{t.pressure, T(1.0), T(1.0), T(0.0)};
+  constexpr int patience = 12;
+  for (int i = 0; i < patience; ++i) {
+    const CamClayPoint<T> at(t, y, d);
+    const auto settled =
+        lane_abs(at.f) < cam_clay_tolerance * at.growth * at.growth && lane_abs(at.r) < T(cam_clay_tolerance);
+    const auto done = open && settled;
+    result.pressure = select(done, at.pressure, result.pressure);
+    result.growth = select(done, at.growth, result.growth);
+    result.shear = select(done, at.over_shear, result.shear);
+    result.multiplier = select(done, d, result.multiplier);
+    open = open && !settled;
+    if (!any(open)) return result;
+    const T kd = t.bulk * d * at.over_den;
+    const T r_y = 1.0 + t.hardening * d * at.over_den * at.slope, r_d = -t.hardening * at.distance * at.over_den;
+    const T f_y = at.slope * (at.distance * kd - at.pressure);
+    const T f_d = -2.0 * t.shear_stiffness * t.shear * at.over_shear * at.over_shear * at.over_shear -
+                  t.bulk * at.distance * at.distance * at.over_den;
+    const T step = (at.r * f_y - at.f * r_y) / (f_d * r_y - f_y * r_d);
+    const T step_y = -(at.r + r_d * step) / r_y;
+    d = lane_max(d + step, T(0.0));
+    y += lane_max(T(-3.0), lane_min(T(3.0), step_y));
+  }
+  if constexpr (LaneTraits<T>::width == 1) {
+    return search_cam_clay_return(t);
+  } else {
+    for (int l = 0; l < LaneTraits<T>::width; ++l) {
+      if (!open[l]) continue;
+      const auto found = search_cam_clay_return(
+          {t.pressure[l], t.shear[l], t.bulk[l], t.shear_stiffness[l], t.hardening[l], t.least_growth[l]});
+      result.pressure.value[l] = found.pressure;
+      result.growth.value[l] = found.growth;
+      result.shear.value[l] = found.shear;
+      result.multiplier.value[l] = found.multiplier;
+    }
+    return result;
+  }
+}
+
+}  // namespace talus::material

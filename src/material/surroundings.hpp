@@ -1,0 +1,22 @@
+#pragma once
+// What a law may know of a point beside its stress and state.
+
+#include "base/lane.hpp"
+
+namespace talus::material {
+
+/// The rest of a point at the end of the step whose strain increment is given. Laws that need none of it ignore it.
+template <class T>
+struct Surroundings {
+  T saturation{1.0};            ///< S_w of the pore water [-]; 1 in soil without pore water
+  const int* points = nullptr;  ///< number of each lane's point, -1 where there is none; nullptr: not known
+  double time = 0, dt = 0;      ///< start of the step and its length [s]
+};
+
+/// A quantity that a law has beside stress, for results.
+struct StateField {
+  const char* name;  ///< as stored, e.g. `void_ratio`
+  const char* unit;  ///< SI
+};
+
+}  // namespace talus::material

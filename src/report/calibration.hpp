@@ -1,0 +1,14 @@
+#pragma once
+// A calibration of a folder (`Calibration` in web/src/contractCalibration.ts).
+
+#include <nlohmann/json.hpp>
+
+#include "report/folder.hpp"
+
+namespace talus::report {
+
+/// Adds what `talus calibrate` found to the document of a report: its section, its findings among the warnings, and
+/// what it answers before what the element tests do. Nothing when the folder holds no calibration.
+void add_calibration(const ResultFolder& folder, nlohmann::json& document);
+
+}  // namespace talus::report

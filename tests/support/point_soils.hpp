@@ -1,0 +1,71 @@
+#pragma once
+// Soils and element tests for the tests, from memory as calibration makes them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/point_test.hpp"
+
+namespace talus::support {
+
+inline model::Material make_elastic(double young_modulus, double poisson_ratio) {
+  model::Material soil;
+  soil.grain_density = 2700;
+  soil.porosity = 0.4;
+  soil.young_modulus = young_modulus;
+  soil.poisson_ratio = poisson_ratio;
+  return soil;
+}
+
+/// Angles [rad]; tension is cut off at the apex.
+inline model::Material make_frictional(double cohesion, double friction, double dilatancy) {
+  model::Material soil = make_elastic(20e6, 0.3);
+  soil.model = model::MaterialModel::mohr_coulomb;
+  soil.cohesion = cohesion;
+  soil.friction_angle = friction;
+  soil.dilatancy_angle = dilatancy;
+  soil.tensile_strength = cohesion / std::tan(friction);
+  return soil;
+}
+
+/// Loess of Table 4.1 of the source without roots, with a preconsolidation pressure [Pa].
+inline model::Material make_clay(double preconsolidation) {
+  model::Material soil = make_elastic(0, 0.3);
+  soil.model = model::MaterialModel::modified_cam_clay;
+  soil.porosity = 0.86 / 1.86;
+  soil.cam_clay.compression = 0.089;
+  soil.cam_clay.swelling = 0.022;
+  soil.cam_clay.critical_state_slope = 1.42;
+  soil.cam_clay.preconsolidation = preconsolidation;
+  return soil;
+}
+
+/// A test from a cell pressure [Pa].
+inline model::PointTest make_cell_test(model::PointTestKind kind, double pressure) {
+  model::PointTest test;
+  test.name = "cell";
+  test.kind = kind;
+  test.confining_pressure = pressure;
+  return test;
+}
+
+/// A test from a vertical stress [Pa] and K0.
+inline model::PointTest make_ring_test(model::PointTestKind kind, double vertical, double k0) {
+  model::PointTest test;
+  test.name = "ring";
+  test.kind = kind;
+  test.vertical_stress = vertical;
+  test.k0 = k0;
+  return test;
+}
+
+/// The row nearest to an axial strain.
+inline const analysis::PointRow& find_row(const analysis::PointCurve& curve, double axial_strain) {
+  const analysis::PointRow* nearest = &curve.rows.front();
+  for (const analysis::PointRow& row : curve.rows)
+    if (std::abs(row.axial_strain - axial_strain) < std::abs(nearest->axial_strain - axial_strain)) nearest = &row;
+  return *nearest;
+}
+
+}  // namespace talus::support

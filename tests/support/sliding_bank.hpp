@@ -1,0 +1,90 @@
+#pragma once
+// A bank so coarse that it slides in a second of computing: three monitors, a vertical section, frames.
+
+#include <string>
+
+namespace talus {
+
+/// 45° bank of 4 m, elements of 1 m; weight first, then its real strength, which does not hold it.
+inline const std::string sliding_bank = R"(title = "Sliding bank"
+
+[geometry]
+box = [[0, 0], [14, 6]]
+
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [14, 0], [14, 1], [7, 1], [3, 5], [0, 5]]
+
+[mesh]
+size = 1
+
+[materials.silt]
+model = "mohr_coulomb"
+grain_density = 2650
+porosity = 0.4
+young_modulus = "10 MPa"
+poisson_ratio = 0.3
+cohesion = "1 kPa"
+friction_angle = "15 deg"
+dilatancy_angle = 0
+tensile_strength = 0
+
+[regions]
+soil = "silt"
+
+[[boundary]]
+on = "bottom"
+fix = "full"
+
+[[boundary]]
+on = "left"
+fix = "normal"
+
+[[boundary]]
+on = "right"
+fix = "normal"
+
+[[stage]]
+name = "weight"
+duration = 5
+until = "rest"
+damping = 0.75
+cohesion = "200 kPa"
+
+[[stage]]
+name = "slide"
+duration = 1.5
+damping = 0.05
+reset_displacement = true
+
+[output]
+frame_interval = 0.25
+history_interval = 0.01
+onset_displacement = "5 cm"
+
+[[output.monitor]]
+name = "crest"
+at = [3, 5]
+
+[[output.monitor]]
+name = "toe"
+at = [6.5, 1.2]
+
+[[output.section]]
+name = "A"
+from = [2, 0]
+to = [2, 5]
+width = 1
+)";
+
+/// The same with one more friction angle, which holds it better.
+inline const std::string sliding_banks = sliding_bank + R"(
+[study]
+reference = "friction_angle = 15 deg"
+
+[[study.vary]]
+key = "materials.silt.friction_angle"
+values = ["15 deg", "25 deg"]
+)";
+
+}  // namespace talus

@@ -1,0 +1,111 @@
+// Onset of movement: when a curve passes the threshold, in which order points began, and what is said of it.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "analysis/motion.hpp"
+#include "analysis/named_results.hpp"
+#include "model/result_names.hpp"
+
+namespace talus::analysis {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST(Onset, IsWhereTheLineBetweenRowsPassesTheThreshold) {
+  const std::vector<double> time{0, 10, 20, 30}, u{0, 0.01, 0.05, 0.04};
+  EXPECT_DOUBLE_EQ(*find_onset(time, u, 0.03), 15);
+  EXPECT_FALSE(find_onset(time, u, 0.05)) << "reached, not exceeded";
+  EXPECT_DOUBLE_EQ(*find_onset(time, u, 0.045), 18.75) << "the first time, though it comes back";
+  const std::vector<double> lost{0, 0.01, NAN, 1};
+  EXPECT_FALSE(find_onset(time, lost, 0.03)) << "what is missing is not guessed";
+}
+
+TEST(Pattern, FollowsTheHeightsOfTheMonitors) {
+  const auto find = [](std::optional<double> toe, std::optional<double> middle, std::optional<double> crest) {
+    return find_pattern({{"crest", 5, crest}, {"toe", 1, toe}, {"middle", 3, middle}});
+  };
+  EXPECT_EQ(find(100, 150, 200), MotionPattern::upwards);
+  EXPECT_EQ(find(200, 150, 100), MotionPattern::downwards);
+  EXPECT_EQ(find(100, 200, 150), MotionPattern::mixed);
+  EXPECT_EQ(find(180, 190, 200), MotionPattern::together) << "within a tenth of the last";
+  EXPECT_EQ(find(179, 190, 200), MotionPattern::upwards);
+  EXPECT_EQ(find(100, 150, {}), MotionPattern::upwards) << "those that moved";
+  EXPECT_EQ(find(100, {}, {}), MotionPattern::single);
+  EXPECT_EQ(find({}, {}, {}), MotionPattern::none);
+  EXPECT_EQ(find(100, 100, 200), MotionPattern::mixed) << "two at once are not one after the other";
+}
+
+class Motion : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("talus_motion_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    data_.stages.resize(2);
+    data_.stages[0].name = "weight";
+    data_.stages[1].name = "rain";
+    data_.stages[1].reset_displacement = true;
+    data_.output.monitors = {{"toe", {7, 1, 0}}, {"crest", {3, 5, 0}}};
+    // The row at 5 s is from before displacements were set to zero.
+    std::ofstream(folder_ / "monitors.csv")
+        << "time [s],toe.displacement_x [mm],toe.displacement_y [mm],toe.displacement [mm],crest.displacement_x [mm],"
+           "crest.displacement_y [mm],crest.displacement [mm]\n"
+           "0,0,0,0,0,0,0\n5,30,40,50,300,400,500\n6,30,-40,50,0,0,0\n7,60,-80,100,6,8,10\n";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  json describe() const { return describe_motion(data_, stages_, 4, folder_); }
+
+  fs::path folder_;
+  model::Case data_;
+  json stages_ = json::array(
+      {{{"name", "weight"}, {"start", 0.0}, {"time", 5.0}}, {{"name", "rain"}, {"start", 5.0}, {"time", 7.0}}});
+};
+
+TEST_F(Motion, IsCountedFromTheLastReset) {
+  const json motion = describe();
+  EXPECT_EQ(motion.at("stage"), "rain");
+  EXPECT_DOUBLE_EQ(motion.at("threshold"), 0.04);
+  EXPECT_DOUBLE_EQ(motion.at("monitors")[0].at("onset"), 0.8);
+  EXPECT_DOUBLE_EQ(motion.at("monitors")[0].at("displacement"), 0.1);
+  EXPECT_TRUE(motion.at("monitors")[1].at("onset").is_null());
+  EXPECT_EQ(motion.at("pattern"), "single");
+  const std::string sentence = motion.at("sentence");
+  EXPECT_NE(sentence.find("'toe' after 0.8 s"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("40 mm, 1 % of the relief"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("'crest' does not move"), std::string::npos) << sentence;
+}
+
+TEST_F(Motion, CountsFromTheStageThatTheCaseNames) {
+  data_.stages[1].reset_displacement = false;
+  data_.output.count_from = "rain";
+  data_.output.onset_displacement = 0.09;
+  // From (30, 40) to (30, -40) mm: the displacement is a difference of vectors, not of lengths.
+  const json motion = describe();
+  EXPECT_NEAR(motion.at("monitors")[0].at("onset").get<double>(), 1 + 0.01 / (std::hypot(0.03, 0.12) - 0.08), 1e-12);
+  EXPECT_NEAR(motion.at("monitors")[0].at("displacement").get<double>(), std::hypot(0.03, 0.12), 1e-12);
+}
+
+TEST_F(Motion, OfARunThatEndedWithinTheStageIsKnown) {
+  stages_.erase(1);
+  EXPECT_DOUBLE_EQ(describe().at("start"), 5);
+  stages_ = json::array();
+  EXPECT_TRUE(describe().is_null()) << "it did not come to the stage";
+}
+
+TEST_F(Motion, CanBeComparedUnderItsNames) {
+  const json summary{{"motion", describe()}};
+  EXPECT_DOUBLE_EQ(*find_result(summary, "onset[toe]"), 0.8);
+  EXPECT_FALSE(find_result(summary, "onset[crest]"));
+  EXPECT_DOUBLE_EQ(*find_result(summary, "displacement[crest]"), 0.01);
+  for (const char* name : {"onset[toe]", "displacement[crest]"}) EXPECT_TRUE(model::find_result_name(data_, name));
+  EXPECT_FALSE(model::find_result_name(data_, "onset[middle]"));
+}
+
+}  // namespace
+}  // namespace talus::analysis

@@ -1,0 +1,1 @@
+"""Checks of the vegetated slope, for verify_roots.py."""

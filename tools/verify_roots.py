@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Runs the vegetated slope (examples/vegetated_slope) and holds it against section 4.4 of the source, statement by statement.
+
+Usage: tools/verify_roots.py PROGRAM FOLDER [--only slope,choices,crutches] [--runs FOLDER] [--threads N]
+Writes vegetated_slope.csv and .md and pictures to FOLDER and prints the tables. What differs from the source is told, and does not make the
+program fail. --runs keeps the results of the runs there and takes finished ones as they are. Needs python3 with numpy, h5py and matplotlib.
+"""
+import argparse
+import os
+import pathlib
+import sys
+import tempfile
+
+import matplotlib
+
+matplotlib.use("svg")
+matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "talus", "font.size": 8, "legend.fontsize": 7})
+
+from roots_checks import figures, tables  # noqa: E402
+from roots_checks.runs import Runner  # noqa: E402
+from roots_checks.statements import find_all  # noqa: E402
+from roots_checks.variants import CHOICES, CRUTCHES, PAIR, SLOPES  # noqa: E402
+
+THRESHOLD = 0.1  # output.onset_displacement of the case [m]
+
+
+def run(runner, variant):
+    found = {}
+    for content, name, settings, case in variant.runs():
+        found[content] = runner.run(name, settings, case)
+        print(f"{name}: {'; '.join(tables.describe(found[content])) if found[content] else 'ended with an error'}", flush=True)
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--only", default="slope,choices,crutches")
+    parser.add_argument("--runs", type=pathlib.Path)
+    parser.add_argument("--threads", type=int, default=1)
+    options = parser.parse_args()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    parts = options.only.split(",")
+
+    def save(figure, name, **how):
+        figure.savefig(options.folder / name, **how)
+
+    with tempfile.TemporaryDirectory() as scratch:
+        runs = (options.runs or pathlib.Path(scratch)).resolve()
+        runs.mkdir(parents=True, exist_ok=True)
+        runner = Runner(os.path.abspath(options.program), runs, options.threads, options.runs is not None)
+        slopes = run(runner, SLOPES)
+        if None in slopes.values():
+            return 1
+        choices = {v.name: run(runner, v) for v in CHOICES} if "choices" in parts else {}
+        crutches = {"5 MPa, β = 80 (the source)": {name: slopes[name] for name in PAIR}}
+        crutches |= {v.name: run(runner, v) for v in CRUTCHES} if "crutches" in parts else {}
+        longer = choices.get("rain for 1,200 s", {})
+        statements = list(find_all(slopes, tuple(longer[name] for name in PAIR) if longer else None,
+                                   choices.get("layer as conductive as the soil", {}).get("1.29 %")))
+        save(figures.draw_histories(slopes, THRESHOLD), "vegetated_histories.svg", metadata={"Date": None})
+        save(figures.draw_profiles(slopes), "vegetated_profiles.svg", metadata={"Date": None})
+        save(figures.draw_strain(slopes), "vegetated_strain.png", dpi=90)
+        text = [tables.show_statements(statements), tables.show_slopes(slopes), tables.show_thresholds(slopes)]
+        if choices:
+            text.append(tables.show_variants({"as the case has it": {name: slopes[name] for name in PAIR}} | choices))
+        if "crutches" in parts:
+            text.append(tables.show_variants(crutches, "water, mass scaling"))
+            save(figures.draw_crutches(crutches), "vegetated_crutches.svg", metadata={"Date": None})
+        (options.folder / "vegetated_slope.md").write_text(tables.HEADING + "\n" + "\n".join(text))
+        tables.write_csv(options.folder / "vegetated_slope.csv",
+                         {"the source's four": slopes} | choices | {k: v for k, v in list(crutches.items())[1:]})
+        print("\n" + "\n".join(text))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
