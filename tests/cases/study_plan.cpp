@@ -61,6 +61,34 @@ values = [3, 2.5]
   EXPECT_EQ(plan.notes[0], "cohesion = 2, size = 3 is the same case as base.");
 }
 
+TEST(StudyPlan, ChangesKeysTogetherUnderOneName) {
+  const std::string study = coarse_slope + R"(
+[study]
+mode = "together"
+
+[[study.vary]]
+key = "materials.sand.cohesion"
+values = [4, 8]
+names = ["firm", "stiff"]
+
+[[study.vary]]
+key = "mesh.size"
+values = )";
+  const StudyPlan plan = plan_text(study + "[2.5, 2]");
+  EXPECT_EQ(list_names(plan), (std::vector<std::string>{"base", "firm", "stiff"}));
+  EXPECT_EQ(plan.variants[1].values, (std::vector<std::string>{"4", "2.5"}));
+  EXPECT_EQ(plan.variants[2].values, (std::vector<std::string>{"8", "2"}));
+  EXPECT_EQ(plan.mode, "together");
+  try {
+    plan_text(study + "[2.5]");
+    FAIL() << "one size for two cohesions";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("'mesh.size' has 1 values and 'materials.sand.cohesion' has 2"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(StudyPlan, NamesKeysByWhatTellsThemApart) {
   const StudyPlan plan = plan_text(coarse_slope + R"(
 [[study.vary]]

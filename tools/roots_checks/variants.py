@@ -43,7 +43,7 @@ CHOICES = (
     Variant("roots by depth, without exchange of water between elements", {EXCHANGE: "false"}, by_depth=True),
     Variant("element size × 1.5", COARSER),
     Variant("element size × 0.7", FINER),
-    Variant("element size halved", HALVED),
+    Variant("element size halved", HALVED, ("bare",)),
     Variant("6 points an element", {"mesh.points_per_element": 6}),
     Variant("integration by points", {"stage.rain.integration": "points"}),
     Variant("strain smoothing", {"stage.rain.smoothing": "strain"}),
@@ -54,7 +54,7 @@ CHOICES = (
 CRUTCHES = (  # water as stiff as water is; no inertia added
     Variant("50 MPa, β = 80", {MODULUS: "50 MPa"}),
     Variant("500 MPa, β = 80", {MODULUS: "500 MPa"}),
-    Variant("2,200 MPa, β = 80", {MODULUS: "2.2 GPa"}),
+    Variant("2,200 MPa, β = 80", {MODULUS: "2.2 GPa"}, ("bare",)),
     Variant("5 MPa, β = 8", {SCALING: 8}),
     Variant("5 MPa, β = 1", {SCALING: 1}),
     Variant("5 MPa, β = 80, without exchange", {EXCHANGE: "false"}),
