@@ -19,6 +19,7 @@ import matplotlib
 matplotlib.use("agg")
 matplotlib.rcParams.update({"font.size": 8, "legend.fontsize": 7})
 
+from pictures import save_png  # noqa: E402
 from centrifuge_checks.figure import draw  # noqa: E402
 from centrifuge_checks.results import Results  # noqa: E402
 from centrifuge_checks.table import compare, variants_table, write  # noqa: E402
@@ -64,7 +65,7 @@ def main():
         if any(found[name] is None for name, _, _ in RUNS):
             return 1
         first = {name: found[name] for name, _, _ in RUNS}
-        draw(first).savefig(options.folder / "centrifuge_slope.png", metadata={"Software": None}, dpi=80)
+        save_png(draw(first), options.folder / "centrifuge_slope.png", 80)
         rows = compare(found["fallow"], found["rooted"])
         rows += compare(found["fallow, K0 = 0.6"], found["rooted, K0 = 0.6"], ", K0 = 0.6")
         print("\n" + write(rows, found.items(), options.folder))

@@ -16,6 +16,7 @@ import matplotlib
 matplotlib.use("svg")
 matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "talus", "font.size": 8, "legend.fontsize": 7})
 
+from pictures import save_png  # noqa: E402
 from roots_checks import figures, tables  # noqa: E402
 from roots_checks.runs import Runner  # noqa: E402
 from roots_checks.statements import find_all  # noqa: E402
@@ -61,7 +62,7 @@ def main():
                                    choices.get("layer as conductive as the soil", {}).get("1.29 %")))
         save(figures.draw_histories(slopes, THRESHOLD), "vegetated_histories.svg", metadata={"Date": None})
         save(figures.draw_profiles(slopes), "vegetated_profiles.svg", metadata={"Date": None})
-        save(figures.draw_strain(slopes), "vegetated_strain.png", dpi=90)
+        save_png(figures.draw_strain(slopes), options.folder / "vegetated_strain.png", 90)
         text = [tables.show_statements(statements), tables.show_slopes(slopes), tables.show_thresholds(slopes)]
         if choices:
             text.append(tables.show_variants({"as the case has it": {name: slopes[name] for name in PAIR}} | choices))
