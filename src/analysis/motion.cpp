@@ -129,6 +129,10 @@ std::optional<double> find_onset(std::span<const double> time, std::span<const d
   return std::nullopt;
 }
 
+double find_onset_threshold(const model::Output& output, double slope_height) {
+  return output.onset_displacement.value_or(output.onset_ratio * slope_height);
+}
+
 MotionPattern find_pattern(const std::vector<MonitorOnset>& monitors) {
   std::vector<MonitorOnset> moved;
   std::copy_if(monitors.begin(), monitors.end(), std::back_inserter(moved), [](const auto& m) { return m.onset; });
@@ -154,7 +158,7 @@ json describe_motion(const model::Case& data, const json& stages, double slope_h
   const auto file = folder / "monitors.csv";
   if (!clock || data.output.monitors.empty() || !std::filesystem::exists(file)) return nullptr;
   const output::HistoryTable table = output::read_history(file);
-  const double threshold = data.output.onset_displacement.value_or(data.output.onset_ratio * slope_height);
+  const double threshold = find_onset_threshold(data.output, slope_height);
   json monitors = json::array(), names = json::array();
   std::vector<MonitorOnset> order;
   for (const model::Monitor& m : data.output.monitors) {

@@ -35,6 +35,9 @@ MonitorPath read_monitor_path(const output::HistoryTable& table, const std::stri
 /// never does. `time` ascends; values that are no numbers (the point has left the grid) end the search.
 std::optional<double> find_onset(std::span<const double> time, std::span<const double> displacement, double threshold);
 
+/// What counts as movement in the runs of a case [m]: of monitors, and of the soil that has run out.
+double find_onset_threshold(const model::Output& output, double slope_height);
+
 /// A monitor with its onset [s], if it moved, and its height [m] at the start.
 struct MonitorOnset {
   std::string name;

@@ -383,8 +383,7 @@ class CaseRun {
   }
 
   void add_runout() {
-    constexpr double moved_share = 0.01;
-    const Runout runout = find_runout(body_, initial_, moved_share * slope_height_);
+    const Runout runout = find_runout(body_, initial_, find_onset_threshold(data_.output, slope_height_));
     summary_["runout"] = to_json(runout);
     if (const auto time = find_failure_time(options_.folder / "history.csv",
                                             data_.strength_reduction.curve.displacement_ratio * slope_height_))

@@ -132,7 +132,8 @@ std::string write_cell(const std::string& text) {
   return cell.empty() ? "–" : cell;
 }
 
-/// Onset and displacement of every monitor, the latter also over that of the reference, and the order of movement.
+/// Onset and displacement of every monitor, the latter also over that of the reference, if it moved there, and the
+/// order of movement.
 void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Columns& columns) {
   for (const std::string& name : plan.monitors)
     columns.add("onset of " + name, "s", "{:.4g}", false,
@@ -141,7 +142,8 @@ void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Column
     const auto get = [&](const json& s) { return find_result(s, fmt::format("displacement[{}]", name)); };
     columns.add("displacement of " + name, plan.displacement_unit, "{:.4g}", false, get);
     const json& base = rows[plan.reference].summary;
-    const std::optional<double> reference = base.is_object() ? get(base) : std::nullopt;
+    const bool moves = base.is_object() && find_result(base, fmt::format("onset[{}]", name));
+    const std::optional<double> reference = moves ? get(base) : std::nullopt;
     columns.add(fmt::format("displacement of {} over that of {}", name, plan.variants[plan.reference].label), "",
                 "{:.3f}", false, [&](const json& s) {
                   const std::optional<double> value = get(s);

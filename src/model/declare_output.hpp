@@ -48,7 +48,9 @@ void describe(Visitor& v, Output& o) {
       "Stage at whose start the clock of onset, sections and pictures stands at zero; if not given, the last one with "
       "reset_displacement = true, or the first.");
   v.key("onset_displacement", o.onset_displacement, quantity("m").above(0).example(R"("5 cm")"),
-        "A monitor has begun to move when its displacement in these stages exceeds this.");
+        "A monitor has begun to move when its displacement in these stages exceeds this, and soil whose displacement "
+        "does "
+        "counts in the runout. Give more than what settlement or wetting alone does.");
   v.key("onset_ratio", o.onset_ratio,
         plain().above(0).allowed_without("onset_displacement", o.onset_displacement.has_value()),
         "The same as a share of the relief of the ground.");

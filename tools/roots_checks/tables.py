@@ -62,7 +62,7 @@ def write_csv(path, found):
     with open(path, "w", newline="") as file:
         out = csv.writer(file)
         out.writerow(["variant", "roots", *(f"onset {m} [s]" for m in MONITORS), *(f"displacement {m} [m]" for m in MONITORS), "runout [m]",
-                      "moved by more than 4 cm [m3/m]", "pattern", "rain [m3/m]", "entered [m3/m]", "run off [m3/m]", "left [m3/m]", "error of the budget",
+                      "moved [m3/m]", "by more than [m]", "pattern", "rain [m3/m]", "entered [m3/m]", "run off [m3/m]", "left [m3/m]", "error of the budget",
                       "points", "steps", "time step [s]", "processor time [s]", "command"])
         for name, runs in found.items():
             for content, r in runs.items():
@@ -71,6 +71,6 @@ def write_csv(path, found):
                     continue
                 water = r.water()
                 out.writerow([name, content, *("" if r.onset(m) is None else f"{r.onset(m):.1f}" for m in MONITORS),
-                              *(f"{r.moved(m):.4f}" for m in MONITORS), f"{r.runout:.3f}", f"{r.values['runout.moved_volume']:.2f}", r.pattern,
+                              *(f"{r.moved(m):.4f}" for m in MONITORS), f"{r.runout:.3f}", f"{r.values['runout.moved_volume']:.2f}", f"{r.summary['runout']['moved_threshold']:.3g}", r.pattern,
                               *(f"{water[k]:.4f}" for k in ("supplied", "entered", "runoff", "left")), f"{water['error']:.1e}", r.points, r.steps,
                               f"{r.summary['stages'][-1]['time_step']:.4g}", f"{r.seconds:.1f}", r.command])
