@@ -15,9 +15,6 @@ using State = std::array<double, material::max_state_size>;
 /// Where Cam-clay's state variables begin that roots alone have.
 constexpr std::size_t first_root_variable = material::ModifiedCamClay::state_size;
 
-/// Preconsolidation pressures from here on stand for one that is not set; means of such are not quite that number.
-constexpr double unset = 0.1 * material::ModifiedCamClay::not_set;
-
 /// What a law's state starts from.
 struct Start {
   const double* stress;
@@ -70,7 +67,8 @@ State adopt(const mpm::PointView<D>& point, const State& fresh, const material::
   const auto now = soil.model;
   const bool stays_cam_clay = is_cam_clay(now) && is_cam_clay(before);
   // A run that ended before its preconsolidation was set leaves that to a case that gives one.
-  const bool lacks_one = stays_cam_clay && point.state[1] >= unset && soil.cam_clay.preconsolidation;
+  const bool lacks_one =
+      stays_cam_clay && !material::ModifiedCamClay::is_set(point.state[1]) && soil.cam_clay.preconsolidation;
   if (now == before && !lacks_one && (same_roots || !is_rooted(now))) return point.state;
   RootsAt roots;
   if (now == model::MaterialModel::rooted_cam_clay) roots.content = fresh[first_root_variable];

@@ -14,10 +14,6 @@
 namespace talus::analysis {
 namespace {
 
-template <class L>
-inline constexpr bool is_cam_clay =
-    std::is_same_v<L, material::ModifiedCamClay> || std::is_same_v<L, material::RootedCamClay>;
-
 double find_mean_pressure(const Voigt& stress) {
   return -(stress[0] + stress[1] + stress[2]) / 3;
 }
@@ -57,7 +53,7 @@ void PointSoil::set_start_state(const model::Material& material) {
   const double saturation = find_saturation(start_.suction);
   std::visit(
       [&]<class L>(const L& law) {
-        if constexpr (is_cam_clay<L>) {
+        if constexpr (material::is_cam_clay<L>) {
           const model::CamClaySoil& soil = material.cam_clay;
           const double p = std::max(find_mean_pressure(start_.stress), soil.smallest_pressure);
           const double preconsolidation =
@@ -111,7 +107,7 @@ double PointSoil::find_preconsolidation(const PointState& at) const {
   double pressure = 0;
   std::visit(
       [&]<class L>(const L& law) {
-        if constexpr (is_cam_clay<L>)
+        if constexpr (material::is_cam_clay<L>)
           pressure = law.find_preconsolidation(at.state.data(), find_saturation(at.suction));
       },
       law_);

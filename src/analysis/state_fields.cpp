@@ -6,9 +6,6 @@
 namespace talus::analysis {
 namespace {
 
-/// A preconsolidation pressure beyond all stresses stands for one that is not set yet [Pa].
-constexpr double largest_set = 1e29;
-
 /// Soil without roots has none of them; it has no preconsolidation pressure that could be zero.
 bool is_of_roots(std::string_view name) {
   return name.starts_with("root_") || name == "intact_roots";
@@ -37,7 +34,8 @@ std::vector<double> StateFields::arrange(const material::Law& law, std::size_t n
   if (shown.empty()) return values;
   material::show_state(law, state, saturation, shown.data());
   for (std::size_t i = 0; i < shown.size(); ++i)
-    values[places_[number][i]] = shown[i] < largest_set ? shown[i] : std::numeric_limits<double>::quiet_NaN();
+    values[places_[number][i]] =
+        material::ModifiedCamClay::is_set(shown[i]) ? shown[i] : std::numeric_limits<double>::quiet_NaN();
   return values;
 }
 

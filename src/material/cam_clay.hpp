@@ -41,6 +41,8 @@ class CamClay {
   static constexpr bool is_plastic = true;
   /// p'_c of a point whose preconsolidation is not set yet: elastic whatever the stress [Pa].
   static constexpr double not_set = 1e30;
+  /// Means over points that are not set and others are not set either.
+  static constexpr bool is_set(double preconsolidation) { return preconsolidation < set_below; }
 
   explicit CamClay(const CamClayParameters& soil, const RootParameters& roots = {});
 
@@ -137,7 +139,7 @@ class CamClay {
   void show(const double* state, double saturation, double* values) const;
 
  private:
-  static constexpr double set_below = 1e28;  ///< means over points that are not set and others are not set either
+  static constexpr double set_below = 1e28;
   static constexpr double least_void_ratio = 0.01, most_void_ratio = 4;
   static constexpr double most_exponent = 50;  ///< of suction and roots together
 

@@ -1,13 +1,6 @@
 #include "material/law.hpp"
 
 namespace talus::material {
-namespace {
-
-/// Cam-clay's stiffness is that of its stress and state.
-template <class L>
-inline constexpr bool is_cam_clay = std::is_same_v<L, ModifiedCamClay> || std::is_same_v<L, RootedCamClay>;
-
-}  // namespace
 
 double constrained_modulus(const Law& law, const double* sigma, const double* state) {
   return std::visit(

@@ -15,6 +15,10 @@ namespace talus::material {
 
 using Law = std::variant<LinearElastic, MohrCoulomb, RootedMohrCoulomb, ModifiedCamClay, RootedCamClay, External>;
 
+/// Laws whose stiffness and state at the start follow from the stress.
+template <class L>
+inline constexpr bool is_cam_clay = std::is_same_v<L, ModifiedCamClay> || std::is_same_v<L, RootedCamClay>;
+
 /// Most state variables of any model.
 inline constexpr int max_state_size =
     std::max({LinearElastic::state_size, MohrCoulomb::state_size, RootedMohrCoulomb::state_size,
