@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "analysis/run_case.hpp"
-#include "analysis/study.hpp"
 #include "bind.hpp"
 #include "drive.hpp"
+#include "study/study.hpp"
 
 namespace talus::python {
 namespace {
@@ -36,12 +36,12 @@ void run(const model::LoadedCase& loaded, const std::filesystem::path& folder, i
 /// it from beginning.
 py::object study(const model::LoadedCase& base, const std::filesystem::path& folder, int threads, bool resume,
                  bool overwrite, const py::object& callback) {
-  auto options = make_options<analysis::StudyOptions>(folder, threads, resume, overwrite);
+  auto options = make_options<study::StudyOptions>(folder, threads, resume, overwrite);
   std::optional<Error> failure;
   const auto work = [&](Progress& progress) {
-    const analysis::StudyPlan plan = analysis::plan_study(base, {});
+    const study::StudyPlan plan = study::plan_study(base, {});
     options.progress = &progress;
-    failure = analysis::find_failure(plan, analysis::run_study(plan, options));
+    failure = study::find_failure(plan, study::run_study(plan, options));
     if (failure && failure->code() == ExitCode::interrupted) throw *failure;
   };
   drive(work, callback, Calls::always);

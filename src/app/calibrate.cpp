@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "analysis/run_calibration.hpp"
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
+#include "laboratory/run_calibration.hpp"
 #include "model/read.hpp"
 #include "report/report.hpp"
 
@@ -17,12 +17,12 @@ namespace {
 
 struct CalibrateCommand {
   CaseOptions input;
-  analysis::CalibrationRun run;
+  laboratory::CalibrationRun run;
   bool quiet = false, no_report = false;
 };
 
 void calibrate(CalibrateCommand& command) {
-  analysis::CalibrationRun& run = command.run;
+  laboratory::CalibrationRun& run = command.run;
   run.overrides = command.input.parse_overrides();
   const model::LoadedCase loaded =
       model::read_case(command.input.file, run.overrides, model::CaseScope::whole_or_tests);
@@ -30,10 +30,10 @@ void calibrate(CalibrateCommand& command) {
   catch_interrupts();
   Progress progress(!command.quiet);
   run.options.progress = &progress;
-  const nlohmann::json summary = analysis::run_calibration(loaded, run);
+  const nlohmann::json summary = laboratory::run_calibration(loaded, run);
   if (!command.no_report) report::write_report(run.folder);
   if (command.quiet) return;
-  fmt::print("{}Tables are in {}{}\n", analysis::write_calibration_digest(summary),
+  fmt::print("{}Tables are in {}{}\n", laboratory::write_calibration_digest(summary),
              (run.folder / "calibration").string(),
              command.no_report ? "" : fmt::format("; open {} in a browser", (run.folder / "report.html").string()));
 }

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "analysis/run_point_tests.hpp"
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
+#include "laboratory/run_point_tests.hpp"
 #include "model/read.hpp"
 #include "report/report.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 struct PointCommand {
   CaseOptions input;
-  analysis::PointOptions options;
+  laboratory::PointOptions options;
   bool quiet = false, no_report = false;
 };
 
@@ -25,10 +25,10 @@ void run_tests(PointCommand& command) {
       model::read_case(command.input.file, command.input.parse_overrides(), model::CaseScope::whole_or_tests);
   if (command.options.folder.empty())
     command.options.folder = std::filesystem::path(command.input.file).stem().string() + "_point";
-  const nlohmann::json summary = analysis::run_point_tests(loaded, command.options);
+  const nlohmann::json summary = laboratory::run_point_tests(loaded, command.options);
   if (!command.no_report) report::write_report(command.options.folder);
   if (command.quiet) return;
-  fmt::print("{}Tables and pictures are in {}{}\n", analysis::write_point_digest(summary),
+  fmt::print("{}Tables and pictures are in {}{}\n", laboratory::write_point_digest(summary),
              (command.options.folder / "point").string(),
              command.no_report
                  ? ""

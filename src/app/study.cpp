@@ -1,18 +1,18 @@
 // `talus study CASE`: calculates a case for every value that its [study] lists.
 
-#include "analysis/study.hpp"
+#include "study/study.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
 
-#include "analysis/study_table.hpp"
 #include "app/case_options.hpp"
 #include "app/closing_report.hpp"
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "study/study_table.hpp"
 
 namespace talus::app {
 namespace {
@@ -26,22 +26,22 @@ struct StudyCommand {
 
 void run_study(const StudyCommand& command) {
   const std::vector<model::Override> overrides = command.input.parse_overrides();
-  const analysis::StudyPlan plan = analysis::plan_study(model::read_case(command.input.file, overrides), overrides);
+  const study::StudyPlan plan = study::plan_study(model::read_case(command.input.file, overrides), overrides);
   catch_interrupts();
   Progress progress(!command.quiet);
-  analysis::StudyOptions options;
+  study::StudyOptions options;
   options.folder =
       command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_study" : command.folder;
   options.threads = command.threads > 0 ? command.threads : default_threads();
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;
-  std::vector<analysis::StudyRow> rows;
-  do_and_report(options.folder, !command.no_report, [&] { rows = analysis::run_study(plan, options); });
+  std::vector<study::StudyRow> rows;
+  do_and_report(options.folder, !command.no_report, [&] { rows = study::run_study(plan, options); });
   if (!command.quiet)
-    fmt::print("{}\nTables and results are in {}{}\n", analysis::write_study_markdown(plan, rows),
-               options.folder.string(), command.no_report ? "" : "; open report.html there in a browser");
-  if (const auto failure = analysis::find_failure(plan, rows)) throw *failure;
+    fmt::print("{}\nTables and results are in {}{}\n", study::write_study_markdown(plan, rows), options.folder.string(),
+               command.no_report ? "" : "; open report.html there in a browser");
+  if (const auto failure = study::find_failure(plan, rows)) throw *failure;
 }
 
 }  // namespace

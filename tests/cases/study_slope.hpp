@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/study.hpp"
-#include "analysis/study_table.hpp"
+#include "study/study.hpp"
+#include "study/study_table.hpp"
 
 namespace talus::analysis {
 

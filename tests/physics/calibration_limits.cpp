@@ -1,7 +1,7 @@
 // What a calibration says of parameters that the curves do not fix, and how it behaves at limits and refused soils.
 
-#include "analysis/calibration_model.hpp"
 #include "base/error.hpp"
+#include "laboratory/calibration_model.hpp"
 #include "support/laboratory.hpp"
 
 namespace talus::analysis {

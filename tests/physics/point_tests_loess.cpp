@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "analysis/point_results.hpp"
+#include "laboratory/point_results.hpp"
 #include "model/read.hpp"
 #include "support/point_soils.hpp"
 

@@ -1,11 +1,11 @@
 // Folders of runs that did not finish, of studies, and of nothing.
 
-#include "analysis/study.hpp"
 #include "base/error.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
 #include "small_run.hpp"
+#include "study/study.hpp"
 
 namespace talus::report {
 namespace {
@@ -77,12 +77,11 @@ TEST(OtherFolders, AStudyShowsItsTableAndItsCurves) {
                            "key = \"strength_reduction.curve.damping\"\nvalues = [0.01, 0.2]\n";
   const std::vector<model::Override> overrides{{"strength_reduction.frozen.enabled", "false"},
                                                {"strength_reduction.curve.runout", "[]"}};
-  const analysis::StudyPlan plan =
-      analysis::plan_study(model::read_case_text(text, "small.toml", overrides), overrides);
-  analysis::StudyOptions options;
+  const study::StudyPlan plan = study::plan_study(model::read_case_text(text, "small.toml", overrides), overrides);
+  study::StudyOptions options;
   options.folder = folder / "results";
   options.threads = 2;
-  const auto rows = analysis::run_study(plan, options);
+  const auto rows = study::run_study(plan, options);
   const ReadPage page(read_text(write_report(options.folder)));
   EXPECT_EQ(find_schema_faults(page.document), "");
   EXPECT_EQ(page.document.at("kind"), "study");

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "analysis/run_point_tests.hpp"
+#include "laboratory/run_point_tests.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
@@ -52,7 +52,7 @@ axial_strain = 0.01
 
 json make_tests(const fs::path& folder) {
   const auto loaded = model::read_case_text(soil, "soil.toml", {}, model::CaseScope::whole_or_tests);
-  return analysis::run_point_tests(loaded, {folder, {}, "svg"});
+  return laboratory::run_point_tests(loaded, {folder, {}, "svg"});
 }
 
 TEST(PointReport, OfTestsAloneKeepsTheContract) {

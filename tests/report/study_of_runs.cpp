@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "analysis/study.hpp"
 #include "output/history.hpp"
 #include "output/results.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
+#include "study/study.hpp"
 #include "support/sliding_bank.hpp"
 
 namespace talus::report {
@@ -20,11 +20,11 @@ class ReportOfRuns : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = make_test_folder("study_of_runs");
-    const analysis::StudyPlan plan = analysis::plan_study(model::read_case_text(sliding_banks, "bank.toml", {}), {});
-    analysis::StudyOptions options;
+    const study::StudyPlan plan = study::plan_study(model::read_case_text(sliding_banks, "bank.toml", {}), {});
+    study::StudyOptions options;
     options.folder = folder_ / "results";
     options.threads = 2;
-    rows_ = analysis::run_study(plan, options);
+    rows_ = study::run_study(plan, options);
     page_ = std::make_unique<ReadPage>(read_text(write_report(options.folder)));
     run_ = std::make_unique<ReadPage>(read_text(write_report(options.folder / "base")));
   }
@@ -36,7 +36,7 @@ class ReportOfRuns : public testing::Test {
   static const json& study() { return page_->document.at("study"); }
 
   inline static fs::path folder_;
-  inline static std::vector<analysis::StudyRow> rows_;
+  inline static std::vector<study::StudyRow> rows_;
   inline static std::unique_ptr<ReadPage> page_, run_;
 };
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "analysis/calibration.hpp"
-#include "analysis/measured_match.hpp"
+#include "laboratory/calibration.hpp"
+#include "laboratory/measured_match.hpp"
 #include "model/read.hpp"
 
 namespace talus::support {
@@ -79,12 +79,12 @@ class Laboratory {
     c.test = test, c.x = x, c.y = y;
     while (data_.tests.at(c.test_number).name != test) ++c.test_number;
     const model::PointTest& which = data_.tests[c.test_number];
-    const analysis::PointCurve curve = analysis::run_point_test(data_.test_soils[c.test_number], which);
+    const laboratory::PointCurve curve = laboratory::run_point_test(data_.test_soils[c.test_number], which);
     for (const double value : at) c.points.push_back({value, 0});
-    const std::vector<std::size_t> legs = analysis::find_legs(which, c.points);
+    const std::vector<std::size_t> legs = laboratory::find_legs(which, c.points);
     double largest = 0;
     for (std::size_t i = 0; i < at.size(); ++i) {
-      const analysis::Reading reading = analysis::read_curve(curve, legs[i], x, y, at[i]);
+      const laboratory::Reading reading = laboratory::read_curve(curve, legs[i], x, y, at[i]);
       EXPECT_LT(reading.missing, 1e-6 * std::abs(at[i])) << test << ": the true soil must reach what is measured";
       c.points[i][1] = reading.y;
       largest = std::max(largest, std::abs(reading.y));
@@ -105,7 +105,7 @@ class Laboratory {
 
   model::Case& data() { return data_; }
   model::Calibration& calibration() { return *data_.calibration; }
-  analysis::CalibrationResult calibrate(int threads = 2) { return analysis::calibrate(data_, {threads, nullptr}); }
+  laboratory::CalibrationResult calibrate(int threads = 2) { return laboratory::calibrate(data_, {threads, nullptr}); }
 
  private:
   model::Case data_;
@@ -113,7 +113,7 @@ class Laboratory {
 };
 
 /// All findings, a line each.
-inline std::string join_findings(const analysis::CalibrationResult& result) {
+inline std::string join_findings(const laboratory::CalibrationResult& result) {
   std::string text;
   for (const std::string& sentence : result.findings) text += sentence + "\n";
   return text;

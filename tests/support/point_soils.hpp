@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "analysis/point_test.hpp"
+#include "laboratory/point_test.hpp"
 
 namespace talus::support {
 
@@ -61,9 +61,9 @@ inline model::PointTest make_ring_test(model::PointTestKind kind, double vertica
 }
 
 /// The row nearest to an axial strain.
-inline const analysis::PointRow& find_row(const analysis::PointCurve& curve, double axial_strain) {
-  const analysis::PointRow* nearest = &curve.rows.front();
-  for (const analysis::PointRow& row : curve.rows)
+inline const laboratory::PointRow& find_row(const laboratory::PointCurve& curve, double axial_strain) {
+  const laboratory::PointRow* nearest = &curve.rows.front();
+  for (const laboratory::PointRow& row : curve.rows)
     if (std::abs(row.axial_strain - axial_strain) < std::abs(nearest->axial_strain - axial_strain)) nearest = &row;
   return *nearest;
 }

@@ -1,0 +1,117 @@
+#include "laboratory/calibration_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::laboratory {
+namespace {
+
+constexpr double strong_correlation = 0.95;
+constexpr double share_of_direction = 0.2;  ///< smaller components of a direction are not named
+constexpr double alike = 0.01;              ///< of the misfit: searches that end nearer together found the same
+constexpr double apart = 0.01;              ///< of the range of a parameter
+
+std::string show(double value, const FittedParameter& p) {
+  return fmt::format("{:.5g}{}{}", value / p.factor, p.unit.empty() ? "" : " ", p.unit);
+}
+
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  return text;
+}
+
+void add_limits(const CalibrationResult& result, std::vector<std::string>& list) {
+  for (const FittedParameter& p : result.parameters)
+    if (p.limit != AtLimit::no)
+      list.push_back(fmt::format(
+          "'{}' ended at its {} value, {}: the curves ask for {}. Widen the range, or ask what the model lacks; it has "
+          "no standard error, and those of the others count it as known.",
+          p.key, p.limit == AtLimit::low ? "smallest" : "largest", show(p.value, p),
+          p.limit == AtLimit::low ? "less" : "more"));
+}
+
+void add_unfixed(const CalibrationResult& result, const std::vector<std::vector<double>>& unfixed,
+                 std::vector<std::string>& list) {
+  for (const std::vector<double>& direction : unfixed) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < direction.size(); ++i)
+      if (std::abs(direction[i]) > share_of_direction) names.push_back("'" + result.parameters[i].key + "'");
+    list.push_back(names.size() == 1
+                       ? fmt::format("The curves do not depend on {}: its value is that of the start. Leave it out, or "
+                                     "add a test that feels it; there are no standard errors.",
+                                     names[0])
+                       : fmt::format("The curves do not fix {} one by one: they can be changed together without any "
+                                     "difference. Give one of them its value, or add a test that tells them apart; "
+                                     "there are no standard errors.",
+                                     join(names)));
+  }
+}
+
+void add_correlations(const CalibrationResult& result, std::vector<std::string>& list) {
+  for (std::size_t i = 0; i < result.parameters.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (const auto c = result.correlation[i][j]; c && std::abs(*c) > strong_correlation)
+        list.push_back(
+            fmt::format("'{}' and '{}' are hardly told apart by these curves (correlation {:.3f}): a "
+                        "{} of one makes up for a {} of the other.",
+                        result.parameters[j].key, result.parameters[i].key, *c, "larger value",
+                        *c > 0 ? "larger value" : "smaller value"));
+}
+
+/// Searches that came nearly as far with other values.
+void add_rivals(const CalibrationResult& result, std::vector<std::string>& list) {
+  const CalibrationStart& best = result.starts[result.best];
+  std::size_t rivals = 0, agree = 0;
+  for (const CalibrationStart& start : result.starts) {
+    // A misfit of nothing but rounding is the same as another.
+    const double slack = std::max(alike * best.misfit, 1e-6 * static_cast<double>(result.values));
+    if (start.misfit > best.misfit + slack) continue;
+    double distance = 0;
+    for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+      const FittedParameter& p = result.parameters[i];
+      distance = std::max(distance, std::abs(start.to[i] - best.to[i]) / (p.high - p.low));
+    }
+    ++(distance > apart ? rivals : agree);
+  }
+  if (rivals > 0)
+    list.push_back(
+        fmt::format("{} of {} searches ended as near to the curves with other values: the answer is not "
+                    "unique.",
+                    rivals, result.starts.size()));
+  if (result.starts.size() > 2 && agree == 1 && rivals == 0)
+    list.push_back("Only one search came as far as this: there may be a better answer yet. Try more 'starts'.");
+}
+
+}  // namespace
+
+std::vector<std::string> list_findings(const model::Calibration& calibration, const CalibrationResult& result,
+                                       const std::vector<std::vector<double>>& unfixed, double freedom) {
+  std::vector<std::string> list;
+  if (!result.starts[result.best].converged)
+    list.push_back(fmt::format("The best search did not converge: {} Raise 'iterations', or begin nearer.",
+                               result.starts[result.best].message));
+  add_limits(result, list);
+  add_unfixed(result, unfixed, list);
+  add_correlations(result, list);
+  for (const FittedCurve& c : result.curves)
+    if (c.missing > 1e-6)
+      list.push_back(
+          fmt::format("The test '{}' does not reach all abscissae of its {} curve: {:.3g} % of them are missing "
+                      "on average; each such point counts as missed by 100 standard errors and more.",
+                      c.test, c.y, 100 * c.missing));
+  add_rivals(result, list);
+  if (freedom <= 0)
+    list.push_back(
+        "There are no more measured values than parameters: the curves are met whatever the errors, and "
+        "nothing can be said of these.");
+  if (static_cast<int>(result.starts.size()) < calibration.starts)
+    list.push_back(fmt::format("Only {} of {} searches could begin: the case refuses most values within the limits.",
+                               result.starts.size(), calibration.starts));
+  return list;
+}
+
+}  // namespace talus::laboratory

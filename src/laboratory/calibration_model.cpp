@@ -1,0 +1,136 @@
+#include "laboratory/calibration_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/error.hpp"
+#include "laboratory/measured_match.hpp"
+#include "model/checks.hpp"
+#include "model/number_keys.hpp"
+
+namespace talus::laboratory {
+namespace {
+
+/// What a point counts, in standard errors, that lies where the test does not come; more, the farther. The end of a
+/// curve on which a soil gives way tells nothing of the parameters, and any soil that comes there is to be preferred.
+constexpr double missed = 100;
+constexpr double slack = 1e-6;  ///< of the measured abscissae: less than this beyond the end is at the end
+constexpr std::size_t most_drawn = 200;
+
+/// What the checks of a case say against the soil; empty when nothing.
+std::string find_fault(const std::string& name, const model::Material& soil) {
+  model::Case alone;
+  alone.materials[name] = soil;
+  alone.regions["soil"] = name;  // a soil without use is a fault of its own
+  alone.mesh.file = "soil";
+  model::Places places;
+  model::Findings findings(places);
+  model::check_materials(alone, findings);
+  return findings.empty() ? "" : findings.sort().front().sentence;
+}
+
+/// The whole curve of a test, for charts; turning points and the end are always in it.
+std::vector<std::array<double, 2>> draw_line(const PointCurve& curve, const model::MeasuredCurve& measured) {
+  std::vector<std::array<double, 2>> line;
+  const std::size_t stride = (curve.rows.size() + most_drawn - 1) / most_drawn;
+  for (std::size_t i = 0; i < curve.rows.size(); ++i)
+    if (i % stride == 0 || i + 1 == curve.rows.size() ||
+        std::find(curve.turns.begin(), curve.turns.end(), i) != curve.turns.end())
+      line.push_back({get_quantity(curve.rows[i], measured.x), get_quantity(curve.rows[i], measured.y)});
+  return line;
+}
+
+}  // namespace
+
+CalibrationModel::CalibrationModel(const model::Case& data) : data_(data), calibration_(*data.calibration) {
+  for (const model::MeasuredCurve& curve : calibration_.curves) {
+    if (std::find(tests_.begin(), tests_.end(), curve.test_number) == tests_.end()) tests_.push_back(curve.test_number);
+    legs_.push_back(find_legs(data.tests[curve.test_number], curve.points));
+    const auto by_x = [](const auto& a, const auto& b) { return a[0] < b[0]; };
+    const auto [low, high] = std::minmax_element(curve.points.begin(), curve.points.end(), by_x);
+    const double span = (*high)[0] - (*low)[0];
+    spans_.push_back(span > 0 ? span : std::max(std::abs((*high)[0]), 1e-300));
+    if (curve.weight > 0) value_count_ += curve.points.size();
+  }
+}
+
+double CalibrationModel::find_value(std::size_t i, double u) const {
+  const model::CalibrationParameter& p = calibration_.parameters[i];
+  // The ends exactly, so that a number at its limit is the limit.
+  if (u <= 0) return p.low;
+  if (u >= 1) return p.high;
+  return p.scale == model::CalibrationScale::log ? p.low * std::pow(p.high / p.low, u) : p.low + u * (p.high - p.low);
+}
+
+double CalibrationModel::find_place(std::size_t i, double value) const {
+  const model::CalibrationParameter& p = calibration_.parameters[i];
+  const double u = p.scale == model::CalibrationScale::log ? std::log(value / p.low) / std::log(p.high / p.low)
+                                                           : (value - p.low) / (p.high - p.low);
+  return std::clamp(u, 0.0, 1.0);
+}
+
+double CalibrationModel::find_slope(std::size_t i, double u) const {
+  const model::CalibrationParameter& p = calibration_.parameters[i];
+  return p.scale == model::CalibrationScale::log ? find_value(i, u) * std::log(p.high / p.low) : p.high - p.low;
+}
+
+model::Material CalibrationModel::make_soil(std::size_t test, const std::vector<double>& places) const {
+  model::Material soil = data_.test_soils[test];
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const model::CalibrationParameter& p = calibration_.parameters[i];
+    const auto& own = data_.tests[test].set;
+    if (p.material != data_.tests[test].material) continue;
+    if (std::any_of(own.begin(), own.end(), [&](const auto& s) { return s.key == p.path; })) continue;
+    model::set_number(soil, p.path, find_value(i, places[i]));
+  }
+  return soil;
+}
+
+std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& places, std::string* why,
+                                                    bool with_lines) const {
+  std::map<std::size_t, PointCurve> curves;
+  for (const std::size_t test : tests_) {
+    const model::Material soil = make_soil(test, places);
+    std::string fault = find_fault(data_.tests[test].material, soil);
+    if (fault.empty()) {
+      try {
+        curves[test] = run_point_test(soil, data_.tests[test]);
+        ++runs_;
+        continue;
+      } catch (const Error& error) {
+        fault = error.what();
+      }
+    }
+    if (why != nullptr) *why = fault;
+    return std::nullopt;
+  }
+  Comparison result;
+  result.residuals.reserve(value_count_);
+  for (std::size_t k = 0; k < calibration_.curves.size(); ++k) {
+    const model::MeasuredCurve& c = calibration_.curves[k];
+    std::vector<double>& values = result.values.emplace_back();
+    double missing = 0;
+    for (std::size_t i = 0; i < c.points.size(); ++i) {
+      const Reading reading = read_curve(curves.at(c.test_number), legs_[k][i], c.x, c.y, c.points[i][0]);
+      values.push_back(reading.y);
+      const double beyond = reading.missing / spans_[k];
+      if (beyond > slack) missing += beyond / static_cast<double>(c.points.size());
+      if (c.weight <= 0) continue;
+      const double error = beyond > slack ? missed * (1 + beyond) : (reading.y - c.points[i][1]) / c.deviation;
+      result.residuals.push_back(c.weight * error);
+    }
+    result.missing.push_back(missing);
+    if (with_lines) result.lines.push_back(draw_line(curves.at(c.test_number), c));
+  }
+  for (const double r : result.residuals)
+    if (!std::isfinite(r)) {
+      if (why != nullptr) *why = "a test gives a value that is no number";
+      return std::nullopt;
+    }
+  return result;
+}
+
+}  // namespace talus::laboratory

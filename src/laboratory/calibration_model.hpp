@@ -1,0 +1,57 @@
+#pragma once
+// Differences between the element tests of a case and what was measured, as a function of its parameters.
+
+#include <array>
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "laboratory/point_test.hpp"
+#include "model/case.hpp"
+
+namespace talus::laboratory {
+
+/// What one set of parameters gives.
+struct Comparison {
+  std::vector<double> residuals;            ///< of the fitted curves: w (y_model - y)/σ
+  std::vector<std::vector<double>> values;  ///< of every curve: y_model at the measured abscissae [SI]
+  std::vector<double> missing;              ///< of every curve: mean share of its abscissae that is not reached [-]
+  std::vector<std::vector<std::array<double, 2>>> lines;  ///< of every curve, thinned; only when asked for [SI]
+};
+
+class CalibrationModel {
+ public:
+  /// `data` must hold a calibration and outlive this.
+  explicit CalibrationModel(const model::Case& data);
+
+  std::size_t count_parameters() const { return calibration_.parameters.size(); }
+  /// Measured values that are fitted; each has a residual.
+  std::size_t count_values() const { return value_count_; }
+
+  /// The parameter `i` at the place u of its range, 0 … 1; and the way back.
+  double find_value(std::size_t i, double u) const;
+  double find_place(std::size_t i, double value) const;
+  /// d value/d u.
+  double find_slope(std::size_t i, double u) const;
+
+  /// Runs the tests with the parameters at `places`. Nothing when the case refuses them or a test cannot be run; then
+  /// `why` says in a sentence why. Safe to call from several threads.
+  std::optional<Comparison> compare(const std::vector<double>& places, std::string* why = nullptr,
+                                    bool with_lines = false) const;
+  /// Tests that were run so far.
+  long count_runs() const { return runs_; }
+
+ private:
+  model::Material make_soil(std::size_t test, const std::vector<double>& places) const;
+
+  const model::Case& data_;
+  const model::Calibration& calibration_;
+  std::vector<std::size_t> tests_;              ///< those that were measured
+  std::vector<std::vector<std::size_t>> legs_;  ///< of every curve, of its points
+  std::vector<double> spans_;                   ///< of every curve: what its abscissae cover
+  std::size_t value_count_ = 0;
+  mutable std::atomic<long> runs_ = 0;
+};
+
+}  // namespace talus::laboratory

@@ -1,0 +1,123 @@
+#include "laboratory/point_soil.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "analysis/soil_laws.hpp"
+#include "base/error.hpp"
+#include "model/soil_water_law.hpp"
+
+namespace talus::laboratory {
+namespace {
+
+double find_mean_pressure(const Voigt& stress) {
+  return -(stress[0] + stress[1] + stress[2]) / 3;
+}
+
+}  // namespace
+
+PointSoil::PointSoil(const model::Material& material, const Voigt& stress, double suction)
+    : law_(analysis::make_law(material)),
+      retention_(model::make_retention(material.water)),
+      is_wet_(material.water.is_wet()),
+      chi_air_entry_(material.water.chi == model::BishopChi::khalili_khabbaz ? material.water.chi_air_entry : 0),
+      void_ratio_(material.void_ratio()) {
+  start_.stress = stress;
+  for (std::size_t i = 0; i < 3; ++i) start_.stress[i] -= find_suction_stress(suction);
+  start_.suction = suction;
+  set_start_state(material);
+  // A stress beyond the strength would jump back in the first step.
+  const PointState same = advance(start_, {}, suction);
+  throw_failure();
+  double largest = 0, jump = 0;
+  for (std::size_t i = 0; i < stress.size(); ++i) {
+    largest = std::max(largest, std::abs(start_.stress[i]));
+    jump = std::max(jump, std::abs(same.stress[i] - start_.stress[i]));
+  }
+  if (!(jump <= 1e-6 * largest))
+    throw Error(
+        ExitCode::wrong_input,
+        fmt::format("the soil does not carry the stress at the start, {:.6g} kPa axial and {:.6g} kPa radial: it "
+                    "is outside the yield surface{}",
+                    -start_.stress[1] / 1e3, -start_.stress[0] / 1e3,
+                    find_preconsolidation(start_) > 0 ? fmt::format(", whose preconsolidation pressure is {:.6g} kPa",
+                                                                    find_preconsolidation(start_) / 1e3)
+                                                      : ""));
+}
+
+void PointSoil::set_start_state(const model::Material& material) {
+  const double saturation = find_saturation(start_.suction);
+  std::visit(
+      [&]<class L>(const L& law) {
+        if constexpr (material::is_cam_clay<L>) {
+          const model::CamClaySoil& soil = material.cam_clay;
+          const double p = std::max(find_mean_pressure(start_.stress), soil.smallest_pressure);
+          const double preconsolidation =
+              soil.preconsolidation ? *soil.preconsolidation : soil.preconsolidation_ratio.value_or(1) * p;
+          law.set_initial_state(start_.stress.data(), void_ratio_, material.roots.content, preconsolidation, saturation,
+                                start_.state.data());
+        } else if constexpr (std::is_same_v<L, material::RootedMohrCoulomb>) {
+          start_.state[1] = material.roots.cohesion;
+        } else if constexpr (std::is_same_v<L, material::External>) {
+          law.set_initial_state(start_.state.data());
+        }
+      },
+      law_);
+}
+
+PointState PointSoil::advance(const PointState& from, const Voigt& d_epsilon, double suction) const {
+  PointState to = from;
+  to.suction = suction;
+  to.time = from.time + 1;
+  const int point = 0;
+  const material::Surroundings<double> around{find_saturation(suction), &point, from.time, 1};
+  std::visit(
+      [&]<class L>(const L& law) {
+        law.template update<6>(to.stress.data(), d_epsilon.data(), to.state.data(), true, around);
+        if constexpr (std::is_same_v<L, material::External>)
+          if (auto failure = law.take_failure()) {
+            failure_ = std::move(failure);
+            to.stress.fill(std::numeric_limits<double>::quiet_NaN());  // so that nobody goes on from here
+          }
+      },
+      law_);
+  return to;
+}
+
+void PointSoil::throw_failure() const {
+  if (failure_) throw Error(ExitCode::unstable, failure_->describe(""));
+}
+
+double PointSoil::find_saturation(double suction) const {
+  if (!is_wet_) return 1;
+  return std::visit([&](const auto& curve) { return curve.template evaluate<double>(suction).value; }, retention_);
+}
+
+double PointSoil::find_suction_stress(double suction) const {
+  if (!is_wet_ || suction <= 0) return 0;
+  if (chi_air_entry_ <= 0) return find_saturation(suction) * suction;
+  return suction * std::pow(std::max(1.0, suction / chi_air_entry_), -0.55);
+}
+
+double PointSoil::find_preconsolidation(const PointState& at) const {
+  double pressure = 0;
+  std::visit(
+      [&]<class L>(const L& law) {
+        if constexpr (material::is_cam_clay<L>)
+          pressure = law.find_preconsolidation(at.state.data(), find_saturation(at.suction));
+      },
+      law_);
+  return pressure;
+}
+
+double PointSoil::find_void_ratio(const PointState& at, double volumetric_strain) const {
+  const bool has_own =
+      std::holds_alternative<material::ModifiedCamClay>(law_) || std::holds_alternative<material::RootedCamClay>(law_);
+  return has_own ? at.state[2] : (1 + void_ratio_) * std::exp(-volumetric_strain) - 1;
+}
+
+}  // namespace talus::laboratory

@@ -1,0 +1,39 @@
+#pragma once
+// Element tests: one point of soil without a mesh, driven by strains and stresses.
+
+#include <string>
+#include <vector>
+
+#include "model/case.hpp"
+#include "model/point_test.hpp"
+
+namespace talus::laboratory {
+
+/// One row of a test. Compression and contraction are positive, as in a laboratory's report. Strains are sums of the
+/// increments, as in the engine (logarithmic ones).
+struct PointRow {
+  double time = 0;                                               ///< running parameter of the test, 0 … 1
+  double axial_strain = 0, radial_strain = 0, shear_strain = 0;  ///< ε_a, ε_r, γ of simple shear [-]
+  double volumetric_strain = 0, deviatoric_strain = 0;           ///< ε_v, ε_q = √(⅔ e:e) [-]
+  double axial_stress = 0, radial_stress = 0, shear_stress = 0;  ///< effective [Pa]
+  double p = 0, q = 0;       ///< mean effective and deviatoric stress; q < 0 where the axial stress is the smaller [Pa]
+  double pore_pressure = 0;  ///< excess, undrained tests [Pa]
+  double suction = 0, saturation = 1, void_ratio = 0;  ///< [Pa], [-], [-]
+  double preconsolidation = 0;                         ///< p'_c, 0 for laws without one [Pa]
+};
+
+struct PointCurve {
+  std::vector<PointRow> rows;
+  std::vector<std::size_t> turns;  ///< rows at which the test reached a goal of its list
+  std::string stopped;             ///< why the test ended before its goal, one sentence; empty when it did not
+};
+
+/// Runs `test` on soil `material` (Case::test_soils holds it with what the test sets). A soil that cannot follow to the
+/// end gives the curve as far as it goes. Throws Error (wrong_input) when the soil does not carry the stress at the
+/// start, and Error (unstable) with the test's name when the model yields no number.
+PointCurve run_point_test(const model::Material& material, const model::PointTest& test);
+
+/// A quantity of a row by its name (model::list_point_quantities()); throws Error (wrong_input) for another name.
+double get_quantity(const PointRow& row, const std::string& name);
+
+}  // namespace talus::laboratory

@@ -1,0 +1,28 @@
+#pragma once
+// `talus point`: the element tests of a case, and the files of their results.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "laboratory/point_test.hpp"
+#include "model/read.hpp"
+
+namespace talus::laboratory {
+
+struct PointOptions {
+  std::filesystem::path folder;    ///< gets point/
+  std::vector<std::string> names;  ///< of the tests to run; empty: all
+  std::string pictures = "svg";    ///< "svg" or "png"
+};
+
+/// Runs the tests and writes into folder/point: a table NAME.csv of each, a picture of each group, and point.json last.
+/// Returns what point.json holds. Throws Error (wrong_input) when the case has no such tests, what run_point_test()
+/// throws, and Error (cannot_write).
+nlohmann::json run_point_tests(const model::LoadedCase& loaded, const PointOptions& options);
+
+/// A few lines for the person at the terminal.
+std::string write_point_digest(const nlohmann::json& summary);
+
+}  // namespace talus::laboratory

@@ -1,0 +1,199 @@
+#include "study/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <mutex>
+
+#include "analysis/run_case.hpp"
+#include "base/interrupt.hpp"
+#include "base/parallel.hpp"
+#include "output/atomic_file.hpp"
+#include "study/study_table.hpp"
+
+namespace talus::study {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+json load_summary(const fs::path& folder) {
+  std::ifstream file(folder / "summary.json");
+  if (!file) return nullptr;
+  json summary = json::parse(file, nullptr, false);
+  return summary.is_discarded() ? json(nullptr) : summary;
+}
+
+std::string get_hash(const json& summary) {
+  return summary.value("provenance", json::object()).value("input_hash", "");
+}
+
+void check_folder(const StudyPlan& plan, const StudyOptions& options) {
+  if (!fs::exists(options.folder)) return;
+  const std::string folder = options.folder.string();
+  if (!fs::is_directory(options.folder))
+    throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; a study needs a folder", folder));
+  if (fs::is_empty(options.folder) || options.overwrite) return;
+  if (!options.resume)
+    throw Error(ExitCode::folder_exists,
+                fmt::format("the folder '{}' holds something already; give another one with -o, replace it with "
+                            "--overwrite, or go on with --resume",
+                            folder));
+  std::string changed;
+  for (const Variant& v : plan.variants) {
+    const json summary = load_summary(options.folder / v.name);
+    if (summary.is_object() && get_hash(summary) != v.input_hash)
+      changed += (changed.empty() ? "'" : ", '") + v.name + "'";
+  }
+  if (!changed.empty())
+    throw Error(ExitCode::wrong_input,
+                fmt::format("in '{}' the results of {} belong to another input; resume with the same case, or start "
+                            "anew with --overwrite",
+                            folder, changed));
+}
+
+class StudyRun {
+ public:
+  StudyRun(const StudyPlan& plan, const StudyOptions& options)
+      : plan_(plan), options_(options), rows_(plan.variants.size()) {}
+
+  std::vector<StudyRow> run() {
+    check_folder(plan_, options_);
+    output::make_folder(options_.folder);
+    parallel_tasks(static_cast<int>(rows_.size()), options_.threads,
+                   [this](int i) { run_one(static_cast<std::size_t>(i)); });
+    if (options_.progress) options_.progress->clear();
+    write_study_tables(plan_, rows_, options_.folder);
+    draw_study(plan_, rows_, options_.folder / "study.svg");
+    draw_motion(plan_, rows_, options_.folder);
+    return rows_;
+  }
+
+ private:
+  void run_one(std::size_t i) {
+    if (is_interrupted()) return;
+    const Variant& variant = plan_.variants[i];
+    StudyRow row;
+    const fs::path folder = options_.folder / variant.name;
+    if (options_.resume) {
+      row.summary = load_summary(folder);
+      row.kept = row.summary.is_object() && row.summary.value("status", "") == "finished";
+    }
+    if (row.kept) {
+      row.status = "finished";
+    } else {
+      begin(variant.label);
+      row = calculate(variant, folder);
+    }
+    end(i, std::move(row));
+  }
+
+  StudyRow calculate(const Variant& variant, const fs::path& folder) const {
+    analysis::RunOptions run;
+    run.folder = folder;
+    run.resume = options_.resume;
+    run.overwrite = options_.overwrite;
+    StudyRow row;
+    try {
+      row.summary = analysis::run_case(variant.loaded, run);
+      row.status = "finished";
+      return row;
+    } catch (const Error& error) {
+      row.code = error.code();
+      row.reason = error.what();
+      row.status = row.code == ExitCode::unstable      ? "unstable"
+                   : row.code == ExitCode::interrupted ? "interrupted"
+                                                       : "failed";
+    } catch (const std::exception& error) {
+      // A defect of the program in one variant must not cost the results of the others.
+      row.code = ExitCode::internal_error;
+      row.reason = fmt::format("internal error: {}", error.what());
+      row.status = "failed";
+    }
+    row.summary = load_summary(folder);
+    if (row.summary.is_object() && get_hash(row.summary) != variant.input_hash) row.summary = nullptr;
+    return row;
+  }
+
+  void begin(const std::string& label) {
+    const std::lock_guard lock(mutex_);
+    running_.push_back(label);
+    show();
+  }
+
+  void end(std::size_t i, StudyRow row) {
+    const std::lock_guard lock(mutex_);
+    if (!row.kept) running_.erase(std::find(running_.begin(), running_.end(), plan_.variants[i].label));
+    rows_[i] = std::move(row);
+    ++done_;
+    write_study_tables(plan_, rows_, options_.folder);
+    show();
+  }
+
+  void show() {
+    if (!options_.progress) return;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    std::string line =
+        fmt::format("{} of {} variants done after {}", done_, rows_.size(), format_duration(passed.count()));
+    for (std::size_t i = 0; i < running_.size(); ++i) line += (i == 0 ? "; now " : " | ") + running_[i];
+    options_.progress->show(line);
+  }
+
+  const StudyPlan& plan_;
+  const StudyOptions& options_;
+  std::vector<StudyRow> rows_;
+  std::mutex mutex_;
+  std::vector<std::string> running_;
+  std::size_t done_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The larger, the more it matters to the person who waits.
+int rank(ExitCode code) {
+  switch (code) {
+    case ExitCode::interrupted:
+      return 4;
+    case ExitCode::cannot_write:
+      return 3;
+    case ExitCode::internal_error:
+      return 2;
+    case ExitCode::success:
+      return 0;
+    default:
+      return 1;
+  }
+}
+
+}  // namespace
+
+std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options) {
+  return StudyRun(plan, options).run();
+}
+
+std::optional<Error> find_failure(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
+  ExitCode code = ExitCode::success;
+  std::string reasons;
+  std::size_t finished = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const StudyRow& row = rows[i];
+    if (row.status == "finished") {
+      ++finished;
+      continue;
+    }
+    // A variant that was not started has no error of its own: only an interruption keeps one from starting.
+    const ExitCode own = row.status == "not started" ? ExitCode::interrupted : row.code;
+    if (rank(own) > rank(code)) code = own;
+    if (own != ExitCode::interrupted) reasons += fmt::format("\n  {}: {}", plan.variants[i].name, row.reason);
+  }
+  if (finished == rows.size()) return std::nullopt;
+  const std::string what =
+      code == ExitCode::interrupted
+          ? fmt::format("interrupted with {} of {} variants finished; --resume goes on with the others", finished,
+                        rows.size())
+          : fmt::format("{} of {} variants did not finish", rows.size() - finished, rows.size());
+  return Error(code, what + (reasons.empty() ? "" : ":") + reasons);
+}
+
+}  // namespace talus::study

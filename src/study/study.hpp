@@ -1,0 +1,42 @@
+#pragma once
+// Many variants of a case, each in a folder of its own, side by side on the threads: the work behind `talus study`.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/progress.hpp"
+#include "study/study_plan.hpp"
+
+namespace talus::study {
+
+struct StudyOptions {
+  std::filesystem::path folder;  ///< gets the tables, the plot, and a folder for each variant
+  int threads = 1;               ///< variants side by side; each uses one thread
+  bool resume = false;           ///< finished variants are kept, interrupted ones go on
+  bool overwrite = false;        ///< replace results that are there
+  Progress* progress = nullptr;
+};
+
+/// How a variant went.
+struct StudyRow {
+  std::string status = "not started";  ///< finished, unstable, failed, interrupted, not started
+  std::string reason;                  ///< why it is not finished
+  ExitCode code = ExitCode::success;
+  bool kept = false;       ///< finished in an earlier call and not run again
+  nlohmann::json summary;  ///< the run's, as far as it came; null when there is none
+};
+
+/// Runs all variants and writes study.csv, study.json, study.md and, where there are curves, study.svg; the tables are
+/// renewed whenever a variant ends. A variant that fails does not stop the others: its row says why. Rows are in the
+/// order of the plan. Throws Error (folder_exists), Error (wrong_input) when --resume meets results of another input,
+/// both before anything is written; Error (cannot_write) for the study's own files.
+std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options);
+
+/// One error for all rows that did not finish, with the code of the gravest; nothing when all did.
+std::optional<Error> find_failure(const StudyPlan& plan, const std::vector<StudyRow>& rows);
+
+}  // namespace talus::study

@@ -1,0 +1,281 @@
+#include "study/study_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "analysis/run_case.hpp"
+#include "output/history.hpp"
+
+namespace talus::study {
+namespace {
+
+using nlohmann::json;
+
+/// A grid of more variants than this is a slip of the pen: reading them alone takes minutes.
+constexpr std::size_t most_variants = 10000;
+/// Longest text of one value in a folder's name.
+constexpr std::size_t longest_name = 40;
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> parts(1);
+  for (const char c : path) {
+    if (c == '.')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+/// The last `count` parts of a path.
+std::string take_end(const std::string& path, std::size_t count) {
+  const std::vector<std::string> parts = split(path);
+  std::string text;
+  for (std::size_t i = parts.size() - std::min(count, parts.size()); i < parts.size(); ++i)
+    text += (text.empty() ? "" : ".") + parts[i];
+  return text;
+}
+
+/// The shortest end of `path` that no other of the keys ends with.
+std::string shorten(const std::string& path, const std::vector<model::Vary>& all) {
+  for (std::size_t count = 1; count < split(path).size(); ++count) {
+    const std::string end = take_end(path, count);
+    const auto shares = [&](const model::Vary& v) { return v.key != path && take_end(v.key, count) == end; };
+    if (std::none_of(all.begin(), all.end(), shares)) return end;
+  }
+  return path;
+}
+
+/// A TOML text as people write it: without its quotation marks.
+std::string strip_quotes(const std::string& text) {
+  if (text.size() < 2 || (text.front() != '"' && text.front() != '\'') || text.back() != text.front()) return text;
+  return text.substr(1, text.size() - 2);
+}
+
+/// `text` as a part of a folder's name: letters, digits and .+- stay, runs of anything else become one underscore.
+std::string make_name(const std::string& text) {
+  std::string name;
+  for (const char c : text) {
+    const bool keeps = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '+' || c == '-';
+    if (keeps)
+      name += c;
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
+  }
+  if (name.size() > longest_name) name.resize(longest_name);
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  return name.empty() ? "empty" : name;
+}
+
+/// The entry of an echo's list that `step` names, as --set names it: by number from 0, by its name or its side.
+const json* find_entry(const json& list, const std::string& step) {
+  std::size_t number = 0;
+  const char* end = step.data() + step.size();
+  if (const auto [stop, failure] = std::from_chars(step.data(), end, number); failure == std::errc{} && stop == end)
+    return number < list.size() ? &list[number] : nullptr;
+  for (const json& entry : list)
+    for (const char* label : {"name", "on"})
+      if (entry.contains(label) && entry[label].value("value", "") == step) return &entry;
+  return nullptr;
+}
+
+/// What a case's echo says about the key `path`: {"value", "unit"}; nullptr where the key has no meaning in the case.
+const json* find_echo(const json& echo, const std::string& path) {
+  const json* at = &echo;
+  for (const std::string& step : split(path)) {
+    if (at->is_array())
+      at = find_entry(*at, step);
+    else
+      at = at->is_object() && at->contains(step) ? &(*at)[step] : nullptr;
+    if (at == nullptr) return nullptr;
+  }
+  return at->is_object() && at->contains("value") ? at : nullptr;
+}
+
+std::string write_value(const json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return output::to_shortest(value.get<double>());
+  return value.dump();
+}
+
+/// The echo without its remarks on what was given: equal for cases that calculate the same.
+json strip_given(const json& echo) {
+  json stripped = echo;
+  if (stripped.is_object()) stripped.erase("given");
+  if (stripped.is_structured())
+    for (json& child : stripped) child = strip_given(child);
+  return stripped;
+}
+
+/// A combination of values: for every key the number of its value, or nothing for that of the base case.
+using Choice = std::vector<std::optional<std::size_t>>;
+
+std::vector<Choice> list_choices(const model::Study& study) {
+  std::vector<Choice> choices{Choice(study.vary.size())};
+  if (study.mode == model::StudyMode::one_at_a_time) {
+    for (std::size_t k = 0; k < study.vary.size(); ++k)
+      for (std::size_t j = 0; j < study.vary[k].values.size(); ++j) {
+        choices.emplace_back(study.vary.size());
+        choices.back()[k] = j;
+      }
+    return choices;
+  }
+  if (study.mode == model::StudyMode::together) {
+    for (std::size_t j = 0; j < study.vary.front().values.size(); ++j) choices.emplace_back(study.vary.size(), j);
+    return choices;
+  }
+  std::vector<Choice> grid{Choice(study.vary.size())};
+  for (std::size_t k = 0; k < study.vary.size(); ++k) {
+    std::vector<Choice> longer;
+    for (const Choice& choice : grid)
+      for (std::size_t j = 0; j < study.vary[k].values.size(); ++j) {
+        longer.push_back(choice);
+        longer.back()[k] = j;
+      }
+    grid = std::move(longer);
+  }
+  choices.insert(choices.end(), grid.begin(), grid.end());
+  return choices;
+}
+
+const char* find_mode_word(model::StudyMode mode) {
+  switch (mode) {
+    case model::StudyMode::grid:
+      return "grid";
+    case model::StudyMode::together:
+      return "together";
+    default:
+      return "one_at_a_time";
+  }
+}
+
+/// With mode = "together", names of one key's values can stand for those of all.
+bool is_unnamed(const model::Study& study, std::size_t key) {
+  const auto has_names = [](const model::Vary& v) { return !v.names.empty(); };
+  return study.mode == model::StudyMode::together && study.vary[key].names.empty() &&
+         std::any_of(study.vary.begin(), study.vary.end(), has_names);
+}
+
+void check_study(const model::LoadedCase& base) {
+  const model::Study& study = base.data.study;
+  const auto fail = [&](const std::string& path, const std::string& sentence) {
+    const model::Place place = base.places.find(path);
+    throw InputError({{place.file, place.line, place.column, sentence}});
+  };
+  if (study.vary.empty()) fail("study", "there is nothing to vary: add a [[study.vary]] with a key and its values");
+  std::size_t count = 1;
+  for (std::size_t k = 0; k < study.vary.size(); ++k) {
+    const model::Vary& v = study.vary[k];
+    if (!v.names.empty() && v.names.size() != v.values.size())
+      fail(fmt::format("study.vary.{}.names", k),
+           fmt::format("there are {} names for {} values", v.names.size(), v.values.size()));
+    if (study.mode == model::StudyMode::together && v.values.size() != study.vary.front().values.size())
+      fail(fmt::format("study.vary.{}.values", k),
+           fmt::format("'{}' has {} values and '{}' has {}; with mode = \"together\" all keys have as many", v.key,
+                       v.values.size(), study.vary.front().key, study.vary.front().values.size()));
+    if (study.mode != model::StudyMode::grid) continue;
+    count *= v.values.size();
+    if (count > most_variants)
+      fail("study.mode", fmt::format("the grid has more than {} variants; vary fewer keys or values", most_variants));
+  }
+}
+
+}  // namespace
+
+StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Override>& overrides) {
+  check_study(base);
+  const model::Study& study = base.data.study;
+  StudyPlan plan;
+  plan.title = base.data.title;
+  plan.mode = find_mode_word(study.mode);
+  plan.file = base.file;
+  plan.factors = study.factors;
+  plan.displacement_unit = base.data.output.displacement_unit;
+  plan.length_unit = base.data.output.length_unit;
+  if (base.data.analysis == model::AnalysisKind::run)
+    for (const model::Monitor& m : base.data.output.monitors) plan.monitors.push_back(m.name);
+  for (const model::Vary& v : study.vary) plan.keys.push_back({v.key, shorten(v.key, study.vary), ""});
+
+  const model::Place place = base.places.find("study.vary.0");
+  std::vector<Diagnostic> faults;
+  std::set<std::string> known_faults, names;
+  std::map<std::string, std::string> known_cases;  // what a case calculates → label
+  std::map<std::string, std::size_t> numbers;      // label or folder → number of the variant
+  for (const Choice& choice : list_choices(study)) {
+    Variant variant;
+    std::vector<model::Override> changes = overrides;
+    changes.push_back({"study", "{}"});
+    for (std::size_t k = 0; k < study.vary.size(); ++k) {
+      if (!choice[k]) continue;
+      const std::string& value = study.vary[k].values[*choice[k]];
+      const std::vector<std::string>& titles = study.vary[k].names;
+      changes.push_back({study.vary[k].key, value});
+      if (is_unnamed(study, k)) continue;
+      const std::string title = titles.empty() ? fmt::format("{} = {}", plan.keys[k].name, strip_quotes(value))
+                                               : strip_quotes(titles[*choice[k]]);
+      const std::string name =
+          titles.empty() ? make_name(plan.keys[k].name) + "_" + make_name(strip_quotes(value)) : make_name(title);
+      variant.name += (variant.name.empty() ? "" : "__") + name;
+      variant.label += (variant.label.empty() ? "" : ", ") + title;
+    }
+    if (variant.label.empty()) {
+      variant.name = "base";
+      variant.label = study.base_name;
+    }
+    try {
+      variant.loaded = model::read_case_text(base.text, base.file, changes);
+    } catch (const InputError& error) {
+      for (const Diagnostic& d : error.diagnostics())
+        if (known_faults.insert(to_string(d)).second)
+          faults.push_back(
+              {place.file, place.line, place.column, fmt::format("variant '{}': {}", variant.label, d.sentence)});
+      continue;
+    }
+    const auto [same, is_new] = known_cases.try_emplace(strip_given(variant.loaded.echo).dump(), variant.label);
+    if (!is_new) {
+      plan.notes.push_back(fmt::format("{} is the same case as {}.", variant.label, same->second));
+      numbers[variant.label] = numbers[variant.name] = numbers.at(same->second);
+      continue;
+    }
+    const std::string name = variant.name;
+    for (int i = 2; !names.insert(variant.name).second; ++i) variant.name = fmt::format("{}_{}", name, i);
+    for (std::size_t k = 0; k < study.vary.size(); ++k) {
+      const json* entry = find_echo(variant.loaded.echo, study.vary[k].key);
+      if (entry != nullptr && entry->contains("unit")) plan.keys[k].unit = entry->at("unit").get<std::string>();
+      const std::string text = choice[k] ? strip_quotes(study.vary[k].values[*choice[k]]) : "";
+      variant.values.push_back(entry != nullptr ? write_value(entry->at("value")) : text);
+    }
+    variant.input_hash = analysis::hash_input(variant.loaded.echo);
+    numbers[variant.label] = numbers[variant.name] = plan.variants.size();
+    plan.variants.push_back(std::move(variant));
+  }
+  const auto has_curve = [](const Variant& v) {
+    const model::Case& data = v.loaded.data;
+    return data.analysis == model::AnalysisKind::strength_reduction && data.strength_reduction.curve.enabled;
+  };
+  if (faults.empty() && !study.factors.empty() && std::none_of(plan.variants.begin(), plan.variants.end(), has_curve)) {
+    const model::Place at = base.places.find("study.factors");
+    faults.push_back(
+        {at.file, at.line, at.column, "'factors' needs a displacement curve, and no variant calculates one"});
+  }
+  if (const auto found = numbers.find(study.reference); found != numbers.end()) {
+    plan.reference = found->second;
+  } else if (faults.empty()) {
+    const model::Place at = base.places.find("study.reference");
+    std::string labels;
+    for (const Variant& v : plan.variants) labels += (labels.empty() ? "'" : ", '") + v.label + "'";
+    faults.push_back({at.file, at.line, at.column,
+                      fmt::format("the study has no variant '{}'; it has {}", study.reference, labels)});
+  }
+  if (!faults.empty()) throw InputError(faults);
+  return plan;
+}
+
+}  // namespace talus::study
