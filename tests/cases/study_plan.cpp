@@ -2,7 +2,7 @@
 
 #include "study_slope.hpp"
 
-namespace talus::analysis {
+namespace talus::study {
 namespace {
 
 std::vector<std::string> list_names(const StudyPlan& plan) {
@@ -137,7 +137,7 @@ values = [2, 2.5]
 )");
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(faults[0],
-            "slope.toml:63:1: error: variant 'from = 1.5, to = 1.45, size = 2': 'from' is 1.5 and 'to' is "
+            "slope.toml:64:1: error: variant 'from = 1.5, to = 1.45, size = 2': 'from' is 1.5 and 'to' is "
             "1.45; 'from' must be smaller");
 }
 
@@ -164,4 +164,4 @@ values = ["run"]
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::study

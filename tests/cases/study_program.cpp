@@ -8,7 +8,7 @@
 #include "output/results.hpp"
 #include "study_slope.hpp"
 
-namespace talus::analysis {
+namespace talus::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST(CollectProgram, MakesResultsOfTheFramesOfAKilledRun) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::study

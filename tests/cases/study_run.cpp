@@ -6,7 +6,7 @@
 #include "base/interrupt.hpp"
 #include "study_slope.hpp"
 
-namespace talus::analysis {
+namespace talus::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,11 +37,11 @@ TEST(Study, TableHoldsWhatEachVariantAloneGives) {
     EXPECT_EQ(cohesion.cells[i].full, cohesions[i]);
     EXPECT_EQ(get_column(table, "result").cells[i].full, "finished");
     // The case calculated alone, by several threads, is the same bit for bit.
-    RunOptions alone;
+    analysis::RunOptions alone;
     alone.folder = folder.string() + "_alone_" + cohesions[i];
     alone.threads = 2;
     fs::remove_all(alone.folder);
-    run_case(model::read_case_text(coarse_slope, "slope.toml", {{"materials.sand.cohesion", cohesions[i]}}), alone);
+    analysis::run_case(model::read_case_text(coarse_slope, "slope.toml", {{"materials.sand.cohesion", cohesions[i]}}), alone);
     EXPECT_EQ(std::stod(small.cells[i].full), read_displacement(alone.folder / "curve.csv", "1.4") / 0.001);
     EXPECT_EQ(std::stod(large.cells[i].full), read_displacement(alone.folder / "curve.csv", "2") / 0.001);
   }
@@ -180,4 +180,4 @@ TEST(Study, ListsRunoutsForCasesWithoutStrengthReduction) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::study

@@ -13,7 +13,7 @@
 #include "study/study.hpp"
 #include "study/study_table.hpp"
 
-namespace talus::analysis {
+namespace talus::study {
 
 /// The slope of the examples with elements of 3 m, its curve at four factors; `[study]` is added by each test.
 inline const std::string coarse_slope = R"(title = "Coarse slope"
@@ -65,6 +65,7 @@ damping = 0.75
 kind = "strength_reduction"
 
 [strength_reduction.curve]
+smoothing = "none"
 from = 1.4
 to = 2.0
 step = 0.2
@@ -121,4 +122,4 @@ inline StudyColumn get_column(const std::vector<StudyColumn>& table, const std::
   return {};
 }
 
-}  // namespace talus::analysis
+}  // namespace talus::study

@@ -3,7 +3,7 @@
 
 #include "support/laboratory.hpp"
 
-namespace talus::analysis {
+namespace talus::laboratory {
 namespace {
 
 using support::Laboratory;
@@ -101,4 +101,4 @@ TEST(CalibrationErrors, ErrorsFollowTheScatterAndNotTheStatedErrors) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::laboratory

@@ -4,7 +4,7 @@
 #include "laboratory/calibration_model.hpp"
 #include "support/laboratory.hpp"
 
-namespace talus::analysis {
+namespace talus::laboratory {
 namespace {
 
 using support::join_findings;
@@ -234,4 +234,4 @@ TEST(MeasuredLegs, PointsOfUnloadingAreReadOnUnloading) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::laboratory

@@ -3,7 +3,7 @@
 
 #include "support/point_soils.hpp"
 
-namespace talus::analysis {
+namespace talus::laboratory {
 namespace {
 
 using model::PointControl;
@@ -121,4 +121,4 @@ TEST(PointClay, NormalK0CompressionIsParallelToTheNormalLine) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::laboratory

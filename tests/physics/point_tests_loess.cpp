@@ -7,7 +7,7 @@
 #include "model/read.hpp"
 #include "support/point_soils.hpp"
 
-namespace talus::analysis {
+namespace talus::laboratory {
 namespace {
 
 /// q [kPa] at 5, 10, 15, 20 and 25 % of axial strain, and ε_v [%] at 20 %.
@@ -58,4 +58,4 @@ TEST(TriaxialLoess, RootsStrengthenAtEveryPressure) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::laboratory

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "support/point_soils.hpp"
 
-namespace talus::analysis {
+namespace talus::laboratory {
 namespace {
 
 using model::PointControl;
@@ -145,4 +145,4 @@ TEST(PointStiffness, TurningPointsAreReachedAndElasticSoilComesBack) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::laboratory
