@@ -14,3 +14,5 @@ find_library(GMSH_LIBRARY gmsh REQUIRED)
 find_path(CERES_INCLUDE_DIR ceres/ceres.h REQUIRED)
 find_library(CERES_LIBRARY ceres REQUIRED)
 find_library(GLOG_LIBRARY glog REQUIRED) # the headers of Ceres write its messages
+find_path(NLOPT_INCLUDE_DIR nlopt.h REQUIRED)
+find_library(NLOPT_LIBRARY nlopt REQUIRED)

@@ -1,0 +1,92 @@
+#pragma once
+// The slope as limit equilibrium sees it: ground, soils, water and loads of a section, per metre of thickness. Lengths
+// in metres, x to the right, y up. Pore pressure u and loads are positive in compression here, as in every text on
+// slices.
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace talus::lem {
+
+using Point = std::array<double, 2>;
+
+/// What suction above the water table adds to the strength.
+enum class Suction {
+  ignored,     ///< nothing: u = 0 above the water table
+  saturation,  ///< χ s tanφ with χ = S_w(s), Bishop's effective stress
+  phi_b        ///< s tanφ_b (Fredlund et al. 1978)
+};
+
+/// Strength τ_f = c(y) + σ'_n tanφ of a soil and its weight.
+struct Soil {
+  std::string name;
+  double unit_weight = 0;            ///< γ above the water table [N/m³]
+  double saturated_unit_weight = 0;  ///< γ below it [N/m³]
+  double cohesion = 0;               ///< c, or c_u where φ = 0 [Pa]
+  double friction_angle = 0;         ///< φ [rad]; 0: undrained
+  double cohesion_gradient = 0;      ///< growth of c with depth below `cohesion_level` [Pa/m]
+  double cohesion_level = 0;         ///< elevation where the growth starts; c stays constant above it [m]
+  double pore_pressure_ratio = 0;    ///< r_u = u over the weight of the soil above; used when > 0 [-]
+  Suction suction = Suction::ignored;
+  double phi_b = 0;                                                  ///< [rad]
+  double largest_suction = std::numeric_limits<double>::infinity();  ///< suction is not taken above it [Pa]
+  std::function<double(double)> saturation;                          ///< S_w of a suction [Pa]; for Suction::saturation
+  bool undrained = false;  ///< u plays no part in the strength (φ = 0); total stress
+};
+
+/// A polygon of one soil. Later ones replace earlier ones where they overlap.
+struct Region {
+  int soil = 0;
+  std::vector<Point> polygon;  ///< either way round, first point not repeated
+};
+
+/// Pore pressures at the corners of triangles, from a seepage calculation.
+struct PressureGrid {
+  std::vector<Point> nodes;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<double> pressure;  ///< u per node, negative is suction [Pa]
+};
+
+/// A vertical load on the ground, linear between its points, none outside [Pa per horizontal metre], down positive.
+struct Surcharge {
+  std::vector<std::array<double, 2>> load;  ///< x [m], q [Pa]
+};
+
+/// Cohesion of roots by depth under the ground [Pa]: linear between the rows, none below the last.
+struct RootCohesion {
+  std::vector<std::array<double, 2>> profile;              ///< depth normal to the ground [m], c_r [Pa]
+  double from = -std::numeric_limits<double>::infinity();  ///< x range where the plants stand [m]
+  double to = std::numeric_limits<double>::infinity();
+};
+
+struct TensionCrack {
+  double depth = 0;  ///< under the ground [m]; the slip surface ends in a vertical crack where it is less deep
+  double water = 0;  ///< height of the water in it above its bottom [m]
+};
+
+struct Section {
+  std::vector<Point> ground;  ///< from left to right, x never decreasing; overhangs are refused
+  std::vector<Soil> soils;
+  std::vector<Region> regions;
+  double base = 0;  ///< elevation that no surface goes below: the bottom of the model [m]
+  /// Piezometric line: u = γ_w times the vertical depth below it; level beyond its ends; above the ground it is
+  /// ponded water that loads the ground. Empty: none.
+  std::vector<Point> water_table;
+  std::optional<PressureGrid> pressure_grid;  ///< used instead of the line for u where it has triangles
+  double water_unit_weight = 9810;            ///< γ_w [N/m³]
+  std::vector<Surcharge> surcharges;
+  std::vector<RootCohesion> roots;
+  double horizontal_acceleration = 0;  ///< k_h over g, out of the slope positive [-]
+  double vertical_acceleration = 0;    ///< k_v over g, down positive [-]
+  std::optional<TensionCrack> crack;
+};
+
+/// Faults of a section that no surface could be calculated in, each a sentence that names the culprit: a polygon that
+/// crosses itself, ground that runs backwards, soil without region, weight that is not positive …
+std::vector<std::string> find_faults(const Section& section);
+
+}  // namespace talus::lem
