@@ -1,4 +1,4 @@
-// Sparse LU and LDLᵀ of Eigen behind a plain interface.
+// Sparse LU and LDLᵀ of Eigen behind a plain interface; docs/decisions/0021 says why these.
 
 #include "fem/sparse_solver.hpp"
 
@@ -29,6 +29,7 @@ struct SparseSolver::Library {
   Eigen::SparseLU<Eigen::SparseMatrix<double>, MinimumDegree> lu;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt;
   bool lu_analysed = false, ldlt_analysed = false;
+  bool symmetric = false;  ///< whose factors are the last
 };
 
 SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row)
@@ -44,29 +45,38 @@ SparseSolver::SparseSolver(const std::vector<int>& column_start, const std::vect
 }
 
 SparseSolver::~SparseSolver() = default;
+SparseSolver::SparseSolver(SparseSolver&&) noexcept = default;
 
-bool SparseSolver::solve(const std::vector<double>& values, bool symmetric, const std::vector<double>& b,
-                         std::vector<double>& x) {
+bool SparseSolver::factorise(const std::vector<double>& values, bool symmetric) {
   Library& l = *library_;
   std::copy(values.begin(), values.end(), l.matrix.valuePtr());
-  const Eigen::Map<const Eigen::VectorXd> right(b.data(), static_cast<Eigen::Index>(b.size()));
-  Eigen::VectorXd solution;
+  l.symmetric = symmetric;
+  ++factorisations_;
   if (symmetric) {
     if (!l.ldlt_analysed) l.ldlt.analyzePattern(l.matrix);
     l.ldlt_analysed = true;
     l.ldlt.factorize(l.matrix);
-    if (l.ldlt.info() != Eigen::Success || l.ldlt.vectorD().minCoeff() <= 0) return false;
-    solution = l.ldlt.solve(right);
-  } else {
-    if (!l.lu_analysed) l.lu.analyzePattern(l.matrix);
-    l.lu_analysed = true;
-    l.lu.factorize(l.matrix);
-    if (l.lu.info() != Eigen::Success) return false;
-    solution = l.lu.solve(right);
+    return l.ldlt.info() == Eigen::Success && l.ldlt.vectorD().minCoeff() > 0;
   }
+  if (!l.lu_analysed) l.lu.analyzePattern(l.matrix);
+  l.lu_analysed = true;
+  l.lu.factorize(l.matrix);
+  return l.lu.info() == Eigen::Success;
+}
+
+bool SparseSolver::solve(const std::vector<double>& b, std::vector<double>& x) {
+  Library& l = *library_;
+  const Eigen::Map<const Eigen::VectorXd> right(b.data(), static_cast<Eigen::Index>(b.size()));
+  const Eigen::VectorXd solution =
+      l.symmetric ? Eigen::VectorXd(l.ldlt.solve(right)) : Eigen::VectorXd(l.lu.solve(right));
   if (!solution.allFinite()) return false;
   x.assign(solution.data(), solution.data() + solution.size());
   return true;
+}
+
+bool SparseSolver::solve(const std::vector<double>& values, bool symmetric, const std::vector<double>& b,
+                         std::vector<double>& x) {
+  return factorise(values, symmetric) && solve(b, x);
 }
 
 }  // namespace talus::fem

@@ -1,5 +1,5 @@
 #pragma once
-// Direct solution of sparse linear systems with one pattern and many values; the only place that knows the library.
+// Direct solution of sparse linear systems with one pattern and many values; the only place that knows the libraries.
 
 #include <memory>
 #include <vector>
@@ -11,14 +11,22 @@ class SparseSolver {
   /// A square pattern in compressed columns with sorted rows; it must be symmetric and hold the diagonal.
   SparseSolver(const std::vector<int>& column_start, const std::vector<int>& row);
   ~SparseSolver();
+  SparseSolver(SparseSolver&&) noexcept;
 
-  /// Solves A x = b. `symmetric`: A is symmetric and positive definite, which is cheaper. False when A is singular or
-  /// the solution is no number.
+  /// Factorises A and keeps the factors. `symmetric`: A is symmetric and positive definite, which is cheaper. False
+  /// when A is singular, or not positive definite where that was said.
+  bool factorise(const std::vector<double>& values, bool symmetric);
+  /// Solves A x = b with the factors that are kept. False when the solution is no number.
+  bool solve(const std::vector<double>& b, std::vector<double>& x);
+  /// Both in one.
   bool solve(const std::vector<double>& values, bool symmetric, const std::vector<double>& b, std::vector<double>& x);
+
+  int factorisations() const { return factorisations_; }  ///< so far
 
  private:
   struct Library;
   std::unique_ptr<Library> library_;
+  int factorisations_ = 0;
 };
 
 }  // namespace talus::fem

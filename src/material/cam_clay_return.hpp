@@ -62,6 +62,7 @@ struct CamClayPoint {
 /// Returns the lanes of `yields`; the others hold anything that is a number if their trial is.
 template <class T>
 TALUS_KERNEL CamClayReturn<T> return_cam_clay(const CamClayTrial<T>& t, MaskOf<T> yields) {
+  if constexpr (requires { T::derivatives; }) return search_cam_clay_return(t);  // cam_clay_tangent.hpp
   // The first guess: the root of the expansion of f(d, y(d)) about the trial, by Chebyshev's step of third order, so
   // that the small increments of an explicit step need no other. It has one exponential and no quotient less than
   // Newton's.

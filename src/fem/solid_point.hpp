@@ -1,0 +1,24 @@
+#pragma once
+// One integration point: stress, state and consistent tangent after a strain increment. Internal to fem/.
+
+#include "material/law.hpp"
+
+namespace talus::fem {
+
+/// What a point has besides the answer in its stress and state.
+struct PointAnswer {
+  bool yields = false;    ///< plastic in this increment
+  bool symmetric = true;  ///< of the tangent
+};
+
+/// Updates stress and state (NS and state_size numbers) by the increment `d_epsilon`. With `tangent` (NS × NS, by rows)
+/// also ∂σ/∂Δε: exact by automatic differentiation of the law, by differences for external models.
+template <int NS>
+PointAnswer update_point(const material::Law& law, double saturation, const double* d_epsilon, double* sigma,
+                         double* state, double* tangent);
+
+/// The elastic stiffness that a law has at a stress and state (NS × NS, by rows).
+template <int NS>
+void find_elastic_stiffness(const material::Law& law, const double* sigma, const double* state, double* stiffness);
+
+}  // namespace talus::fem

@@ -1,0 +1,58 @@
+// A strip footing on weightless clay: Prandtl's N_c = 2 + π by quadratic triangles, and how it comes closer with the
+// mesh.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/solid_model.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double half_width = 1, cohesion = 10e3;
+
+/// N_c of half of a flexible strip of half-width 1 m on a block of 5 m × 3 m, elements of `size` near the strip.
+double find_bearing_factor(double size, double dilatancy) {
+  mesh::Plan plan;
+  plan.box_min = {0, 0};
+  plan.box_max = {5, 3};
+  plan.size = 4 * size;
+  plan.polygons = {{"clay", {{0, 0}, {5, 0}, {5, 3}, {half_width, 3}, {0, 3}}}};
+  plan.refinements = {{{{0, 3}, {half_width, 3}}, size, 3}, {{{half_width, 3}}, size / 3, 1}};
+  const auto mesh = mesh::generate<2>(plan);
+  fem::SolidModel<2> model;
+  model.mesh = &mesh;
+  model.make_law = [&](int, double factor) -> material::Law {
+    return material::MohrCoulomb(material::LinearElastic::from_young(1e7, 0.45),
+                                 material::MohrCoulombStrength{cohesion, 0, dilatancy, 1e9}.reduced(factor));
+  };
+  model.unit_weight.assign(mesh.elements.size(), 0);
+  support::add_roller<2>(model, 0, 0);
+  support::add_roller<2>(model, 0, 5);
+  fem::Support<2> base;
+  base.sides = support::find_sides_at<2>(mesh, 1, 0);
+  base.fixed = {true, true};
+  model.supports.push_back(base);
+  const double pressure = 4 * cohesion;  // stands at full strength
+  support::add_load<2>(model,
+                       support::find_sides<2>(
+                           mesh, [](const Vec<2>& x) { return std::abs(x[1] - 3) < 1e-9 && x[0] < half_width + 1e-9; }),
+                       {0, -pressure});
+  fem::ReductionOptions options;
+  options.from = 1.1, options.to = 1.4, options.resolution = 0.002;
+  const auto r = fem::reduce_strength<2>(model, options);
+  return pressure / cohesion * r.factor;
+}
+
+TEST(StripFooting, BearingCapacityOfClayIsPrandtls) {
+  const double exact = 2 + std::acos(-1.0);
+  std::vector<double> errors;
+  for (const double size : {0.3, 0.15}) errors.push_back(find_bearing_factor(size, 0) / exact - 1);
+  EXPECT_GT(errors[0], -0.005);  // elements of displacements are an upper bound, but for their points
+  EXPECT_LT(errors[1], 0.015);
+  EXPECT_LT(errors[1], 0.7 * errors[0]);
+}
+
+}  // namespace
+}  // namespace talus

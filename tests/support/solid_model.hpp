@@ -1,0 +1,125 @@
+#pragma once
+// Models for the finite elements of stress: meshes of polygons, sides by their place, Mohr–Coulomb soil.
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "fem/solid.hpp"
+#include "mesh/generate.hpp"
+
+namespace talus::support {
+
+inline constexpr double degree = 0.017453292519943295;
+
+/// The sides of the soil's border, with no soil across, whose every node fulfils `wanted`.
+template <int D>
+std::vector<std::array<int, D>> find_sides(const mesh::Mesh<D>& mesh,
+                                           const std::function<bool(const Vec<D>&)>& wanted) {
+  std::vector<std::array<int, D>> sides;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (mesh.element_region[e] == mesh::empty_region) continue;
+    for (std::size_t k = 0; k <= D; ++k) {
+      const int across = mesh.neighbours[e][k];
+      if (across >= 0 && mesh.element_region[static_cast<std::size_t>(across)] != mesh::empty_region) continue;
+      std::array<int, D> side;
+      bool all = true;
+      for (std::size_t i = 0, j = 0; i <= D; ++i) {
+        if (i == k) continue;
+        side[j++] = mesh.elements[e][i];
+        all = all && wanted(mesh.nodes[static_cast<std::size_t>(mesh.elements[e][i])]);
+      }
+      if (all) sides.push_back(side);
+    }
+  }
+  return sides;
+}
+
+template <int D>
+std::vector<std::array<int, D>> find_sides_at(const mesh::Mesh<D>& mesh, std::size_t axis, double value) {
+  return find_sides<D>(mesh, [=](const Vec<D>& x) { return std::abs(x[axis] - value) < 1e-9 * (1 + std::abs(value)); });
+}
+
+/// Holds one axis of the sides at a coordinate plane.
+template <int D>
+void add_roller(fem::SolidModel<D>& model, std::size_t axis, double value) {
+  fem::Support<D> s;
+  s.name = "roller";
+  s.sides = find_sides_at<D>(*model.mesh, axis, value);
+  s.fixed[axis] = true;
+  model.supports.push_back(s);
+}
+
+/// The same traction on all of the sides [Pa].
+template <int D>
+void add_load(fem::SolidModel<D>& model, const std::vector<std::array<int, D>>& sides, const Vec<D>& traction) {
+  fem::SurfaceLoad<D> load;
+  load.name = "load";
+  load.sides = sides;
+  std::array<Vec<D>, D> corners;
+  corners.fill(traction);
+  load.traction.assign(sides.size(), corners);
+  model.loads.push_back(load);
+}
+
+/// A homogeneous slope or block: the polygon of the soil and its Mohr–Coulomb parameters; tension up to the apex.
+struct SoilSection {
+  std::vector<std::array<double, 2>> polygon;
+  double cohesion = 0, friction = 0, dilatancy = 0;  ///< [Pa, degrees]
+  double unit_weight = 0;
+  double young = 1e7, poisson = 0.3;
+  double size = 1;       ///< of the elements [m]
+  double thickness = 0;  ///< 3D
+};
+
+inline material::MohrCoulombStrength find_strength(const SoilSection& s) {
+  const double tangent = std::tan(s.friction * degree);
+  return {s.cohesion, s.friction * degree, s.dilatancy * degree, tangent > 0 ? s.cohesion / tangent : 1e3 * s.cohesion};
+}
+
+/// Mesh and model; the base is fixed, walls are rollers. Not to be moved: the model points to the mesh.
+template <int D>
+struct SolidSlope {
+  mesh::Mesh<D> mesh;
+  fem::SolidModel<D> model;
+
+  explicit SolidSlope(const SoilSection& s) {
+    mesh::Plan plan;
+    plan.dimension = D;
+    plan.box_min = plan.box_max = s.polygon[0];
+    for (const auto& p : s.polygon)
+      for (std::size_t d = 0; d < 2; ++d) {
+        plan.box_min[d] = std::min(plan.box_min[d], p[d]);
+        plan.box_max[d] = std::max(plan.box_max[d], p[d]);
+      }
+    const auto low = plan.box_min, high = plan.box_max;
+    plan.size = s.size;
+    plan.thickness = s.thickness;
+    plan.polygons = {{"soil", s.polygon}};
+    mesh = mesh::generate<D>(plan);
+    model.mesh = &mesh;
+    model.make_law = [s](int, double factor) -> material::Law {
+      return material::MohrCoulomb(material::LinearElastic::from_young(s.young, s.poisson),
+                                   find_strength(s).reduced(factor));
+    };
+    model.unit_weight.assign(mesh.elements.size(), s.unit_weight);
+    model.direction = {};
+    model.direction[1] = -1;
+    add_roller<D>(model, 0, low[0]);
+    add_roller<D>(model, 0, high[0]);
+    fem::Support<D> base;
+    base.name = "base";
+    base.sides = find_sides_at<D>(mesh, 1, low[1]);
+    base.fixed.fill(true);
+    model.supports.push_back(base);
+    if constexpr (D == 3) {
+      add_roller<3>(model, 2, 0);
+      add_roller<3>(model, 2, s.thickness);
+    }
+  }
+  SolidSlope(const SolidSlope&) = delete;
+  SolidSlope& operator=(const SolidSlope&) = delete;
+};
+
+}  // namespace talus::support
