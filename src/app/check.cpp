@@ -5,6 +5,9 @@
 #include "analysis/end_state.hpp"
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
+#include "methods/run_case.hpp"
+#include "model/method_names.hpp"
+#include "model/partial_factors.hpp"
 #include "model/read.hpp"
 
 namespace talus::app {
@@ -14,23 +17,69 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-/// Two lines: what the soil is, and what is calculated.
-std::string summarise(const model::Case& data) {
+/// What the soil is.
+std::string describe_soil(const model::Case& data) {
+  const bool has_points = model::uses(data, model::Method::mpm);
+  std::string mesh;
+  if (!data.mesh.file.empty())
+    mesh = fmt::format(", mesh '{}'", data.mesh.file);
+  else if (has_points)
+    mesh = fmt::format(", elements of {:g} m", data.mesh.size);
+  if (has_points) mesh += fmt::format(", {} points per element", data.points_per_element);
+  const std::string hydraulics =
+      data.hydraulics.empty() ? ""
+                              : ", " + count(data.hydraulics.size(), "hydraulic condition", "hydraulic conditions");
+  return fmt::format("  {}D{}; {}, {}, {}{}\n", data.mesh.dimension, mesh,
+                     count(data.regions.size(), "region", "regions"),
+                     count(data.materials.size(), "material", "materials"),
+                     count(data.boundaries.size(), "boundary condition", "boundary conditions"), hydraulics);
+}
+
+std::string describe_slices(const model::LimitEquilibrium& lem) {
+  std::string methods;
+  for (const model::SliceMethod method : lem.methods)
+    methods += (methods.empty() ? "" : ", ") + std::string(model::get_title(method));
+  std::string surfaces;
+  if (lem.search == model::SurfaceSearch::entry_exit) surfaces = "circles between entries and exits";
+  if (lem.search == model::SurfaceSearch::grid) surfaces = "circles about a grid of centres";
+  if (!surfaces.empty() && lem.noncircular) surfaces += ", then polylines";
+  if (!lem.surfaces.empty())
+    surfaces += (surfaces.empty() ? "" : ", and ") + count(lem.surfaces.size(), "given surface", "given surfaces");
+  return fmt::format("  limit equilibrium: {}; {}\n", methods, surfaces);
+}
+
+std::string describe_elements(const model::Case& data) {
+  const double size = data.fem.size.value_or(data.mesh.size);
+  const char* flow = data.fem.flow == model::FlowRule::as_given     ? "ψ as given"
+                     : data.fem.flow == model::FlowRule::associated ? "ψ = φ"
+                                                                    : "ψ as given and ψ = φ";
+  return fmt::format("  finite elements: strength reduction{}, {}\n",
+                     data.mesh.file.empty() ? fmt::format(" with elements of {:g} m", size) : "", flow);
+}
+
+std::string describe_points(const model::Case& data) {
   double time = 0;
   for (const model::Stage& stage : data.stages) time += stage.duration;
-  const std::string mesh = data.mesh.file.empty() ? fmt::format("elements of {:g} m", data.mesh.size)
-                                                  : fmt::format("mesh '{}'", data.mesh.file);
-  return fmt::format(
-      "  {}D, {}, {} points per element; {}, {}, {}\n  {}: {}, together at most {:g} s{}\n", data.mesh.dimension, mesh,
-      data.points_per_element, count(data.regions.size(), "region", "regions"),
-      count(data.materials.size(), "material", "materials"),
-      count(data.boundaries.size(), "boundary condition", "boundary conditions") +
-          (data.hydraulics.empty()
-               ? ""
-               : ", " + count(data.hydraulics.size(), "hydraulic condition", "hydraulic conditions")),
-      data.analysis == model::AnalysisKind::run ? "run" : "strength reduction",
-      count(data.stages.size(), "stage", "stages"), time,
-      data.study.vary.empty() ? "" : fmt::format("; a study varies {}", count(data.study.vary.size(), "key", "keys")));
+  return fmt::format("  {}{}: {}, together at most {:g} s\n", data.methods.size() > 1 ? "material points, " : "",
+                     data.analysis == model::AnalysisKind::run ? "run" : "strength reduction",
+                     count(data.stages.size(), "stage", "stages"), time);
+}
+
+/// What the soil is, what each method calculates, and what the study does with it.
+std::string summarise(const model::Case& data) {
+  std::string text = describe_soil(data);
+  if (model::uses(data, model::Method::lem)) text += describe_slices(data.lem);
+  if (model::uses(data, model::Method::fem)) text += describe_elements(data);
+  if (model::uses(data, model::Method::mpm)) text += describe_points(data);
+  if (const model::PartialFactorValues factors = model::find_partial_factors(data.partial_factors); factors.is_active())
+    text += fmt::format("  with partial factors {}\n", factors.set);
+  const model::Study& study = data.study;
+  if (study.mode == model::StudyMode::sample)
+    text += fmt::format("  a study draws {} samples of {}\n", study.sampling.samples,
+                        count(study.sampling.numbers.size(), "uncertain number", "uncertain numbers"));
+  else if (!study.vary.empty())
+    text += fmt::format("  a study varies {}\n", count(study.vary.size(), "key", "keys"));
+  return text;
 }
 
 }  // namespace
@@ -44,6 +93,7 @@ void add_check(CLI::App& app) {
         model::read_case(options->file, options->parse_overrides(), model::CaseScope::whole_or_tests);
     if (!loaded.data.initial.result.empty())
       model::check_against_result(loaded, analysis::EndState(loaded.data.initial).input());
+    if (loaded.is_whole) methods::check_methods(loaded.data);
     fmt::print("{}: no errors\n{}", options->file,
                loaded.is_whole ? summarise(loaded.data)
                                : fmt::format("  {} of {}, no slope\n",

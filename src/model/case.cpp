@@ -43,4 +43,8 @@ double Material::constrained_modulus() const {
   return young_modulus * (1 - poisson_ratio) / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
 }
 
+bool uses(const Case& data, Method method) {
+  return std::find(data.methods.begin(), data.methods.end(), method) != data.methods.end();
+}
+
 }  // namespace talus::model

@@ -10,8 +10,11 @@
 #include "mesh/plan.hpp"
 #include "model/amount.hpp"
 #include "model/calibration.hpp"
+#include "model/finite_elements.hpp"
+#include "model/limit_equilibrium.hpp"
 #include "model/point_test.hpp"
 #include "model/roots.hpp"
+#include "model/sampling.hpp"
 #include "model/time_table.hpp"
 #include "model/water.hpp"
 
@@ -76,6 +79,7 @@ struct Material {
   RootedSoil roots;
   ExternalModel external;
   PoreWater water;  ///< by default none
+  SliceSoil slices;
 
   /// e_0 = n/(1-n) [-].
   double void_ratio() const { return porosity / (1 - porosity); }
@@ -168,6 +172,8 @@ struct Stage {
 };
 
 enum class AnalysisKind { run, strength_reduction };
+/// What answers: slices, finite elements, material points.
+enum class Method { lem, fem, mpm };
 
 /// The displacement–SRF curve on moving geometry and the constructions on it (chapter 3 of the source).
 struct Curve {
@@ -236,7 +242,7 @@ struct Vary {
   std::vector<std::string> names;   ///< of the values for people, as TOML texts; empty: "key = value"
 };
 
-enum class StudyMode { one_at_a_time, grid, together };
+enum class StudyMode { one_at_a_time, grid, together, sample };
 
 struct Study {
   StudyMode mode = StudyMode::one_at_a_time;
@@ -244,6 +250,8 @@ struct Study {
   std::vector<double> factors;     ///< strength reduction factors whose displacement the table lists [-]
   std::string base_name = "base";  ///< of the case as the file has it
   std::string reference = "base";  ///< the variant that displacements of monitors are divided by
+  std::string extrapolate;         ///< key, such as mesh.size, to whose zero the factors are extrapolated; empty: none
+  Sampling sampling;               ///< mode = sample
 };
 
 /// What the title block of a report shows besides the title.
@@ -276,6 +284,12 @@ struct Case {
   std::vector<Stage> stages;
   RestCriterion rest;
   AnalysisKind analysis = AnalysisKind::run;
+  std::vector<Method> methods{Method::mpm};
+  LimitEquilibrium lem;
+  FiniteElements fem;
+  std::vector<Surcharge> surcharges;
+  Earthquake earthquake;
+  PartialFactors partial_factors;
   StrengthReduction strength_reduction;
   Output output;
   std::vector<Compare> compare;
@@ -284,5 +298,8 @@ struct Case {
   Study study;
   std::optional<Calibration> calibration;
 };
+
+/// Whether `method` is one of those that answer.
+bool uses(const Case& data, Method method);
 
 }  // namespace talus::model

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "model/codec.hpp"
+#include "model/codec_list.hpp"
 #include "model/declare_case.hpp"
 
 namespace talus::model {
@@ -23,11 +23,11 @@ class Collector {
   void key(const std::string& name, T&& member, const Spec& spec, const char* meaning) {
     using Value = std::remove_cvref_t<T>;
     KeyEntry entry{name, spec, Codec<Value>::name(spec), meaning, "", {}, Codec<Value>::schema(spec)};
-    const bool must_be_given = spec.is_required || (spec.condition && spec.condition->required);
+    const bool must_be_given = spec.may_be_required();
     const nlohmann::json value = Codec<Value>::encode(member, spec);
     if (!must_be_given && !value.is_null()) entry.default_text = write_toml(value);
-    if constexpr (std::is_enum_v<Value>)
-      for (const auto& choice : choices<Value>) entry.words.emplace_back(choice.word, choice.meaning);
+    if constexpr (std::is_enum_v<WordOf<Value>>)
+      for (const auto& choice : choices<WordOf<Value>>) entry.words.emplace_back(choice.word, choice.meaning);
     block_.keys.push_back(std::move(entry));
   }
 

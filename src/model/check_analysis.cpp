@@ -42,7 +42,8 @@ void check_no_external(const Case& data, const std::string& path, const std::str
 }
 
 void check_stages(const Case& data, Findings& findings) {
-  if (data.stages.empty() && findings.is_sound("stage"))
+  if (data.stages.empty() && uses(data, Method::mpm) && findings.is_sound("stage") &&
+      findings.is_sound("analysis.methods"))
     findings.add("stage", "there is no stage: add a [[stage]] with a name and a duration");
   check_names(data.stages, "stage", "stages", findings);
   for (std::size_t i = 0; i < data.stages.size(); ++i) {
@@ -92,7 +93,8 @@ void check_strength_reduction(const Case& data, Findings& findings) {
     findings.add(findings.places.is_given(curve + ".refine_step") ? curve + ".refine_step" : curve + ".step",
                  fmt::format("'refine_step' is {:.6g} and 'step' is {:.6g}; 'refine_step' must not be larger",
                              reduction.curve.refine_step, reduction.curve.step));
-  if (data.analysis != AnalysisKind::strength_reduction || !findings.is_sound("analysis.kind")) return;
+  if (data.analysis != AnalysisKind::strength_reduction || !uses(data, Method::mpm)) return;
+  if (!findings.is_sound("analysis.kind")) return;
   if (findings.is_sound("materials")) {
     if (!has_strength(data))
       findings.add("analysis.kind", "strength reduction needs a material with a strength: " + soils_of_strength);

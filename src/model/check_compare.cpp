@@ -20,7 +20,8 @@ std::string suggest(const Case& data, const std::string& name) {
   if (!near.empty()) return fmt::format("did you mean '{}'?", near);
   std::string list;
   for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
-  if (data.analysis == AnalysisKind::strength_reduction && data.strength_reduction.curve.enabled)
+  if (uses(data, Method::mpm) && data.analysis == AnalysisKind::strength_reduction &&
+      data.strength_reduction.curve.enabled)
     list += ", curve.displacement[SRF]";
   return "it yields " + list;
 }

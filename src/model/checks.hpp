@@ -21,6 +21,19 @@ void check_conditions(const Case& data, Findings& findings);
 void check_result(const Case& data, Findings& findings);
 /// Stages, strength reduction and names of monitors.
 void check_analysis(const Case& data, Findings& findings);
+/// The methods of [analysis]: what each of them needs of the case, and what it cannot take.
+void check_methods(const Case& data, Findings& findings);
+/// [lem] and its surfaces, surcharges and partial factors.
+void check_slices(const Case& data, Findings& findings);
+class SoilOutline;
+/// One [[lem.surface]], which is at `path`.
+void check_slip_surface(const SlipSurface& surface, const std::string& path, const SoilOutline& soil,
+                        Findings& findings);
+/// Whether a list is [from, to], increasing. Empty it is not, which is no fault; else it is one. `what` names the
+/// numbers.
+bool check_range(const std::vector<double>& range, const std::string& path, const char* what, Findings& findings);
+/// Uncertain numbers of a study and what goes together among them, and the key that is extrapolated.
+void check_sampling(const Case& data, Findings& findings);
 /// The pore water itself, that of the materials, and whether stages and start ask for what needs it.
 void check_water(const Case& data, Findings& findings);
 /// Hydraulic conditions and the pore pressure at the start.

@@ -1,6 +1,7 @@
 #pragma once
 // [analysis] and [strength_reduction]: what is asked of the case, and how the factor of safety is found.
 
+#include "model/codec_list.hpp"
 #include "model/declare_stage.hpp"
 
 namespace talus::model {
@@ -11,13 +12,24 @@ inline constexpr auto choices<AnalysisKind> = std::array{
     Choice{AnalysisKind::strength_reduction, "strength_reduction", "the stages, then trials with reduced strength"},
 };
 
+template <>
+inline constexpr auto choices<Method> = std::array{
+    Choice{Method::lem, "lem", "limit equilibrium: slices, see [lem]"},
+    Choice{Method::fem, "fem", "finite elements with reduced strength, see [fem]"},
+    Choice{Method::mpm, "mpm", "material points: what `kind` says"},
+};
+
 struct AnalysisBlock {
   AnalysisKind& kind;
+  std::vector<Method>& methods;
 };
 
 template <class Visitor>
 void describe(Visitor& v, AnalysisBlock& a) {
-  v.key("kind", a.kind, plain(), "What is calculated.");
+  v.key("methods", a.methods, plain(),
+        "What answers, in one report. Where \"mpm\" is not named, a case needs no box, no stage, no boundary and, with "
+        "slices alone, no mesh and no stiffness; where such keys are given, they are not used.");
+  v.key("kind", a.kind, plain(), "What the material point method calculates.");
 }
 
 template <class Visitor>

@@ -4,7 +4,9 @@
 #include "model/declare_analysis.hpp"
 #include "model/declare_boundary.hpp"
 #include "model/declare_calibration.hpp"
+#include "model/declare_finite_elements.hpp"
 #include "model/declare_geometry.hpp"
+#include "model/declare_limit_equilibrium.hpp"
 #include "model/declare_material.hpp"
 #include "model/declare_mesh.hpp"
 #include "model/declare_output.hpp"
@@ -43,8 +45,19 @@ void describe(Visitor& v, Case& c) {
   v.table("initial", c.initial, "The state at the start.");
   v.tables("stage", c.stages, 1, "A stretch of time. Stages follow one another; at least one is needed.");
   v.table("rest", c.rest, "When the soil counts as being at rest, for stages with until = \"rest\".");
-  v.table("analysis", AnalysisBlock{c.analysis}, "What is calculated.");
-  v.table("strength_reduction", c.strength_reduction, "How the factor of safety is found.");
+  v.table("analysis", AnalysisBlock{c.analysis, c.methods}, "What is calculated.");
+  v.table("strength_reduction", c.strength_reduction, "How the material point method finds the factor of safety.");
+  v.table("lem", c.lem, "Limit equilibrium: the methods of slices, and the search for the critical slip surface.");
+  v.table("fem", c.fem,
+          "Strength reduction by quadratic finite elements at small strain. Where there is no [[boundary]] (and no "
+          "\"mpm\" among the methods), the bottom of the section is held, and its other sides slide along themselves.");
+  v.tables("surcharge", c.surcharges, 0,
+           "A vertical load on the ground, for slices and finite elements. A vertical [[traction]] on a line of the "
+           "ground is taken by all methods.");
+  v.table("earthquake", c.earthquake, "A pseudo-static acceleration, for slices and finite elements.");
+  v.table("partial_factors", c.partial_factors,
+          "Partial factors of Eurocode 7: the factor of safety becomes the degree of over-design, which is to be at "
+          "least 1.");
   v.table("output", c.output, "What is stored, and the units of tables and plots.");
   v.tables("compare", c.compare, 0, "A published or measured value that a result is held against in the report.");
   v.tables("test", c.tests, 0, "An element test: one point of soil without a mesh, for `talus point`.");

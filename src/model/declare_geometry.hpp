@@ -31,8 +31,10 @@ void describe(Visitor& v, GeometryBlock& g) {
   v.key("dimension", plan.dimension, plain().at_least(2).at_most(3),
         "2: plane strain, per metre of thickness. 3: the section is extruded along z.");
   Corners box{plan.box_min, plan.box_max};
-  v.key("box", box, quantity("m").needed_without("mesh.file", has_file).example("[[0, 0], [44, 17]]"),
-        "The background box: the room in which the soil may move. Its sides are named left, right, bottom and top.");
+  v.key("box", box,
+        quantity("m").needed_without("mesh.file", has_file).by_methods({"mpm"}).example("[[0, 0], [44, 17]]"),
+        "The background box: the room in which the soil may move. Its sides are named left, right, bottom and top. "
+        "Where no material points move and it is not given, it just holds the polygons.");
   v.key("thickness", plan.thickness, quantity("m").above(0).needed_with("dimension", plan.dimension, 3).example("5"),
         "Length of the extrusion along z, from the side front (z = 0) to the side back (z = thickness).");
   v.tables("polygon", plan.polygons, 1,

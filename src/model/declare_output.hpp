@@ -2,16 +2,9 @@
 // [output] and [study]: what is stored and shown, and which keys are varied.
 
 #include "model/case.hpp"
-#include "model/codec.hpp"
+#include "model/declare_sampling.hpp"
 
 namespace talus::model {
-
-template <>
-inline constexpr auto choices<StudyMode> = std::array{
-    Choice{StudyMode::one_at_a_time, "one_at_a_time", "each value alone, the other keys as in the file"},
-    Choice{StudyMode::grid, "grid", "every combination of the values"},
-    Choice{StudyMode::together, "together", "the first values of all keys make one variant, the second ones the next"},
-};
 
 template <class Visitor>
 void describe(Visitor& v, Monitor& m) {
@@ -81,7 +74,12 @@ void describe(Visitor& v, Study& s) {
   v.key("reference", s.reference, plain(),
         "The variant that the displacements of the monitors are divided by: its name in the table, such as "
         "\"content = 0.51\", or that of its folder.");
+  v.key("extrapolate", s.extrapolate, plain().example(R"("mesh.size")"),
+        "One of the varied keys, to whose value zero the factors of safety are extrapolated (Richardson).");
+  describe_sampling(v, s);
   v.tables("vary", s.vary, 0, "A key and the values it takes in `talus study`.");
+  v.tables("random", s.sampling.numbers, 0, "An uncertain number, for mode = \"sample\".");
+  v.tables("correlation", s.sampling.correlations, 0, "Two of these numbers that go together.");
 }
 
 }  // namespace talus::model

@@ -23,7 +23,11 @@ void describe(Visitor& v, Compare& c) {
         "`curve.displacement[1.45]` (of the trial at that factor), `runout[1.75].moved_volume`, "
         "`stage[gravity].displacement`, `mesh.critical_time_step` and so on; `results` in `summary.json` lists all. Of "
         "element tests "
-        "`test[NAME].q[0.1]` (at axial strain 0.1), `test[NAME].void_ratio` (at the end), `test[NAME].peak_q`.");
+        "`test[NAME].q[0.1]` (at axial strain 0.1), `test[NAME].void_ratio` (at the end), `test[NAME].peak_q`. Of "
+        "slices `lem.spencer` (critical circle), "
+        "`lem.noncircular.spencer`, `lem.surface[NAME].bishop`, `lem.yield_acceleration.spencer`; of finite elements "
+        "`fem.factor`, `fem.by_displacement`, `fem.associated.factor`; of one on the surface of another "
+        "`lem.handed[fem.band].spencer`.");
   v.key("value", c.value, plain().required().example("1.4"),
         "The published or measured value: a number in SI units, or a text with a unit.");
   v.key("tolerance", c.tolerance, plain().at_least(0).required().example(R"("5 %")"),

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -18,11 +19,13 @@ using nlohmann::json;
 /// The visitor that writes the structs as JSON.
 class Echo {
  public:
-  explicit Echo(const Places& places) : places_(places) {}
+  Echo(const Places& places, const std::set<std::string>& methods) : Echo(places, methods, "") {}
 
   template <class T>
   void key(const std::string& name, T&& member, const Spec& spec, const char* /*meaning*/) {
     if (spec.condition && !spec.condition->holds()) return;
+    // What no method needs and nobody gave has no value.
+    if (!spec.methods.empty() && spec.is_waived(methods_) && !places_.is_given(write_path(name))) return;
     json entry = {{"value", Codec<std::remove_cvref_t<T>>::encode(member, spec)},
                   {"given", places_.is_given(write_path(name))}};
     if (!spec.unit.empty()) entry["unit"] = spec.unit;
@@ -58,7 +61,7 @@ class Echo {
   template <class T>
   void entries(const std::string& name, std::map<std::string, T>& values, const char* /*sample*/, int /*samples*/,
                const Spec& spec, const char* meaning) {
-    Echo inner(places_, write_path(name));
+    Echo inner(places_, methods_, write_path(name));
     for (auto& [label, value] : values) inner.key(label, value, spec, meaning);
     object_[name] = std::move(inner.object_);
   }
@@ -66,11 +69,12 @@ class Echo {
   json take() { return std::move(object_); }
 
  private:
-  Echo(const Places& places, std::string path) : places_(places), path_(std::move(path)) {}
+  Echo(const Places& places, const std::set<std::string>& methods, std::string path)
+      : places_(places), methods_(methods), path_(std::move(path)) {}
 
   template <class T>
   json write_block(const std::string& path, T& block) {
-    Echo inner(places_, path);
+    Echo inner(places_, methods_, path);
     describe(inner, block);
     return std::move(inner.object_);
   }
@@ -78,6 +82,7 @@ class Echo {
   std::string write_path(const std::string& name) const { return path_.empty() ? name : path_ + "." + name; }
 
   const Places& places_;
+  const std::set<std::string>& methods_;
   std::string path_;
   json object_ = json::object();
 };
@@ -86,7 +91,10 @@ class Echo {
 
 json echo(const Case& data, const Places& places) {
   Case copy = data;  // one declaration serves readers and writers, so it takes what it may change
-  Echo visitor(places);
+  std::set<std::string> methods;
+  for (const Method method : data.methods) methods.insert(Codec<Method>::encode(method, {}));
+  if (!data.tests.empty()) methods.insert("fem");
+  Echo visitor(places, methods);
   describe(visitor, copy);
   return visitor.take();
 }

@@ -17,8 +17,8 @@ std::string write_cell(const std::string& text) {
 
 std::string write_default(const KeyEntry& key) {
   if (const auto& condition = key.spec.condition; condition && condition->required)
-    return fmt::format("required where `{}`", write_condition(*condition));
-  if (key.spec.is_required) return "required";
+    return fmt::format("required where `{}`{}", write_condition(*condition), write_waivers(key.spec));
+  if (key.spec.is_required) return "required" + write_waivers(key.spec);
   std::string text = key.default_text.empty() ? "none" : fmt::format("`{}`", key.default_text);
   if (const auto& condition = key.spec.condition) text += fmt::format("; only where `{}`", write_condition(*condition));
   return text;
@@ -26,9 +26,10 @@ std::string write_default(const KeyEntry& key) {
 
 std::string write_type(const KeyEntry& key) {
   if (key.words.empty()) return key.type;
+  const bool is_list = key.type != "word";
   std::string text;
   for (const auto& [word, meaning] : key.words) text += fmt::format("{}`\"{}\"`", text.empty() ? "" : ", ", word);
-  return text;
+  return is_list ? key.type + ": " + text : text;
 }
 
 std::string write_meaning(const KeyEntry& key) {

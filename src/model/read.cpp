@@ -13,9 +13,11 @@
 #include <sstream>
 
 #include "model/checks.hpp"
+#include "model/complete.hpp"
 #include "model/declare_case.hpp"
 #include "model/echo.hpp"
 #include "model/reader.hpp"
+#include "model/uncertain_number.hpp"
 
 namespace talus::model {
 namespace {
@@ -46,22 +48,13 @@ void normalise(std::array<double, 3>& v) {
     for (double& component : v) component /= length;
 }
 
-/// What follows from several keys.
-void complete(Case& data, const std::string& file, const Places& places) {
-  if (data.mesh.dimension == 3 && !places.is_given("mesh.points_per_element")) data.points_per_element = 4;
-  const auto find_file = [&](const std::string& path) {
-    return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
-  };
-  if (!data.mesh.file.empty()) data.mesh.file = find_file(data.mesh.file);
-  for (auto& [name, material] : data.materials) {
-    if (const auto e = material.given_void_ratio) material.porosity = *e / (1 + *e);
-    material.external.material = name;
-    if (!material.external.library.empty()) material.external.library_file = find_file(material.external.library);
-  }
-  if (data.initial.result.empty()) return;
-  data.initial.result_folder = find_file(data.initial.result);
-  // The mesh of a result cannot be halved.
-  if (!places.is_given("strength_reduction.frozen.meshes")) data.strength_reduction.frozen.meshes = 1;
+/// The methods that [analysis] names: what the other blocks must hold depends on them.
+std::set<std::string> find_methods(const toml::table& root) {
+  std::set<std::string> asked;
+  const toml::array* list = root["analysis"]["methods"].as_array();
+  if (list == nullptr) return {"mpm"};
+  for (const toml::node& word : *list) asked.insert(word.value_or(std::string()));
+  return asked;
 }
 
 /// Units of length for what was given as a direction; after the checks, which look for directions without length.
@@ -96,6 +89,10 @@ std::optional<LoadedCase> read_once(const std::string& text, const std::string& 
   loaded.data.mesh.file = root["mesh"]["file"].value_or(std::string());
   Reader reader(root, findings);
   if (!loaded.is_whole) reader.leave_out(slope_blocks);
+  std::set<std::string> asked = find_methods(root);
+  // An element test needs the whole law, as finite elements do.
+  if (root.contains("test")) asked.insert("fem");
+  reader.ask_methods(asked);
   describe(reader, loaded.data);
   reader.finish();
   complete(loaded.data, name, findings.places);
@@ -107,6 +104,9 @@ std::optional<LoadedCase> read_once(const std::string& text, const std::string& 
   check_hydraulics(loaded.data, findings);
   check_result(loaded.data, findings);
   if (loaded.is_whole) check_analysis(loaded.data, findings);
+  if (loaded.is_whole) check_methods(loaded.data, findings);
+  if (loaded.is_whole) check_slices(loaded.data, findings);
+  check_sampling(loaded.data, findings);
   check_output(loaded.data, findings);
   check_point_tests(loaded.data, findings);
   complete_calibration(loaded.data, name, findings);
@@ -139,6 +139,36 @@ void check_study(const LoadedCase& loaded, const std::vector<Override>& override
   }
 }
 
+/// An uncertain number is right when the case is right at its mean and its limits.
+void check_uncertain_numbers(const LoadedCase& loaded, const std::vector<Override>& overrides, Findings& findings) {
+  const std::vector<RandomNumber>& numbers = loaded.data.study.sampling.numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const RandomNumber& number = numbers[i];
+    const std::string path = fmt::format("study.random.{}", i);
+    bool is_good = true;
+    for (const auto& [key, value] : {std::pair{"mean", &number.mean},
+                                     {"lowest", &number.lowest},
+                                     {"mode", &number.mode},
+                                     {"highest", &number.highest}}) {
+      if (value->empty() || !is_good) continue;
+      std::vector<Override> changes = overrides;
+      changes.push_back({number.key, *value});
+      Places trial_places(loaded.file);
+      Findings trial(trial_places);
+      if (read_once(loaded.text, loaded.file, changes, CaseScope::whole_or_tests, trial)) continue;
+      findings.add(path + "." + key,
+                   fmt::format("the study cannot set {} = {}: {}", number.key, *value, trial.sort().front().sentence));
+      is_good = false;
+    }
+    if (!is_good) continue;
+    try {
+      resolve(number, loaded.data, loaded.echo);
+    } catch (const Error& error) {
+      findings.add(path, error.what());
+    }
+  }
+}
+
 /// The soil of each test: what the test sets is right when the case with it is right.
 void read_test_soils(LoadedCase& loaded, const std::vector<Override>& overrides, Findings& findings) {
   for (std::size_t i = 0; i < loaded.data.tests.size(); ++i) {
@@ -167,6 +197,7 @@ LoadedCase read_case_text(const std::string& text, const std::string& name, cons
   Findings findings(places);
   std::optional<LoadedCase> loaded = read_once(text, name, overrides, scope, findings);
   if (loaded) check_study(*loaded, overrides, findings);
+  if (loaded) check_uncertain_numbers(*loaded, overrides, findings);
   if (loaded) read_test_soils(*loaded, overrides, findings);
   if (!findings.empty()) throw InputError(findings.sort());
   loaded->places = std::move(places);

@@ -29,6 +29,9 @@ class Reader {
   /// Blocks at the top of the file whose absence is no fault.
   void leave_out(const std::set<std::string>& blocks) { left_out_ = blocks; }
 
+  /// Methods that answer: what none of them needs is not required.
+  void ask_methods(const std::set<std::string>& words) { methods_ = words; }
+
   template <class T>
   void table(const char* name, T&& block, const char* /*meaning*/) {
     if (is_left_out(name)) return;
@@ -113,6 +116,7 @@ class Reader {
   Findings& findings_;
   std::vector<Scope> scopes_;
   std::set<std::string> left_out_;
+  std::set<std::string> methods_{"mpm"};
 };
 
 }  // namespace talus::model

@@ -8,6 +8,8 @@
 
 #include "base/units.hpp"
 #include "model/checks.hpp"
+#include "model/declare_limit_equilibrium.hpp"
+#include "model/method_names.hpp"
 
 namespace talus::model {
 namespace {
@@ -90,10 +92,10 @@ void add_motion(std::vector<ResultName>& names, const Case& data) {
   }
 }
 
-/// Of soil with pore water: what came in and left by condition, and the steady seepage of the start.
+/// Of soil with pore water: what came in and left by condition.
 void add_water(std::vector<ResultName>& names, const Case& data) {
   const bool plane = data.mesh.dimension == 2;  // a plane section is one metre thick
-  const std::string volume = plane ? "m3/m" : "m3", flow = plane ? "m3/s/m" : "m3/s";
+  const std::string volume = plane ? "m3/m" : "m3";
   for (const Hydraulic& h : data.hydraulics) {
     if (h.condition == WaterCondition::no_flow) continue;
     names.push_back(
@@ -106,6 +108,11 @@ void add_water(std::vector<ResultName>& names, const Case& data) {
   names.push_back({"water.largest_suction", "largest suction at the end", "Pa"});
   names.push_back({"water.largest_pressure", "largest pore pressure at the end", "Pa"});
   names.push_back({"water.budget_error", "error of the water budget over the water in the model", ""});
+}
+
+/// Of the steady seepage that soil with pore water starts from.
+void add_seepage(std::vector<ResultName>& names, const Case& data) {
+  const std::string flow = data.mesh.dimension == 2 ? "m3/s/m" : "m3/s";
   if (data.initial.water.pressure != InitialPressure::seepage) return;
   for (const Hydraulic& h : data.hydraulics) {
     if (h.condition != WaterCondition::no_flow)
@@ -127,6 +134,14 @@ const Stage* find_clock_stage(const Case& data) {
 
 std::vector<ResultName> list_result_names(const Case& data) {
   std::vector<ResultName> names;
+  if (uses(data, Method::lem)) add_slice_results(names, data);
+  if (uses(data, Method::fem)) add_element_results(names, data);
+  if (data.partial_factors.set != DesignApproach::none)
+    names.push_back({"partial_factors.over_design", "degree of over-design with partial factors", ""});
+  if (!uses(data, Method::mpm)) {
+    if (is_wet(data)) add_seepage(names, data);
+    return names;
+  }
   if (data.analysis == AnalysisKind::strength_reduction) {
     add_factors(names, data);
   } else {
@@ -140,6 +155,7 @@ std::vector<ResultName> list_result_names(const Case& data) {
         {fmt::format("stage[{}].time", stage.name), fmt::format("simulated time at the end of '{}'", stage.name), "s"});
   }
   if (is_wet(data)) add_water(names, data);
+  if (is_wet(data)) add_seepage(names, data);
   names.push_back({"mesh.critical_time_step", "critical time step of the mesh", "s"});
   names.push_back({"mesh.points", "material points", ""});
   names.push_back({"mesh.soil_elements", "elements with soil", ""});
@@ -175,6 +191,13 @@ std::optional<ResultName> find_result_name(const Case& data, const std::string& 
 
 std::optional<ResultName> find_possible_name(const Case& data, const std::string& name) {
   Case asked = data;
+  asked.methods = {Method::lem, Method::fem, Method::mpm};
+  asked.lem.methods.clear();
+  for (const auto& choice : choices<SliceMethod>) asked.lem.methods.push_back(choice.value);
+  if (asked.lem.search == SurfaceSearch::none) asked.lem.search = SurfaceSearch::entry_exit;
+  asked.lem.noncircular = asked.lem.yield_acceleration = true;
+  asked.fem.flow = FlowRule::both;
+  if (asked.partial_factors.set == DesignApproach::none) asked.partial_factors.set = DesignApproach::by_hand;
   asked.strength_reduction.curve.enabled = asked.strength_reduction.frozen.enabled = true;
   if (const auto factor = read_number_between(name, runout_prefix, "]."))
     asked.strength_reduction.curve.runout = {*factor};

@@ -47,10 +47,11 @@ json write_object(const BlockEntry& block) {
   json required = json::array(), all_of = json::array();
   for (const KeyEntry& key : block.keys) {
     object["properties"][key.name] = write_key(key);
-    if (key.spec.is_required) required.push_back(key.name);
-    // A condition on another table cannot be said here; the reader checks it.
+    // What depends on the methods or on another table cannot be said here; the reader checks it.
+    const bool has_waivers = !key.spec.methods.empty() || key.spec.instead;
+    if (key.spec.is_required && !has_waivers) required.push_back(key.name);
     if (const auto& condition = key.spec.condition;
-        condition && condition->required && condition->any.front().key.find('.') == std::string::npos)
+        condition && condition->required && !has_waivers && condition->any.front().key.find('.') == std::string::npos)
       all_of.push_back(write_requirement(key));
   }
   for (const BlockEntry& inner : block.blocks) object["properties"][inner.key] = write_block(inner);
@@ -85,7 +86,12 @@ json write_schema() {
   json schema = write_object(collect_catalogue());
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "Talus case file";
-  schema["required"] = json::array({"materials", "regions", "stage"});
+  schema["required"] = json::array({"materials", "regions"});
+  // Stages are those of the material point method.
+  const json no_points = {{"not", {{"contains", {{"const", "mpm"}}}}}};
+  const json asks = {{"required", {"methods"}}, {"properties", {{"methods", no_points}}}};
+  schema["if"] = {{"required", {"analysis"}}, {"properties", {{"analysis", asks}}}};
+  schema["else"] = {{"required", {"stage"}}};
   return schema;
 }
 

@@ -22,6 +22,20 @@ std::string write_condition(const Condition& condition) {
   return text;
 }
 
+std::string write_waivers(const Spec& spec) {
+  std::string text;
+  for (const std::string& method : spec.methods)
+    text += fmt::format("{}\"{}\"", text.empty() ? "; only with the methods " : " or ", method);
+  if (spec.instead) text += fmt::format("; not where {} is given", spec.instead->key);
+  return text;
+}
+
+bool Spec::is_waived(const std::set<std::string>& asked_methods) const {
+  if (instead && instead->holds) return true;
+  return !methods.empty() && std::none_of(methods.begin(), methods.end(),
+                                          [&](const std::string& method) { return asked_methods.count(method) != 0; });
+}
+
 std::string Spec::write_range() const {
   const std::string unit_text = unit.empty() ? "" : " " + unit;
   std::string text;

@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +49,10 @@ struct Condition {
   bool is_absence() const { return any.front().value.empty(); }
 };
 
+/// "; with the methods fem or mpm, unless unit_weight is given": what else a required key depends on; empty for most.
+struct Spec;
+std::string write_waivers(const Spec& spec);
+
 /// Writes `fix = "plane"`, `curve = "a" or "b" or law = "c"`, `retention other than "dry"` or `file is not given`.
 std::string write_condition(const Condition& condition);
 
@@ -58,7 +63,9 @@ struct Spec {
   bool is_required = false;
   bool allows_infinity = false;
   std::optional<Condition> condition;
-  std::vector<std::string> examples;  ///< TOML texts; one for each sample of a list, the last one for the rest
+  std::vector<std::string> methods;    ///< of [analysis]: only with one of these is the key required; empty: with any
+  std::optional<Alternative> instead;  ///< where this other key is given, the key is not required
+  std::vector<std::string> examples;   ///< TOML texts; one for each sample of a list, the last one for the rest
 
   Spec at_least(double value) && { return low = Limit{value, false}, std::move(*this); }
   Spec above(double value) && { return low = Limit{value, true}, std::move(*this); }
@@ -103,11 +110,21 @@ struct Spec {
   Spec needed_without(const char* key, bool other_is_given) && {
     return condition = Condition{{{key, "", !other_is_given}}, true}, std::move(*this);
   }
+  /// Nor required where none of these methods is asked for; it may be given all the same.
+  Spec by_methods(std::vector<std::string> words) && { return methods = std::move(words), std::move(*this); }
+  /// Nor required where `key` is given; it may be given all the same.
+  Spec unless_given(const char* key, bool other_is_given) && {
+    return instead = Alternative{key, "", other_is_given}, std::move(*this);
+  }
   /// The key may be given where `key` is not given, and has no meaning elsewhere.
   Spec allowed_without(const char* key, bool other_is_given) && {
     return condition = Condition{{{key, "", !other_is_given}}, false}, std::move(*this);
   }
 
+  /// Whether the key must be given somewhere.
+  bool may_be_required() const { return is_required || (condition && condition->required); }
+  /// Whether nothing asks for the key where these methods answer, or another key stands in its place.
+  bool is_waived(const std::set<std::string>& asked_methods) const;
   /// "at least 0", "above -1 and below 0.5"; empty without limits.
   std::string write_range() const;
   /// Whether `value`, in the unit of the manual, is within the limits.

@@ -104,13 +104,19 @@ TEST(Schema, SaysTypesRangesAndWords) {
   const json& fix = schema["properties"]["boundary"]["items"]["properties"]["fix"]["enum"];
   EXPECT_EQ(fix, json::array({"full", "normal", "plane", "friction", "velocity"}));
   EXPECT_EQ(schema["properties"]["gravity"]["properties"]["acceleration"]["default"], 9.81);
-  // Every model that has a Young's modulus needs it; of the others the schema says nothing.
+  // Every model of Mohr and Coulomb needs a cohesion; of the others the schema says nothing.
   json models = json::array();
   for (const json& rule : material["allOf"]) {
-    if (rule["then"]["required"] != json::array({"young_modulus"})) continue;
+    if (rule["then"]["required"] != json::array({"cohesion"})) continue;
     for (const json& one : rule["if"]["anyOf"]) models.push_back(one["properties"]["model"]["const"]);
   }
-  EXPECT_EQ(models, json::array({"mohr_coulomb", "rooted_mohr_coulomb", "linear_elastic"}));
+  EXPECT_EQ(models, json::array({"mohr_coulomb", "rooted_mohr_coulomb"}));
+  for (const json& rule : material["allOf"])
+    EXPECT_NE(rule["then"]["required"], json::array({"young_modulus"}))
+        << "only with some methods, which it cannot see";
+  EXPECT_EQ(schema["else"]["required"], json::array({"stage"})) << "where \"mpm\" is among the methods";
+  const json& methods = schema["properties"]["lem"]["properties"]["methods"];
+  EXPECT_EQ(methods["items"]["enum"].at(4), "spencer");
   const json& bundle = schema["properties"]["roots"]["items"]["properties"]["bundle"];
   EXPECT_EQ(bundle["required"], json::array({"model", "area_ratios", "strengths"})) << "where there is a bundle at all";
 }

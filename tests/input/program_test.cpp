@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "slope.hpp"
+#include "methods_slope.hpp"
 
 namespace talus::model {
 namespace {
@@ -41,6 +41,21 @@ TEST(Program, ChecksItsOwnTemplate) {
   EXPECT_EQ(checked.code, 0) << checked.text;
   EXPECT_EQ(checked.text.rfind(path + ": no errors\n", 0), 0u) << checked.text;
   EXPECT_EQ(std::count(checked.text.begin(), checked.text.end(), '\n'), 3);
+}
+
+TEST(Program, SaysWhatEachMethodCalculates) {
+  const std::string path = write_file("talus_methods.toml", all_three +
+                                                                "[lem]\nmethods = [\"bishop\", \"spencer\"]\n"
+                                                                "[partial_factors]\nset = \"DA1-2\"\n");
+  const Outcome checked = run_program("check " + path);
+  EXPECT_EQ(checked.code, 0) << checked.text;
+  for (const char* line :
+       {"\n  limit equilibrium: Bishop simplified, Spencer; circles between entries and exits, then polylines\n",
+        "\n  finite elements: strength reduction with elements of 0.75 m, ψ as given\n",
+        "\n  material points, run: 2 stages, together at most 13 s\n", "\n  with partial factors DA1-2\n"})
+    EXPECT_NE(checked.text.find(line), std::string::npos) << line << checked.text;
+  const Outcome slices = run_program("check --set 'analysis.methods=[\"lem\"]' " + path);
+  EXPECT_EQ(slices.text.find("stages"), std::string::npos) << "nothing moves: " << slices.text;
 }
 
 TEST(Program, ReportsEveryFaultAndExitsWithTwo) {
