@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "analysis/run_case.hpp"
+#include "methods/run_case.hpp"
 #include "bind.hpp"
 #include "drive.hpp"
 #include "study/study.hpp"
@@ -27,7 +27,7 @@ void run(const model::LoadedCase& loaded, const std::filesystem::path& folder, i
   auto options = make_options<analysis::RunOptions>(folder, threads, resume, overwrite);
   const auto work = [&](Progress& progress) {
     options.progress = &progress;
-    analysis::run_case(loaded, options);
+    methods::run_case(loaded, options);
   };
   drive(work, callback, Calls::with_news);
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <mutex>
 
 #include "analysis/checkpoint.hpp"
 #include "analysis/initial_state.hpp"
+#include "analysis/moved_limit.hpp"
 #include "analysis/prepare.hpp"
 #include "analysis/runout.hpp"
 #include "analysis/water_conditions.hpp"
@@ -170,10 +172,24 @@ class FrozenMesh {
       const std::lock_guard lock(keeping_);
       done_.push_back(result);
       save_trials(folder_ / "trials.json", done_);
+      if constexpr (D == 2) {
+        if (result.end == StageEnd::failed) keep_slip_line(factor, body);
+      }
     }
     recorder.finish(true);
     context_.add_timing(body.timing);
     return result;
+  }
+
+  /// The line of the smallest factor that failed so far.
+  void keep_slip_line(double factor, const mpm::Body<2>& body) {
+    const fs::path file = folder_ / slip_line_file;
+    if (std::ifstream before(file); before) {
+      const nlohmann::json kept = nlohmann::json::parse(before, nullptr, false);
+      if (!kept.is_discarded() && kept.value("srf", factor) < factor) return;
+    }
+    if (const auto line = find_frozen_limit(body); !line.empty())
+      output::write_atomically(file, nlohmann::json{{"srf", factor}, {"points", line}}.dump() + "\n");
   }
 
   const TrialContext& context_;

@@ -8,6 +8,9 @@
 
 namespace talus::analysis {
 
+/// The slip line of the smallest factor that failed, in the folder of each mesh: {"srf", "points"}; plane cases only.
+inline constexpr const char* slip_line_file = "slip_line.json";
+
 /// The factor on meshes of the case's size and of half of it, by the mesher of [strength_reduction.frozen]; a ready
 /// mesh
 /// (`base`) is used as it is. Stages and trials keep checkpoints under folder/frozen and are resumed from them;

@@ -116,6 +116,41 @@ std::optional<double> find_water_result(const json& summary, const Path& path) {
   return get_number(water, path.key == "budget_error" ? "error" : path.key.c_str());
 }
 
+/// Member `key` of the entry of a list whose `field` is `value`.
+std::optional<double> find_listed(const json& list, const char* field, const std::string& value, const char* key) {
+  const json* found = list.is_array() ? find_member(list, field, value) : nullptr;
+  return found == nullptr ? std::nullopt : get_number(*found, key);
+}
+
+/// "lem.spencer", "lem.noncircular.spencer", "lem.surface[NAME].bishop", "lem.handed[fem.band].spencer".
+std::optional<double> find_slice_result(const json& summary, const Path& path) {
+  const json& lem = get(summary, "lem");
+  if (path.block == "lem.surface" || path.block == "lem.handed") {
+    const bool is_handed = path.block == "lem.handed";
+    const json& list = is_handed ? get(get(summary, "methods"), "handed") : get(lem, "given");
+    if (!list.is_array()) return std::nullopt;
+    for (const json& entry : list)
+      if (entry.value(is_handed ? "from" : "name", "") == path.index &&
+          entry.value(is_handed ? "to" : "method", "") == path.key)
+        return get_number(entry, "factor");
+    return std::nullopt;
+  }
+  const auto dot = path.key.find('.');
+  if (dot == std::string::npos) return find_listed(get(lem, "critical"), "method", path.key, "factor");
+  const std::string kind = path.key.substr(0, dot), method = path.key.substr(dot + 1);
+  if (kind == "noncircular") return find_listed(get(lem, "noncircular"), "method", method, "factor");
+  if (kind == "yield_acceleration") return find_listed(get(lem, "critical"), "method", method, "yield_acceleration");
+  return std::nullopt;
+}
+
+/// "fem.factor", "fem.associated.by_displacement".
+std::optional<double> find_element_result(const json& summary, const std::string& key) {
+  const std::string prefix = "associated.";
+  const bool associated = key.starts_with(prefix);
+  const std::string name = associated ? key.substr(prefix.size()) : key;
+  return find_listed(get(get(summary, "fem"), "runs"), "flow", associated ? "associated" : "as_given", name.c_str());
+}
+
 json describe_unit(const std::string& unit, const model::Output& output) {
   const std::string shown = unit == "m" ? output.length_unit : (unit == "Pa" ? output.stress_unit : unit);
   return {{"name", shown}, {"si", units::get_si_factor(shown)}};
@@ -128,6 +163,10 @@ std::optional<double> find_result(const json& summary, const std::string& name) 
   if (model::find_point_result_name(name)) return get_number(get(summary, "point_results"), name.c_str());
   const Path path = split(name);
   if (path.block == "factor_of_safety") return find_factor(summary, path.key);
+  if (path.block == "lem" || path.block.starts_with("lem.")) return find_slice_result(summary, path);
+  if (path.block == "fem") return find_element_result(summary, path.key);
+  if (path.block == "partial_factors")
+    return get_number(get(get(summary, "methods"), "partial_factors"), path.key.c_str());
   if (path.block == "onset" || path.block == "displacement") {
     const json& monitors = get(get(summary, "motion"), "monitors");
     const json* monitor = monitors.is_array() ? find_member(monitors, "name", path.index) : nullptr;

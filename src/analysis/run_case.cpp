@@ -8,7 +8,6 @@
 #include <fstream>
 #include <functional>
 #include <mutex>
-#include <regex>
 #include <set>
 
 #include "analysis/checkpoint.hpp"
@@ -19,6 +18,7 @@
 #include "analysis/onset.hpp"
 #include "analysis/prepare.hpp"
 #include "analysis/root_content.hpp"
+#include "analysis/run_folder.hpp"
 #include "analysis/sections.hpp"
 #include "analysis/strength_reduction.hpp"
 #include "analysis/water_record.hpp"
@@ -34,12 +34,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Everything that a run may leave in its folder; --overwrite removes these and nothing else.
-const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf",  "mesh.xdmf",     "frames",
-                                 "history.csv",    "monitors.csv", "summary.json", "checkpoint.h5", "stages.json",
-                                 "curve.csv",      "profile.csv",  "trials",       "frozen",        "mesh.h5",
-                                 "report.html",    "season.csv",   "sections",     end_state_file};
-
 /// Unbalanced forces above this share of gravity at the end of a timed stage deserve a warning.
 constexpr double restless_force_ratio = 0.01;
 
@@ -50,49 +44,6 @@ double process_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-void check_folder(const model::Initial& initial, const RunOptions& options) {
-  std::error_code unknown;  // of a folder that is not there yet
-  if (!initial.result.empty() && fs::equivalent(initial.result_folder, options.folder, unknown)) {
-    throw Error(ExitCode::folder_exists, fmt::format("the case starts from the result in '{}', which stays as it is; "
-                                                     "give another folder with -o",
-                                                     options.folder.string()));
-  }
-  if (options.resume || !fs::exists(options.folder)) return;
-  if (!fs::is_directory(options.folder)) {
-    throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; results need a folder", options.folder.string()));
-  }
-  if (fs::is_empty(options.folder) || options.overwrite) return;
-  throw Error(
-      ExitCode::folder_exists,
-      fmt::format("the folder '{}' holds something already; give another one with -o, replace it with --overwrite, "
-                  "or go on with --resume",
-                  options.folder.string()));
-}
-
-void clear_folder(const RunOptions& options) {
-  if (options.resume || !options.overwrite || !fs::exists(options.folder)) return;
-  for (const char* name : own_files) fs::remove_all(options.folder / name);
-  // Pictures of the old results would pass for those of the new ones.
-  static const std::regex picture(R"((curve|.*_\d{4})\.(svg|png|gp))");
-  for (const auto& entry : fs::directory_iterator(options.folder)) {
-    if (std::regex_match(entry.path().filename().string(), picture)) fs::remove(entry.path());
-  }
-}
-
-std::optional<json> load_finished(const RunOptions& options, const std::string& input_hash) {
-  if (!options.resume) return std::nullopt;
-  std::ifstream file(options.folder / "summary.json");
-  if (!file) return std::nullopt;
-  json summary = json::parse(file, nullptr, false);
-  if (summary.is_discarded() || summary.value("status", "") != "finished") return std::nullopt;
-  if (summary.at("provenance").at("input_hash") != input_hash) {
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("'{}' holds the results of another input; start anew with --overwrite", options.folder.string()));
-  }
-  return summary;
 }
 
 /// What follows from the histories and frames that a run has written: onset of movement, sections.
@@ -167,6 +118,7 @@ class CaseRun {
     keep_mesh();
     if (season) write_season(options_.folder / "season.csv", *season);
     try {
+      if (options_.begin) options_.begin(summary_);
       run_stages(checkpoint.get());
       if (data_.analysis == model::AnalysisKind::strength_reduction) {
         const TrialContext context{options_.folder,
@@ -411,6 +363,7 @@ class CaseRun {
                           {"cpu", cpu},
                           {"stage_steps", describe_timing(body_.timing)},
                           {"parts", list_parts(cpu)}};
+    if (options_.end) options_.end(summary_);
     summary_["results"] = list_results(data_, summary_);
     summary_["comparisons"] = compare_results(data_, summary_);
     output::write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");

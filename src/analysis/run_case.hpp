@@ -1,7 +1,8 @@
 #pragma once
-// A whole case from its file to its results folder: the one entry behind `talus run` and `talus study`.
+// Material points: a case from its file to its results folder. methods/run_case.hpp has the entry for all methods.
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "base/progress.hpp"
@@ -15,6 +16,9 @@ struct RunOptions {
   bool resume = false;           ///< go on from the folder's checkpoint; a finished run is not run again
   bool overwrite = false;        ///< replace results that are there
   Progress* progress = nullptr;  ///< where progress is shown, or nowhere
+  /// Other methods on the same case, which write into its summary: `begin` when the input is checked and the folder
+  /// clear, before the first stage, `end` before the results are listed. Both may be empty.
+  std::function<void(nlohmann::json&summary)> begin, end;
 };
 
 /// Hash of what decides the state of a run. A run may be resumed with other outputs, and after an instability with a

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -196,12 +197,45 @@ void write_profiles(const std::filesystem::path& path, const Profile& before, co
   output::write_atomically(path, text);
 }
 
+namespace {
+
+/// As wide as `width` characters; letters outside ASCII count once.
+std::string pad(const std::string& text, std::size_t width) {
+  const auto length = static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return text + std::string(length < width ? width - length : 1, ' ');
+}
+
+/// The factors of all methods side by side, and what their differences say.
+std::string write_method_table(const json& methods) {
+  const json& table = methods.at("table");
+  if (table.empty()) return "";
+  constexpr std::size_t method_width = 30, criterion_width = 52;
+  std::string text = "  " + pad("Method", method_width) + pad("Criterion", criterion_width) + "Factor   Seconds\n";
+  for (const json& row : table) {
+    text += "  " + pad(row.at("title").get<std::string>(), method_width) +
+            pad(row.at("criterion").get<std::string>(), criterion_width) +
+            (row.at("factor").is_number() ? fmt::format("{:6.3f}", row.at("factor").get<double>()) : "  none");
+    if (row.at("seconds").is_number()) text += fmt::format("  {:8.3g}", row.at("seconds").get<double>());
+    text += '\n';
+  }
+  for (const json& sentence : methods.at("reading")) text += sentence.get<std::string>() + "\n";
+  const json& factors = methods.at("partial_factors");
+  if (factors.is_object()) text += factors.at("text").get<std::string>() + "\n";
+  return text;
+}
+
+}  // namespace
+
 std::string write_digest(const json& s) {
   std::string text = fmt::format("{}\n", s.at("title").get<std::string>());
-  const json& mesh = s.at("mesh");
-  text += fmt::format("  {} points in {} elements, critical time step {:.3g} s\n", mesh.at("points").get<int>(),
-                      mesh.at("soil_elements").get<int>(), mesh.at("critical_time_step").get<double>());
-  for (const json& stage : s.at("stages")) {
+  if (s.contains("methods")) text += write_method_table(s.at("methods"));
+  if (s.contains("mesh")) {
+    const json& mesh = s.at("mesh");
+    text += fmt::format("  {} points in {} elements, critical time step {:.3g} s\n", mesh.at("points").get<int>(),
+                        mesh.at("soil_elements").get<int>(), mesh.at("critical_time_step").get<double>());
+  }
+  for (const json& stage : s.value("stages", json::array())) {
     text += fmt::format("  stage '{}': {} steps to t = {:.4g} s, {}\n", stage.at("name").get<std::string>(),
                         stage.at("steps").get<std::int64_t>(), stage.at("time").get<double>(),
                         stage.at("end") == "rest" ? "at rest" : "time is up");

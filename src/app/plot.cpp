@@ -237,8 +237,13 @@ void plot_folder(const PlotOptions& options) {
     if (wants_field || has_frames)
       draw_field(options, summary, units);
     else if (!has_curve)
-      fail(fmt::format("there is nothing to draw in '{}': neither frames nor a summary.json with a curve",
-                       options.folder.string()));
+      fail(summary.contains("lem") || summary.contains("fem")
+               ? fmt::format(
+                     "'{}' holds slices and finite elements without material points: report.html shows them, and "
+                     "ParaView opens fem.vtu where there is one",
+                     options.folder.string())
+               : fmt::format("there is nothing to draw in '{}': neither frames nor a summary.json with a curve",
+                             options.folder.string()));
   } catch (const json::exception& error) {
     fail(fmt::format("cannot read '{}': {}", (options.folder / "summary.json").string(), error.what()));
   }

@@ -1,7 +1,5 @@
 // `talus run CASE`: calculates a case into its folder.
 
-#include "analysis/run_case.hpp"
-
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "methods/run_case.hpp"
 
 namespace talus::app {
 namespace {
@@ -36,7 +35,7 @@ void run(const RunCommand& command) {
   options.overwrite = command.overwrite;
   options.progress = &progress;
   nlohmann::json summary;
-  do_and_report(options.folder, !command.no_report, [&] { summary = analysis::run_case(loaded, options); });
+  do_and_report(options.folder, !command.no_report, [&] { summary = methods::run_case(loaded, options); });
   if (command.quiet) return;
   fmt::print("{}Results are in {}{}\n", analysis::write_digest(summary), options.folder.string(),
              command.no_report ? "" : "; open report.html there in a browser");

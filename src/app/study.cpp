@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "study/sampling.hpp"
 #include "study/study_table.hpp"
 
 namespace talus::app {
@@ -26,7 +27,10 @@ struct StudyCommand {
 
 void run_study(const StudyCommand& command) {
   const std::vector<model::Override> overrides = command.input.parse_overrides();
-  const study::StudyPlan plan = study::plan_study(model::read_case(command.input.file, overrides), overrides);
+  const model::LoadedCase base = model::read_case(command.input.file, overrides);
+  const bool samples = base.data.study.mode == model::StudyMode::sample;
+  study::StudyPlan plan;
+  if (!samples) plan = study::plan_study(base, overrides);
   catch_interrupts();
   Progress progress(!command.quiet);
   study::StudyOptions options;
@@ -36,12 +40,23 @@ void run_study(const StudyCommand& command) {
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;
-  std::vector<study::StudyRow> rows;
-  do_and_report(options.folder, !command.no_report, [&] { rows = study::run_study(plan, options); });
+  std::string tables;
+  std::optional<Error> failure;
+  do_and_report(options.folder, !command.no_report, [&] {
+    if (samples) {
+      study::SamplingResult result = study::run_sampling(base, overrides, options);
+      tables = std::move(result.markdown);
+      failure = std::move(result.failure);
+    } else {
+      const std::vector<study::StudyRow> rows = study::run_study(plan, options);
+      tables = study::write_study_markdown(plan, rows);
+      failure = study::find_failure(plan, rows);
+    }
+  });
   if (!command.quiet)
-    fmt::print("{}\nTables and results are in {}{}\n", study::write_study_markdown(plan, rows), options.folder.string(),
+    fmt::print("{}\nTables and results are in {}{}\n", tables, options.folder.string(),
                command.no_report ? "" : "; open report.html there in a browser");
-  if (const auto failure = study::find_failure(plan, rows)) throw *failure;
+  if (failure) throw *failure;
 }
 
 }  // namespace

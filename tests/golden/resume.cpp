@@ -174,6 +174,7 @@ TEST_F(Resume, OfAStrengthReductionAfterKillsGivesTheSameFactors) {
 [analysis]
 kind = "strength_reduction"
 [strength_reduction.curve]
+smoothing = "none"
 from = 1.0
 to = 1.4
 step = 0.2

@@ -85,6 +85,7 @@ reset_displacement = true
 kind = "strength_reduction"
 
 [strength_reduction.curve]
+smoothing = "none"
 from = 1.4
 to = 2.0
 step = 0.2

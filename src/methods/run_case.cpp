@@ -1,0 +1,162 @@
+#include "methods/run_case.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "analysis/named_results.hpp"
+#include "analysis/run_folder.hpp"
+#include "analysis/summary.hpp"
+#include "base/error.hpp"
+#include "methods/compare.hpp"
+#include "methods/design_values.hpp"
+#include "methods/fem_model.hpp"
+#include "methods/ground_line.hpp"
+#include "methods/plane_water.hpp"
+#include "methods/static_methods.hpp"
+#include "output/atomic_file.hpp"
+
+namespace talus::methods {
+namespace {
+
+using nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+double find_seconds(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Fills "methods" and what follows from it: all that needs no further calculation but a few surfaces.
+void add_comparison(const model::Case& data, const lem::Slope* slope, json statement, json& summary,
+                    const analysis::RunOptions& options) {
+  json block = compare_methods(data, slope, summary, options.folder, options.threads);
+  if (const double factor = find_main_factor(summary); factor > 0) state_over_design(statement, factor);
+  block["partial_factors"] = std::move(statement);
+  summary["methods"] = std::move(block);
+}
+
+/// What summary.json says of every run, also of one without material points.
+json describe_case(const model::LoadedCase& loaded, const std::string& hash, int threads) {
+  const model::Case& data = loaded.data;
+  json summary{{"title", data.title},
+               {"project", analysis::describe_project(data)},
+               {"provenance", analysis::describe_provenance(loaded, hash, threads)},
+               {"units",
+                {{"length", data.output.length_unit},
+                 {"displacement", data.output.displacement_unit},
+                 {"stress", data.output.stress_unit}}},
+               {"input", loaded.echo},
+               {"outlines", json::array()},
+               {"warnings", json::array()}};
+  for (const mesh::Polygon& p : data.mesh.polygons) {
+    json outline = json::array();
+    for (const auto& x : p.points) outline.push_back({x[0], x[1]});
+    summary["outlines"].push_back(std::move(outline));
+  }
+  if (data.mesh.dimension == 2 && !data.mesh.polygons.empty())
+    summary["slope_height"] = find_slope_height(data.mesh, find_ground(data.mesh));
+  return summary;
+}
+
+/// A case without material points.
+class StaticRun {
+ public:
+  StaticRun(const model::LoadedCase& loaded, const DesignValues& design, const analysis::RunOptions& options,
+            std::string hash)
+      : loaded_(loaded), design_(design), options_(options), hash_(std::move(hash)) {}
+
+  json run() {
+    const auto start = Clock::now();
+    StaticMethods methods(design_.data, hash_, options_);
+    summary_ = describe_case(loaded_, hash_, options_.threads);
+    bool is_open = false;
+    const auto open_folder = [&] {
+      analysis::clear_folder(options_);
+      output::make_folder(options_.folder);
+      is_open = true;
+    };
+    try {
+      methods.run(open_folder);
+      summary_["status"] = "finished";
+      finish(methods, start);
+    } catch (const Error& error) {
+      if (options_.progress) options_.progress->clear();
+      if (!is_open || summary_.value("status", "") == "finished") throw;
+      summary_["status"] = error.code() == ExitCode::interrupted ? "interrupted" : "failed";
+      summary_["error"] = error.what();
+      try {
+        finish(methods, start);
+      } catch (const Error&) {  // the first error is the one to report
+      }
+      throw;
+    }
+    return summary_;
+  }
+
+ private:
+  void finish(const StaticMethods& methods, Clock::time_point start) {
+    methods.write_to(summary_);
+    const double wall = find_seconds(start);
+    summary_["timing"] = {{"wall", wall}, {"parts", json::array()}};
+    for (const auto& [name, title] : {std::pair{"lem", "limit equilibrium"}, {"fem", "finite elements"}}) {
+      if (!summary_.contains(name)) continue;
+      summary_["timing"]["parts"].push_back(
+          {{"name", name}, {"title", title}, {"seconds", summary_[name].value("seconds", 0.0)}});
+    }
+    add_comparison(design_.data, methods.slope(), design_.statement, summary_, options_);
+    summary_["results"] = analysis::list_results(loaded_.data, summary_);
+    summary_["comparisons"] = analysis::compare_results(loaded_.data, summary_);
+    output::write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");
+  }
+
+  const model::LoadedCase& loaded_;
+  const DesignValues& design_;
+  const analysis::RunOptions& options_;
+  std::string hash_;
+  json summary_;
+};
+
+/// Material points with what else is asked for.
+json run_with_points(const model::LoadedCase& loaded, const DesignValues& design, const analysis::RunOptions& options,
+                     const std::string& hash) {
+  model::LoadedCase factored = loaded;
+  factored.data = design.data;
+  if (loaded.data.methods.size() == 1 && design.statement.is_null()) return analysis::run_case(loaded, options);
+  if (model::uses(design.data, model::Method::fem)) check_methods(design.data);
+  StaticMethods methods(design.data, hash, options);
+  analysis::RunOptions with = options;
+  with.begin = [&](json&) { methods.run([] {}); };
+  with.end = [&](json& summary) {
+    methods.write_to(summary);
+    add_comparison(design.data, methods.slope(), design.statement, summary, options);
+  };
+  return analysis::run_case(factored, with);
+}
+
+/// What a finished run without material points compares with may have changed since.
+json renew(json summary, const model::Case& data, const analysis::RunOptions& options) {
+  const json before = summary;
+  summary["title"] = data.title;
+  summary["project"] = analysis::describe_project(data);
+  summary["results"] = analysis::list_results(data, summary);
+  summary["comparisons"] = analysis::compare_results(data, summary);
+  if (summary != before) output::write_atomically(options.folder / "summary.json", summary.dump(2) + "\n");
+  return summary;
+}
+
+}  // namespace
+
+void check_methods(const model::Case& data) {
+  if (model::uses(data, model::Method::lem) && !needs_seepage(data)) prepare_slope(data);
+  if (model::uses(data, model::Method::fem)) check_solid(data);
+}
+
+json run_case(const model::LoadedCase& loaded, const analysis::RunOptions& options) {
+  const std::string hash = analysis::hash_input(loaded.echo);
+  const DesignValues design = apply_partial_factors(loaded.data);
+  if (model::uses(loaded.data, model::Method::mpm)) return run_with_points(loaded, design, options, hash);
+  analysis::check_folder(loaded.data.initial, options);
+  if (auto finished = analysis::load_finished(options, hash)) return renew(std::move(*finished), loaded.data, options);
+  return StaticRun(loaded, design, options, hash).run();
+}
+
+}  // namespace talus::methods

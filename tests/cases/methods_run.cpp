@@ -1,0 +1,189 @@
+// Slices and finite elements from one file: the source's slope, what is handed over, what is kept, what is refused.
+
+#include <cmath>
+#include <fstream>
+
+#include "analysis/named_results.hpp"
+#include "base/interrupt.hpp"
+#include "cases/methods_slope.hpp"
+
+namespace talus {
+namespace {
+
+using nlohmann::json;
+
+TEST_F(MethodsTest, SlicesGiveTheFactorsOfTable32) {
+  // Slide2 in Table 3.2 of the source; an independent program found 1.440, 1.439, 1.439 and 1.386.
+  const json summary = run(write_slope("\"lem\"",
+                                       "[lem]\nmethods = [\"bishop\", \"janbu\", \"spencer\", \"morgenstern_price\"]\n"
+                                       "noncircular = false\n"));
+  EXPECT_EQ(summary.at("status"), "finished");
+  EXPECT_NEAR(find_factor(summary, "bishop"), 1.440, 0.005);
+  EXPECT_NEAR(find_factor(summary, "spencer"), 1.439, 0.005);
+  EXPECT_NEAR(find_factor(summary, "morgenstern_price"), 1.439, 0.005);
+  EXPECT_NEAR(find_factor(summary, "janbu"), 1.386, 0.01);
+  // The same numbers under the names that [[compare]] uses.
+  EXPECT_EQ(analysis::find_result(summary, "lem.bishop"), find_factor(summary, "bishop"));
+  EXPECT_TRUE(analysis::find_result(summary, "lem.yield_acceleration.spencer").has_value());
+}
+
+TEST_F(MethodsTest, ASlopeThatFacesLeftOrIsGivenInPartsHasTheSameFactor) {
+  const double right = find_factor(run(write_slope("\"lem\"", few_circles)), "spencer");
+  std::string mirrored = write_slope("\"lem\"", few_circles);
+  const std::string polygon = "[[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]";
+  mirrored.replace(mirrored.find(polygon), polygon.size(), "[[0, 0], [44, 0], [44, 15], [32, 15], [12, 5], [0, 5]]");
+  EXPECT_NEAR(find_factor(run(mirrored), "spencer"), right, 1e-6);
+
+  // Two polygons of one soil that overlap, the second a lens in the first, have the ground of the one.
+  std::string parts = write_slope("\"lem\"", few_circles);
+  const std::string line = "[[geometry.line]]\nname = \"crest\"";
+  parts.insert(parts.find(line),
+               "[[geometry.polygon]]\nname = \"lens\"\npoints = [[10, 2], [30, 2], [30, 4], [10, 4]]\n");
+  parts.replace(parts.find("soil = \"sand\""), 13, "soil = \"sand\"\nlens = \"sand\"");
+  EXPECT_NEAR(find_factor(run(parts), "spencer"), right, 1e-3);
+}
+
+TEST_F(MethodsTest, FiniteElementsStandBesideSlicesAndTheirBandIsHandedOver) {
+  const json summary = run(write_slope("\"lem\", \"fem\"", std::string(few_circles) + R"(
+[fem]
+size = 1.5
+flow = "associated"
+resolution = 0.02
+)"));
+  const double spencer = find_factor(summary, "spencer");
+  const json& fem = summary.at("fem").at("runs").at(0);
+  EXPECT_NEAR(fem.at("factor").get<double>(), spencer, 0.03 * spencer);
+  EXPECT_LE(fem.at("stable").get<double>(), fem.at("factor").get<double>());
+  EXPECT_FALSE(fem.at("slip_line").empty());
+  // Spencer's own circle is the weakest, and the band is near it: no less, and little more.
+  const auto handed = analysis::find_result(summary, "lem.handed[fem.associated.band].spencer");
+  ASSERT_TRUE(handed.has_value());
+  EXPECT_GT(*handed, 0.985 * spencer);
+  EXPECT_LT(*handed, 1.08 * spencer);
+  // Polylines are freer than circles: what is optimised from the band is not above the band itself.
+  const auto best = analysis::find_result(summary, "lem.handed[fem.associated.band].spencer_optimised");
+  ASSERT_TRUE(best.has_value());
+  EXPECT_LE(*best, *handed + 1e-6);
+  EXPECT_FALSE(summary.at("methods").at("reading").empty());
+  for (const char* file : {"summary.json", "lem.json", "fem.json"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / file)) << file;
+}
+
+TEST_F(MethodsTest, ResumeKeepsWhatIsDone) {
+  const std::string text = write_slope("\"lem\"", few_circles);
+  run(text);
+  // As if the run had been stopped after the slices: the file tells whether they were calculated again.
+  std::filesystem::remove(folder_ / "summary.json");
+  json kept = json::parse(std::ifstream(folder_ / "lem.json"));
+  kept["summary"]["seconds"] = 12345.0;
+  std::ofstream(folder_ / "lem.json") << kept.dump();
+  EXPECT_EQ(run(text, {}, true).at("lem").at("seconds"), 12345.0);
+  // Of another input nothing is kept.
+  std::filesystem::remove(folder_ / "summary.json");
+  EXPECT_NE(run(text, {{"materials.sand.cohesion", "\"3 kPa\""}}, true).at("lem").at("seconds"), 12345.0);
+}
+
+TEST_F(MethodsTest, AnInterruptedRunGoesOnWithTheFlowRuleThatIsLeft) {
+  const std::string text = write_slope("\"lem\", \"fem\"", std::string(few_circles) + R"(
+[fem]
+size = 3
+flow = "both"
+resolution = 0.1
+)");
+  const json whole = run(text);
+  // As after Ctrl-C between the two flow rules.
+  std::filesystem::remove(folder_ / "summary.json");
+  json kept = json::parse(std::ifstream(folder_ / "fem.json"));
+  ASSERT_EQ(kept.at("summary").at("runs").size(), 2u);
+  kept["summary"]["runs"].erase(1);
+  kept["runs"].erase(1);
+  kept["summary"]["runs"][0]["seconds"] = 54321.0;
+  std::ofstream(folder_ / "fem.json") << kept.dump();
+  const json again = run(text, {}, true);
+  ASSERT_EQ(again.at("fem").at("runs").size(), 2u);
+  EXPECT_EQ(again.at("fem").at("runs").at(0).at("seconds"), 54321.0);
+  EXPECT_EQ(again.at("fem").at("runs").at(1).at("factor"), whole.at("fem").at("runs").at(1).at("factor"));
+  EXPECT_EQ(json::parse(std::ifstream(folder_ / "fem.json")).at("runs").size(), 2u);
+
+  // Ctrl-C itself: the slices are there, the status says what happened.
+  request_interrupt();
+  EXPECT_THROW(run(text), Error);
+  request_interrupt(false);
+  const json stopped = json::parse(std::ifstream(folder_ / "summary.json"));
+  EXPECT_EQ(stopped.at("status"), "interrupted");
+  EXPECT_FALSE(stopped.at("lem").at("critical").empty());
+  EXPECT_EQ(run(text, {}, true).at("status"), "finished");
+}
+
+TEST_F(MethodsTest, CohesionThatGrowsWithDepthActsInBoth) {
+  // Undrained clay: without growth and with 2 kPa/m from the crest down both methods rise, and stay together.
+  const auto find = [&](double gradient) {
+    std::string text = write_slope("\"lem\", \"fem\"", std::string(few_circles) + R"(
+[fem]
+size = 2
+resolution = 0.02
+)");
+    const std::string from = "cohesion = \"2 kPa\"\nfriction_angle = \"30 deg\"";
+    text.replace(text.find(from), from.size(),
+                 "cohesion = \"30 kPa\"\nfriction_angle = 0\ncohesion_level = 15\ncohesion_gradient = " +
+                     std::to_string(gradient));
+    const std::string tension = "tensile_strength = 0";
+    text.replace(text.find(tension), tension.size(), "tensile_strength = \"1000 kPa\"");
+    const json summary = run(text);
+    return std::pair{find_factor(summary, "bishop"), summary.at("fem").at("runs").at(0).at("factor").get<double>()};
+  };
+  const auto even = find(0), growing = find(2);
+  EXPECT_GT(growing.first, 1.15 * even.first);
+  EXPECT_NEAR(even.second, even.first, 0.06 * even.first);
+  EXPECT_NEAR(growing.second, growing.first, 0.06 * growing.first);
+}
+
+TEST_F(MethodsTest, AFinishedRunIsReadBackAndComparedAnew) {
+  const std::string text = write_slope("\"lem\"", few_circles);
+  const json first = run(text);
+  const json again =
+      run(text + "[[compare]]\nname = \"lem.bishop\"\nvalue = 1.44\ntolerance = 0.02\nsource = \"x\"\n", {}, true);
+  EXPECT_EQ(again.at("timing"), first.at("timing"));
+  ASSERT_EQ(again.at("comparisons").size(), 1u);
+  EXPECT_TRUE(again.at("comparisons").at(0).at("passes").get<bool>());
+}
+
+TEST_F(MethodsTest, GivenSurfacesAreCutAsTheyAre) {
+  // Bishop's critical circle by an independent program, cut off at the toe: 1.440.
+  const json summary = run(write_slope("\"lem\"", R"([lem]
+methods = ["bishop", "spencer"]
+search = "none"
+[[lem.surface]]
+name = "known"
+centre = [35.04, 38.15]
+radius = 33.29
+ends = [11.12, 32]
+)"));
+  EXPECT_NEAR(analysis::find_result(summary, "lem.surface[known].bishop").value_or(0), 1.440, 0.004);
+  EXPECT_TRUE(summary.at("lem").at("critical").empty());
+}
+
+TEST_F(MethodsTest, FaultsAreSentencesThatNameTheCulprit) {
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = write_slope("\"lem\"", few_circles);
+    text.replace(text.find(from), from.size(), to);
+    return find_fault(text);
+  };
+  const std::string polygon = "points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]";
+  EXPECT_NE(with(polygon, "points = [[0, 0], [44, 0], [44, 5], [32, 5], [34, 8], [12, 15], [0, 15]]").find("x = 33"),
+            std::string::npos)
+      << "an overhang";
+  EXPECT_NE(find_fault(write_slope("\"lem\"", std::string(few_circles) + R"(
+[[lem.surface]]
+name = "in the air"
+centre = [20, 60]
+radius = 5
+)"))
+                .find("in the air"),
+            std::string::npos);
+  const std::string deep = find_fault(write_slope("\"lem\"", "[lem]\nsmallest_depth = 40\nnoncircular = false\n"));
+  EXPECT_NE(deep.find("no admissible slip surface"), std::string::npos) << deep;
+}
+
+}  // namespace
+}  // namespace talus

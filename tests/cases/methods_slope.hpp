@@ -1,0 +1,95 @@
+#pragma once
+// A small slope for slices and finite elements, and runs of it in a folder of their own.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/error.hpp"
+#include "methods/run_case.hpp"
+
+namespace talus {
+
+/// The dry slope of the source with slices alone; `more` is appended.
+inline std::string write_slope(const std::string& methods = "\"lem\"", const std::string& more = "") {
+  return R"(title = "Slope"
+[geometry]
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
+[[geometry.line]]
+name = "crest"
+points = [[0, 15], [12, 15]]
+[[geometry.line]]
+name = "toe"
+points = [[32, 5], [44, 5]]
+[mesh]
+size = 2.5
+[materials.sand]
+model = "mohr_coulomb"
+grain_density = 2650
+porosity = 0.4
+young_modulus = "45 MPa"
+poisson_ratio = 0.3
+cohesion = "2 kPa"
+friction_angle = "30 deg"
+dilatancy_angle = 0
+tensile_strength = 0
+[regions]
+soil = "sand"
+[analysis]
+methods = [)" +
+         methods + "]\n" + more;
+}
+
+inline constexpr const char* few_circles = R"(
+[lem]
+methods = ["bishop", "spencer"]
+noncircular = false
+yield_acceleration = false
+minima = 1
+[lem.entry_exit]
+exits = 12
+entries = 12
+depths = 8
+)";
+
+/// Runs cases in a folder that goes when the test ends.
+class MethodsTest : public ::testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  nlohmann::json run(const std::string& text, const std::vector<model::Override>& overrides = {}, bool resume = false) {
+    analysis::RunOptions options;
+    options.folder = folder_;
+    options.overwrite = !resume;
+    options.resume = resume;
+    return methods::run_case(model::read_case_text(text, "slope.toml", overrides), options);
+  }
+
+  /// The sentence that the case ends with.
+  std::string find_fault(const std::string& text) {
+    try {
+      run(text);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  static double find_factor(const nlohmann::json& summary, const std::string& method) {
+    for (const auto& c : summary.at("lem").at("critical"))
+      if (c.at("method") == method) return c.at("factor");
+    return 0;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      (std::string("talus_methods_") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
+       std::to_string(getpid()));
+};
+
+}  // namespace talus
