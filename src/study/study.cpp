@@ -7,9 +7,9 @@
 #include <fstream>
 #include <mutex>
 
-#include "analysis/run_case.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "methods/run_case.hpp"
 #include "output/atomic_file.hpp"
 #include "study/study_table.hpp"
 
@@ -97,7 +97,7 @@ class StudyRun {
     run.overwrite = options_.overwrite;
     StudyRow row;
     try {
-      row.summary = analysis::run_case(variant.loaded, run);
+      row.summary = methods::run_case(variant.loaded, run);
       row.status = "finished";
       return row;
     } catch (const Error& error) {

@@ -11,6 +11,7 @@
 
 #include "analysis/run_case.hpp"
 #include "output/history.hpp"
+#include "study/key_paths.hpp"
 
 namespace talus::study {
 namespace {
@@ -21,36 +22,6 @@ using nlohmann::json;
 constexpr std::size_t most_variants = 10000;
 /// Longest text of one value in a folder's name.
 constexpr std::size_t longest_name = 40;
-
-std::vector<std::string> split(const std::string& path) {
-  std::vector<std::string> parts(1);
-  for (const char c : path) {
-    if (c == '.')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
-/// The last `count` parts of a path.
-std::string take_end(const std::string& path, std::size_t count) {
-  const std::vector<std::string> parts = split(path);
-  std::string text;
-  for (std::size_t i = parts.size() - std::min(count, parts.size()); i < parts.size(); ++i)
-    text += (text.empty() ? "" : ".") + parts[i];
-  return text;
-}
-
-/// The shortest end of `path` that no other of the keys ends with.
-std::string shorten(const std::string& path, const std::vector<model::Vary>& all) {
-  for (std::size_t count = 1; count < split(path).size(); ++count) {
-    const std::string end = take_end(path, count);
-    const auto shares = [&](const model::Vary& v) { return v.key != path && take_end(v.key, count) == end; };
-    if (std::none_of(all.begin(), all.end(), shares)) return end;
-  }
-  return path;
-}
 
 /// A TOML text as people write it: without its quotation marks.
 std::string strip_quotes(const std::string& text) {
@@ -88,7 +59,7 @@ const json* find_entry(const json& list, const std::string& step) {
 /// What a case's echo says about the key `path`: {"value", "unit"}; nullptr where the key has no meaning in the case.
 const json* find_echo(const json& echo, const std::string& path) {
   const json* at = &echo;
-  for (const std::string& step : split(path)) {
+  for (const std::string& step : split_path(path)) {
     if (at->is_array())
       at = find_entry(*at, step);
     else
@@ -170,6 +141,10 @@ void check_study(const model::LoadedCase& base) {
     throw InputError({{place.file, place.line, place.column, sentence}});
   };
   if (study.vary.empty()) fail("study", "there is nothing to vary: add a [[study.vary]] with a key and its values");
+  const auto is_extrapolated = [&](const model::Vary& v) { return v.key == study.extrapolate; };
+  if (!study.extrapolate.empty() && std::none_of(study.vary.begin(), study.vary.end(), is_extrapolated))
+    fail("study.extrapolate",
+         fmt::format("'{}' is not varied; 'extrapolate' names one of the keys of [[study.vary]]", study.extrapolate));
   std::size_t count = 1;
   for (std::size_t k = 0; k < study.vary.size(); ++k) {
     const model::Vary& v = study.vary[k];
@@ -197,11 +172,14 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
   plan.mode = find_mode_word(study.mode);
   plan.file = base.file;
   plan.factors = study.factors;
+  plan.extrapolate = study.extrapolate;
   plan.displacement_unit = base.data.output.displacement_unit;
   plan.length_unit = base.data.output.length_unit;
   if (base.data.analysis == model::AnalysisKind::run)
     for (const model::Monitor& m : base.data.output.monitors) plan.monitors.push_back(m.name);
-  for (const model::Vary& v : study.vary) plan.keys.push_back({v.key, shorten(v.key, study.vary), ""});
+  std::vector<std::string> paths;
+  for (const model::Vary& v : study.vary) paths.push_back(v.key);
+  for (const std::string& path : paths) plan.keys.push_back({path, shorten_path(path, paths), ""});
 
   const model::Place place = base.places.find("study.vary.0");
   std::vector<Diagnostic> faults;

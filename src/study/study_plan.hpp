@@ -33,6 +33,7 @@ struct StudyPlan {
   std::vector<Variant> variants;      ///< the base case first
   std::vector<std::string> monitors;  ///< whose onset and displacement the table lists
   std::size_t reference = 0;          ///< the variant that displacements are divided by
+  std::string extrapolate;            ///< path of the key to whose zero factors are extrapolated; empty: none
   std::vector<std::string> notes;     ///< values that make no variant of their own
 };
 

@@ -14,6 +14,7 @@
 #include "output/curve_plot.hpp"
 #include "output/gnuplot.hpp"
 #include "output/history.hpp"
+#include "study/extrapolation.hpp"
 
 namespace talus::study {
 namespace {
@@ -181,6 +182,21 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
     columns.add(fmt::format("FoS, {}", criterion), "", "{:.3f}", false, [criterion](const json& s) {
       return analysis::find_result(s, std::string("factor_of_safety.") + criterion);
     });
+  for (const auto& [name, title] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"lem.fellenius", "Fellenius"},
+           {"lem.bishop", "Bishop"},
+           {"lem.janbu", "Janbu"},
+           {"lem.janbu_corrected", "Janbu, corrected"},
+           {"lem.spencer", "Spencer"},
+           {"lem.morgenstern_price", "Morgenstern–Price"},
+           {"lem.morgenstern_price_constant", "Morgenstern–Price, constant"},
+           {"lem.noncircular.spencer", "Spencer, non-circular"},
+           {"lem.noncircular.morgenstern_price", "Morgenstern–Price, non-circular"},
+           {"fem.factor", "finite elements"},
+           {"fem.by_displacement", "finite elements, displacement"},
+           {"fem.associated.factor", "finite elements, ψ = φ"}})
+    columns.add(fmt::format("FoS, {}", title), "", "{:.3f}", false,
+                [n = std::string(name)](const json& s) { return analysis::find_result(s, n); });
   for (const double f : list_runout_factors(rows))
     columns.add(fmt::format("front advance at SRF {:g}", f), plan.length_unit, "{:.3g}", false, [f](const json& s) {
       const json* trial = find_trial(find(s, {"runouts"}), f);
@@ -259,6 +275,7 @@ std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyR
       if (!get_displacement(rows[i].summary, f)) remarks += fmt::format("- {}: no trial at SRF {:g}\n", label, f);
   }
   for (const std::string& note : plan.notes) remarks += fmt::format("- {}\n", note);
+  text += write_extrapolation_markdown(plan, extrapolate_factors(plan, rows));
   return text + (remarks.empty() ? "" : "\n" + remarks);
 }
 
@@ -280,16 +297,18 @@ json describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
                         {"folder", plan.variants[i].name},
                         {"status", rows[i].status},
                         {"reason", rows[i].reason}});
-  return {{"format", 1},
-          {"title", plan.title},
-          {"case_file", plan.file},
-          {"mode", plan.mode},
-          {"reference", plan.variants.empty() ? "" : plan.variants[plan.reference].label},
-          {"vary", vary},
-          {"columns", columns},
-          {"variants", variants},
-          {"notes", plan.notes},
-          {"units", {{"displacement", plan.displacement_unit}, {"length", plan.length_unit}}}};
+  json study{{"format", 1},
+             {"title", plan.title},
+             {"case_file", plan.file},
+             {"mode", plan.mode},
+             {"reference", plan.variants.empty() ? "" : plan.variants[plan.reference].label},
+             {"vary", vary},
+             {"columns", columns},
+             {"variants", variants},
+             {"notes", plan.notes},
+             {"units", {{"displacement", plan.displacement_unit}, {"length", plan.length_unit}}}};
+  if (!plan.extrapolate.empty()) study["extrapolation"] = describe_extrapolation(plan, extrapolate_factors(plan, rows));
+  return study;
 }
 
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder) {

@@ -1,0 +1,95 @@
+#include "study/extrapolation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.hpp"
+
+namespace talus::study {
+namespace {
+
+struct Line {
+  double start = 0;  ///< at x = 0
+  double slope = 0;
+  double squares = 0;   ///< sum of the squared residuals
+  double variance = 0;  ///< of `start` over that of the residuals
+};
+
+Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<double>(x.size());
+  const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n, my = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  double sxx = 0, sxy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sxx += (x[i] - mx) * (x[i] - mx);
+    sxy += (x[i] - mx) * (y[i] - my);
+  }
+  Line line;
+  line.slope = sxy / sxx;
+  line.start = my - line.slope * mx;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double r = y[i] - line.start - line.slope * x[i];
+    line.squares += r * r;
+  }
+  line.variance = 1 / n + mx * mx / sxx;
+  return line;
+}
+
+std::vector<double> raise(const std::vector<double>& sizes, double order) {
+  std::vector<double> x;
+  for (const double h : sizes) x.push_back(std::pow(h / sizes.front(), order));
+  return x;
+}
+
+/// The order with the smallest residual by golden section; none when it lies at an end of the range.
+std::optional<double> find_order(const std::vector<double>& sizes, const std::vector<double>& factors) {
+  constexpr double lowest = 0.25, highest = 4, ratio = 0.6180339887498949, accuracy = 1e-4;
+  const auto fault = [&](double p) { return fit_line(raise(sizes, p), factors).squares; };
+  double a = lowest, b = highest;
+  double c = b - ratio * (b - a), d = a + ratio * (b - a), fc = fault(c), fd = fault(d);
+  while (b - a > accuracy) {
+    if (fc < fd) {
+      b = d;
+      d = c;
+      fd = fc;
+      c = b - ratio * (b - a);
+      fc = fault(c);
+    } else {
+      a = c;
+      c = d;
+      fc = fd;
+      d = a + ratio * (b - a);
+      fd = fault(d);
+    }
+  }
+  const double p = 0.5 * (a + b);
+  const bool at_end = p < lowest + 10 * accuracy || p > highest - 10 * accuracy;
+  return at_end ? std::nullopt : std::optional(p);
+}
+
+}  // namespace
+
+Extrapolation extrapolate(std::vector<double> sizes, std::vector<double> factors) {
+  if (sizes.size() != factors.size() || sizes.size() < 2)
+    throw Error(ExitCode::wrong_input, "an extrapolation needs the factors of two sizes or more");
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  Extrapolation e;
+  for (const std::size_t i : order) {
+    if (!(sizes[i] > 0) || (!e.sizes.empty() && sizes[i] == e.sizes.back()))
+      throw Error(ExitCode::wrong_input, "an extrapolation needs sizes that are positive and differ");
+    e.sizes.push_back(sizes[i]);
+    e.factors.push_back(factors[i]);
+  }
+  const std::size_t n = e.sizes.size();
+  const Line line = fit_line(e.sizes, e.factors);
+  e.linear = line.start;
+  if (n >= 3) e.standard_error = std::sqrt(line.squares / static_cast<double>(n - 2) * line.variance);
+  e.finest_pair = fit_line({e.sizes[n - 2], e.sizes[n - 1]}, {e.factors[n - 2], e.factors[n - 1]}).start;
+  if (n >= 4) e.order = find_order(e.sizes, e.factors);
+  if (e.order) e.by_order = fit_line(raise(e.sizes, *e.order), e.factors).start;
+  return e;
+}
+
+}  // namespace talus::study

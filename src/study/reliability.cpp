@@ -1,0 +1,137 @@
+#include "study/reliability.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace talus::study {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Scores differ by this between the two ends of a difference: wide enough for the steps of a search among surfaces.
+constexpr double score_step = 0.05;
+constexpr int most_iterations = 50, most_halvings = 8;
+constexpr double index_tolerance = 1e-3, factor_tolerance = 1e-3;
+
+double get(const std::vector<double>& correlation, std::size_t count, std::size_t i, std::size_t j) {
+  return correlation.empty() ? (i == j ? 1.0 : 0.0) : correlation[i * count + j];
+}
+
+/// F as a function of independent scores.
+class ScoreFactor {
+ public:
+  ScoreFactor(const std::vector<Marginal>& numbers, const std::vector<double>& correlation, const FactorOf& factor)
+      : numbers_(numbers), factor_(factor) {
+    const auto n = static_cast<Eigen::Index>(numbers.size());
+    MatrixXd c(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j < n; ++j)
+        c(i, j) = get(correlation, numbers.size(), static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    lower_ = c.llt().matrixL();
+  }
+
+  std::vector<double> find_values(const VectorXd& y) const {
+    const VectorXd z = lower_.lazyProduct(y);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+      values.push_back(numbers_[i].find_value(z[static_cast<Eigen::Index>(i)]));
+    return values;
+  }
+  std::optional<double> operator()(const VectorXd& y) const { return factor_(find_values(y)); }
+
+  bool find_gradient(const VectorXd& y, VectorXd& gradient) const {
+    gradient.resize(y.size());
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+      VectorXd low = y, high = y;
+      low[i] -= score_step;
+      high[i] += score_step;
+      const std::optional<double> a = (*this)(low), b = (*this)(high);
+      if (!a || !b) return false;
+      gradient[i] = (*b - *a) / (2 * score_step);
+    }
+    return true;
+  }
+
+ private:
+  const std::vector<Marginal>& numbers_;
+  const FactorOf& factor_;
+  MatrixXd lower_;
+};
+
+}  // namespace
+
+std::optional<FirstOrder> estimate_first_order(const std::vector<Marginal>& numbers,
+                                               const std::vector<double>& correlation, const FactorOf& factor) {
+  FirstOrder result;
+  std::vector<double> means;
+  for (const Marginal& m : numbers) means.push_back(m.find_mean());
+  const std::optional<double> mean_factor = factor(means);
+  if (!mean_factor) return std::nullopt;
+  result.mean_factor = *mean_factor;
+  std::vector<double> slope;  // dF of one deviation
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double deviation = numbers[i].find_deviation();
+    std::vector<double> low = means, high = means;
+    low[i] = std::max(means[i] - deviation, numbers[i].lowest);
+    high[i] = std::min(means[i] + deviation, numbers[i].highest);
+    const std::optional<double> a = factor(low), b = factor(high);
+    if (!a || !b) return std::nullopt;
+    result.sensitivities.push_back({low[i], high[i], *a, *b});
+    slope.push_back(high[i] > low[i] ? (*b - *a) / (high[i] - low[i]) * deviation : 0);
+  }
+  double variance = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (std::size_t j = 0; j < numbers.size(); ++j) {
+      const double scores = get(correlation, numbers.size(), i, j);
+      const double values = i == j ? 1 : scores == 0 ? 0 : correlate_values(numbers[i], numbers[j], scores);
+      variance += slope[i] * slope[j] * values;
+    }
+  result.deviation = std::sqrt(std::max(0.0, variance));
+  if (result.deviation == 0) return std::nullopt;
+  const double v = result.deviation / result.mean_factor;
+  result.index_normal = (result.mean_factor - 1) / result.deviation;
+  result.index_lognormal = std::log(result.mean_factor / std::sqrt(1 + v * v)) / std::sqrt(std::log1p(v * v));
+  return result;
+}
+
+std::optional<DesignPoint> find_design_point(const std::vector<Marginal>& numbers,
+                                             const std::vector<double>& correlation, const FactorOf& factor) {
+  const ScoreFactor factor_of(numbers, correlation, factor);
+  VectorXd y = VectorXd::Zero(static_cast<Eigen::Index>(numbers.size())), gradient;
+  const std::optional<double> start = factor_of(y);
+  if (!start) return std::nullopt;
+  DesignPoint point;
+  double g = *start - 1;
+  const double sign = g >= 0 ? 1 : -1;
+  for (; point.iterations < most_iterations && !point.converged; ++point.iterations) {
+    if (!factor_of.find_gradient(y, gradient) || gradient.squaredNorm() == 0) return std::nullopt;
+    const VectorXd target = gradient * (gradient.dot(y) - g) / gradient.squaredNorm();
+    const VectorXd step = target - y;
+    // A step counts when it lowers this merit function (Zhang and Der Kiureghian 1995).
+    const double weight = 2 * std::max(y.norm() / gradient.norm(), 10 * target.squaredNorm() / (1 + std::abs(g)));
+    const auto merit = [weight](const VectorXd& at, double value) {
+      return 0.5 * at.squaredNorm() + weight * std::abs(value);
+    };
+    double share = 1;
+    std::optional<double> next;
+    for (int i = 0; i < most_halvings; ++i, share *= 0.5) {
+      next = factor_of(y + share * step);
+      if (next && merit(y + share * step, *next - 1) < merit(y, g)) break;
+    }
+    if (!next) return std::nullopt;
+    point.converged = std::abs(*next - 1) < factor_tolerance && step.norm() * share < std::sqrt(index_tolerance) &&
+                      std::abs(target.norm() - y.norm()) < index_tolerance * std::max(1.0, y.norm());
+    y += share * step;
+    g = *next - 1;
+  }
+  point.index = sign * y.norm();
+  point.values = factor_of.find_values(y);
+  point.factor = 1 + g;
+  const double square = y.squaredNorm();
+  for (Eigen::Index i = 0; i < y.size(); ++i) point.importance.push_back(square > 0 ? y[i] * y[i] / square : 0);
+  return point;
+}
+
+}  // namespace talus::study

@@ -1,0 +1,101 @@
+#include "study/sampling.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "analysis/run_case.hpp"
+#include "analysis/summary.hpp"
+#include "base/error.hpp"
+#include "output/atomic_file.hpp"
+#include "study/sampling_table.hpp"
+
+namespace talus::study {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A Latin hypercube is made of so many that are drawn for themselves, where the samples are enough for it: their
+/// scatter tells the standard error.
+constexpr int hypercubes = 10, enough_samples = 1000;
+
+void check_folder(const StudyOptions& options) {
+  if (!fs::exists(options.folder)) return;
+  const std::string folder = options.folder.string();
+  if (!fs::is_directory(options.folder))
+    throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; a study needs a folder", folder));
+  if (!fs::is_empty(options.folder) && !options.overwrite && !options.resume)
+    throw Error(ExitCode::folder_exists,
+                fmt::format("the folder '{}' holds something already; give another one with -o, or replace it with "
+                            "--overwrite",
+                            folder));
+}
+
+}  // namespace
+
+std::vector<double> SampleSet::get_sample(std::size_t i) const {
+  std::vector<double> sample;
+  for (const auto& column : values) sample.push_back(column[i]);
+  return sample;
+}
+
+SampleSet draw_samples(const model::LoadedCase& base) {
+  const model::Sampling& sampling = base.data.study.sampling;
+  SampleSet set;
+  set.sampled = read_sampled_numbers(base);
+  set.notes = set.sampled.notes;
+  set.method = sampling.method;
+  set.plan.samples = sampling.samples;
+  set.plan.numbers = static_cast<int>(set.sampled.numbers.size());
+  set.plan.seed = sampling.seed;
+  set.plan.latin = sampling.plan == model::SamplePlan::latin_hypercube;
+  set.plan.replicates = set.plan.latin && sampling.samples >= enough_samples ? hypercubes : 1;
+  set.plan.correlation = set.sampled.correlation;
+  set.scores = draw_scores(set.plan);
+  for (std::size_t j = 0; j < set.scores.size(); ++j) {
+    set.values.emplace_back();
+    for (const double z : set.scores[j]) set.values[j].push_back(set.sampled.numbers[j].marginal.find_value(z));
+  }
+  return set;
+}
+
+SamplingResult run_sampling(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+                            const StudyOptions& options) {
+  SampleSet set = draw_samples(base);
+  check_folder(options);
+  SamplingResult result;
+  json study = {{"format", 1},
+                {"title", base.data.title},
+                {"case_file", base.file},
+                {"reference", ""},
+                {"vary", json::array()},
+                {"columns", json::array()},
+                {"variants", json::array()},
+                {"notes", json::array()},
+                {"units",
+                 {{"displacement", base.data.output.displacement_unit},
+                  {"length", base.data.output.length_unit},
+                  {"stress", base.data.output.stress_unit}}},
+                {"project", analysis::describe_project(base.data)},
+                {"provenance", analysis::describe_provenance(base, analysis::hash_input(base.echo), options.threads)},
+                {"input", base.echo}};
+  if (set.method == model::SampledMethod::lem) {
+    calculate_slices(base, overrides, options, set);
+  } else {
+    study = calculate_runs(base, overrides, options, set, result.failure);
+  }
+  study["mode"] = "sample";
+  study["sampling"] = describe_sampling(base.data.study.sampling, set);
+  output::make_folder(options.folder);
+  output::write_atomically(options.folder / "samples.csv", write_samples(set));
+  output::write_atomically(options.folder / "study.json", study.dump(2) + "\n");
+  result.markdown = write_sampling_markdown(base.data.title, study["sampling"]);
+  output::write_atomically(options.folder / "study.md", result.markdown);
+  result.study = std::move(study);
+  return result;
+}
+
+}  // namespace talus::study

@@ -1,0 +1,103 @@
+// Samples calculated by runs of the case: finite elements, or material points with their runout.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "analysis/named_results.hpp"
+#include "analysis/run_case.hpp"
+#include "study/key_paths.hpp"
+#include "study/sampling.hpp"
+#include "study/study_table.hpp"
+
+namespace talus::study {
+namespace {
+
+using nlohmann::json;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// A variant for every sample, each read and checked as a case of its own; before them the case at the means.
+StudyPlan plan_samples(const model::LoadedCase& base, std::vector<model::Override> overrides, const SampleSet& set) {
+  overrides.push_back({"analysis.methods", set.method == model::SampledMethod::fem ? R"(["fem"])" : R"(["mpm"])"});
+  StudyPlan plan;
+  plan.title = base.data.title;
+  plan.mode = "sample";
+  plan.file = base.file;
+  plan.displacement_unit = base.data.output.displacement_unit;
+  plan.length_unit = base.data.output.length_unit;
+  for (const SampledNumber& n : set.sampled.numbers) plan.keys.push_back({n.key, n.name, n.unit});
+  const std::size_t digits = std::to_string(set.size()).size();
+  const auto add = [&](const std::string& name, const std::string& label, const std::vector<double>& values) {
+    Variant variant;
+    variant.name = name;
+    variant.label = label;
+    for (const double value : values) variant.values.push_back(fmt::format("{:.6g}", value));
+    try {
+      variant.loaded = read_sample(base, overrides, set.sampled, values);
+    } catch (const InputError& error) {
+      throw Error(
+          ExitCode::wrong_input,
+          fmt::format("{} is no possible case: {}; cut or correlate the distributions so that it cannot come up", label,
+                      error.diagnostics().front().sentence));
+    }
+    variant.input_hash = analysis::hash_input(variant.loaded.echo);
+    plan.variants.push_back(std::move(variant));
+  };
+  add("means", "at the means", set.sampled.list_means());
+  for (std::size_t i = 0; i < set.size(); ++i)
+    add(fmt::format("sample_{:0{}}", i + 1, digits), fmt::format("sample {}", i + 1), set.get_sample(i));
+  return plan;
+}
+
+/// The first of the names under which a run tells a number.
+std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    for (const StudyRow& row : rows)
+      if (row.summary.is_object() && analysis::find_result(row.summary, name)) return name;
+  return "";
+}
+
+/// That number of every sample; the first row is the case at the means.
+std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& name) {
+  std::vector<double> values;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const bool ended = rows[i].status == "finished" && rows[i].summary.is_object();
+    values.push_back(ended ? analysis::find_result(rows[i].summary, name).value_or(none) : none);
+  }
+  return values;
+}
+
+}  // namespace
+
+json calculate_runs(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+                    const StudyOptions& options, SampleSet& set, std::optional<Error>& failure) {
+  const auto start = std::chrono::steady_clock::now();
+  const StudyPlan plan = plan_samples(base, overrides, set);
+  const std::vector<StudyRow> rows = run_study(plan, options);
+  failure = find_failure(plan, rows);
+  const bool by_elements = set.method == model::SampledMethod::fem;
+  const std::string factor =
+      find_name(rows, by_elements ? std::vector<std::string>{"fem.factor", "fem.associated.factor"}
+                                  : std::vector<std::string>{"factor_of_safety.frozen", "factor_of_safety.bilinear",
+                                                             "factor_of_safety.displacement"});
+  if (!factor.empty()) set.factor = take(rows, factor);
+  if (!by_elements) {
+    std::vector<std::string> names{"runout.toe_distance"};
+    for (const double f : base.data.strength_reduction.curve.runout)
+      names.push_back(fmt::format("runout[{:g}].toe_distance", f));
+    set.runout_name = find_name(rows, names);
+    if (!set.runout_name.empty()) set.runout = take(rows, set.runout_name);
+  }
+  set.method_title = by_elements ? "Finite elements" : "Material points";
+  set.method_title += ", a run for every sample" + (factor.empty() ? "" : ", " + factor);
+  if (set.factor.empty() && set.runout.empty())
+    set.notes.push_back("No run has come to a factor of safety or a runout.");
+  set.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return describe_study(plan, rows);
+}
+
+}  // namespace talus::study

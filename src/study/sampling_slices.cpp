@@ -1,0 +1,183 @@
+// Samples calculated by slices.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "base/parallel.hpp"
+#include "study/random_stream.hpp"
+#include "study/sampling.hpp"
+#include "study/slice_factor.hpp"
+
+namespace talus::study {
+namespace {
+
+/// Samples of one piece of work.
+constexpr std::size_t piece = 25;
+/// Samples that are searched as well: drawn at random, and nearest to failure.
+constexpr std::size_t random_checks = 20, critical_checks = 12;
+/// Stream of the random choice among the samples; those of the numbers count from 0.
+constexpr std::uint64_t check_stream = ~0ULL;
+/// Quick factors may be so much too high; beyond that the surfaces of the searches are kept, so many times at most.
+constexpr double good_enough = 0.003, worth_keeping = 1e-4;
+constexpr int most_rounds = 2;
+constexpr double per_cent = 100;
+
+class SliceSampling {
+ public:
+  SliceSampling(SliceFactor& slices, const StudyOptions& options, SampleSet& set)
+      : slices_(slices), options_(options), set_(set) {}
+
+  void calculate() {
+    set_.factor.assign(set_.size(), std::numeric_limits<double>::quiet_NaN());
+    std::atomic<std::size_t> done = 0;
+    const auto pieces = static_cast<int>((set_.size() + piece - 1) / piece);
+    parallel_tasks(pieces, options_.threads, [&](int p) {
+      const std::size_t first = static_cast<std::size_t>(p) * piece, end = std::min(first + piece, set_.size());
+      SliceFactor::Workspace work;
+      for (std::size_t i = first; i < end && !is_interrupted(); ++i) set_.factor[i] = find(i, work);
+      done += end - first;
+      if (options_.progress != nullptr && options_.progress->is_due())
+        options_.progress->show(fmt::format("{} of {} samples calculated", done.load(), set_.size()));
+    });
+    if (options_.progress != nullptr) options_.progress->clear();
+    if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted while the samples were calculated");
+  }
+
+  /// Searches for some samples for themselves. Where they find less, their surfaces are kept and all is calculated
+  /// again.
+  void check() {
+    for (int round = 0;; ++round) {
+      const std::vector<std::size_t> chosen = choose(round);
+      if (chosen.empty()) return;
+      std::vector<std::optional<SliceFactor::Searched>> searched(chosen.size());
+      parallel_tasks(static_cast<int>(chosen.size()), options_.threads, [&](int k) {
+        const auto at = static_cast<std::size_t>(k);
+        if (!is_interrupted()) searched[at] = slices_.search(set_.get_sample(chosen[at]));
+      });
+      if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted while samples were searched");
+      SurfaceCheck check;
+      std::vector<lem::Surface> better;
+      double sum = 0;
+      for (std::size_t k = 0; k < chosen.size(); ++k) {
+        if (!searched[k]) continue;
+        const double excess = set_.factor[chosen[k]] / searched[k]->factor - 1;
+        check.largest = check.samples == 0 ? excess : std::max(check.largest, excess);
+        sum += excess;
+        ++check.samples;
+        if (excess > worth_keeping)
+          better.insert(better.end(), searched[k]->surfaces.begin(), searched[k]->surfaces.end());
+      }
+      if (check.samples > 0) check.mean = sum / check.samples;
+      set_.check = check;
+      if (check.largest <= good_enough || round == most_rounds) return;
+      slices_.add(better);
+      calculate();
+    }
+  }
+
+ private:
+  /// NaN where there is none.
+  double find(std::size_t i, SliceFactor::Workspace& work) const {
+    try {
+      return slices_.find(set_.get_sample(i), work).value_or(std::numeric_limits<double>::quiet_NaN());
+    } catch (const InputError& error) {
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("sample {} is no possible case: {}; cut or correlate the distributions so that it cannot "
+                              "come up",
+                              i + 1, error.diagnostics().front().sentence));
+    }
+  }
+
+  std::vector<std::size_t> choose(int round) const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < set_.size(); ++i)
+      if (std::isfinite(set_.factor[i])) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return std::abs(set_.factor[a] - 1) < std::abs(set_.factor[b] - 1);
+    });
+    // The nearest to failure stand in front; the others are drawn from what is behind them. Another round takes others:
+    // those that were searched are exact now.
+    RandomStream random(set_.plan.seed, check_stream - static_cast<std::uint64_t>(round));
+    const std::size_t skipped = std::min(order.size(), critical_checks * static_cast<std::size_t>(round));
+    order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(skipped));
+    const std::size_t count = std::min(order.size(), critical_checks + random_checks);
+    for (std::size_t k = critical_checks; k < count; ++k)
+      std::swap(order[k], order[k + random.draw_below(order.size() - k)]);
+    order.resize(count);
+    return order;
+  }
+
+  SliceFactor& slices_;
+  const StudyOptions& options_;
+  SampleSet& set_;
+};
+
+std::string list_keys(const std::vector<std::string>& keys) {
+  std::string text;
+  for (const std::string& key : keys) text += (text.empty() ? "" : ", ") + key;
+  return text;
+}
+
+}  // namespace
+
+void calculate_slices(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+                      const StudyOptions& options, SampleSet& set) {
+  const auto start = std::chrono::steady_clock::now();
+  if (options.progress != nullptr) options.progress->show("searching for the critical surfaces");
+  SliceFactor slices(base, overrides, set.sampled, options.threads);
+  const std::vector<Marginal> marginals = set.sampled.list_marginals();
+  SliceFactor::Workspace work;
+  const FactorOf factor = [&](const std::vector<double>& values) { return slices.find(values, work); };
+  set.first_order = estimate_first_order(marginals, set.sampled.correlation, factor);
+  // With a search for every sample the iteration would cost more than it tells.
+  if (!slices.is_full()) set.design_point = find_design_point(marginals, set.sampled.correlation, factor);
+  if (set.design_point) {
+    // The surface that fails first need not be critical at the means: it is looked for where failure is most probable.
+    if (const auto searched = slices.search(set.design_point->values)) slices.add(searched->surfaces);
+    set.design_point = find_design_point(marginals, set.sampled.correlation, factor);
+  }
+  SliceSampling sampling(slices, options, set);
+  sampling.calculate();
+  const bool is_checked = !slices.is_full() && base.data.lem.search != model::SurfaceSearch::none;
+  if (is_checked) sampling.check();
+  set.surfaces = slices.count_surfaces();
+  const std::string title = lem::title_method(slices.method());
+  set.method_title = slices.is_full() ? fmt::format("{}, a search for every sample", title)
+                                      : fmt::format("{} on {} surfaces", title, set.surfaces);
+  for (const std::string& note : slices.numbers().notes()) set.notes.push_back(note);
+  if (!slices.numbers().idle_keys().empty())
+    set.notes.push_back(
+        fmt::format("Slices do not know {}: it has no influence here.", list_keys(slices.numbers().idle_keys())));
+  if (slices.is_full()) {
+    set.notes.push_back(fmt::format("{} changes the section or its water: every sample was searched for itself.",
+                                    list_keys(slices.numbers().section_keys())));
+  } else if (is_checked) {
+    if (set.check)
+      set.notes.push_back(
+          fmt::format("Every sample was evaluated on {} surfaces from searches at the means, at {} other "
+                      "combinations of values and near failure. Searches for {} samples themselves gave "
+                      "factors lower by {:.2f} % at most, {:.2f} % on average.",
+                      set.surfaces, slices.count_corners(), set.check->samples,
+                      per_cent * std::max(0.0, set.check->largest), per_cent * set.check->mean));
+  } else {
+    set.notes.push_back("Only the surfaces that the case gives were evaluated.");
+  }
+  if (!set.first_order)
+    set.notes.push_back(
+        "Within one deviation of the means some values have no factor: there is no first-order estimate and "
+        "no tornado.");
+  if (set.design_point && !set.design_point->converged)
+    set.notes.push_back(
+        "The search for the most probable failure did not come to rest: take its index as a hint only.");
+  set.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace talus::study

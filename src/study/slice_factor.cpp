@@ -1,0 +1,104 @@
+#include "study/slice_factor.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "lem/evaluator.hpp"
+#include "methods/lem_section.hpp"
+#include "methods/run_lem.hpp"
+
+namespace talus::study {
+namespace {
+
+/// Searches are made where one number is so many deviations of its score off, the others at their means: beyond that
+/// one sample of twenty lies.
+constexpr double corner_score = 2;
+
+}  // namespace
+
+SliceFactor::SliceFactor(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+                         const SampledNumbers& sampled, int threads)
+    : base_(base),
+      overrides_(overrides),
+      sampled_(sampled),
+      numbers_(base, overrides, sampled, sampled.list_means()),
+      options_(methods::make_search_options(base.data.lem, threads)) {
+  options_.methods.resize(1);
+  if (is_full()) return;
+  slope_ = std::make_unique<lem::Slope>(numbers_.middle());
+  std::vector<lem::Surface> given;
+  for (const model::SlipSurface& s : base.data.lem.surfaces) given.push_back(methods::make_surface(*slope_, s));
+  if (searches()) {
+    const std::vector<lem::Section> corners = make_corners(sampled.list_means());
+    corners_ = static_cast<int>(corners.size());
+    candidates_ = std::make_unique<lem::Candidates>(*slope_, corners, options_, method(), threads);
+    if (!given.empty()) add(given);
+  } else {
+    candidates_ = std::make_unique<lem::Candidates>(*slope_, given, options_, method());
+  }
+}
+
+std::vector<lem::Section> SliceFactor::make_corners(const std::vector<double>& means) const {
+  std::vector<lem::Section> corners;
+  for (std::size_t i = 0; i < means.size(); ++i)
+    for (const double score : {-corner_score, corner_score}) {
+      std::vector<double> corner = means;
+      corner[i] = sampled_.numbers[i].marginal.find_value(score);
+      corners.push_back(numbers_.make_section(corner));
+    }
+  return corners;
+}
+
+void SliceFactor::add(const std::vector<lem::Surface>& surfaces) {
+  if (!candidates_) return;
+  std::vector<lem::Surface> all;
+  for (int i = 0; i < candidates_->count(); ++i) all.push_back(candidates_->surface(i));
+  all.insert(all.end(), surfaces.begin(), surfaces.end());
+  candidates_ = std::make_unique<lem::Candidates>(*slope_, all, options_, method());
+}
+
+std::optional<double> SliceFactor::find(const std::vector<double>& values, Workspace& work) const {
+  if (is_full()) {
+    const std::optional<Searched> searched = search(values);
+    return searched ? std::optional(searched->factor) : std::nullopt;
+  }
+  if (work.soils.empty()) work.soils = numbers_.middle().soils;
+  double horizontal = 0, vertical = 0;
+  numbers_.apply(values, work.soils, horizontal, vertical);
+  const double factor = candidates_->find_factor(work.soils, horizontal, vertical, work.candidates);
+  return factor > 0 ? std::optional(factor) : std::nullopt;
+}
+
+std::optional<SliceFactor::Searched> SliceFactor::search(const std::vector<double>& values) const {
+  lem::SearchOptions options = options_;
+  options.threads = 1;
+  Searched result;
+  const auto take = [&](double factor) {
+    if (factor > 0 && (result.factor == 0 || factor < result.factor)) result.factor = factor;
+  };
+  const lem::Slope slope(is_full()
+                             ? methods::make_section(read_sample(base_, overrides_, sampled_, values).data).section
+                             : numbers_.make_section(values));
+  lem::Evaluator evaluate(slope, method(), options.checks, options.slices);
+  for (const model::SlipSurface& given : base_.data.lem.surfaces) {
+    const double factor = evaluate(methods::make_surface(slope, given));
+    if (factor < lem::Evaluator::refused) take(factor);
+  }
+  if (searches()) {
+    try {
+      const lem::SearchResult found = lem::search(slope, options);
+      for (const auto* list : {&found.circular, &found.noncircular})
+        for (const lem::Critical& c : *list) {
+          take(c.solution.factor);
+          result.surfaces.push_back(c.surface);
+        }
+      for (const auto& minima : found.minima)
+        for (const lem::Critical& c : minima) result.surfaces.push_back(c.surface);
+    } catch (const Error&) {
+      // No admissible surface: no factor of this sample.
+    }
+  }
+  return result.factor > 0 ? std::optional(result) : std::nullopt;
+}
+
+}  // namespace talus::study

@@ -1,0 +1,63 @@
+#pragma once
+// The factor of safety by slices as a function of the sampled numbers: quick, over a fixed set of surfaces, or by a
+// search of its own.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lem/candidates.hpp"
+#include "lem/search.hpp"
+#include "study/slice_numbers.hpp"
+
+namespace talus::study {
+
+class SliceFactor {
+ public:
+  /// Searches at the means and at corners of the distributions, and keeps the surfaces that may be critical. Throws
+  /// what methods::make_section() and lem::search() do at the means.
+  SliceFactor(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+              const SampledNumbers& sampled, int threads);
+
+  /// Whether every sample needs its own section and search.
+  bool is_full() const { return numbers_.changes_section(); }
+  lem::Method method() const { return options_.methods.front(); }
+  const SliceNumbers& numbers() const { return numbers_; }
+  /// Surfaces that every sample is evaluated on; 0 with searches.
+  int count_surfaces() const { return candidates_ ? candidates_->count() : 0; }
+  /// Combinations of values that were searched, besides the means.
+  int count_corners() const { return corners_; }
+
+  /// Memory of one thread.
+  struct Workspace {
+    lem::Candidates::Workspace candidates;
+    std::vector<lem::Soil> soils;
+  };
+  /// The smallest factor with these values; nothing where no surface is admissible. Safe to call from many threads.
+  std::optional<double> find(const std::vector<double>& values, Workspace& work) const;
+
+  struct Searched {
+    double factor = 0;
+    std::vector<lem::Surface> surfaces;  ///< critical ones and local minima
+  };
+  /// The same by a search for these values alone.
+  std::optional<Searched> search(const std::vector<double>& values) const;
+  /// Keeps more surfaces. Not while others call find().
+  void add(const std::vector<lem::Surface>& surfaces);
+
+ private:
+  bool searches() const { return base_.data.lem.search != model::SurfaceSearch::none; }
+  std::vector<lem::Section> make_corners(const std::vector<double>& means) const;
+
+  const model::LoadedCase& base_;
+  const std::vector<model::Override>& overrides_;
+  const SampledNumbers& sampled_;
+  SliceNumbers numbers_;
+  lem::SearchOptions options_;
+  std::unique_ptr<lem::Slope> slope_;  ///< at the means
+  std::unique_ptr<lem::Candidates> candidates_;
+  int corners_ = 0;
+};
+
+}  // namespace talus::study

@@ -1,0 +1,167 @@
+// Partial factors: exact answers where there are some, and what is divided and what is not.
+
+#include "methods/design_values.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "lem/search.hpp"
+#include "methods/run_lem.hpp"
+#include "model/read.hpp"
+
+namespace talus::methods {
+namespace {
+
+/// The dry homogeneous slope of the source: 10 m at 2:1, c = 2 kPa, φ = 30°.
+model::Case read(const std::string& more, const std::vector<model::Override>& changes = {}) {
+  return model::read_case_text(R"(
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
+[regions]
+soil = "soil"
+[materials.soil]
+model = "mohr_coulomb"
+grain_density = 2650
+porosity = 0.4
+cohesion = "2 kPa"
+friction_angle = "30 deg"
+[analysis]
+methods = ["lem"]
+[lem]
+noncircular = false
+)" + more,
+                               "dry_slope.toml", changes)
+      .data;
+}
+
+std::map<lem::Method, lem::Critical> search(const model::Case& data) {
+  const PreparedSlope prepared = prepare_slope(data);
+  std::map<lem::Method, lem::Critical> found;
+  for (lem::Critical& c : lem::search(*prepared.slope, make_search_options(data.lem, 1)).circular) {
+    const lem::Method method = c.method;
+    found.emplace(method, std::move(c));
+  }
+  return found;
+}
+
+/// All strengths over one number: F over it, on every surface and by every method. The published pairs are 1.4403 and
+/// 1.1522 by Bishop, 1.4394 and 1.1515 by Spencer.
+TEST(DesignValues, DrainedSlopeHasItsFactorOver125) {
+  const DesignValues design = apply_partial_factors(read("[partial_factors]\nset = \"DA1-2\"\n"));
+  const auto plain = search(read("")), factored = search(design.data);
+  ASSERT_EQ(plain.size(), factored.size());
+  ASSERT_GE(plain.size(), 3u);
+  const PreparedSlope slope = prepare_slope(design.data);
+  for (const auto& [method, critical] : plain) {
+    lem::Checks checks;
+    checks.reject = false;
+    lem::CutSurface cut = lem::cut_surface(*slope.slope, critical.surface, 50, checks);
+    const lem::Solution same = lem::solve(*slope.slope, cut, method, checks, false);
+    EXPECT_NEAR(same.factor, critical.solution.factor / 1.25, 2e-4) << lem::name_method(method);
+    EXPECT_NEAR(factored.at(method).solution.factor, critical.solution.factor / 1.25, 1e-3) << lem::name_method(method);
+  }
+  EXPECT_NEAR(factored.at(lem::Method::bishop).solution.factor, 1.1522, 0.005 * 1.1522);
+  EXPECT_NEAR(factored.at(lem::Method::spencer).solution.factor, 1.1515, 0.005 * 1.1515);
+}
+
+/// γ_G on all weight and c/γ_G are the same slope: the factor with DA1-1 is that of a slope 1.35 times as heavy.
+TEST(DesignValues, PermanentActionsAreTheWeightOfTheSoil) {
+  const DesignValues design = apply_partial_factors(read("[partial_factors]\nset = \"DA1-1\"\n"));
+  model::Case heavy = read("");
+  heavy.materials.at("soil").grain_density *= 1.35;
+  const auto a = search(design.data), b = search(heavy);
+  for (const auto& [method, critical] : a)
+    EXPECT_NEAR(critical.solution.factor, b.at(method).solution.factor, 1e-5) << lem::name_method(method);
+}
+
+TEST(DesignValues, AreThoseOfTheSet) {
+  const std::string soils = R"(
+[materials.clay]
+model = "mohr_coulomb"
+unit_weight = "19 kN/m3"
+cohesion = "42 kPa"
+friction_angle = 0
+cohesion_gradient = "1.4 kPa/m"
+cohesion_level = 0
+[[geometry.polygon]]
+name = "below"
+points = [[0, -5], [44, -5], [44, 0], [0, 0]]
+[[surcharge]]
+name = "road"
+x = [2, 10]
+load = [20, 20]
+[[surcharge]]
+name = "traffic"
+x = [2, 10]
+load = [10, 10]
+variable = true
+[partial_factors]
+set = ")";
+  const auto apply = [&](const std::string& set, const std::string& by_hand = "") {
+    return apply_partial_factors(read(soils + set + "\"\n" + by_hand, {{"regions.below", "clay"}}));
+  };
+  const double tan_30 = std::tan(std::numbers::pi / 6);
+  {
+    const DesignValues d = apply("DA1-2");
+    const model::Material &sand = d.data.materials.at("soil"), &clay = d.data.materials.at("clay");
+    EXPECT_NEAR(sand.cohesion, 1600, 1e-9);
+    EXPECT_NEAR(std::tan(sand.friction_angle), tan_30 / 1.25, 1e-12);
+    EXPECT_NEAR(clay.cohesion, 30e3, 1e-9);
+    EXPECT_NEAR(clay.slices.cohesion_gradient, 1000, 1e-9);
+    EXPECT_NEAR(*clay.slices.unit_weight, 19e3, 1e-9);
+    EXPECT_NEAR(d.data.surcharges[0].load[0], 20e3, 1e-9);
+    EXPECT_NEAR(d.data.surcharges[1].load[0], 13e3, 1e-9);
+    EXPECT_EQ(d.resistance, 1);
+  }
+  {
+    const DesignValues d = apply("DA2");
+    EXPECT_NEAR(d.data.materials.at("soil").cohesion, 2000 / 1.35, 1e-9);
+    EXPECT_NEAR(std::tan(d.data.materials.at("soil").friction_angle), tan_30, 1e-12);
+    EXPECT_NEAR(d.data.surcharges[0].load[0], 20e3, 1e-9);
+    EXPECT_NEAR(d.data.surcharges[1].load[0], 10e3 * 1.5 / 1.35, 1e-9);
+    EXPECT_EQ(d.resistance, 1.1);
+    nlohmann::json statement = d.statement;
+    state_over_design(statement, 1.21);
+    EXPECT_NEAR(statement.at("over_design").get<double>(), 1.1, 1e-12);
+    EXPECT_NE(statement.at("text").get<std::string>().find("1.100, which is at least 1"), std::string::npos);
+  }
+  {
+    const DesignValues d = apply("by_hand", "friction = 1.3\nweight = 1.1\n");
+    EXPECT_NEAR(d.data.materials.at("soil").cohesion, 2000, 1e-9);
+    EXPECT_NEAR(std::tan(d.data.materials.at("soil").friction_angle), tan_30 / 1.3, 1e-12);
+    EXPECT_NEAR(*d.data.materials.at("clay").slices.unit_weight, 19e3 / 1.1, 1e-9);
+    EXPECT_NEAR(d.data.materials.at("soil").grain_density, 2650 / 1.1, 1e-9);
+  }
+}
+
+/// What the report's table of design values says is what the case has.
+TEST(DesignValues, StatementSaysWhatWasChanged) {
+  const DesignValues d = apply_partial_factors(read("[partial_factors]\nset = \"DA3\"\n"));
+  std::map<std::string, std::pair<double, double>> told;
+  for (const nlohmann::json& row : d.statement.at("materials"))
+    told[row.at("symbol")] = {row.at("characteristic"), row.at("design")};
+  EXPECT_NEAR(told.at("c'").first, 2, 1e-12);
+  EXPECT_NEAR(told.at("c'").second, 1.6, 1e-12);
+  EXPECT_NEAR(told.at("φ'").first, 30, 1e-10);
+  EXPECT_NEAR(told.at("φ'").second, 24.7913, 1e-4);
+  EXPECT_FALSE(told.contains("γ"));  // its factor is 1
+  EXPECT_TRUE(apply_partial_factors(read("")).statement.is_null());
+}
+
+TEST(DesignValues, ASoilWithoutFrictionAngleIsRefusedByName) {
+  model::Case data = read("[partial_factors]\nset = \"DA3\"\n");
+  data.materials.at("soil").model = model::MaterialModel::modified_cam_clay;
+  try {
+    apply_partial_factors(data);
+    FAIL() << "was taken";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("'soil'"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace talus::methods

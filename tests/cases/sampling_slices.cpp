@@ -1,0 +1,151 @@
+// Samples by slices: a published first-order estimate, the same bits for any threads, and quick factors against
+// searches.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "cases/sampling_slope.hpp"
+#include "study/normal_law.hpp"
+#include "study/sampling.hpp"
+
+namespace talus::study {
+namespace {
+
+using nlohmann::json;
+using sampling_slope::deviations;
+
+const std::string sample = "[study]\nmode = \"sample\"\n";
+
+json run(const std::string& study, const std::string& name, int threads = 1,
+         const std::vector<model::Override>& changes = {}) {
+  StudyOptions options;
+  options.folder = sampling_slope::make_folder(name);
+  options.threads = threads;
+  return run_sampling(sampling_slope::read(study, changes), changes, options).study.at("sampling");
+}
+
+/// Hassan and Wolff's problem (1999); the numbers are an independent recomputation by Bishop's method with a search for
+/// every evaluation. They publish β = 2.336 for a lognormal factor, another program 2.482.
+TEST(SamplingSlices, FirstOrderEstimateIsThePublishedOne) {
+  const json block = run(sample + "samples = 20\n" + deviations, "first_order");
+  const json& first = block.at("first_order");
+  EXPECT_NEAR(first.at("mean_factor").get<double>(), 1.3336, 0.003 * 1.3336);
+  const std::map<std::string, double> change{
+      {"cohesion", 0.1422}, {"friction_angle", 0.0754}, {"unit_weight", -0.0356}, {"pore_pressure_ratio", -0.0264}};
+  for (const json& bar : block.at("tornado")) {
+    const double half = 0.5 * (bar.at("high_factor").get<double>() - bar.at("low_factor").get<double>());
+    EXPECT_NEAR(half, change.at(bar.at("name")), 0.002) << bar.at("name");
+  }
+  EXPECT_NEAR(first.at("deviation").get<double>(), 0.1669, 0.01 * 0.1669);
+  EXPECT_NEAR(first.at("index_normal").get<double>(), 1.999, 0.02);
+  EXPECT_NEAR(first.at("index_lognormal").get<double>(), 2.247, 0.025);
+}
+
+/// Four ways to the probability of failure of one slope agree as far as they should.
+TEST(SamplingSlices, IndicesAgreeAndTheQuickFactorsAreThoseOfSearches) {
+  const json block = run(sample + "samples = 2000\n" + deviations, "indices", 2);
+  const json& failure = block.at("failure");
+  const double form = block.at("design_point").at("index");
+  EXPECT_TRUE(block.at("design_point").at("converged").get<bool>());
+  EXPECT_NEAR(block.at("design_point").at("factor").get<double>(), 1, 2e-3);
+  EXPECT_LT(failure.at("index_lower").get<double>(), form + 0.1);  // the surface F = 1 is slightly bent
+  EXPECT_GT(failure.at("index_upper").get<double>(), form - 0.1);
+  EXPECT_NEAR(block.at("first_order").at("mean_factor").get<double>(), block.at("factor").at("mean").get<double>(),
+              0.02);
+  EXPECT_NEAR(block.at("first_order").at("deviation").get<double>(), block.at("factor").at("deviation").get<double>(),
+              0.01);
+  EXPECT_EQ(block.at("factor").at("none"), 0);
+  EXPECT_GE(block.at("check").at("samples").get<int>(), 30);
+  EXPECT_LT(block.at("check").at("largest").get<double>(), 0.01);
+  EXPECT_GT(block.at("surfaces").get<int>(), 20);
+  // Cohesion and friction hold, weight and pore pressure drive.
+  for (const json& r : block.at("ranks")) {
+    const bool holds = r.at("name") == "cohesion" || r.at("name") == "friction_angle";
+    EXPECT_GT((holds ? 1 : -1) * r.at("coefficient").get<double>(), 0.1) << r.at("name");
+  }
+}
+
+TEST(SamplingSlices, SameBitsForAnyThreadsAndOnlyForTheSameSeed) {
+  const auto read = [](const std::string& name) {
+    std::ifstream file(std::filesystem::temp_directory_path() / ("talus_sampling_" + name) / "samples.csv");
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string study = sample + "samples = 120\n" + deviations;
+  run(study, "one", 1);
+  run(study, "three", 3);
+  run(study, "other", 2, {{"study.seed", "2"}});
+  const std::string one = read("one");
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 121);
+  EXPECT_EQ(one, read("three"));
+  EXPECT_NE(one, read("other"));
+}
+
+/// A key that slices take from the section: every sample has a search of its own, and a deeper crack never helps here.
+TEST(SamplingSlices, AKeyOfTheSectionIsSearchedSampleBySample) {
+  const json block = run(sample + R"(samples = 6
+[[study.random]]
+key = "lem.tension_crack.depth"
+distribution = "uniform"
+lowest = "0.5 m"
+highest = "3 m"
+)",
+                         "section", 2, {{"lem.entry_exit.exits", "9"}, {"lem.entry_exit.entries", "9"}});
+  EXPECT_EQ(block.at("surfaces"), 0);
+  EXPECT_TRUE(block.at("check").is_null());
+  EXPECT_EQ(block.at("factor").at("count"), 6);
+  EXPECT_LT(block.at("ranks")[0].at("coefficient").get<double>(), 0);
+  EXPECT_NE(block.at("notes").dump().find("searched for itself"), std::string::npos);
+}
+
+TEST(SamplingSlices, CorrelationIsThatOfTheCaseAndChangesTheAnswer) {
+  const std::string correlation = R"(
+[[study.correlation]]
+keys = ["materials.soil.cohesion", "materials.soil.friction_angle"]
+coefficient = )";
+  const json against = run(sample + "samples = 1000\n" + deviations + correlation + "-0.7\n", "against", 2);
+  const json with = run(sample + "samples = 1000\n" + deviations + correlation + "0.7\n", "with", 2);
+  EXPECT_NEAR(against.at("correlations")[0].at("sampled").get<double>(), -0.7, 0.01);
+  EXPECT_LT(against.at("failure").at("probability").get<double>(), with.at("failure").at("probability").get<double>());
+  // σ_F² = Σ a² + 2 ρ a_c a_φ
+  const double v = 0.1669 * 0.1669, cross = 2 * 0.7 * 0.1422 * 0.0754;
+  EXPECT_NEAR(against.at("first_order").at("deviation").get<double>(), std::sqrt(v - cross), 0.003);
+  EXPECT_NEAR(with.at("first_order").at("deviation").get<double>(), std::sqrt(v + cross), 0.003);
+}
+
+TEST(SamplingSlices, SaysWhatItCannotDo) {
+  const std::string study = sample + "samples = 20\n" + deviations;
+  StudyOptions options;
+  options.folder = sampling_slope::make_folder("refused");
+  const auto refuse = [&](const model::LoadedCase& loaded) {
+    try {
+      run_sampling(loaded, {}, options);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THROW(sampling_slope::read(study, {{"partial_factors.set", "DA1-2"}}), InputError);  // known when it is read
+  EXPECT_EQ(refuse(sampling_slope::read(study)), "");
+  EXPECT_NE(refuse(sampling_slope::read(study)).find("holds something already"), std::string::npos);
+}
+
+/// A normal cohesion near zero: no sample is negative, and it is said how much was cut.
+TEST(SamplingSlices, NoSampleLeavesWhatItsKeyAllows) {
+  const json block = run(sample + R"(samples = 200
+[[study.random]]
+key = "materials.soil.cohesion"
+mean = "5 kPa"
+deviation = "4 kPa"
+)",
+                         "cut");
+  EXPECT_GE(block.at("numbers")[0].at("sampled").at("smallest").get<double>(), 0);
+  EXPECT_NEAR(block.at("numbers")[0].at("sampled").at("mean").get<double>(),
+              block.at("numbers")[0].at("mean").get<double>(), 0.02);
+  EXPECT_GT(block.at("numbers")[0].at("mean").get<double>(), 5.3);
+  EXPECT_NE(block.at("notes").dump().find("11 % of the distribution"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace talus::study
