@@ -6,7 +6,9 @@
 #include <cmath>
 #include <map>
 
+#include "report/asked_methods.hpp"
 #include "report/look_up.hpp"
+#include "report/method_table.hpp"
 #include "report/soil_water.hpp"
 #include "report/water_choices.hpp"
 #include "report/water_words.hpp"
@@ -47,7 +49,8 @@ std::string describe_meshes(const json& frozen, const ShownUnit& length) {
   return join_words(parts);
 }
 
-json list_factors(const json& summary) {
+/// Factors by material points.
+json list_own_factors(const json& summary) {
   json factors = json::array();
   const json* block = find(summary, {"factor_of_safety"});
   if (block == nullptr) return factors;
@@ -80,7 +83,36 @@ json list_factors(const json& summary) {
   return factors;
 }
 
-void say_factor(const json& summary, const json& factors, json& sentences) {
+/// By slices, by finite elements, by material points.
+json list_factors(const json& summary) {
+  json factors = list_other_factors(summary);
+  for (json& factor : list_own_factors(summary)) factors.push_back(std::move(factor));
+  return factors;
+}
+
+constexpr const char* too_low = "A factor below one: the slope does not stand with the given strength.";
+
+/// What the other methods found, and how they differ.
+void say_methods(const json& summary, const json& factors, json& sentences) {
+  const std::string sentence = say_main_factors(summary, factors);
+  if (sentence.empty()) {
+    sentences.push_back("No method found a factor of safety.");
+    return;
+  }
+  sentences.push_back(sentence);
+  // Of design values the statement on partial factors says it.
+  if (!has_design_values(summary) && std::any_of(factors.begin(), factors.end(), [](const json& f) {
+        return f["main"] == true && f["value"].get<double>() < 1;
+      }))
+    sentences.push_back(too_low);
+  if (const std::string weakest = say_weakest_surface(factors); !weakest.empty()) sentences.push_back(weakest);
+  if (const std::string text = get_text(summary, {"methods", "partial_factors", "text"}); !text.empty())
+    sentences.push_back(text);
+  for (const json& reading : find_list(summary, {"methods", "reading"})) sentences.push_back(reading);
+}
+
+/// `lone`: no other method gave one.
+void say_factor(const json& summary, const json& factors, bool lone, json& sentences) {
   const auto found = std::find_if(factors.begin(), factors.end(), [](const json& f) { return f["main"] == true; });
   if (found == factors.end()) {
     if (!factors.empty()) sentences.push_back("No criterion found a factor of safety in the range that was tried.");
@@ -88,7 +120,7 @@ void say_factor(const json& summary, const json& factors, json& sentences) {
   }
   const double value = (*found)["value"].get<double>();
   const bool by_frozen = (*found)["name"] == "factor_of_safety.frozen";
-  std::string text = fmt::format("The factor of safety is {:.3f}", value);
+  std::string text = fmt::format("{} is {:.3f}", lone ? "The factor of safety" : "That of material points", value);
   if (by_frozen) {
     const json& frozen = summary["factor_of_safety"]["frozen"];
     const ShownUnit length = read_units(summary).length;
@@ -106,7 +138,7 @@ void say_factor(const json& summary, const json& factors, json& sentences) {
     text += fmt::format(" by the criterion \"{}\".", (*found)["title"].get<std::string>());
   }
   sentences.push_back(text);
-  if (value < 1) sentences.push_back("A factor below one: the slope does not stand with the given strength.");
+  if (lone && value < 1) sentences.push_back(too_low);
 }
 
 /// What has become of the soil when a calculation ended.
@@ -246,8 +278,9 @@ void say_state(const ResultFolder& folder, json& sentences) {
 }  // namespace
 
 std::optional<double> find_main_factor(const json& summary) {
-  for (const json& f : list_factors(summary))
-    if (f["main"] == true) return f["value"].get<double>();
+  for (const json& factors : {list_own_factors(summary), list_other_factors(summary)})
+    for (const json& f : factors)
+      if (f["main"] == true) return f["value"].get<double>();
   return std::nullopt;
 }
 
@@ -263,7 +296,9 @@ json make_answer(const ResultFolder& folder) {
   const json factors = list_factors(summary);
   json sentences = json::array();
   say_state(folder, sentences);
-  say_factor(summary, factors, sentences);
+  const bool lone = !asks_for(summary, "lem") && !asks_for(summary, "fem");
+  if (!lone) say_methods(summary, factors, sentences);
+  say_factor(summary, list_own_factors(summary), lone, sentences);
   say_runouts(summary, sentences);
   if (const std::string motion = get_text(summary, {"motion", "sentence"}); !motion.empty())
     sentences.push_back(motion);

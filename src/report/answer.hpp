@@ -8,8 +8,8 @@
 
 namespace talus::report {
 
-/// The factor of safety that the first sentence names: at frozen geometry, else by the first criterion of the curve
-/// that found one.
+/// The factor of safety that the first sentence names: of material points at frozen geometry, else by the first
+/// criterion of the curve that found one; without material points of slices, else of finite elements.
 std::optional<double> find_main_factor(const nlohmann::json& summary);
 
 /// `Answer` of web/src/contract.ts.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "report/asked_methods.hpp"
 #include "report/look_up.hpp"
 #include "report/properties.hpp"
 #include "report/roots.hpp"
@@ -31,6 +32,9 @@ class Assumptions {
 
   json collect() {
     if (find(summary_, {"input"}) == nullptr) return sentences_;
+    if (asks_for(summary_, "lem")) add_slices();
+    if (asks_for(summary_, "fem")) add_elements();
+    if (!asks_for(summary_, "mpm")) return sentences_;
     add_ground();
     add_soils();
     add_mesh();
@@ -44,6 +48,45 @@ class Assumptions {
   template <class... Values>
   void add(fmt::format_string<Values...> text, Values&&... values) {
     sentences_.push_back(fmt::format(text, std::forward<Values>(values)...));
+  }
+
+  void add_slices() {
+    add("Slices: the mass above a slip surface slides as one body in a plane, and the strength is reached along all of "
+        "that surface at once. Deformation, the stress before failure and the dilatancy angle play no part; sides of a "
+        "slide, which hold, are left out.");
+    if (find(summary_, {"lem", "search"}) != nullptr)
+      add("The critical surface is the weakest of those that were tried and then improved; a weaker one of another "
+          "shape is possible.");
+    add("Fellenius, Bishop and Janbu leave a part of the equilibrium out; Spencer and Morgenstern–Price "
+        "satisfy all of it with an assumed inclination of the forces between slices.");
+    if (get_flag(get_table("lem"), "reject", true))
+      add("Surfaces with m_α below {:g}, with tension over more than {:g} % of the base, or (Spencer, "
+          "Morgenstern–Price) with the thrust outside the mass at more than {:g} % of the slices' sides are rejected "
+          "and counted.",
+          get_si(get_table("lem"), "smallest_m_alpha", 0.2), 100 * get_si(get_table("lem"), "most_tension", 0.1),
+          100 * get_si(get_table("lem"), "most_thrust_outside", 0.15));
+    const json& earthquake = get_table("earthquake");
+    if (get_si(earthquake, "horizontal", 0) != 0 || get_si(earthquake, "vertical", 0) != 0)
+      add("The earthquake is a constant acceleration (pseudo-static): neither its duration nor pore pressures that it "
+          "causes are seen.");
+  }
+
+  void add_elements() {
+    add("Finite elements: {} at small strains on the undeformed geometry. The factor is where Newton's method finds no "
+        "equilibrium that meets both the force and the displacement residual; a shear band is as wide as an element, "
+        "so that a finer mesh gives a slightly lower factor.",
+        dimension_ == 2 ? "quadratic triangles (six nodes)" : "quadratic tetrahedra (ten nodes)");
+    for (const json& run : find_list(summary_, {"fem", "runs"}))
+      if (get_text(run, {"flow"}) == "associated")
+        add("With associated flow (ψ = φ) the factor can be compared with slices and limit analysis; with ψ as given "
+            "it is what material points should come to.");
+  }
+
+  /// A table of the case; an empty one when it is not there.
+  const json& get_table(const char* name) const {
+    static const json none = json::object();
+    const json* found = find(summary_, {"input", name});
+    return found != nullptr ? *found : none;
   }
 
   void add_ground() {

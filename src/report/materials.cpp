@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 #include "report/look_up.hpp"
 #include "report/properties.hpp"
 #include "report/soil_water.hpp"
@@ -11,6 +13,8 @@ namespace talus::report {
 using nlohmann::json;
 
 namespace {
+
+constexpr double degree = std::numbers::pi / 180;
 
 std::string name_model(const json& soil) {
   const std::string model = get_word(soil, "model");
@@ -47,11 +51,18 @@ json list_materials(const json& summary, std::optional<double> factor_of_safety)
         if (get_text(material, {"value"}) == name) own_regions.push_back(region);
     Properties properties(units.stress, stage_factor, factor_of_safety);
     const auto density = find_si(soil, "grain_density"), porosity = find_porosity(soil);
-    properties.add("grain_density", "density of the grains", "ρs", {"kg/m³", 1}, density);
-    properties.add("porosity", "porosity", "n", {"-", 1}, porosity);
+    // A unit weight stands for both.
+    if (!find_si(soil, "unit_weight")) {
+      properties.add("grain_density", "density of the grains", "ρs", {"kg/m³", 1}, density);
+      properties.add("porosity", "porosity", "n", {"-", 1}, porosity);
+    }
     if (find_si(soil, "void_ratio") || is_cam_clay(soil))
       properties.add("void_ratio", "void ratio at the start", "e₀", {"-", 1}, find_void_ratio(soil));
-    if (density && porosity)
+    if (const auto given = find_si(soil, "unit_weight")) {
+      properties.add("unit_weight", "unit weight above the water table", "γ", {"kN/m³", 1000}, given);
+      properties.add("saturated_unit_weight", "unit weight below the water table", "γ_r", {"kN/m³", 1000},
+                     find_si(soil, "saturated_unit_weight"));
+    } else if (density && porosity)
       properties.add("unit_weight", "unit weight (dry)", "γ", {"kN/m³", 1000}, (1 - *porosity) * *density * gravity);
     const model::PoreWater pore_water = read_pore_water(soil);
     if (density && porosity && pore_water.is_wet())
@@ -60,6 +71,12 @@ json list_materials(const json& summary, std::optional<double> factor_of_safety)
     properties.add("poisson_ratio", "Poisson's ratio", "ν", {"-", 1}, find_si(soil, "poisson_ratio"));
     if (is_mohr_coulomb(soil)) properties.add_mohr_coulomb(soil);
     if (is_cam_clay(soil)) properties.add_cam_clay(soil);
+    if (const double ratio = get_si(soil, "pore_pressure_ratio", 0); ratio > 0)
+      properties.add("pore_pressure_ratio", "pore pressure over the weight above", "r_u", {"-", 1}, ratio);
+    if (get_word(soil, "suction_strength") == "phi_b")
+      properties.add("phi_b", "angle of the strength from suction", "φ_b", {"°", degree}, find_si(soil, "phi_b"));
+    if (const double gradient = get_si(soil, "cohesion_gradient", 0); gradient != 0)
+      properties.add("cohesion_gradient", "growth of the cohesion with depth", "dc/dz", {"kPa/m", 1000}, gradient);
     properties.add_roots(summary, soil);
     if (get_word(soil, "model") == "external") properties.add_external(soil);
     json row{{"name", name},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "report/asked_methods.hpp"
 #include "report/look_up.hpp"
 #include "report/soil_water.hpp"
 #include "report/step_choices.hpp"
@@ -49,14 +50,46 @@ void add_water_methods(const json& summary, json& methods) {
   add_if(initial != nullptr && get_word(*initial, "pore_pressure") == "seepage", "steady_seepage");
 }
 
+/// Of slices.
+void add_slice_methods(const json& summary, json& methods) {
+  methods.push_back("limit_equilibrium");
+  const json& asked = find_list(summary, {"lem", "methods"});
+  const auto add = [&](const char* paragraph, auto... names) {
+    if (std::any_of(asked.begin(), asked.end(), [&](const json& m) { return ((m == names) || ...); }))
+      methods.push_back(paragraph);
+  };
+  add("fellenius", "fellenius");
+  add("bishop", "bishop");
+  add("janbu", "janbu", "janbu_corrected");
+  add("spencer", "spencer");
+  add("morgenstern_price", "morgenstern_price", "morgenstern_price_constant");
+  if (get_number(summary, {"lem", "search", "tried"}) > 0) methods.push_back("slip_search");
+  for (const json& surface : find_list(summary, {"lem", "critical"}))
+    if (find_number(surface, {"yield_acceleration"})) {
+      methods.push_back("yield_acceleration");
+      break;
+    }
+}
+
 }  // namespace
 
 json list_methods(const json& summary) {
   const StepChoices choices = gather_step_choices(summary);
-  json methods{"material_point_method", "time_step"};
+  json methods = json::array();
   const auto add_if = [&](bool applies, const char* name) {
     if (applies) methods.push_back(name);
   };
+  const bool moves_points = asks_for(summary, "mpm"), by_elements = asks_for(summary, "fem");
+  if (asks_for(summary, "lem")) add_slice_methods(summary, methods);
+  add_if(by_elements, "finite_elements");
+  add_if(by_elements, "finite_element_reduction");
+  add_if(find(summary, {"methods", "partial_factors"}) != nullptr, "partial_factors");
+  if (!moves_points) {
+    if (by_elements) add_soil_methods(summary, methods);
+    return methods;
+  }
+  methods.push_back("material_point_method");
+  methods.push_back("time_step");
   add_if(choices.integrations.contains("mixed"), "mixed_integration");
   add_if(choices.integrations.contains("points"), "point_integration");
   add_if(choices.smoothings.contains("strain"), "strain_smoothing");

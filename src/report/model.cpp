@@ -76,6 +76,32 @@ json list_boundaries(const json& summary, std::size_t dimension, const std::opti
   return list;
 }
 
+/// Surcharges and the earthquake, which slices and finite elements know.
+void add_loads_of_slices(const json& summary, const ShownUnits& units, json& list) {
+  for (const json& s : find_list(summary, {"input", "surcharge"})) {
+    const std::vector<double> x = get_si_vector(s, "x"), load = get_si_vector(s, "load");
+    std::string text;
+    for (std::size_t i = 0; i < std::min(x.size(), load.size()); ++i)
+      text += fmt::format("{}{} at x = {}", i ? ", " : "", show(load[i], units.stress), show(x[i], units.length));
+    list.push_back({{"name", "surcharge " + get_word(s, "name")},
+                    {"text", text + (get_flag(s, "variable") ? " (variable)" : " (permanent)")}});
+  }
+  const json& earthquake = get_table(summary, "earthquake");
+  const double across = get_si(earthquake, "horizontal", 0), down = get_si(earthquake, "vertical", 0);
+  if (across != 0 || down != 0)
+    list.push_back(
+        {{"name", "earthquake"},
+         {"text", fmt::format("pseudo-static: k_h = {:g} out of the slope, k_v = {:g} down", across, down)}});
+}
+
+/// For the pictures of slices: x [m] and loads [Pa].
+json list_surcharges(const json& summary) {
+  json list = json::array();
+  for (const json& s : find_list(summary, {"input", "surcharge"}))
+    list.push_back({{"name", get_word(s, "name")}, {"x", get_si_vector(s, "x")}, {"load", get_si_vector(s, "load")}});
+  return list;
+}
+
 json list_loads(const json& summary, std::size_t dimension, const ShownUnits& units) {
   json list = json::array();
   const json& gravity = get_table(summary, "gravity");
@@ -92,6 +118,7 @@ json list_loads(const json& summary, std::size_t dimension, const ShownUnits& un
          {"text", fmt::format("{} {}, {}{}", show_vector(traction, dimension), units.stress.name,
                               moves ? "carried by the soil beside the side" : "fixed in space", describe_factor(t))}});
   }
+  add_loads_of_slices(summary, units, list);
   return list;
 }
 
@@ -203,7 +230,8 @@ class Bounds {
   std::vector<double> min_, max_;
 };
 
-/// From the box of the case, else (a ready mesh) from the mesh, else from the points of the first frame.
+/// From the box of the case, else (a ready mesh) from the mesh, else from the points of the first frame, else (without
+/// material points) from the polygons.
 template <class Mesh2, class Mesh3>
 json find_bounds(const ResultFolder& folder, std::size_t dimension, const Mesh2& plane, const Mesh3& space) {
   const json& geometry = get_table(folder.summary, "geometry");
@@ -222,6 +250,10 @@ json find_bounds(const ResultFolder& folder, std::size_t dimension, const Mesh2&
     const output::Frame frame = folder.frames->read(0);
     for (std::size_t i = 0; i < frame.ids.size(); ++i) bounds.add(&frame.positions[3 * i], dimension);
   }
+  if (bounds.empty())
+    for (const json& polygon : find_list(folder.summary, {"input", "geometry", "polygon"}))
+      for (const auto& corner : get_si_points(polygon, "points"))
+        if (corner.size() >= dimension) bounds.add(corner.data(), dimension);
   if (bounds.empty()) bounds.add(std::array<double, 3>{}.data(), dimension);
   return bounds.to_json();
 }
@@ -263,6 +295,7 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
           {"polygons", polygons},
           {"boundaries", list_boundaries(summary, dimension, plane)},
           {"loads", list_loads(summary, dimension, units)},
+          {"surcharges", list_surcharges(summary)},
           {"water", list_water_tables(summary)},
           {"monitors", list_monitors(folder, dimension)},
           {"materials", list_materials(summary, factor_of_safety)},

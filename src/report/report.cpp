@@ -9,15 +9,18 @@
 #include "report/assumptions.hpp"
 #include "report/calibration.hpp"
 #include "report/curve.hpp"
+#include "report/finite_elements.hpp"
 #include "report/folder.hpp"
 #include "report/head.hpp"
 #include "report/look_up.hpp"
+#include "report/method_table.hpp"
 #include "report/methods.hpp"
 #include "report/model.hpp"
 #include "report/page.hpp"
 #include "report/point_tests.hpp"
 #include "report/run_sequences.hpp"
 #include "report/sections.hpp"
+#include "report/slices.hpp"
 #include "report/study.hpp"
 #include "report/tables.hpp"
 #include "report/water.hpp"
@@ -54,6 +57,16 @@ json make_common(const ResultFolder& folder, Packer& packer) {
   return document;
 }
 
+/// Slices, finite elements, and all methods beside each other.
+void add_other_methods(const ResultFolder& folder, Packer& packer, json& document) {
+  const auto add = [&](const char* key, json block) {
+    if (!block.is_null()) document[key] = std::move(block);
+  };
+  add("method_table", make_method_table(folder.summary));
+  add("slices", make_slices(folder, packer, document["warnings"]));
+  add("finite_elements", make_finite_elements(folder, packer, document["warnings"]));
+}
+
 json make_run(const ResultFolder& folder, Packer& packer) {
   json document = make_common(folder, packer);
   if (const std::string error = get_text(folder.summary, {"error"}); !error.empty()) document["error"] = error;
@@ -65,6 +78,7 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   if (const json* motion = find(folder.summary, {"motion"})) document["motion"] = take_motion(*motion);
   if (json sections = make_sections(folder.path, folder.summary, document["warnings"]); !sections.empty())
     document["sections"] = std::move(sections);
+  add_other_methods(folder, packer, document);
   return document;
 }
 
@@ -81,6 +95,11 @@ json make_study_report(const ResultFolder& folder, Packer& packer) {
   document["sequences"] = study.sequences;
   document["comparisons"] = json::array();
   document["timing"] = study.timing;
+  if (study.table.contains("sampling")) {
+    // Slices are sampled without a run that would tell its input.
+    if (document["input"].empty()) document["methods"] = json::array();
+    document["methods"].push_back("sampling");
+  }
   return document;
 }
 

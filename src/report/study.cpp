@@ -10,6 +10,7 @@
 #include "report/curve.hpp"
 #include "report/head.hpp"
 #include "report/look_up.hpp"
+#include "report/sampling.hpp"
 #include "report/sections.hpp"
 #include "report/study_pictures.hpp"
 
@@ -69,6 +70,50 @@ void say_ranges(const json& columns, json& sentences) {
     else
       sentences.push_back(fmt::format("{} lies between {} and {} over {} variants.", title, lowest, highest, count));
   }
+}
+
+/// Factors of methods that know nothing of the size are the same at all sizes.
+bool varies(const json& factor) {
+  const json& factors = find_list(factor, {"factors"});
+  return std::any_of(factors.begin(), factors.end(), [&](const json& f) { return f != factors[0]; });
+}
+
+json take_extrapolation(const json& block) {
+  json factors = json::array();
+  for (const json& f : find_list(block, {"factors"})) {
+    if (!varies(f)) continue;
+    json row{{"criterion", get_text(f, {"criterion"})}, {"variant", get_text(f, {"variant"})},
+             {"sizes", find_list(f, {"sizes"})},        {"factors", find_list(f, {"factors"})},
+             {"linear", get_number(f, {"linear"})},     {"finest_pair", get_number(f, {"finest_pair"})}};
+    for (const char* key : {"standard_error", "order", "by_order"}) {
+      const auto value = find_number(f, {key});
+      row[key] = value ? json(*value) : json();
+    }
+    factors.push_back(std::move(row));
+  }
+  return {{"key", get_text(block, {"key"})}, {"unit", get_text(block, {"unit"})}, {"factors", factors}};
+}
+
+/// In a large study the table says it.
+constexpr std::size_t most_extrapolated = 4;
+
+void say_extrapolation(const json& study, json& sentences) {
+  json factors = json::array();
+  for (const json& f : find_list(study, {"extrapolation", "factors"}))
+    if (varies(f)) factors.push_back(f);
+  if (factors.empty() || factors.size() > most_extrapolated) return;
+  std::vector<std::string> parts;
+  for (const json& f : factors) {
+    const auto error = find_number(f, {"standard_error"});
+    const std::string variant = get_text(f, {"variant"});
+    std::string criterion = get_text(f, {"criterion"});
+    if (criterion.starts_with("FoS, ")) criterion.erase(0, 5);
+    parts.push_back(fmt::format("{:.3f}{} ({}{})", get_number(f, {"linear"}),
+                                error ? fmt::format(" ± {:.3f}", *error) : "", criterion,
+                                variant.empty() ? "" : "; " + variant));
+  }
+  sentences.push_back(fmt::format("Extrapolated to {} = 0, the factor of safety is {}.",
+                                  get_text(study, {"extrapolation", "key"}), join_words(parts)));
 }
 
 /// What a variant of kind "run" did: onset, paths of the monitors, sections.
@@ -147,23 +192,33 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
     rows[rows_of_sources[k]]["frames"] = std::move(pictures[k].frames);
   }
 
-  const bool finished = statuses.size() == 1 && statuses.contains("finished");
+  const json* sampling = find(folder.study, {"sampling"});
+  // Slices are sampled without folders of variants; the study is written when all samples are there.
+  const bool finished = rows.empty() ? sampling != nullptr : statuses.size() == 1 && statuses.contains("finished");
   content.status = finished                           ? "finished"
                    : statuses.contains("interrupted") ? "interrupted"
                    : statuses.contains("not started") ? "unfinished"
                    : statuses.contains("unstable")    ? "unstable"
                                                       : "failed";
   json sentences = json::array();
-  sentences.push_back(fmt::format("A study of {} variant{} of one case{}; {} finished.", rows.size(),
-                                  rows.size() == 1 ? "" : "s",
-                                  keys.empty() ? "" : ", which differ in " + join_words(keys),
-                                  finished ? std::string("all") : std::to_string(statuses["finished"])));
+  if (sampling != nullptr) say_sampling(*sampling, sentences);
+  say_extrapolation(folder.study, sentences);
   say_ranges(columns, sentences);
+  if (!rows.empty())
+    sentences.push_back(fmt::format("A study of {} variant{} of one case{}; {} finished.", rows.size(),
+                                    rows.size() == 1 ? "" : "s",
+                                    keys.empty() ? "" : ", which differ in " + join_words(keys),
+                                    finished ? std::string("all") : std::to_string(statuses["finished"])));
   say_motions(rows, sentences);
+  // Of a study without variants, what it says of itself.
+  for (const char* key : {"project", "provenance", "units", "input"})
+    if (const json* block = find(folder.study, {key}); block != nullptr && !content.first.summary.contains(key))
+      content.first.summary[key] = *block;
   if (const std::string title = get_text(folder.study, {"title"}); !title.empty())
     content.first.summary["title"] = title;
   content.answer = {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
   content.warnings = warnings;
+  if (sampling != nullptr && wall == 0) wall = get_number(*sampling, {"seconds"});
   content.timing = {{"wall", wall}, {"cpu", cpu}, {"parts", json::array()}};
   content.sequences = sequences;
   content.table = {{"vary", vary},
@@ -171,6 +226,9 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
                    {"reference", get_text(folder.study, {"reference"})},
                    {"columns", columns},
                    {"rows", rows}};
+  if (sampling != nullptr) content.table["sampling"] = make_sampling(*sampling);
+  if (const json* extrapolation = find(folder.study, {"extrapolation"}))
+    content.table["extrapolation"] = take_extrapolation(*extrapolation);
   return content;
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The reports of the dry slope and of a small wet bank, and of a study, as the program writes them: held against their contract and their
-# results by the tests of web/, then opened and used in a headless Chromium. The second argument is a folder for results and screenshots.
+# The reports of the dry slope, of a small wet bank, of a slope by three methods, and of two studies, as the program
+# writes them: held against their contract and their results by the tests of web/, then opened and used in a headless
+# Chromium. The second argument is a folder for results and screenshots.
 set -euo pipefail
 talus=$1
 folder=$2
@@ -17,14 +18,22 @@ size=$(stat -c %s "$folder/results/report.html")
 echo "report.html: $size bytes"
 [ "$size" -lt 10000000 ] || { echo "the dry slope's report must stay under 10 MB" >&2; exit 1; }
 "$talus" run "$root/tests/page/wet_bank.toml" -o "$folder/wet" --overwrite --quiet
+"$talus" run "$root/tests/page/three_methods.toml" -o "$folder/methods" --overwrite --quiet
 "$talus" study "$root/tests/page/banks.toml" -o "$folder/study" --overwrite --quiet
+"$talus" study "$root/tests/page/uncertain.toml" -o "$folder/sampling" --overwrite --quiet
 
 cd "$root/web"
 TALUS_REPORT=$folder/results/report.html TALUS_RESULTS=$folder/results npx --no-install vitest run
 TALUS_REPORT=$folder/wet/report.html TALUS_RESULTS=$folder/wet npx --no-install vitest run tests/report.test.ts \
   tests/results.test.ts
-TALUS_REPORT=$folder/study/report.html npx --no-install vitest run tests/report.test.ts
+TALUS_REPORT=$folder/methods/report.html TALUS_RESULTS=$folder/methods npx --no-install vitest run tests/report.test.ts \
+  tests/results.test.ts tests/methods.test.ts
+for name in study sampling; do
+  TALUS_REPORT=$folder/$name/report.html npx --no-install vitest run tests/report.test.ts
+done
 [ -x "${TALUS_CHROMIUM:-/usr/bin/chromium}" ] || skip "there is no Chromium, so the report is not opened"
 node browser/check.mjs "$folder/results/report.html" "$folder/results" "$folder/screenshots"
 node browser/check.mjs "$folder/wet/report.html" "$folder/wet" "$folder/wet_screenshots"
-node browser/check.mjs "$folder/study/report.html" "$folder/study" "$folder/study_screenshots"
+for name in methods study sampling; do
+  node browser/check.mjs "$folder/$name/report.html" "$folder/$name" "$folder/${name}_screenshots"
+done

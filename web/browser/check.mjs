@@ -7,6 +7,7 @@ import { Checklist } from "./checklist.mjs";
 import { checkCurve } from "./curve.mjs";
 import { checkFirstScreen, checkStudy } from "./firstScreen.mjs";
 import { checkColours, checkPhone, checkPrint, checkWidth, takeWholePage } from "./layout.mjs";
+import { checkMethods } from "./methods.mjs";
 import { readSummary } from "./results.mjs";
 import { measureInteractive, openReport, readDocument, scrollThrough, startBrowser } from "./session.mjs";
 import { checkFields, checkPicking, checkPlaying, checkSequences, takeSpace } from "./viewer.mjs";
@@ -39,7 +40,7 @@ try {
 
   await list.group("Loading", async () => {
     list.note(`${(statSync(file).size / 2 ** 20).toFixed(2)} MiB`);
-    if (!sequence) return;
+    if (!sequence && !report.method_table) return;
     const time = await measureInteractive(page);
     list.note(`load to interactive: ${time === null ? "never" : `${Math.round(time)} ms`}`);
     const holds = time !== null && time < interactiveLimit;
@@ -56,6 +57,8 @@ try {
     await list.group("Sequences", () => checkSequences(list, page, report));
     await list.group("In space", () => takeSpace(list, page, out));
   }
+  if (report.slices || report.finite_elements)
+    await list.group("Methods", () => checkMethods(list, page, report, out));
   if (report.curve) await list.group("Curve", () => checkCurve(list, page, folder, out));
   await list.group("Width", () => checkWidth(list, page, "at a width of 1280"));
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };

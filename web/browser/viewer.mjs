@@ -10,7 +10,7 @@ const findSlider = (page) => findViewer(page).getByRole("slider", { name: "Frame
 
 /** The picture: what takes clicks and keys, with its canvases on top of each other. */
 function findStage(page) {
-  return page.getByRole("application").filter({ has: page.locator("canvas") });
+  return page.locator("#section [role='application']");
 }
 
 /** How many different colours a picture has: an empty canvas has one. */

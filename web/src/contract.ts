@@ -6,6 +6,8 @@
  */
 
 import type { Calibration } from "./contractCalibration";
+import type { FiniteElements, MethodTable, Slices } from "./contractMethods";
+import type { Sampling } from "./contractSampling";
 import type { SoilWater, Water } from "./contractWater";
 
 export type { HydraulicCondition, Season, SoilWater, SteadySeepage, Water, WaterBudget } from "./contractWater";
@@ -58,6 +60,10 @@ export interface Report {
   sections?: Section[];
   /** Absent where the ground is dry. */
   water?: Water;
+  /** Of a case that asks for several methods, or for others than material points. */
+  method_table?: MethodTable;
+  slices?: Slices;
+  finite_elements?: FiniteElements;
   /** Sentences: what the numbers rest on, and where they end. */
   assumptions: string[];
   /** Names of the paragraphs of the methods section that apply. */
@@ -106,7 +112,19 @@ export type Method =
   | "pressure_smoothing"
   | "hydraulic_conditions"
   | "steady_seepage"
-  | "held_pressures";
+  | "held_pressures"
+  | "limit_equilibrium"
+  | "slip_search"
+  | "fellenius"
+  | "bishop"
+  | "janbu"
+  | "spencer"
+  | "morgenstern_price"
+  | "yield_acceleration"
+  | "finite_elements"
+  | "finite_element_reduction"
+  | "partial_factors"
+  | "sampling";
 
 export interface Answer {
   /** The answer in words, the most important sentence first. */
@@ -168,6 +186,8 @@ export interface Model {
   /** Named lines of supports, each a list of polylines [m]; empty in 3D. */
   boundaries: { on: string; fix: string; text: string; lines: number[][][] }[];
   loads: { name: string; text: string }[];
+  /** Vertical loads on the ground: x [m], and loads there [Pa]; linear between, down positive. */
+  surcharges: { name: string; x: number[]; load: number[] }[];
   /** Water tables at the start [m]; empty where none is known, and in 3D. */
   water: { name: string; points: number[][] }[];
   monitors: { name: string; at: number[]; id: number }[];
@@ -356,6 +376,28 @@ export interface Study {
   vary: { key: string; values: string[] }[];
   mode: string;
   columns: { name: string; title: string; unit: string; shown: string[]; values: (number | null)[] }[];
+  /** Of mode "sample". */
+  sampling?: Sampling;
+  /** Factors over a size, and at size zero. */
+  extrapolation?: {
+    key: string;
+    unit: string;
+    factors: {
+      /** "FoS, frozen". */
+      criterion: string;
+      /** The other keys: "smoothing = stable"; empty when there are none. */
+      variant: string;
+      /** From coarse to fine. */
+      sizes: number[];
+      factors: number[];
+      /** Of the line through all, of that through the finest two, and with the order that fits best. */
+      linear: number;
+      standard_error: number | null;
+      finest_pair: number;
+      order: number | null;
+      by_order: number | null;
+    }[];
+  };
   /** Name of the variant that displacements are divided by; empty where nothing is. */
   reference: string;
   rows: StudyRow[];

@@ -25,8 +25,9 @@ describe.skipIf(!given?.results)("a report says what the results say", () => {
 
   it("the same factor of safety, by every criterion", () => {
     const found = summary.factor_of_safety;
-    if (!found) return expect(report.answer.factors).toEqual([]);
-    const main = report.answer.factors.filter((factor) => factor.main);
+    const own = report.answer.factors.filter((factor) => factor.method === "mpm");
+    if (!found) return expect(own).toEqual([]);
+    const main = own.filter((factor) => factor.main);
     expect(main.map((factor) => factor.value)).toEqual([found.value]);
     const text = report.answer.sentences.join(" ");
     if (found.value !== null) expect(text).toContain(found.value.toFixed(3));
@@ -60,6 +61,7 @@ describe.skipIf(!given?.results)("a report says what the results say", () => {
   it("the same mesh", () => {
     const { nodes, elements, points, smallest_altitude, critical_time_step } = report.model.mesh;
     const { mesh } = summary;
+    if (!mesh) return expect([nodes, elements, points]).toEqual([0, 0, 0]);
     expect([nodes, elements, points]).toEqual([mesh.nodes, mesh.elements, mesh.points]);
     expect([smallest_altitude, critical_time_step]).toEqual([mesh.smallest_altitude, mesh.critical_time_step]);
   });
@@ -126,6 +128,7 @@ describe.skipIf(!given?.results)("a report says what the results say", () => {
   it("a sequence for the stages, the curve and every runout", () => {
     if (report.status !== "finished" || report.kind !== "run") return;
     const ids = report.sequences.map((s) => s.id);
+    if (summary.methods && !summary.methods.asked.includes("mpm")) return expect(ids).toEqual([]);
     expect(ids).toContain("stages");
     if ((summary.curve?.points?.length ?? 0) > 0) expect(ids).toContain("curve");
     expect(runoutSequences.map((s) => runoutOf(s)?.srf)).toEqual(runouts.map((r) => r.srf));

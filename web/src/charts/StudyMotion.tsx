@@ -105,19 +105,6 @@ function MotionPanel({ chart, names, hidden, cross, ends, threshold }: PanelProp
   );
 }
 
-function OrderTable({ study }: { study: Study }) {
-  const rows = study.rows.filter((r) => r.motion);
-  return (
-    <ul class="chart-note">
-      {rows.map((r) => (
-        <li key={r.name}>
-          {r.name}: {r.motion!.sentence}
-        </li>
-      ))}
-    </ul>
-  );
-}
-
 export function StudyMotion({ study }: { study: Study }) {
   const [by, setBy] = useState<"monitor" | "variant">("monitor");
   const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
@@ -181,7 +168,6 @@ export function StudyMotion({ study }: { study: Study }) {
         {threshold !== null &&
           ` Dashed: the displacement that counts as movement, ${formatQuantity(threshold / unit.si, unit.name)}.`}
       </p>
-      <OrderTable study={study} />
     </figure>
   );
 }

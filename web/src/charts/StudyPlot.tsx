@@ -3,20 +3,32 @@ import * as Plot from "@observablehq/plot";
 import { useState } from "preact/hooks";
 
 import type { Study } from "../contract";
-import { centred, describeAxis, titleWithPower } from "./axes";
+import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "./axes";
 import { Chart } from "./Chart";
-import { Legend } from "./Legend";
+import { Choice, Legend } from "./Legend";
 import { formatNumber, formatQuantity, titleWithUnit } from "./numbers";
 import { styleOf } from "./styles";
 import { findNumeric, findVaried, nameGroup } from "./studyData";
 
 const byVariant = "";
 
+/** Times and rates over two decades or more are read on a logarithmic axis. */
+function spansDecades(values: number[]): boolean {
+  const low = Math.min(...values);
+  return low > 0 && Math.max(...values) >= 100 * low;
+}
+
+function logTicks(values: number[]) {
+  const ends = [Math.min(...values), Math.max(...values)] as const;
+  return { type: "log" as const, ticks: findLogTicks(ends, 6), tickFormat: formatLogTick };
+}
+
 export function StudyPlot({ study }: { study: Study }) {
   const results = findNumeric(study);
   const keys = findVaried(study).filter((c) => c.values.filter((v) => v !== null).length > 1);
   const [resultName, setResult] = useState(results[0]?.name ?? "");
   const [keyName, setKey] = useState(keys[0]?.name ?? byVariant);
+  const [axisKind, setAxisKind] = useState<"linear" | "log">("log");
   const result = results.find((c) => c.name === resultName);
   if (!result) return null;
   const key = keys.find((c) => c.name === keyName) ?? null;
@@ -31,6 +43,9 @@ export function StudyPlot({ study }: { study: Study }) {
   const groups = [...new Set(points.map((p) => p.group))];
   const stops = [...new Set(points.map((p) => p.x))];
   const missing = study.rows.length - points.length;
+  const logX = key !== null && spansDecades(points.map((p) => p.x));
+  const canLog = spansDecades(points.map((p) => p.y));
+  const logY = canLog && axisKind === "log";
 
   const draw = (width: number): Plot.PlotOptions => {
     const narrow = width < 560;
@@ -45,25 +60,32 @@ export function StudyPlot({ study }: { study: Study }) {
       marginRight: 20,
       marginTop: 28,
       marginBottom: labels ? 34 + 3.8 * Math.max(...study.rows.map((r) => r.name.length)) : 48,
-      x: key ?
-        { label: titleWithUnit(key.title, key.unit), ...centred, ticks: narrow ? 5 : 8, inset: 14 }
-      : {
-          domain: [-0.5, study.rows.length - 0.5],
-          label: null,
-          ticks: study.rows.map((_, i) => i),
-          tickFormat: (i: number) => study.rows[i]?.name ?? "",
-          tickRotate: -35,
-        },
-      y: {
-        domain: [low - pad, high + pad],
-        label: titleWithPower(result.title, result.unit, axis.power),
-        labelArrow: "none",
-        ticks: 6,
-        tickFormat: axis.format,
-      },
+      x: key
+        ? {
+            label: titleWithUnit(key.title, key.unit),
+            ...centred,
+            inset: 14,
+            ...(logX ? logTicks(points.map((p) => p.x)) : { ticks: narrow ? 5 : 8 }),
+          }
+        : {
+            domain: [-0.5, study.rows.length - 0.5],
+            label: null,
+            ticks: study.rows.map((_, i) => i),
+            tickFormat: (i: number) => study.rows[i]?.name ?? "",
+            tickRotate: -35,
+          },
+      y: logY
+        ? { label: titleWithUnit(result.title, result.unit), labelArrow: "none", inset: 12, ...logTicks([low, high]) }
+        : {
+            domain: [low - pad, high + pad],
+            label: titleWithPower(result.title, result.unit, axis.power),
+            labelArrow: "none",
+            ticks: 6,
+            tickFormat: axis.format,
+          },
       symbol: { type: "identity" },
       marks: [
-        Plot.gridY({ ticks: 6, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+        Plot.gridY({ ...(logY ? {} : { ticks: 6 }), stroke: "var(--chart-line)", strokeOpacity: 1 }),
         Plot.ruleX(key ? [] : points, { x: "x", stroke: "var(--chart-line)" }),
         groups.map((g, i) => {
           const mine = points.filter((p) => p.group === g);
@@ -74,22 +96,27 @@ export function StudyPlot({ study }: { study: Study }) {
             Plot.dot(mine, { ...place, strokeWidth: 1.6, fill: "var(--chart-ground)", symbol: style.symbol, r: 4.2 }),
           ];
         }),
-        groups.length === 1 && points.length <= 12 && !narrow ?
-          Plot.text(points, { x: "x", y: "y", text: (p) => formatNumber(p.y), dy: -12, fill: "var(--chart-ink)" })
-        : [],
+        groups.length === 1 && points.length <= 12 && !narrow
+          ? Plot.text(points, { x: "x", y: "y", text: (p) => formatNumber(p.y), dy: -12, fill: "var(--chart-ink)" })
+          : [],
       ],
     };
   };
 
   return (
     <figure aria-label={`${result.title} of the variants`} class="chart-figure">
-      <h4>{result.title}{key ? ` over ${key.title}` : " by variant"}</h4>
+      <h4>
+        {result.title}
+        {key ? ` over ${key.title}` : " by variant"}
+      </h4>
       <div class="chart-bar">
         <label>
           Result{" "}
           <select value={result.name} onChange={(e) => setResult(e.currentTarget.value)}>
             {results.map((c) => (
-              <option key={c.name} value={c.name}>{titleWithUnit(c.title, c.unit)}</option>
+              <option key={c.name} value={c.name}>
+                {titleWithUnit(c.title, c.unit)}
+              </option>
             ))}
           </select>
         </label>
@@ -97,17 +124,30 @@ export function StudyPlot({ study }: { study: Study }) {
           over{" "}
           <select value={key?.name ?? byVariant} onChange={(e) => setKey(e.currentTarget.value)}>
             {keys.map((c) => (
-              <option key={c.name} value={c.name}>{titleWithUnit(c.title, c.unit)}</option>
+              <option key={c.name} value={c.name}>
+                {titleWithUnit(c.title, c.unit)}
+              </option>
             ))}
             <option value={byVariant}>variant</option>
           </select>
         </label>
+        {canLog && (
+          <Choice
+            label="Axis of the result"
+            value={axisKind}
+            options={[
+              { value: "linear", title: "linear" },
+              { value: "log", title: "logarithmic" },
+            ]}
+            onChange={setAxisKind}
+          />
+        )}
       </div>
       {groups.length > 1 && <Legend markers items={groups.map((g, i) => ({ id: g, title: g, style: styleOf(i) }))} />}
       <Chart
         label={`${result.title} of the variants`}
         draw={draw}
-        depends={[study, resultName, keyName]}
+        depends={[study, resultName, keyName, axisKind]}
         stops={stops}
         showReading
         hint="Point at a variant to read it."

@@ -5,10 +5,12 @@ import type { Study } from "../contract";
 import { report } from "../state";
 import { CsvButton } from "./Legend";
 import { titleWithUnit } from "./numbers";
+import { OrderTable } from "./OrderTable";
 import { SectionFigure } from "./SectionCharts";
 import { listSectionsOf } from "./sectionData";
 import { StudyCurves } from "./StudyCurves";
 import { makeStudyColumns, orderRows } from "./studyData";
+import { StudyExtrapolation } from "./StudyExtrapolation";
 import { StudyMotion } from "./StudyMotion";
 import { StudyPictures } from "./StudyPictures";
 import { StudyPlot } from "./StudyPlot";
@@ -29,7 +31,9 @@ export function StudySection() {
         {study.mode && ` (${study.mode.replaceAll("_", " ")})`}
         {failed > 0 && `; ${failed} without a result`}.
       </p>
+      <OrderTable study={study} />
       <StudyTable study={study} />
+      <StudyExtrapolation study={study} />
       <StudyPlot study={study} />
       {study.rows.some((r) => r.curve) && <StudyCurves study={study} />}
       {study.rows.some((r) => r.paths) && <StudyMotion study={study} />}

@@ -1,9 +1,38 @@
 /** The answer: the factor of safety large, in words, beside other criteria; runout; warnings. */
 import { report } from "../state";
-import { FactorTable } from "./FactorTable";
+import { FactorTable, methodNames } from "./FactorTable";
 import { formatFactor, formatQuantity, formatSentence } from "./format";
 import { WarningLink, Warnings } from "./Warnings";
 import type { Factor, NamedResult } from "../contract";
+
+/** Partial factors make it one of design values, and failure a matter of verification. */
+const hasDesignValues = () => report.value.method_table?.partial_factors !== undefined;
+const nameFactor = () => (hasDesignValues() ? "Factor of safety with design values" : "Factor of safety");
+const sayFailure = () => (hasDesignValues() ? "the slope is not verified" : "the slope fails as it stands");
+
+/** One beside the other where several methods answer. */
+function MainFactors({ factors }: { factors: Factor[] }) {
+  return (
+    <div class="main-factor several">
+      <dl>
+        {factors.map((factor) => (
+          <div key={factor.name}>
+            <dt>{methodNames[factor.method] ?? factor.method}</dt>
+            <dd>
+              <span class={factor.value! < 1 ? "value bad" : "value"}>{formatFactor(factor.value)}</span>
+              <span class="criterion">{factor.title}</span>
+            </dd>
+          </div>
+        ))}
+      </dl>
+      <WarningLink />
+      <p class="label">
+        {nameFactor()}
+        {factors.some((factor) => factor.value! < 1) && <strong class="bad">, below 1: {sayFailure()}</strong>}
+      </p>
+    </div>
+  );
+}
 
 function MainFactor({ factor }: { factor: Factor }) {
   const fails = factor.value !== null && factor.value < 1;
@@ -19,7 +48,8 @@ function MainFactor({ factor }: { factor: Factor }) {
       </p>
       <WarningLink />
       <p class="label">
-        Factor of safety{fails && <strong class="bad">, below 1: the slope fails as it stands</strong>}
+        {nameFactor()}
+        {fails && <strong class="bad">, below 1: {sayFailure()}</strong>}
         <span class="criterion">{factor.title}</span>
       </p>
     </div>
@@ -39,6 +69,17 @@ const wanted = [
   "largest_pressure",
 ];
 
+/** Of material points, slices or finite elements. */
+const isFactor = (name: string) =>
+  name.startsWith("factor_of_safety") || (/^(lem|fem)\./.test(name) && !name.includes("yield_acceleration"));
+
+/** One yield acceleration is enough here: that of the method whose factor stands above. */
+function isOtherAcceleration(name: string): boolean {
+  const method = /^lem\.yield_acceleration\.(.*)$/.exec(name)?.[1];
+  const main = report.value.answer.factors.find((factor) => factor.main && factor.method === "lem");
+  return method !== undefined && main !== undefined && main.name !== `lem.${method}`;
+}
+
 /** The results that are not factors, those named above first. */
 function pickResults(results: NamedResult[], most: number): NamedResult[] {
   const rank = (result: NamedResult) => {
@@ -47,7 +88,7 @@ function pickResults(results: NamedResult[], most: number): NamedResult[] {
     return found < 0 ? wanted.length : found;
   };
   return results
-    .filter((result) => !result.name.startsWith("factor_of_safety"))
+    .filter((result) => !isFactor(result.name) && !isOtherAcceleration(result.name))
     .sort((a, b) => rank(a) - rank(b))
     .slice(0, most);
 }
@@ -73,18 +114,21 @@ function Results({ results, large }: { results: NamedResult[]; large: boolean })
 
 export function Answer() {
   const { answer } = report.value;
-  const main = answer.factors.find((factor) => factor.main && factor.value !== null);
+  const mains = answer.factors.filter((factor) => factor.main && factor.value !== null);
+  const main = mains[0];
   const results = pickResults(answer.results, main ? 4 : 6);
   const [first, ...others] = answer.sentences;
+  const moreWords = others.length > 0 && <p class="more-words">{others.map(formatSentence).join(" ")}</p>;
   return (
     <section id="answer" class="answer" aria-labelledby="answer-title" tabIndex={-1}>
       <h2 id="answer-title" class="unseen">
         Answer
       </h2>
-      {main && <MainFactor factor={main} />}
+      {mains.length > 1 ? <MainFactors factors={mains} /> : main && <MainFactor factor={main} />}
       {first && <p class={main ? "in-words" : "in-words only"}>{formatSentence(first)}</p>}
-      {others.length > 0 && <p class="more-words">{others.map(formatSentence).join(" ")}</p>}
+      {mains.length < 2 && moreWords}
       {answer.factors.length > 0 && <FactorTable factors={answer.factors} />}
+      {mains.length > 1 && moreWords}
       {results.length > 0 && <Results results={results} large={!main} />}
       <Warnings />
     </section>

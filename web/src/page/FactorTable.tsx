@@ -60,7 +60,7 @@ export function FactorTable({ factors }: { factors: Factor[] }) {
       </thead>
       <tbody>
         {factors.map((factor) => (
-          <tr key={`${factor.method} ${factor.name}`} class={factor.main ? "main" : undefined}>
+          <tr key={`${factor.method} ${factor.name} ${factor.title}`} class={factor.main ? "main" : undefined}>
             <th scope="row" title={factor.note || undefined}>
               {methods.size > 1 && (
                 <span class="method">{methodNames[factor.method] ?? factor.method.toUpperCase()}: </span>

@@ -12,6 +12,11 @@ import {
   SoilWaterSection,
   StudySection,
 } from "../charts/Charts";
+import { MethodsSection } from "../compared/MethodsSection";
+import { Overview } from "../compared/Overview";
+import { ElementsSection } from "../elements/ElementsSection";
+import { SamplingSection } from "../sampling/SamplingSection";
+import { SlicesSection } from "../slices/SlicesSection";
 import { Viewer } from "../viewer/Viewer";
 import { Answer } from "./Answer";
 import { listContents } from "./contents";
@@ -35,7 +40,7 @@ function SectionPane() {
         {is3d ? "The slope in three dimensions" : "Section through the slope"}
       </h2>
       <Guard what="The section">
-        <Lazy height={520}>{() => <Viewer />}</Lazy>
+        <Lazy height={520}>{() => (report.value.sequences.length > 0 ? <Viewer /> : <Overview />)}</Lazy>
       </Guard>
     </section>
   );
@@ -79,10 +84,40 @@ export function Page() {
           <Answer />
           {has("section") && <SectionPane />}
         </div>
+        {has("sampling") && (
+          <ChartPart
+            id="sampling"
+            title="Uncertain numbers"
+            what="The sampling"
+            height={1200}
+            draw={() => <SamplingSection />}
+          />
+        )}
         {has("study") && (
           <ChartPart id="study" title="Study" what="The study" height={600} draw={() => <StudySection />} />
         )}
         {has("variants") && <Variants />}
+        {has("compared") && (
+          <ChartPart
+            id="compared"
+            title="Methods beside each other"
+            what="The comparison of the methods"
+            height={500}
+            draw={() => <MethodsSection />}
+          />
+        )}
+        {has("slices") && (
+          <ChartPart id="slices" title="Slices" what="The part on slices" height={1600} draw={() => <SlicesSection />} />
+        )}
+        {has("elements") && (
+          <ChartPart
+            id="elements"
+            title="Finite elements"
+            what="The part on finite elements"
+            height={1400}
+            draw={() => <ElementsSection />}
+          />
+        )}
         {has("curve") && (
           <ChartPart
             id="curve"

@@ -10,11 +10,16 @@ export interface Entry {
 export function listContents(report: Report): Entry[] {
   const isStudy = report.kind === "study";
   const has = (kind: string) => report.tables.some((table) => table.kind === kind);
+  const surfaces = report.model.dimension === 2 && (report.method_table?.surfaces.length ?? 0) > 0;
   const entries: [boolean, string, string][] = [
     [true, "answer", "Answer"],
-    [report.sequences.length > 0, "section", report.model.dimension === 3 ? "View" : "Section"],
-    [isStudy && report.study !== undefined, "study", "Study"],
-    [isStudy && report.study !== undefined, "variants", "Variants"],
+    [report.sequences.length > 0 || surfaces, "section", report.model.dimension === 3 ? "View" : "Section"],
+    [isStudy && report.study?.sampling !== undefined, "sampling", "Sampling"],
+    [isStudy && (report.study?.rows.length ?? 0) > 0, "study", "Study"],
+    [isStudy && (report.study?.rows.length ?? 0) > 0, "variants", "Variants"],
+    [report.method_table !== undefined, "compared", "Compared"],
+    [report.slices !== undefined, "slices", "Slices"],
+    [report.finite_elements !== undefined, "elements", "Elements"],
     [report.curve !== undefined, "curve", "Curve"],
     [has("history") || has("monitors"), "histories", "Histories"],
     [

@@ -2,7 +2,8 @@
 import { report, sequence } from "../state";
 import { findComponents } from "./arrows";
 import { Choice } from "./Choice";
-import { arrowQuantity, arrowTitles, layers, layerTitles, type ArrowQuantity, type LayerName } from "./settings";
+import { listOtherSurfaces } from "./otherSurfaces";
+import { arrowQuantity, arrowTitles, chosenSurfaces, layers, layerTitles, type ArrowQuantity, type LayerName } from "./settings";
 
 function hasLayer(name: LayerName): boolean {
   const { model } = report.value;
@@ -13,6 +14,7 @@ function hasLayer(name: LayerName): boolean {
   if (name === "mesh") return model.mesh.cells !== undefined;
   const hasStrain = sequence.value?.fields.some((f) => f.name === "deviatoric_strain") ?? false;
   if (name === "ridge") return model.dimension === 2 && hasStrain;
+  if (name === "otherSurfaces") return model.dimension === 2 && listOtherSurfaces().length > 0;
   if (name === "slip" || name === "present") return model.dimension === 2;
   if (name === "boundaries") return model.boundaries.some((b) => b.lines.length > 0);
   if (name === "monitors") return model.monitors.length > 0;
@@ -46,6 +48,23 @@ export function LayerMenu() {
             {writeName(name)}
           </label>
         ))}
+        {layers.value.otherSurfaces && hasLayer("otherSurfaces") && (
+          <fieldset class="viewer-surfaces">
+            <legend>Surfaces</legend>
+            {listOtherSurfaces().map((surface) => (
+              <label key={surface.name}>
+                <input
+                  type="checkbox"
+                  checked={surface.shown}
+                  onChange={(event) =>
+                    (chosenSurfaces.value = { ...chosenSurfaces.value, [surface.name]: event.currentTarget.checked })
+                  }
+                />
+                {surface.text}
+              </label>
+            ))}
+          </fieldset>
+        )}
         {quantities.length > 0 && (
           <Choice
             label="Arrows"

@@ -3,6 +3,8 @@ import type { HydraulicCondition } from "../contract";
 import { pickedPoint, report } from "../state";
 import { writeNumber, writeUnit } from "./format";
 import { evaluateSeries } from "./hydraulics";
+import { chooseLook } from "../drawing/surfaceLines";
+import { listOtherSurfaces } from "./otherSurfaces";
 import { inSpace, layers } from "./settings";
 import { frame, shown } from "./shown";
 import { hasNoValue } from "./sizes";
@@ -69,6 +71,12 @@ export function Legend() {
       {on.slip && slipSurface.value.length > 0 && (
         <Entry path={bar} colour="#c2185b" width={2.4} text={`Slip surface: above it soil moved over ${limit}`} />
       )}
+      {on.otherSurfaces &&
+        model.dimension === 2 &&
+        listOtherSurfaces().filter((s) => s.shown).map((s) => {
+          const { colour, dash } = chooseLook(s.look);
+          return <Entry key={s.name} path={bar} colour={colour} dash={dash.join(" ")} width={2.2} text={s.text} />;
+        })}
       {on.ridge && strainRidge.value.length > 0 && (
         <Entry path={bar} colour="#b35900" dash="6 3" width={2} text="Axis of the largest deviatoric strain" />
       )}

@@ -3,8 +3,10 @@ import type { HydraulicCondition, Model } from "../contract";
 import type { ArrowField } from "./arrows";
 import type { Camera, Vec } from "./camera";
 import { drawHydraulic } from "./hydraulics";
+import { chooseLook, drawSurface } from "../drawing/surfaceLines";
 import { drawArrows, drawMonitor, drawPath, drawPicked, drawWaterMark, strokeLine, type Pixel } from "./lines";
 import { drawAxes, drawBox, drawRulers } from "./rulers";
+import type { OtherSurface } from "./otherSurfaces";
 import type { LayerName } from "./settings";
 import { drawSupport } from "./supports";
 import type { Theme } from "./theme";
@@ -19,6 +21,8 @@ export interface Overlay {
   box: [Vec, Vec];
   slip: [number, number][];
   ridge: [number, number][];
+  /** Of slices and finite elements. */
+  otherSurfaces: OtherSurface[];
   /** Of the shown frame; null where it is not known, and that of the start is drawn. */
   waterTables: [number, number][][] | null;
   hydraulics: HydraulicCondition[];
@@ -97,6 +101,10 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
       strokeLine(context, line, { colour: theme.water, width: 2, dash: [10, 3, 2, 3] });
       drawWaterMark(context, line, theme);
     }
+  }
+  if (layers.otherSurfaces) {
+    for (const surface of overlay.otherSurfaces.filter((s) => s.shown).reverse())
+      drawSurface(context, surface.points.map((p) => place(p, sides.at(-1)!)), chooseLook(surface.look), 2);
   }
   if (layers.slip && overlay.slip.length) {
     const line = overlay.slip.map((p) => place(p, sides.at(-1)!));

@@ -32,6 +32,7 @@ export const layerTitles = {
   points: "Material points",
   slip: "Slip surface",
   ridge: "Axis of the largest strain",
+  otherSurfaces: "Slip surfaces of the other methods",
   outline: "Original outline",
   present: "Present outline",
   path: "Path of the picked point",
@@ -48,6 +49,7 @@ export const layers = signal<Record<LayerName, boolean>>({
   points: true,
   slip: true,
   ridge: false,
+  otherSurfaces: true,
   outline: true,
   present: false,
   path: true,
@@ -59,6 +61,9 @@ export const layers = signal<Record<LayerName, boolean>>({
   mesh: false,
   rulers: true,
 });
+
+/** Names of surfaces of other methods that are drawn or not, where the reader has chosen. */
+export const chosenSurfaces = signal<{ [name: string]: boolean }>({});
 
 /** Whether the section is turned in space; always true for a model in three dimensions. */
 export const inSpace = signal(false);

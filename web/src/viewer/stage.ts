@@ -9,12 +9,13 @@ import { Camera, type Vec } from "./camera";
 import { makeGlPainter } from "./glPainter";
 import { layOut } from "./layout";
 import { meshEdges } from "./meshEdges";
+import { listOtherSurfaces } from "./otherSurfaces";
 import { drawOverlay, type Overlay } from "./overlay";
 import type { Painter } from "./painter";
 import { drawOnPaper, savePicture } from "./picture";
 import { makePlainPainter } from "./plainPainter";
 import { drawScaleBar } from "./scaleBar";
-import { cut, inSpace, layers, limitMode } from "./settings";
+import { chosenSurfaces, cut, inSpace, layers, limitMode } from "./settings";
 import { frame, scale, shown } from "./shown";
 import { cells } from "./sizes";
 import { readTheme, watchTheme, type Theme } from "./theme";
@@ -52,7 +53,7 @@ export class Stage {
       effect(() => {
         void [shown.value, frame.value, scale.value, colourTable.value, layers.value, inSpace.value, cut.value];
         void [meshEdges.value, slipSurface.value, strainRidge.value, pickedPoint.value, arrowArrays.value];
-        void [limitMode.value, waterTables.value];
+        void [limitMode.value, waterTables.value, chosenSurfaces.value];
         this.request();
       }),
     );
@@ -182,6 +183,7 @@ export class Stage {
       box: now.box,
       slip: slipSurface.value,
       ridge: strainRidge.value,
+      otherSurfaces: model.dimension === 2 ? listOtherSurfaces() : [],
       waterTables: waterTables.value,
       hydraulics: report.value.water?.conditions ?? [],
       time: now.sequence.frames[frame.value]?.time ?? 0,

@@ -1,8 +1,10 @@
 /** The paragraphs of the methods section: which there are, in which order, with equations and references numbered. */
+import { writeElementReduction, writeFiniteElements } from "./elements";
 import { writeDisplacementCurve, writeFrozenFactor, writeStrengthReduction } from "./factor";
 import { writeDamping, writeMassScaling, writeMaterialPoints, writeRunout, writeTimeStep } from "./motion";
 import { writeExternalModel, writeModifiedCamClay, writeRootCohesion, writeRootedCamClay } from "./roots";
 import { references, type ReferenceKey } from "./references";
+import { writeSampling } from "./sampling";
 import {
   writeLinearElastic,
   writeMixedIntegration,
@@ -11,6 +13,17 @@ import {
   writeStableSmoothing,
   writeStrainSmoothing,
 } from "./soil";
+import {
+  writeBishop,
+  writeFellenius,
+  writeJanbu,
+  writeLimitEquilibrium,
+  writeMorgensternPrice,
+  writePartialFactors,
+  writeSlipSearch,
+  writeSpencer,
+  writeYieldAcceleration,
+} from "./slices";
 import {
   writeHeldPressures,
   writeHydraulicConditions,
@@ -24,6 +37,18 @@ import type { Writer } from "./writer";
 import type { Method, Report } from "../../contract";
 
 const writers: { method: Method; title: string; write: Writer }[] = [
+  { method: "limit_equilibrium", title: "Methods of slices", write: writeLimitEquilibrium },
+  { method: "fellenius", title: "Fellenius", write: writeFellenius },
+  { method: "bishop", title: "Bishop", write: writeBishop },
+  { method: "janbu", title: "Janbu", write: writeJanbu },
+  { method: "spencer", title: "Spencer", write: writeSpencer },
+  { method: "morgenstern_price", title: "Morgenstern–Price", write: writeMorgensternPrice },
+  { method: "slip_search", title: "Search for the critical surface", write: writeSlipSearch },
+  { method: "yield_acceleration", title: "Yield acceleration", write: writeYieldAcceleration },
+  { method: "finite_elements", title: "Finite elements", write: writeFiniteElements },
+  { method: "finite_element_reduction", title: "Strength reduction by finite elements", write: writeElementReduction },
+  { method: "sampling", title: "Uncertain numbers", write: writeSampling },
+  { method: "partial_factors", title: "Partial factors", write: writePartialFactors },
   { method: "material_point_method", title: "Material point method", write: writeMaterialPoints },
   { method: "two_phase", title: "Soil and pore water", write: writeTwoPhase },
   { method: "water_storage", title: "Storage of water and pore pressure", write: writeWaterStorage },

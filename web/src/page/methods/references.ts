@@ -68,6 +68,32 @@ export const references = {
   mualem1976:
     "Mualem, Y. (1976). A new model for predicting the hydraulic conductivity of unsaturated porous media. Water " +
     "Resources Research 12 (3), 513–522.",
+  duncan2014:
+    "Duncan, J. M., Wright, S. G., Brandon, T. L. (2014). Soil Strength and Slope Stability. 2nd edition, Wiley, Hoboken.",
+  fellenius1936:
+    "Fellenius, W. (1936). Calculation of the stability of earth dams. Transactions of the 2nd Congress on Large Dams, " +
+    "Washington, 4, 445–462.",
+  bishop1955:
+    "Bishop, A. W. (1955). The use of the slip circle in the stability analysis of slopes. Géotechnique 5 (1), 7–17.",
+  janbu1973:
+    "Janbu, N. (1973). Slope stability computations. In: Embankment-Dam Engineering, Casagrande Volume, Wiley, New York, " +
+    "47–86.",
+  spencer1967:
+    "Spencer, E. (1967). A method of analysis of the stability of embankments assuming parallel inter-slice forces. " +
+    "Géotechnique 17 (1), 11–26.",
+  morgenstern1965:
+    "Morgenstern, N. R., Price, V. E. (1965). The analysis of the stability of general slip surfaces. Géotechnique 15 " +
+    "(1), 79–93.",
+  mckay1979:
+    "McKay, M. D., Beckman, R. J., Conover, W. J. (1979). A comparison of three methods for selecting values of input " +
+    "variables in the analysis of output from a computer code. Technometrics 21 (2), 239–245.",
+  clopper1934:
+    "Clopper, C. J., Pearson, E. S. (1934). The use of confidence or fiducial limits illustrated in the case of the " +
+    "binomial. Biometrika 26 (4), 404–413.",
+  hasofer1974:
+    "Hasofer, A. M., Lind, N. C. (1974). Exact and invariant second-moment code format. Journal of the Engineering " +
+    "Mechanics Division, ASCE, 100, 111–121.",
+  en1997: "EN 1997-1 (2004). Eurocode 7: Geotechnical design – Part 1: General rules. CEN, Brussels.",
   hillel1971: "Hillel, D. (1971). Soil and Water: Physical Principles and Processes. Academic Press, New York.",
   gardner1958:
     "Gardner, W. R. (1958). Some steady-state solutions of the unsaturated moisture flow equation with application " +

@@ -2,6 +2,7 @@
 import { Fragment, type ComponentChildren } from "preact";
 
 import { report } from "../../state";
+import { asksFor } from "../asked";
 import { DataTable, Facts } from "../DataTable";
 import { formatNumber, formatPlace, formatQuantity, formatSentence } from "../format";
 import type { Unit, Water } from "../../contract";
@@ -46,11 +47,8 @@ export function GeometryTables() {
   const soilSize = high.map((x, d) => length(x - (low[d] ?? 0))).join(" × ");
   // A run that was killed has no summary: what it would tell is not known, and not zero.
   const known = (value: number, text: string) => (value > 0 ? text : "not known");
-  const rows: [string, ComponentChildren][] = [
-    ["Dimension", model.dimension === 2 ? "2D, plane strain; quantities per metre of thickness" : "3D"],
-    ["Box", `${soilSize}, from ${place(low)} to ${place(high)} ${units.length.name}`],
-    ["Slope height H", known(model.slope_height, length(model.slope_height))],
-    ["Water", Object.keys(input).length > 0 ? describeWater(model.dimension, water.length, wet) : "not known"],
+  const hasPoints = asksFor(report.value, "mpm");
+  const ofPoints: [string, ComponentChildren][] = [
     [
       "Mesh",
       (mesh.elements > 0
@@ -64,9 +62,16 @@ export function GeometryTables() {
     ],
     ["Critical time step", known(mesh.critical_time_step, formatQuantity(mesh.critical_time_step, second))],
   ];
+  const rows: [string, ComponentChildren][] = [
+    ["Dimension", model.dimension === 2 ? "2D, plane strain; quantities per metre of thickness" : "3D"],
+    ["Box", `${soilSize}, from ${place(low)} to ${place(high)} ${units.length.name}`],
+    ["Slope height H", known(model.slope_height, length(model.slope_height))],
+    ["Water", Object.keys(input).length > 0 ? describeWater(model.dimension, water.length, wet) : "not known"],
+    ...(hasPoints ? ofPoints : []),
+  ];
   return (
     <>
-      <Facts caption="Geometry, water and mesh" rows={rows} />
+      <Facts caption={hasPoints ? "Geometry, water and mesh" : "Geometry and water"} rows={rows} />
       {polygons.length > 0 && (
         <DataTable caption={`Polygons, corners in ${units.length.name}`}>
           <thead>

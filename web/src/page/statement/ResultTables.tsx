@@ -41,7 +41,7 @@ function FactorRows({ factors }: { factors: Factor[] }) {
       </thead>
       <tbody>
         {factors.map((factor) => (
-          <tr key={`${factor.method} ${factor.name}`} class={factor.main ? "main" : undefined}>
+          <tr key={`${factor.method} ${factor.name} ${factor.title}`} class={factor.main ? "main" : undefined}>
             <td>{methodNames[factor.method] ?? factor.method.toUpperCase()}</td>
             <th scope="row">
               {factor.title}

@@ -2,6 +2,7 @@
 import type { ComponentChildren } from "preact";
 
 import { report } from "../../state";
+import { asksFor } from "../asked";
 import { formatSentence } from "../format";
 import { Part } from "../Part";
 import { WarningList } from "../Warnings";
@@ -24,9 +25,12 @@ function Block({ title, wide, children }: { title: string; wide?: boolean; child
 }
 
 export function Statement() {
-  const { assumptions, kind, status, study, warnings, water } = report.value;
+  const { assumptions, input, kind, status, study, warnings, water } = report.value;
   const first = study?.rows[0]?.name;
-  const hasSlope = kind !== "tests";
+  // Slices are sampled without a run that would tell its section.
+  const isBare = study?.sampling !== undefined && Object.keys(input).length === 0;
+  const hasSlope = kind !== "tests" && !isBare;
+  const hasPoints = asksFor(report.value, "mpm");
   const lead =
     kind === "study" && first
       ? `The tables describe the variant “${first}”; the others differ from it in what the study varies.`
@@ -42,15 +46,17 @@ export function Statement() {
             <GeometryTables />
           </Block>
         )}
-        <Block title="Materials">
-          <MaterialTable />
-        </Block>
-        {hasSlope && (
-          <Block title="Supports, loads and monitors">
-            <SupportTables />
+        {!isBare && (
+          <Block title="Materials">
+            <MaterialTable />
           </Block>
         )}
         {hasSlope && (
+          <Block title={hasPoints ? "Supports, loads and monitors" : "Supports and loads"}>
+            <SupportTables />
+          </Block>
+        )}
+        {hasSlope && hasPoints && (
           <Block title="Stages">
             <StageTable />
           </Block>
@@ -65,7 +71,7 @@ export function Statement() {
             <WaterResults water={water} />
           </Block>
         )}
-        {hasSlope && (
+        {(hasSlope || isBare) && (
           <Block title="Results by method" wide>
             <ResultTables />
           </Block>

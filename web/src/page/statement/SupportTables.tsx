@@ -1,5 +1,6 @@
 /** Boundary conditions, loads, and the monitored places. */
 import { report } from "../../state";
+import { asksFor } from "../asked";
 import { DataTable } from "../DataTable";
 import { formatPlace, formatSentence } from "../format";
 
@@ -7,10 +8,12 @@ export function SupportTables() {
   const { model, units, input } = report.value;
   const { boundaries, loads, monitors } = model;
   const place = (x: number[]) => `${formatPlace(x.map((value) => value / units.length.si))}\u00a0${units.length.name}`;
+  // Slices have no supports; elements without any are held at the sides and at the bottom.
+  const hasSupports = boundaries.length > 0 || asksFor(report.value, "mpm");
   if (Object.keys(input).length === 0) return <p>Not known: the results hold no summary of the input.</p>;
   return (
     <>
-      {boundaries.length === 0 ? (
+      {!hasSupports ? null : boundaries.length === 0 ? (
         <p>No boundary is held: nothing supports the soil.</p>
       ) : (
         <DataTable caption="Boundary conditions">

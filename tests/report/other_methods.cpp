@@ -1,0 +1,280 @@
+// Reports of slices and finite elements, with and without material points, against the results that they come from.
+
+#include "methods/run_case.hpp"
+#include "model/read.hpp"
+#include "report/report.hpp"
+#include "report_page.hpp"
+#include "schema.hpp"
+
+namespace talus::report {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Two soils, water, a surcharge; few circles and large elements, so that it takes a second.
+const std::string layered_case = R"(title = "Layered slope"
+
+[[geometry.polygon]]
+name = "base"
+points = [[0, 0], [44, 0], [44, 5], [32, 5], [0, 5]]
+
+[[geometry.polygon]]
+name = "slope"
+points = [[0, 5], [32, 5], [12, 15], [0, 15]]
+
+[regions]
+base = "sand"
+slope = "silt"
+
+[materials.sand]
+model = "mohr_coulomb"
+unit_weight = "19 kN/m3"
+saturated_unit_weight = "20 kN/m3"
+young_modulus = "45 MPa"
+poisson_ratio = 0.3
+cohesion = "5 kPa"
+friction_angle = 30
+dilatancy_angle = 0
+tensile_strength = 0
+
+[materials.silt]
+model = "mohr_coulomb"
+unit_weight = "18 kN/m3"
+saturated_unit_weight = "19.5 kN/m3"
+young_modulus = "45 MPa"
+poisson_ratio = 0.3
+cohesion = "8 kPa"
+friction_angle = 26
+dilatancy_angle = 0
+tensile_strength = 0
+
+[initial]
+pore_pressure = "water_table"
+water_table = [[0, 11], [12, 9], [32, 5], [44, 5]]
+
+[[surcharge]]
+name = "road"
+x = [2, 8]
+load = ["10 kPa", "10 kPa"]
+
+[mesh]
+size = 2.5
+
+[[boundary]]
+on = "bottom"
+fix = "full"
+
+[[boundary]]
+on = "left"
+fix = "normal"
+
+[[boundary]]
+on = "right"
+fix = "normal"
+
+[analysis]
+methods = ["lem", "fem"]
+
+[lem]
+methods = ["bishop", "spencer"]
+noncircular = false
+
+[lem.entry_exit]
+exits = 8
+entries = 8
+depths = 6
+
+[[lem.surface]]
+name = "toe"
+centre = [28, 28]
+radius = 23
+
+[fem]
+resolution = 0.1
+)";
+
+json run(const fs::path& folder, const std::vector<model::Override>& overrides = {}) {
+  analysis::RunOptions options;
+  options.folder = folder;
+  options.overwrite = true;
+  return methods::run_case(model::read_case_text(layered_case, "layered.toml", overrides), options);
+}
+
+class OtherMethods : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new fs::path(make_test_folder("other_methods"));
+    summary_ = new json(run(*folder_));
+    page_ = new ReadPage(read_text(write_report(*folder_)));
+  }
+  static void TearDownTestSuite() {
+    fs::remove_all(*folder_);
+    delete page_;
+    delete summary_;
+    delete folder_;
+  }
+
+  static const json& document() { return page_->document; }
+  static const json& find_surface(const std::string& kind, const std::string& method) {
+    for (const json& s : document().at("slices").at("surfaces"))
+      if (s.at("kind") == kind && s.at("method") == method) return s;
+    throw std::runtime_error("no surface of " + method);
+  }
+  static bool names_method(const std::string& name) {
+    for (const json& m : document().at("methods"))
+      if (m == name) return true;
+    return false;
+  }
+
+  static fs::path* folder_;
+  static json* summary_;
+  static ReadPage* page_;
+};
+fs::path* OtherMethods::folder_ = nullptr;
+json* OtherMethods::summary_ = nullptr;
+ReadPage* OtherMethods::page_ = nullptr;
+
+TEST_F(OtherMethods, KeepTheContractWithoutMaterialPoints) {
+  EXPECT_EQ(find_schema_faults(document()), "");
+  for (const char* key : {"sequences", "tables"}) EXPECT_TRUE(document().at(key).empty()) << key;
+  EXPECT_FALSE(document().contains("curve"));
+  EXPECT_TRUE(document().at("model").at("stages").empty());
+  EXPECT_EQ(document().at("model").at("bounds"), json::parse("[[0, 0], [44, 15]]")) << "no box: around the polygons";
+  for (const char* name : {"limit_equilibrium", "bishop", "spencer", "slip_search", "finite_elements", "mohr_coulomb"})
+    EXPECT_TRUE(names_method(name)) << name;
+  for (const char* name : {"material_point_method", "time_step", "fellenius"}) EXPECT_FALSE(names_method(name)) << name;
+  for (const json& sentence : document().at("assumptions"))
+    for (const char* word : {"first stage", "smoothing", "frozen", "Runout"})
+      EXPECT_EQ(sentence.get<std::string>().find(word), std::string::npos) << sentence;
+}
+
+TEST_F(OtherMethods, NameOneFactorOfEach) {
+  const json& slices = find_surface("circle", "spencer");
+  std::vector<double> main;
+  for (const json& f : document().at("answer").at("factors")) {
+    if (f.at("main") == true) main.push_back(f.at("value"));
+    EXPECT_EQ(f.at("name").get<std::string>().find("surface["), std::string::npos) << "given surfaces are no answer";
+  }
+  ASSERT_EQ(main.size(), 2u);
+  EXPECT_EQ(main[0], slices.at("factor"));
+  EXPECT_EQ(main[1], document().at("finite_elements").at("runs")[0].at("factor"));
+  EXPECT_EQ(slices.at("factor"), summary_->at("lem").at("critical")[1].at("factor"));
+  // Strength at failure is that at the factor of the slices.
+  for (const json& soil : document().at("model").at("materials"))
+    for (const json& p : soil.at("properties"))
+      if (p.at("key") == "cohesion") {
+        EXPECT_NEAR(p.at("at_failure").get<double>() * main[0], p.at("characteristic").get<double>(), 1e-9);
+      }
+}
+
+TEST_F(OtherMethods, SlicesAreInVerticalBalance) {
+  // Bishop neglects X: N cosα + T sinα of every slice carries its weight and load.
+  const json& s = find_surface("circle", "bishop").at("slices");
+  for (std::size_t i = 0; i < s.at("left").size(); ++i) {
+    const auto get = [&](const char* key) { return s.at(key)[i].get<double>(); };
+    const double down = get("weight") + get("surface_load");
+    const double up = get("normal") * std::cos(get("alpha")) + get("shear") * std::sin(get("alpha"));
+    EXPECT_NEAR(up, down, 1e-6 * std::max(down, 1e3)) << i;
+  }
+}
+
+TEST_F(OtherMethods, TrialsAreThoseOfTheSearch) {
+  const json& trials = document().at("slices").at("trials");
+  const json file = json::parse(read_text(*folder_ / "lem.json"));
+  const std::vector<double> circles = page_->values(trials.at("circles")),
+                            factors = page_->values(trials.at("factors"));
+  ASSERT_EQ(circles.size(), 5 * file.at("trials").size());
+  ASSERT_EQ(factors.size(), 2 * file.at("trials").size());
+  for (std::size_t i = 0; i < file.at("trials").size(); ++i) {
+    EXPECT_NEAR(circles[5 * i + 2], file["trials"][i][2].get<double>(), 1e-4);
+    EXPECT_NEAR(factors[2 * i + 1], file["trials"][i][6].get<double>(), 1e-4);
+  }
+}
+
+TEST_F(OtherMethods, FieldsOfTheElementsComeBack) {
+  const json& fields = document().at("finite_elements").at("runs")[0].at("fields");
+  const json file = json::parse(read_text(*folder_ / "fem.json"));
+  const std::vector<double> strain = page_->values(fields.at("shear_strain"));
+  const json& stored = file.at("runs")[0].at("shear_strain");
+  ASSERT_EQ(strain.size(), stored.size());
+  const double step = (fields["shear_strain"]["range"][1].get<double>()) / 65534;
+  for (std::size_t i = 0; i < strain.size(); ++i) ASSERT_NEAR(strain[i], stored[i].get<double>(), step);
+  const std::vector<double> nodes = page_->values(document()["finite_elements"]["mesh"]["nodes"]);
+  EXPECT_NEAR(nodes.back(), file.at("nodes").back()[1].get<double>(), 1e-5);
+}
+
+TEST_F(OtherMethods, ADamagedFileCostsItsPicturesOnly) {
+  const fs::path folder = make_test_folder("damaged_methods");
+  fs::copy(*folder_, folder, fs::copy_options::recursive);
+  std::ofstream(folder / "lem.json") << "{\"trials\": [[1, 2";
+  std::ofstream(folder / "fem.json") << R"({"nodes": [[0, 0], [1, 0]], "elements": [[0, 1, 2, 3, 4, 5]], "runs": []})";
+  const ReadPage page(read_text(write_report(folder)));
+  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_FALSE(page.document.at("slices").contains("trials"));
+  EXPECT_FALSE(page.document.at("finite_elements").contains("mesh"));
+  EXPECT_EQ(page.document.at("slices").at("surfaces"), document().at("slices").at("surfaces"));
+  std::string warnings;
+  for (const json& w : page.document.at("warnings")) warnings += w.get<std::string>() + "\n";
+  EXPECT_NE(warnings.find("The trial surfaces are not shown"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("The finite elements are not drawn: an element names the node 2 of 2"), std::string::npos)
+      << warnings;
+  fs::remove_all(folder);
+}
+
+TEST_F(OtherMethods, AMethodWithoutAnAnswerSaysWhy) {
+  const fs::path folder = make_test_folder("failed_method");
+  json summary = *summary_;
+  summary["fem"] = {{"error", "no equilibrium at any factor"}, {"warnings", json::array()}};
+  summary["methods"]["table"] = json::array();
+  std::ofstream(folder / "summary.json") << summary.dump();
+  const ReadPage page(read_text(write_report(folder)));
+  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(page.document.at("finite_elements").at("error"), "no equilibrium at any factor");
+  EXPECT_EQ(page.document.at("answer").at("sentences").at(0), "No method found a factor of safety.");
+  fs::remove_all(folder);
+}
+
+TEST(ExtrapolatedStudy, TellsTheFactorAtSizeZeroFirst) {
+  const fs::path folder = make_test_folder("extrapolated");
+  const auto factor = [](const char* criterion, const json& factors, const json& error) {
+    return json{{"criterion", criterion}, {"variant", ""},           {"sizes", {1.0, 0.5, 0.25}}, {"factors", factors},
+                {"linear", 1.39},         {"standard_error", error}, {"finest_pair", 1.388},      {"order", nullptr}};
+  };
+  const json factors{factor("FoS, Spencer", {1.44, 1.44, 1.44}, 0.0), factor("FoS, frozen", {1.46, 1.43, 1.41}, 0.004)};
+  std::ofstream(folder / "study.json") << json{
+      {"title", "Meshes"},
+      {"variants", json::array({{{"name", "base"}, {"status", "finished"}}})},
+      {"extrapolation", {{"key", "mesh.size"}, {"unit", "m"}, {"factors", factors}}}};
+  const ReadPage page(read_text(write_report(folder)));
+  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(page.document.at("answer").at("sentences").at(0),
+            "Extrapolated to mesh.size = 0, the factor of safety is 1.390 ± 0.004 (frozen).")
+      << "slices do not know the size: nothing is extrapolated";
+  EXPECT_EQ(page.document.at("study").at("extrapolation").at("factors").size(), 1u);
+  fs::remove_all(folder);
+}
+
+TEST(SampledStudy, TellsItsProbabilityFirst) {
+  const fs::path folder = make_test_folder("sampled");
+  const json failure{{"limit", 1},      {"count", 24},     {"samples", 1000},    {"probability", 0.024},
+                     {"lower", 0.0154}, {"upper", 0.0355}, {"confidence", 0.95}, {"index", 1.977}};
+  json sampling{{"samples", 1000},    {"seed", 3},         {"plan", "random"},
+                {"failure", failure}, {"factor", nullptr}, {"tornado", nullptr}};
+  sampling["numbers"] = json::array({{{"key", "materials.clay.cohesion"}, {"name", "cohesion"}, {"lowest", nullptr}}});
+  std::ofstream(folder / "study.json") << json{{"title", "Uncertain"},      {"mode", "sample"},
+                                               {"vary", json::array()},     {"columns", json::array()},
+                                               {"variants", json::array()}, {"sampling", sampling}};
+  const ReadPage page(read_text(write_report(folder)));
+  EXPECT_EQ(find_schema_faults(page.document), "");
+  EXPECT_EQ(page.document.at("status"), "finished");
+  EXPECT_EQ(page.document.at("answer").at("sentences")[0],
+            "The probability of failure is 2.4 %, between 1.5 % and 3.5 % with 95 % confidence; the reliability index "
+            "is 1.98.");
+  EXPECT_EQ(page.document.at("methods"), json({"sampling"})) << "nothing else is known of it";
+  EXPECT_FALSE(page.document.at("study").at("sampling").contains("factor"));
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace talus::report

@@ -1,0 +1,102 @@
+// Slices and finite elements: the pictures are drawn, the pointer reads them, surfaces can be chosen and switched.
+import { join } from "node:path";
+
+import { scrollThrough } from "./session.mjs";
+
+/** How many colours the lower canvas of a drawing shows, in steps of 32 of each channel. */
+function countColours(page, part) {
+  return page
+    .locator(`${part} .drawing-below`)
+    .first()
+    .evaluate((canvas) => {
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      const found = new Set();
+      for (let i = 0; i < data.length; i += 4)
+        if (data[i + 3] > 200) found.add(((data[i] >> 5) << 6) | ((data[i + 1] >> 5) << 3) | (data[i + 2] >> 5));
+      return found.size;
+    });
+}
+
+async function checkSlices(list, page, report, out) {
+  const { surfaces, trials } = report.slices;
+  const colours = await countColours(page, "#slices");
+  list.expect(
+    colours > (trials ? 8 : 1),
+    "trial surfaces are drawn in the colours of their factors",
+    `${colours} colours`,
+  );
+  const others = page.locator(".surface-table button");
+  list.expect((await others.count()) === surfaces.length, `${surfaces.length} surfaces can be chosen`);
+  const last = surfaces.findLastIndex((surface) => surface.slices && surface.factor !== null);
+  if (last >= 0) {
+    await others.nth(last).click();
+    const rows = await page.locator(".slice-table tbody tr").count();
+    const { left, weight } = surfaces[last].slices;
+    list.expect(rows === left.length, `the chosen surface has its ${left.length} slices in the table`, `${rows}`);
+    const head = await page.locator(".slice-table thead th").allInnerTexts();
+    const at = head.findIndex((text) => text.trim().startsWith("W"));
+    const cells = await page.locator(`.slice-table tbody td:nth-child(${at + 1})`).allInnerTexts();
+    const sum = cells.reduce((total, text) => total + Number(text.replace("−", "-")), 0);
+    const whole = weight.reduce((a, b) => a + b, 0) / report.units.stress.si;
+    list.expect(Math.abs(sum / whole - 1) < 1e-2, "its weights add up to the mass", `${sum} of ${whole}`);
+    await page.locator(".slice-table thead button").nth(at).click();
+    const sorted = await page.locator(".slice-table th[aria-sort='ascending']").innerText();
+    list.expect(sorted.trim().startsWith("W"), "the table can be sorted", sorted);
+  }
+  if (trials) {
+    await page.locator("#slices").getByRole("button", { name: "critical only" }).click();
+    await page.waitForTimeout(200);
+    const fewer = await countColours(page, "#slices");
+    list.expect(fewer < colours, "the trial surfaces can be switched off", `${colours}, then ${fewer} colours`);
+    await page.locator("#slices").getByRole("button", { name: "all", exact: true }).click();
+    const stage = page.locator("#slices .drawing-stage").first();
+    await stage.scrollIntoViewIfNeeded();
+    const { x, y, width, height } = await stage.boundingBox();
+    let reading = "";
+    for (let share = 0.3; share < 0.8 && !/^F = /.test(reading); share += 0.02) {
+      await page.mouse.move(x + 0.5 * width, y + share * height);
+      await page.waitForTimeout(30);
+      reading = await page.locator("#slices .drawing .chart-reading").first().innerText();
+    }
+    list.expect(/^F = \d/.test(reading), "the pointer reads the factor of a trial surface", reading);
+  }
+  await page.locator("#slices").screenshot({ path: join(out, "slices.png") });
+}
+
+async function checkElements(list, page, report, out) {
+  const { mesh, runs } = report.finite_elements;
+  const trials = runs.reduce((sum, run) => sum + run.trials.length, 0);
+  const rows = await page.locator("#elements figure[aria-label='Trials of the strength reduction'] tbody tr").count();
+  list.expect(rows === trials, `all ${trials} trials of the finite elements have a row`, `${rows}`);
+  if (!mesh) return;
+  const colours = await countColours(page, "#elements");
+  list.expect(colours > 3, "the strain of the finite elements is drawn", `${colours} colours`);
+  await page
+    .locator("#elements")
+    .getByLabel(/^Deformed/)
+    .check();
+  await page.waitForTimeout(300);
+  await page.locator("#elements").screenshot({ path: join(out, "elements.png") });
+}
+
+export async function checkMethods(list, page, report, out) {
+  await scrollThrough(page);
+  const table = await page.locator("#compared tbody tr").allInnerTexts();
+  for (const row of report.method_table?.rows ?? []) {
+    const factor = row.factor === null ? "none" : row.factor.toFixed(3);
+    const stands = table.some((text) => text.includes(row.title) && text.includes(factor));
+    list.expect(stands, `${row.title}, ${row.criterion}, has a row with ${factor}`);
+  }
+  if (report.sequences.length > 0) {
+    const legend = await page.locator("#section .viewer-legend").innerText();
+    const over = (report.method_table?.surfaces ?? []).filter((s) => s.name === "lem.spencer" || s.method === "fem");
+    for (const s of over)
+      list.expect(
+        legend.includes(s.title),
+        `'${s.title}' lies over the material points, named with its factor`,
+        legend,
+      );
+  }
+  if (report.slices?.surfaces.length) await checkSlices(list, page, report, out);
+  if (report.finite_elements) await checkElements(list, page, report, out);
+}

@@ -1,0 +1,142 @@
+/** All methods beside each other: factors by criterion with computing times, handed surfaces, how to read it. */
+import { CsvButton } from "../charts/Legend";
+import { formatNumber } from "../charts/numbers";
+import type { MethodRow, MethodTable } from "../contractMethods";
+import { methodNames } from "../page/FactorTable";
+import { formatDuration, formatFactor, formatSentence } from "../page/format";
+import { Scroller } from "../page/Scroller";
+import { report } from "../state";
+import { PartialFactors } from "./PartialFactors";
+
+const percent = (share: number) =>
+  `${share > 0 ? "+" : share < 0 ? "−" : ""}${formatNumber(Math.abs(100 * share), 2)} %`;
+
+/** Others are compared with Spencer's critical circle, else with the first factor there is. */
+function chooseReference(rows: MethodRow[]): MethodRow | undefined {
+  const found = rows.filter((row) => row.factor !== null);
+  return found.find((row) => row.method === "lem" && row.name.replace(/^lem\./, "") === "spencer") ?? found[0];
+}
+
+function FactorRows({ table }: { table: MethodTable }) {
+  const { rows } = table;
+  const reference = chooseReference(rows);
+  const compare = (row: MethodRow) =>
+    row.factor === null || !reference?.factor || row === reference ? null : row.factor / reference.factor - 1;
+  const columns = () => [
+    { name: "method", values: rows.map((r) => methodNames[r.method] ?? r.method) },
+    { name: "title", values: rows.map((r) => r.title) },
+    { name: "criterion", values: rows.map((r) => r.criterion) },
+    { name: "factor of safety", unit: "-", values: rows.map((r) => r.factor) },
+    { name: "lower", unit: "-", values: rows.map((r) => r.lower) },
+    { name: "upper", unit: "-", values: rows.map((r) => r.upper) },
+    { name: "relative difference to the reference", unit: "-", values: rows.map(compare) },
+    { name: "computing time", unit: "s", values: rows.map((r) => r.seconds) },
+    { name: "note", values: rows.map((r) => r.note) },
+  ];
+  return (
+    <>
+      <div class="chart-head">
+        <h3 id="chart-compared-title">Factors of safety by method</h3>
+        <CsvButton part="methods" columns={columns} />
+      </div>
+      <Scroller class="chart-scroll" label="Factors of safety by method and criterion">
+        <table class="chart-table">
+          <thead>
+            <tr>
+              <th scope="col">Method</th>
+              <th scope="col">Criterion</th>
+              <th scope="col" class="chart-number">
+                F
+              </th>
+              <th scope="col" class="chart-number">
+                Bracket
+              </th>
+              {reference && (
+                <th scope="col" class="chart-number chart-wrap">
+                  against {reference.title}
+                </th>
+              )}
+              <th scope="col" class="chart-number">
+                Time
+              </th>
+              <th scope="col">Note</th>
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((row, i) => {
+              const difference = compare(row);
+              return (
+                <tr key={i}>
+                  <th scope="row">
+                    {!row.title.startsWith(methodNames[row.method] ?? row.method) && (
+                      <span class="chart-missing">{methodNames[row.method] ?? row.method}: </span>
+                    )}
+                    {row.title}
+                  </th>
+                  <td>{row.criterion}</td>
+                  <td class="chart-number">
+                    <strong>{row.factor === null ? "none" : formatFactor(row.factor)}</strong>
+                  </td>
+                  <td class="chart-number">
+                    {row.lower === null || row.upper === null
+                      ? "–"
+                      : `${formatFactor(row.lower)}–${formatFactor(row.upper)}`}
+                  </td>
+                  {reference && (
+                    <td class="chart-number">
+                      {row === reference ? "=" : difference === null ? "–" : percent(difference)}
+                    </td>
+                  )}
+                  <td class="chart-number">{row.seconds === null ? "–" : formatDuration(row.seconds)}</td>
+                  <td>{row.note || "–"}</td>
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </Scroller>
+    </>
+  );
+}
+
+function Handed({ table }: { table: MethodTable }) {
+  // The table has them where slices are among the methods.
+  const inTable = table.rows.some((row) => row.method === "lem" && row.surface && !row.surface.startsWith("lem."));
+  if (table.handed.length === 0 || inTable) return null;
+  return (
+    <figure class="chart-figure" aria-label="Surfaces handed to slices">
+      <h4>Slices on the surfaces of the other methods</h4>
+      <ul class="compared-list">
+        {table.handed.map((h) => (
+          <li key={`${h.from} ${h.to}`}>
+            {h.title}:{" "}
+            {h.factor === null ? <span class="chart-bad">refused</span> : <strong>F = {formatFactor(h.factor)}</strong>}
+            {h.refusal && <span class="chart-missing"> ({h.refusal})</span>}
+          </li>
+        ))}
+      </ul>
+    </figure>
+  );
+}
+
+export function MethodsSection() {
+  const table = report.value.method_table;
+  if (!table) return null;
+  return (
+    <section class="chart-section" aria-labelledby="chart-compared-title">
+      <FactorRows table={table} />
+      {table.reading.length > 0 && (
+        <figure class="chart-figure" aria-label="How to read the differences">
+          <h4>How to read the differences</h4>
+          <ul class="compared-list">
+            {table.reading.map((text) => (
+              <li key={text}>{formatSentence(text)}</li>
+            ))}
+          </ul>
+        </figure>
+      )}
+      <Handed table={table} />
+      <PartialFactors table={table} />
+    </section>
+  );
+}

@@ -1,0 +1,81 @@
+/** Partial factors, design values and the over-design factor. */
+import { formatNumber } from "../charts/numbers";
+import type { MethodTable } from "../contractMethods";
+import { SymbolText } from "../page/DataTable";
+import { formatFactor, formatSentence } from "../page/format";
+import { Scroller } from "../page/Scroller";
+
+export function PartialFactors({ table }: { table: MethodTable }) {
+  const partial = table.partial_factors;
+  if (!partial) return null;
+  return (
+    <figure class="chart-figure" aria-label="Partial factors">
+      <h4>Partial factors{partial.set && `: ${partial.set}`}</h4>
+      <p>{formatSentence(partial.text)}</p>
+      <Scroller class="chart-scroll" label="Partial factors">
+        <table class="chart-table compared-narrow">
+          <tbody>
+            {partial.values.map((v) => (
+              <tr key={v.key}>
+                <th scope="row">
+                  <SymbolText text={v.symbol} /> {v.title}
+                </th>
+                <td class="chart-number">{formatNumber(v.value, 4)}</td>
+              </tr>
+            ))}
+            {partial.over_design !== null && (
+              <tr>
+                <th scope="row">Over-design factor</th>
+                <td class={`chart-number ${partial.over_design < 1 ? "chart-bad" : "chart-good"}`}>
+                  {formatFactor(partial.over_design)}
+                </td>
+              </tr>
+            )}
+          </tbody>
+        </table>
+      </Scroller>
+      {partial.materials.length > 0 && (
+        <Scroller class="chart-scroll" label="Design values">
+          <table class="chart-table compared-narrow">
+            <thead>
+              <tr>
+                <th scope="col">Soil</th>
+                <th scope="col">Quantity</th>
+                <th scope="col" class="chart-number">
+                  Characteristic
+                </th>
+                <th scope="col" class="chart-number">
+                  Design
+                </th>
+              </tr>
+            </thead>
+            <tbody>
+              {partial.materials.map((m) => (
+                <tr key={`${m.material} ${m.quantity}`}>
+                  <th scope="row">{m.material}</th>
+                  <td>
+                    {m.quantity}
+                    {m.symbol && (
+                      <>
+                        {" "}
+                        <SymbolText text={m.symbol} />
+                      </>
+                    )}
+                    {m.unit && ` [${m.unit === "deg" ? "°" : m.unit}]`}
+                  </td>
+                  <td class="chart-number">{formatNumber(m.characteristic, 4)}</td>
+                  <td class="chart-number">{formatNumber(m.design, 4)}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </Scroller>
+      )}
+      {partial.notes.map((text) => (
+        <p key={text} class="chart-note">
+          {formatSentence(text)}
+        </p>
+      ))}
+    </figure>
+  );
+}

@@ -1,0 +1,94 @@
+/** What the methods share: surfaces that are laid over each other, contents of the page, pictures of the elements. */
+import { describe, expect, it } from "vitest";
+
+import type { Report } from "../contract";
+import { chooseMagnification } from "../elements/ElementsFigure";
+import { moveNodes } from "../elements/fieldPainter";
+import { asksFor } from "../page/asked";
+import { listContents } from "../page/contents";
+import { findDensity, formatShare } from "../sampling/probability";
+import { report } from "../state";
+import { listSurfaces } from "./surfaces";
+
+const points = [
+  [0, 0],
+  [1, 1],
+];
+const surfaces = [
+  { name: "lem.bishop", title: "Bishop, critical circle", method: "lem", factor: 1.44, points },
+  { name: "lem.spencer", title: "Spencer, critical circle", method: "lem", factor: 1.439, points },
+  { name: "lem.janbu", title: "Janbu", method: "lem", factor: null, points: [] },
+  { name: "fem.band", title: "Band", method: "fem", factor: 1.42, points },
+];
+const bare = {
+  kind: "run",
+  sequences: [],
+  tables: [],
+  comparisons: [],
+  methods: [],
+  input: {},
+  model: { dimension: 2, materials: [], polygons: [] },
+} as unknown as Report;
+
+describe("surfaces over each other", () => {
+  it("begin with those that are shown at first: Spencer of slices, all of other methods", () => {
+    report.value = { ...bare, method_table: { surfaces } } as unknown as Report;
+    const listed = listSurfaces();
+    expect(listed.map((s) => [s.name, s.first, s.look])).toEqual([
+      ["lem.spencer", true, 0],
+      ["fem.band", true, 1],
+      ["lem.bishop", false, 2],
+    ]);
+    expect(listed[0]!.text).toBe("Spencer, critical circle: F = 1.439");
+  });
+});
+
+describe("a run without material points", () => {
+  const lem = { ...bare, method_table: { asked: ["lem"], surfaces }, slices: {} } as unknown as Report;
+
+  it("has a section, and no part of points", () => {
+    const ids = listContents(lem).map((entry) => entry.id);
+    expect(ids).toEqual(["answer", "section", "compared", "slices", "statement", "input", "provenance"]);
+    expect(asksFor(lem, "mpm")).toBe(false);
+  });
+
+  it("is known by its input when it failed before it had a table", () => {
+    const input = { analysis: { methods: { value: ["lem", "fem"], given: true } } };
+    const failed = { ...bare, input } as unknown as Report;
+    expect([asksFor(failed, "mpm"), asksFor(failed, "fem"), asksFor(bare, "mpm")]).toEqual([false, true, true]);
+  });
+});
+
+describe("deformed elements", () => {
+  it("are magnified by a round number that keeps the section readable", () => {
+    expect(chooseMagnification(0.01, 10)).toBe(50);
+    expect(chooseMagnification(0.03, 10)).toBe(10);
+    expect(chooseMagnification(5, 10)).toBe(1);
+    expect(chooseMagnification(0, 10)).toBe(1);
+  });
+
+  it("move by their displacement times the magnification", () => {
+    const mesh = { nodes: Float32Array.from([0, 0, 1, 2]), elements: new Uint32Array() };
+    const moves = Float32Array.from([0, 0, 0.5, -0.25]);
+    expect(Array.from(moveNodes(mesh, moves, 4))).toEqual([0, 0, 3, 1]);
+    expect(moveNodes(mesh, moves, 0)).toBe(mesh.nodes);
+  });
+});
+
+describe("probabilities", () => {
+  it.each(["normal", "lognormal"] as const)("the density of the %s distribution has its mean and deviation", (kind) => {
+    let [area, mean, square] = [0, 0, 0];
+    const [m, s, step] = [1.3, 0.2, 1e-4];
+    for (let x = step; x < 4; x += step) {
+      const p = findDensity(kind, m, s, x) * step;
+      [area, mean, square] = [area + p, mean + p * x, square + p * x * x];
+    }
+    expect(area).toBeCloseTo(1, 6);
+    expect(mean).toBeCloseTo(m, 5);
+    expect(Math.sqrt(square - mean * mean)).toBeCloseTo(s, 4);
+  });
+
+  it("are told in per cent until they are too small for it", () => {
+    expect([0.068, 0.5, 0, 3.2e-7, null].map(formatShare)).toEqual(["6.8 %", "50 %", "0", "3.2×10⁻⁷", "–"]);
+  });
+});

@@ -1,0 +1,54 @@
+/** What the colours and lines of a drawing mean. */
+import type { ComponentChildren } from "preact";
+
+import { report } from "../state";
+import { findSoilColour } from "./ground";
+
+export function LineSwatch({ colour, dash, width = 2.2 }: { colour: string; dash?: string; width?: number }) {
+  return (
+    <svg viewBox="0 0 28 12" width="28" height="12" aria-hidden="true">
+      <line x1="1" x2="27" y1="6" y2="6" stroke={colour} stroke-width={width} stroke-dasharray={dash} />
+    </svg>
+  );
+}
+
+export function LineKey(props: { colour: string; dash?: string; width?: number; children: ComponentChildren }) {
+  return (
+    <li>
+      <LineSwatch colour={props.colour} dash={props.dash} width={props.width} />
+      {props.children}
+    </li>
+  );
+}
+
+/** Soils and water tables. */
+export function GroundKeys() {
+  const { polygons, water, surcharges } = report.value.model;
+  const soils = [...new Set(polygons.map((p) => p.material).filter(Boolean))];
+  return (
+    <>
+      {soils.map((name) => (
+        <li key={name}>
+          <svg viewBox="0 0 14 12" width="14" height="12" aria-hidden="true">
+            <rect
+              x="0.5"
+              y="0.5"
+              width="13"
+              height="11"
+              fill={findSoilColour(name)}
+              fill-opacity="0.4"
+              stroke="currentColor"
+            />
+          </svg>
+          {name}
+        </li>
+      ))}
+      {water.length > 0 && (
+        <LineKey colour="#2f7fd6" dash="8 2 2 2" width={1.8}>
+          Water table
+        </LineKey>
+      )}
+      {surcharges.length > 0 && <li>↓ Surcharge</li>}
+    </>
+  );
+}

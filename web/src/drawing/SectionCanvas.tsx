@@ -1,0 +1,124 @@
+/** A section drawn on a canvas, with rulers, a scalar bar, a reading under the pointer, zoom and print. */
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+
+import type { Bar, Key } from "../viewer/scaleBar";
+import type { Box, Pen } from "./pen";
+import { listen } from "./pointer";
+import { View } from "./view";
+import "./drawing.css";
+
+interface Props {
+  /** What is seen, for who cannot see it. */
+  label: string;
+  box: Box;
+  draw: (pen: Pen) => void;
+  /** What `draw` depends on. */
+  depends: unknown[];
+  /** Lies over it, and is drawn alone when only `dependsOver` changes. */
+  drawOver?: (pen: Pen) => void;
+  dependsOver?: unknown[];
+  bar?: Bar | Key | null;
+  tallest?: number;
+  /** What stands at a place; `reach` is about four pixels [m]. */
+  read?: (at: [number, number], reach: number) => string;
+  hint?: string;
+  /** Of the saved picture. */
+  file: string;
+}
+
+const steps: Record<string, [number, number]> = {
+  ArrowLeft: [40, 0],
+  ArrowRight: [-40, 0],
+  ArrowUp: [0, 40],
+  ArrowDown: [0, -40],
+};
+
+const buttons: [string, string, (view: View) => void][] = [
+  ["Zoom in", "M8 3v10M3 8h10", (v) => v.zoom(1.4)],
+  ["Zoom out", "M3 8h10", (v) => v.zoom(1 / 1.4)],
+  ["Fit", "M2.5 6V2.5H6M10 2.5h3.5V6M13.5 10v3.5H10M6 13.5H2.5V10", (v) => v.fit()],
+];
+
+export function SectionCanvas(props: Props) {
+  const host = useRef<HTMLDivElement>(null);
+  const view = useRef<View | null>(null);
+  const latest = useRef(props);
+  latest.current = props;
+  const [reading, setReading] = useState("");
+  const { box, draw, drawOver, bar = null, tallest = 460, file } = props;
+  const drawing = { box, draw, drawOver, bar, tallest };
+
+  // At once: what is drawn because of printing has no time for more.
+  useLayoutEffect(() => {
+    const made = (view.current = new View(host.current!, drawing));
+    const stop = listen(host.current!, made, (at) => {
+      const { read } = latest.current;
+      if (read) setReading(at ? read(at, 4 / made.camera.scale) : "");
+    });
+    return () => {
+      stop();
+      made.dispose();
+      view.current = null;
+    };
+  }, []);
+  useEffect(() => view.current?.update(drawing, true), [JSON.stringify(box), bar, ...props.depends]);
+  useEffect(() => view.current?.update(drawing, false), props.dependsOver ?? []);
+
+  const press = (event: KeyboardEvent) => {
+    const now = view.current;
+    if (!now || event.ctrlKey || event.altKey || event.metaKey) return;
+    const step = steps[event.key];
+    if (step) now.pan(...step);
+    else if (event.key === "+" || event.key === "=") now.zoom(1.25);
+    else if (event.key === "-") now.zoom(0.8);
+    else if (event.key === "0") now.fit();
+    else return;
+    event.preventDefault();
+  };
+
+  return (
+    <div class="drawing">
+      {props.read && (
+        <p class="chart-reading" aria-live="polite">
+          {reading || props.hint}
+        </p>
+      )}
+      <div class="drawing-frame">
+        <div
+          ref={host}
+          class="drawing-stage"
+          tabIndex={0}
+          role="application"
+          aria-roledescription="drawing of a section"
+          aria-label={`${props.label}. Plus and minus zoom, arrow keys move, 0 fits.`}
+          onKeyDown={press}
+        />
+        <div class="drawing-buttons no-print">
+          {buttons.map(([name, path, act]) => (
+            <button
+              type="button"
+              key={name}
+              aria-label={name}
+              title={name}
+              onClick={() => view.current && act(view.current)}
+            >
+              <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
+                <path d={path} fill="none" stroke="currentColor" stroke-width="1.6" />
+              </svg>
+            </button>
+          ))}
+          <button
+            type="button"
+            aria-label="Save picture"
+            title="Save picture"
+            onClick={() => view.current?.save(`${file}.png`)}
+          >
+            <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
+              <path d="M8 2v8M4.5 7 8 10.5 11.5 7M2.5 13.5h11" fill="none" stroke="currentColor" stroke-width="1.6" />
+            </svg>
+          </button>
+        </div>
+      </div>
+    </div>
+  );
+}

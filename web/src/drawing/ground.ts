@@ -1,0 +1,103 @@
+/** The ground of a section: soils in their colours, water tables, surcharges. */
+import { report } from "../state";
+import { tabulateCategories, writeColour } from "../viewer/colours";
+import { drawWaterMark, strokeLine } from "../viewer/lines";
+import type { Pen } from "./pen";
+
+/** Colour of a soil as CSS; the viewer gives materials the same. */
+export function findSoilColour(material: string): string {
+  const found = report.value.model.materials.find((m) => m.name === material);
+  return writeColour(tabulateCategories(), found ? found.index & 255 : -1);
+}
+
+function tracePolygons({ context, place }: Pen): void {
+  for (const polygon of report.value.model.polygons) {
+    polygon.points.forEach((p, i) => (i ? context.lineTo(...place(p)) : context.moveTo(...place(p))));
+    context.closePath();
+  }
+}
+
+/** Later polygons replace earlier ones, as in the case. */
+export function drawSoils(pen: Pen, strength = 0.3): void {
+  const { context, place, theme } = pen;
+  for (const polygon of report.value.model.polygons) {
+    context.beginPath();
+    polygon.points.forEach((p) => context.lineTo(...place(p)));
+    context.closePath();
+    context.fillStyle = theme.ground;
+    context.fill();
+    context.globalAlpha = strength;
+    context.fillStyle = findSoilColour(polygon.material);
+    context.fill();
+    context.globalAlpha = 1;
+  }
+}
+
+export function drawOutlines({ context, place, theme }: Pen): void {
+  context.lineJoin = "round";
+  for (const polygon of report.value.model.polygons)
+    strokeLine(context, polygon.points.map(place), { colour: theme.ink, width: 1.2, closed: true });
+}
+
+/** Draws inside the soil only. */
+export function clipToSoil(pen: Pen, draw: () => void): void {
+  const { context } = pen;
+  context.save();
+  if (report.value.model.polygons.length) {
+    context.beginPath();
+    tracePolygons(pen);
+    context.clip("nonzero");
+  }
+  draw();
+  context.restore();
+}
+
+export function drawWater({ context, place, theme }: Pen): void {
+  for (const { points } of report.value.model.water) {
+    const line = points.map(place);
+    strokeLine(context, line, { colour: theme.ground, width: 4 });
+    strokeLine(context, line, { colour: theme.water, width: 2, dash: [10, 3, 2, 3] });
+    drawWaterMark(context, line, theme);
+  }
+}
+
+/** Height of the ground over x: the highest line of the polygons there [m]. */
+function findGround(x: number): number | null {
+  let highest: number | null = null;
+  for (const { points } of report.value.model.polygons)
+    points.forEach((a, i) => {
+      const b = points[(i + 1) % points.length]!;
+      if (a[0] === b[0] || x < Math.min(a[0]!, b[0]!) || x > Math.max(a[0]!, b[0]!)) return;
+      const y = a[1]! + ((b[1]! - a[1]!) * (x - a[0]!)) / (b[0]! - a[0]!);
+      highest = highest === null ? y : Math.max(highest, y);
+    });
+  return highest;
+}
+
+/** Arrows as long as the load is large. */
+export function drawSurcharges({ context, place, theme }: Pen): void {
+  const { surcharges } = report.value.model;
+  const largest = Math.max(0, ...surcharges.flatMap((s) => s.load.map(Math.abs)));
+  if (!largest) return;
+  context.strokeStyle = theme.ink;
+  context.lineWidth = 1;
+  for (const { x, load } of surcharges)
+    for (let i = 0; i + 1 < x.length; ++i) {
+      const steps = Math.max(1, Math.round(Math.abs(place([x[i + 1]!, 0])[0] - place([x[i]!, 0])[0]) / 16));
+      context.beginPath();
+      for (let k = 0; k <= steps; ++k) {
+        const share = k / steps;
+        const at = x[i]! + share * (x[i + 1]! - x[i]!);
+        const size = (26 * (load[i]! + share * (load[i + 1]! - load[i]!))) / largest;
+        const ground = findGround(at);
+        if (ground === null || Math.abs(size) < 2) continue;
+        const [px, py] = place([at, ground]);
+        context.moveTo(px, py - size);
+        context.lineTo(px, py - 1);
+        context.moveTo(px - 3, py - 6);
+        context.lineTo(px, py - 1);
+        context.lineTo(px + 3, py - 6);
+      }
+      context.stroke();
+    }
+}

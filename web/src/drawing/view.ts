@@ -1,0 +1,188 @@
+/** The two canvases of a drawing, its view, and when they are drawn. */
+import { printing } from "../charts/printing";
+import { Camera } from "../viewer/camera";
+import { drawRulers } from "../viewer/rulers";
+import { drawScaleBar, uprightFrom, type Bar, type Key } from "../viewer/scaleBar";
+import { isDark, paperTheme, readTheme, watchTheme, type Theme } from "../viewer/theme";
+import type { Box, Pen } from "./pen";
+
+export interface Drawing {
+  box: Box;
+  /** The costly part, and what lies over it and changes often. */
+  draw: (pen: Pen) => void;
+  drawOver?: (pen: Pen) => void;
+  bar: Bar | Key | null;
+  /** Largest height [px]. */
+  tallest: number;
+}
+
+/** Width on paper [px]. */
+const paperWidth = 680;
+
+export class View {
+  readonly camera = new Camera();
+  private readonly below = document.createElement("canvas");
+  private readonly above = document.createElement("canvas");
+  private readonly ends: (() => void)[] = [];
+  private pending = { below: false, above: false, frame: 0 };
+  private density = 1;
+  private fitted = "";
+  /** Whether the reader moved the view. */
+  touched = false;
+
+  constructor(
+    private readonly host: HTMLElement,
+    private drawing: Drawing,
+  ) {
+    this.below.className = "drawing-below";
+    this.above.className = "drawing-above";
+    host.append(this.below, this.above);
+    // Its height is the drawing's own doing.
+    const observer = new ResizeObserver(() => host.clientWidth !== this.camera.width && this.resize());
+    observer.observe(host);
+    const toPaper = () => this.resize(paperWidth, paperTheme);
+    const toScreen = () => this.resize();
+    addEventListener("beforeprint", toPaper);
+    addEventListener("afterprint", toScreen);
+    this.ends.push(
+      () => observer.disconnect(),
+      watchTheme(() => this.request(true)),
+      () => removeEventListener("beforeprint", toPaper),
+      () => removeEventListener("afterprint", toScreen),
+    );
+    if (printing.value) toPaper();
+    else toScreen();
+  }
+
+  /** Draws what has changed: all of it, or what lies above. */
+  update(drawing: Drawing, all: boolean): void {
+    this.drawing = drawing;
+    if (all) this.resize();
+    else this.request(false);
+  }
+
+  private resize(wanted = this.host.clientWidth, theme?: Theme): void {
+    if (!wanted) return;
+    this.density = theme ? 2 : Math.min(2, devicePixelRatio || 1);
+    const { box, bar, tallest } = this.drawing;
+    const upright = wanted >= uprightFrom;
+    const margins = {
+      left: upright ? 62 : 52,
+      right: upright && bar ? 126 : 24,
+      top: bar && !upright ? 70 : 34,
+      bottom: 48,
+    };
+    const [low, high] = box;
+    const body = ((wanted - margins.left - margins.right) * (high[1]! - low[1]!)) / (high[0]! - low[0]! || 1);
+    const height = Math.round(Math.min(tallest, Math.max(220, body + margins.top + margins.bottom + 8)));
+    Object.assign(this.camera, { width: wanted, height, margins });
+    const key = JSON.stringify([box, wanted, height]);
+    if (!this.touched || theme) this.fitOnce(key);
+    this.host.style.height = `${height}px`;
+    for (const canvas of [this.below, this.above]) {
+      canvas.width = Math.round(wanted * this.density);
+      canvas.height = Math.round(height * this.density);
+    }
+    this.paint(this.below, true, theme);
+    this.paint(this.above, true, theme);
+  }
+
+  private fitOnce(key: string): void {
+    if (this.fitted === key) return;
+    this.fitted = key;
+    const [low, high] = this.drawing.box;
+    this.camera.fit([low[0]!, low[1]!, 0], [high[0]!, high[1]!, 0]);
+    this.camera.scales = [this.camera.scale / 6, this.camera.scale * 60];
+  }
+
+  fit(): void {
+    this.fitted = "";
+    this.setTouched(false);
+    this.resize();
+  }
+
+  zoom(factor: number, x?: number, y?: number): void {
+    this.camera.zoom(factor, x, y);
+    this.setTouched(true);
+    this.request(true);
+  }
+
+  pan(dx: number, dy: number): void {
+    this.camera.pan(dx, dy);
+    this.setTouched(true);
+    this.request(true);
+  }
+
+  /** A finger scrolls the page over a view that is whole; one that was zoomed follows the finger. */
+  private setTouched(touched: boolean): void {
+    this.touched = touched;
+    this.host.style.touchAction = touched ? "none" : "";
+  }
+
+  /** Of a pixel of the screen [m]. */
+  locate(clientX: number, clientY: number): [number, number] {
+    const { left, top } = this.host.getBoundingClientRect();
+    const [cx, cy] = this.camera.centre;
+    const { target, scale } = this.camera;
+    return [target[0] + (clientX - left - cx) / scale, target[1] - (clientY - top - cy) / scale];
+  }
+
+  private request(all: boolean): void {
+    this.pending.below ||= all;
+    this.pending.above = true;
+    this.pending.frame ||= requestAnimationFrame(() => {
+      const { below } = this.pending;
+      this.pending = { below: false, above: false, frame: 0 };
+      if (below) this.paint(this.below, false);
+      this.paint(this.above, false);
+    });
+  }
+
+  private makePen(context: CanvasRenderingContext2D, theme: Theme, dark: boolean): Pen {
+    const project = this.camera.makeProjection();
+    const place = (at: readonly number[]) => project(at[0]!, at[1]!, 0).slice(0, 2) as [number, number];
+    return { context, camera: this.camera, theme, density: this.density, dark, place };
+  }
+
+  /** A fresh canvas is not cleared: printed, the clearing of the upper one would wipe out the lower one. */
+  private paint(canvas: HTMLCanvasElement, fresh: boolean, paper?: Theme): void {
+    const context = canvas.getContext("2d");
+    if (!context || !canvas.width) return;
+    context.setTransform(this.density, 0, 0, this.density, 0, 0);
+    if (!fresh) context.clearRect(0, 0, this.camera.width, this.camera.height);
+    const pen = this.makePen(context, paper ?? readTheme(), !paper && isDark());
+    context.lineJoin = context.lineCap = "round";
+    if (canvas === this.below) this.drawing.draw(pen);
+    else {
+      this.drawing.drawOver?.(pen);
+      drawRulers(context, this.camera, pen.theme);
+      const { bar } = this.drawing;
+      if (bar) drawScaleBar(context, bar, this.camera.width, this.camera.height, pen.theme);
+      // As the viewer of points does: the browser tests measure how long the first picture takes.
+      if (!performance.getEntriesByName("talus-interactive").length) performance.mark("talus-interactive");
+    }
+  }
+
+  save(name: string): void {
+    const picture = document.createElement("canvas");
+    Object.assign(picture, { width: this.below.width, height: this.below.height });
+    const context = picture.getContext("2d")!;
+    context.fillStyle = readTheme().ground;
+    context.fillRect(0, 0, picture.width, picture.height);
+    for (const canvas of [this.below, this.above]) context.drawImage(canvas, 0, 0);
+    picture.toBlob((blob) => {
+      if (!blob) return;
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(blob);
+      link.download = name;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    });
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.pending.frame);
+    this.ends.forEach((end) => end());
+    this.host.replaceChildren();
+  }
+}

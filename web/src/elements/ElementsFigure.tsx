@@ -1,0 +1,140 @@
+/** The finite elements at failure: shear strain or displacement, deformed if wanted, plastic elements, slip line. */
+import { useMemo, useState } from "preact/hooks";
+
+import { Choice } from "../charts/Legend";
+import { formatNumber, titleWithUnit } from "../charts/numbers";
+import type { FiniteElements, FlowRun } from "../contractMethods";
+import { drawOutlines, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
+import { GroundKeys, LineKey } from "../drawing/Keys";
+import { findSoilBox } from "../drawing/pen";
+import { SectionCanvas } from "../drawing/SectionCanvas";
+import { drawSurface } from "../drawing/surfaceLines";
+import { report } from "../state";
+import { tabulateColours } from "../viewer/colours";
+import { makeScale } from "../viewer/scale";
+import type { Bar } from "../viewer/scaleBar";
+import { drawMesh, drawYielding, moveNodes, paintField } from "./fieldPainter";
+import { useFields } from "./useFields";
+
+type Quantity = "strain" | "displacement" | "none";
+
+export const bandLook = { colour: "#c2185b", dash: [] };
+
+/** 1, 2 or 5 times a power of ten, so that the largest displacement becomes about a twentieth of the height. */
+export function chooseMagnification(largest: number, height: number): number {
+  if (!(largest > 0) || !(height > 0)) return 1;
+  const rough = (0.05 * height) / largest;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  return Math.max(1, ([5, 2, 1].find((k) => k * power <= rough) ?? 1) * power);
+}
+
+export function ElementsFigure({ elements, run }: { elements: FiniteElements; run: FlowRun }) {
+  const fields = useFields(elements, run);
+  const [quantity, setQuantity] = useState<Quantity>("strain");
+  const [on, setOn] = useState({ mesh: false, deformed: false, yields: false, slip: true });
+  const { displacement: unit } = report.value.units;
+  const box = findSoilBox();
+  const lengths = useMemo(
+    () =>
+      fields &&
+      Float32Array.from({ length: fields.displacement.length / 2 }, (_, i) =>
+        Math.hypot(fields.displacement[2 * i]!, fields.displacement[2 * i + 1]!),
+      ),
+    [fields],
+  );
+  const largest = useMemo(() => (lengths ? lengths.reduce((a, b) => Math.max(a, b), 0) : 0), [lengths]);
+  const magnification = chooseMagnification(largest, box[1][1]! - box[0][1]!);
+  const nodes = useMemo(
+    () => (fields ? moveNodes(fields.mesh, fields.displacement, on.deformed ? magnification : 0) : null),
+    [fields, on.deformed, magnification],
+  );
+  const limits = run.fields?.strain_scale ?? [0, 1];
+  const scale = useMemo(
+    () => (quantity === "strain" ? makeScale(limits[0]!, limits[1]!) : makeScale(0, largest)),
+    [quantity, largest, run],
+  );
+  const colours = tabulateColours("viridis");
+  const bar = useMemo<Bar | null>(
+    () =>
+      !fields || quantity === "none"
+        ? null
+        : quantity === "strain"
+          ? { title: "Shear strain", colours, scale, levels: null, below: false, above: true }
+          : {
+              title: titleWithUnit("Displacement", unit.name),
+              colours,
+              scale: makeScale(0, largest / unit.si),
+              levels: null,
+              below: false,
+              above: false,
+            },
+    [fields, quantity, scale],
+  );
+  if (!elements.mesh) {
+    return <p>The mesh is not in this report: it is three-dimensional, or too large to be drawn.</p>;
+  }
+  const toggle = (name: keyof typeof on, title: string) => (
+    <label key={name}>
+      <input type="checkbox" checked={on[name]} onChange={(e) => setOn({ ...on, [name]: e.currentTarget.checked })} />
+      {title}
+    </label>
+  );
+  const values = quantity === "displacement" ? lengths : fields?.strain;
+  return (
+    <figure class="chart-figure" aria-label="Finite elements at failure">
+      <h4>
+        At F = {run.failed === null ? "failure" : run.failed.toFixed(3)}, without equilibrium ({run.title})
+      </h4>
+      <div class="chart-bar">
+        <Choice
+          label="Field"
+          value={quantity}
+          options={[
+            { value: "strain", title: "shear strain" },
+            { value: "displacement", title: "displacement" },
+            { value: "none", title: "soils" },
+          ]}
+          onChange={setQuantity}
+        />
+        {toggle("mesh", "Mesh")}
+        {largest > 0 && toggle("deformed", `Deformed, ${formatNumber(magnification, 3)} times`)}
+        {toggle("yields", "Plastic elements")}
+        {run.slip_line.length > 1 && toggle("slip", "Slip surface")}
+      </div>
+      <SectionCanvas
+        label={`Finite elements, ${quantity === "strain" ? "shear strain" : quantity} at failure, ${run.title}`}
+        file={`finite_elements_${run.flow}_${quantity}`}
+        box={box}
+        bar={bar}
+        draw={(pen) => {
+          if (quantity === "none" || !fields || !values || !nodes) drawSoils(pen);
+          if (fields && nodes && values && quantity !== "none")
+            paintField(pen, fields.mesh, nodes, values, colours, scale);
+          if (fields && nodes && (on.mesh || on.deformed)) drawMesh(pen, fields.mesh, nodes);
+          drawOutlines(pen);
+          drawWater(pen);
+          drawSurcharges(pen);
+        }}
+        depends={[fields, quantity, nodes, on.mesh]}
+        drawOver={(pen) => {
+          if (fields && nodes && on.yields) drawYielding(pen, fields.mesh, nodes, fields.yields);
+          if (on.slip) drawSurface(pen.context, run.slip_line.map(pen.place), bandLook, 2.4);
+        }}
+        dependsOver={[on, run, fields]}
+      />
+      <ul class="drawing-keys" aria-label="Legend">
+        {quantity === "none" && <GroundKeys />}
+        {on.slip && run.slip_line.length > 1 && (
+          <LineKey colour={bandLook.colour} width={2.4}>
+            Slip surface: axis of the largest shear strain
+          </LineKey>
+        )}
+        {on.yields && <li>× Plastic in the last step</li>}
+      </ul>
+      <p class="chart-note">
+        Displacements and strains since the equilibrium at full strength, in the last trial without equilibrium: their
+        pattern tells the mechanism, their size has no meaning.
+      </p>
+    </figure>
+  );
+}

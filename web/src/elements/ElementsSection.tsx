@@ -1,0 +1,108 @@
+/** Strength reduction by finite elements: factors by both criteria, the picture at failure, the trials. */
+import { useState } from "preact/hooks";
+
+import { Choice } from "../charts/Legend";
+import { formatNumber, formatQuantity } from "../charts/numbers";
+import type { FlowRun } from "../contractMethods";
+import { formatSentence } from "../page/format";
+import { Scroller } from "../page/Scroller";
+import { report } from "../state";
+import { ElementsFigure } from "./ElementsFigure";
+import { ReductionChart } from "./ReductionChart";
+import { TrialTable } from "./TrialTable";
+
+const format = (factor: number | null) => (factor === null ? "none" : factor.toFixed(3));
+
+function describeAngles(psi: number[]): string {
+  const degrees = psi.map((angle) => `${formatNumber((angle * 180) / Math.PI, 3)}°`);
+  if (degrees.length === 0) return "–";
+  return degrees[0] === degrees.at(-1) ? degrees[0]! : `${degrees[0]} to ${degrees.at(-1)}`;
+}
+
+function FactorRows({ runs }: { runs: FlowRun[] }) {
+  return (
+    <Scroller class="chart-scroll" label="Factors of safety by finite elements">
+      <table class="chart-table elements-factors">
+        <thead>
+          <tr>
+            <th scope="col">Flow</th>
+            <th scope="col" class="chart-number">
+              ψ
+            </th>
+            <th scope="col" class="chart-number">
+              F, equilibrium lost
+            </th>
+            <th scope="col" class="chart-number">
+              between
+            </th>
+            <th scope="col" class="chart-number">
+              F, displacement runs away
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {runs.map((run) => (
+            <tr key={run.flow}>
+              <th scope="row">{run.title}</th>
+              <td class="chart-number">{describeAngles(run.psi)}</td>
+              <td class="chart-number">
+                <strong>{format(run.factor)}</strong>
+              </td>
+              <td class="chart-number">
+                {format(run.stable)} and {format(run.failed)}
+              </td>
+              <td class="chart-number">{format(run.by_displacement)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Scroller>
+  );
+}
+
+export function ElementsSection() {
+  const elements = report.value.finite_elements;
+  const [flow, setFlow] = useState("");
+  if (!elements) return null;
+  const { runs } = elements;
+  const run = runs.find((r) => r.flow === flow) ?? runs[0];
+  const { length } = report.value.units;
+  const warnings = [...new Set(runs.flatMap((r) => r.warnings))];
+  return (
+    <section class="chart-section" aria-labelledby="chart-elements-title">
+      <h3 id="chart-elements-title">Finite elements</h3>
+      {elements.elements > 0 && (
+        <p>
+          {formatNumber(elements.elements, 6)}{" "}
+          {elements.element === "T10" ? "quadratic tetrahedra" : "quadratic triangles"} of{" "}
+          {formatQuantity(elements.size / length.si, length.name, 3)}, {formatNumber(elements.nodes, 6)} nodes,{" "}
+          {formatNumber(elements.unknowns, 6)} unknowns; {formatQuantity(elements.seconds, "s", 3)}.
+        </p>
+      )}
+      {elements.error && (
+        <p>
+          <span class="chart-bad">No answer:</span> {formatSentence(elements.error)}
+        </p>
+      )}
+      {runs.length > 0 && <FactorRows runs={runs} />}
+      {warnings.map((text) => (
+        <p key={text} class="chart-note">
+          {formatSentence(text)}
+        </p>
+      ))}
+      {runs.length > 1 && (
+        <div class="chart-bar">
+          <Choice
+            label="Flow rule of the picture"
+            value={run?.flow ?? ""}
+            options={runs.map((r) => ({ value: r.flow, title: r.title }))}
+            onChange={setFlow}
+          />
+        </div>
+      )}
+      {run?.fields && <ElementsFigure elements={elements} run={run} />}
+      {runs.length > 0 && <ReductionChart runs={runs} />}
+      {runs.length > 0 && <TrialTable runs={runs} />}
+    </section>
+  );
+}

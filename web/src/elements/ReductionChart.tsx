@@ -1,0 +1,148 @@
+/** Displacement over strength reduction factor of the finite elements: where equilibrium ends. */
+import * as Plot from "@observablehq/plot";
+import { useMemo, useState } from "preact/hooks";
+
+import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../charts/axes";
+import { Chart } from "../charts/Chart";
+import { Choice, Legend } from "../charts/Legend";
+import { formatQuantity } from "../charts/numbers";
+import { styleOf } from "../charts/styles";
+import type { FlowRun } from "../contractMethods";
+import { report } from "../state";
+
+export function ReductionChart({ runs }: { runs: FlowRun[] }) {
+  const { displacement: unit } = report.value.units;
+  const [axis, setAxis] = useState<"linear" | "log">("linear");
+  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  // Failed trials far above the factor say nothing, and would press the curve together.
+  const beyond = useMemo(() => {
+    const least = Math.min(...runs.flatMap((r) => r.trials.map((t) => t.factor)));
+    const failed = Math.max(...runs.map((r) => r.failed ?? r.trials.at(-1)?.factor ?? least));
+    return failed + 0.4 * Math.max(failed - least, 0.1);
+  }, [runs]);
+  const points = useMemo(
+    () =>
+      runs
+        .flatMap((run, k) => run.trials.map((t) => ({ ...t, k, run, u: t.displacement / unit.si })))
+        .filter((p) => p.factor <= beyond)
+        .sort((a, b) => a.factor - b.factor),
+    [runs],
+  );
+  const seen = points.filter((p) => !hidden.has(p.run.flow) && (axis === "linear" || p.u > 0));
+  const stops = seen.map((p) => p.factor);
+  const highest = Math.max(1e-12, ...seen.map((p) => p.u));
+  const settled = Math.max(0, ...seen.filter((p) => p.converged).map((p) => p.u));
+  // Displacements without equilibrium are as large as the iterations went on: they must not flatten the curve.
+  const largest = axis === "linear" && settled > 0 ? Math.min(highest, 2.5 * settled) : highest;
+  const shown = (u: number) => Math.min(u, largest);
+  const smallest = Math.min(largest, ...seen.filter((p) => p.u > 0).map((p) => p.u));
+  const text = describeAxis(0, largest, 5);
+  const draw = (width: number): Plot.PlotOptions => ({
+    height: Math.max(280, Math.min(360, width * 0.5)),
+    marginLeft: 62,
+    marginRight: 20,
+    marginTop: 28,
+    marginBottom: 46,
+    x: { label: "Strength reduction factor F", ...centred, ticks: Math.max(4, width / 90) },
+    y:
+      axis === "log"
+        ? {
+            type: "log",
+            domain: [smallest / 1.3, largest * 1.3],
+            label: `Largest displacement [${unit.name}]`,
+            ticks: findLogTicks([smallest / 1.3, largest * 1.3], 5),
+            tickFormat: formatLogTick,
+            labelArrow: "none",
+          }
+        : {
+            domain: [0, largest * 1.05],
+            label: titleWithPower("Largest displacement", unit.name, text.power),
+            ticks: 5,
+            tickFormat: text.format,
+            labelArrow: "none",
+          },
+    marks: [
+      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      runs.map((run, k) => {
+        if (hidden.has(run.flow)) return null;
+        const own = seen.filter((p) => p.k === k);
+        const { colour, dash } = styleOf(k);
+        return [
+          run.factor === null ? null : Plot.ruleX([run.factor], { stroke: colour, strokeDasharray: "4 3" }),
+          run.by_displacement === null
+            ? null
+            : Plot.ruleX([run.by_displacement], { stroke: colour, strokeDasharray: "1.5 3" }),
+          Plot.line(
+            own.filter((p) => p.converged),
+            { x: "factor", y: "u", stroke: colour, strokeWidth: 1.6, strokeDasharray: dash },
+          ),
+          Plot.dot(
+            own.filter((p) => p.converged),
+            { x: "factor", y: "u", r: 3.5, fill: colour, stroke: colour },
+          ),
+          Plot.dot(
+            own.filter((p) => !p.converged),
+            {
+              x: "factor",
+              y: (p: (typeof own)[number]) => shown(p.u),
+              r: 4.5,
+              symbol: "times",
+              stroke: colour,
+              strokeWidth: 2,
+            },
+          ),
+        ];
+      }),
+    ],
+  });
+  return (
+    <figure class="chart-figure" aria-label="Displacement over strength reduction factor, finite elements">
+      <div class="chart-head">
+        <h4>Displacement over strength reduction factor</h4>
+        <Choice
+          label="Axis of the displacement"
+          value={axis}
+          options={[
+            { value: "linear", title: "linear" },
+            { value: "log", title: "logarithmic" },
+          ]}
+          onChange={setAxis}
+        />
+      </div>
+      <Legend
+        hidden={hidden}
+        onToggle={
+          runs.length > 1
+            ? (id) => {
+                const next = new Set(hidden);
+                if (!next.delete(id)) next.add(id);
+                setHidden(next);
+              }
+            : undefined
+        }
+        items={runs.map((run, k) => ({ id: run.flow, title: run.title, style: styleOf(k) }))}
+      />
+      <Chart
+        label="Largest displacement over strength reduction factor of the finite elements"
+        draw={draw}
+        depends={[axis, hidden, runs]}
+        stops={stops}
+        showReading
+        hint="Point at a trial to read it: dots are in equilibrium, crosses found none."
+        read={(i) => {
+          const p = seen[i]!;
+          const state = p.converged ? "in equilibrium" : "no equilibrium";
+          return {
+            text: `F = ${p.factor.toFixed(4)}: ${formatQuantity(p.u, unit.name, 3)}, ${state} after ${p.iterations} iterations (${p.run.title})`,
+            marks: [{ value: shown(p.u), at: p.factor, colour: styleOf(p.k).colour }],
+          };
+        }}
+      />
+      <p class="chart-note">
+        Dashed: the factor where equilibrium is lost; dotted: where the displacement runs away. Crosses are trials that
+        found no equilibrium; their displacement is that of the last iteration
+        {largest < highest && ", or beyond the upper edge"}.
+      </p>
+    </figure>
+  );
+}

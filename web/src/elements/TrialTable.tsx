@@ -1,0 +1,77 @@
+/** The trials of the strength reduction with their residuals. */
+import { CsvButton } from "../charts/Legend";
+import { formatNumber, titleWithUnit } from "../charts/numbers";
+import type { FlowRun } from "../contractMethods";
+import { Scroller } from "../page/Scroller";
+import { report } from "../state";
+
+export function TrialTable({ runs }: { runs: FlowRun[] }) {
+  const { displacement: unit } = report.value.units;
+  const rows = runs.flatMap((run) => run.trials.map((trial) => ({ run, trial })));
+  const several = runs.length > 1;
+  const take = <K extends keyof (typeof rows)[number]["trial"]>(key: K) => rows.map(({ trial }) => trial[key]);
+  const columns = () => [
+    { name: "flow", values: rows.map(({ run }) => run.title) },
+    { name: "factor", unit: "-", values: take("factor") },
+    { name: "equilibrium", values: rows.map(({ trial }) => (trial.converged ? "yes" : "no")) },
+    { name: "iterations", unit: "-", values: take("iterations") },
+    { name: "force residual", unit: "-", values: take("force_residual") },
+    { name: "displacement residual", unit: "-", values: take("displacement_residual") },
+    { name: "largest displacement", unit: unit.name, values: take("displacement").map((u) => u / unit.si) },
+    { name: "time", unit: "s", values: take("seconds") },
+  ];
+  return (
+    <figure class="chart-figure" aria-label="Trials of the strength reduction">
+      <div class="chart-head">
+        <h4>Trials</h4>
+        <CsvButton part="finite-element-trials" columns={columns} />
+      </div>
+      <Scroller class="chart-scroll" label="Trials of the strength reduction by finite elements">
+        <table class="chart-table">
+          <thead>
+            <tr>
+              {several && <th scope="col">Flow</th>}
+              <th scope="col" class="chart-number">
+                F
+              </th>
+              <th scope="col">Equilibrium</th>
+              <th scope="col" class="chart-number">
+                Iterations
+              </th>
+              <th scope="col" class="chart-number chart-wrap">
+                Force residual
+              </th>
+              <th scope="col" class="chart-number chart-wrap">
+                Displacement residual
+              </th>
+              <th scope="col" class="chart-number chart-wrap">
+                {titleWithUnit("Largest displacement", unit.name)}
+              </th>
+              <th scope="col" class="chart-number">
+                Time [s]
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map(({ run, trial }, i) => (
+              <tr key={i}>
+                {several && <td>{run.title}</td>}
+                <th scope="row" class="chart-number">
+                  {trial.factor.toFixed(4)}
+                </th>
+                <td>
+                  {trial.converged ? <span class="chart-good">✓ found</span> : <span class="chart-bad">✗ none</span>}
+                </td>
+                <td class="chart-number">{formatNumber(trial.iterations)}</td>
+                <td class="chart-number">{formatNumber(trial.force_residual, 2)}</td>
+                <td class="chart-number">{formatNumber(trial.displacement_residual, 2)}</td>
+                <td class="chart-number">{formatNumber(trial.displacement / unit.si, 4)}</td>
+                <td class="chart-number">{formatNumber(trial.seconds, 3)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </Scroller>
+    </figure>
+  );
+}

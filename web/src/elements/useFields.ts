@@ -1,0 +1,45 @@
+/** Decodes mesh and fields of the finite elements. */
+import { useEffect, useState } from "preact/hooks";
+
+import type { FiniteElements, FlowRun } from "../contractMethods";
+import { load, loadIntegers } from "../state";
+import type { QuadraticMesh } from "./fieldPainter";
+
+export interface ElementFields {
+  mesh: QuadraticMesh;
+  run: FlowRun;
+  displacement: Float32Array;
+  strain: Float32Array;
+  yields: Float32Array;
+}
+
+/** null until they are there, and where there are none. */
+export function useFields(elements: FiniteElements | undefined, run: FlowRun | undefined): ElementFields | null {
+  const [fields, setFields] = useState<ElementFields | null>(null);
+  useEffect(() => {
+    const mesh = elements?.mesh;
+    if (!mesh || !run?.fields) return setFields(null);
+    const { displacement, shear_strain, yields } = run.fields;
+    let wanted = true;
+    Promise.all([
+      load(mesh.nodes),
+      loadIntegers(mesh.elements),
+      load(displacement),
+      load(shear_strain),
+      load(yields),
+    ]).then(
+      ([nodes, numbers, moves, strain, plastic]) =>
+        wanted &&
+        setFields({
+          mesh: { nodes, elements: Uint32Array.from(numbers) },
+          run,
+          displacement: moves,
+          strain,
+          yields: plastic,
+        }),
+      () => wanted && setFields(null),
+    );
+    return () => void (wanted = false);
+  }, [elements, run]);
+  return fields?.run === run ? fields : null;
+}

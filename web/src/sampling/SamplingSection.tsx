@@ -1,0 +1,115 @@
+/** A study with sampled numbers: probability of failure, distribution of the factor, sensitivities, runout. */
+import { formatNumber, formatQuantity } from "../charts/numbers";
+import type { Sampling } from "../contractSampling";
+import { Facts } from "../page/DataTable";
+import { formatSentence } from "../page/format";
+import { report } from "../state";
+import { GrowthChart } from "./GrowthChart";
+import { HistogramChart } from "./HistogramChart";
+import { showName, showValue } from "./names";
+import { NumbersTable } from "./NumbersTable";
+import { formatShare } from "./probability";
+import { RunoutChart } from "./RunoutChart";
+import { TornadoChart } from "./TornadoChart";
+
+/** The estimates of the probability of failure, each with what it rests on. */
+function Estimates({ sampling }: { sampling: Sampling }) {
+  const { failure, fits, first_order: first, design_point: point } = sampling;
+  const index = (value: number | null) => (value === null ? "not known" : `β = ${formatNumber(value, 3)}`);
+  const rows: [string, string][] = [];
+  if (failure) {
+    const { probability, lower, upper, confidence, count, samples } = failure;
+    rows.push([
+      "Samples",
+      `${formatShare(probability)} (${formatNumber(count, 7)} of ${formatNumber(samples, 7)} below ${failure.limit}), ` +
+        `between ${formatShare(lower)} and ${formatShare(upper)} with ${formatNumber(100 * confidence, 3)} % confidence` +
+        (failure.standard_error === null ? "" : `, standard error ${formatShare(failure.standard_error)}`) +
+        (failure.index === null ? "" : `; ${index(failure.index)}`),
+    ]);
+  }
+  for (const fit of fits ?? [])
+    rows.push([
+      `${fit.name === "normal" ? "Normal" : "Lognormal"} distribution of F`,
+      `${formatShare(fit.probability)}, ${index(fit.index)}: from mean and deviation of the samples`,
+    ]);
+  if (first)
+    rows.push([
+      "First order at the means",
+      `F = ${formatNumber(first.mean_factor, 4)} with deviation ${formatNumber(first.deviation, 3)}; ` +
+        `${index(first.index_normal)} (normal), ${index(first.index_lognormal)} (lognormal)`,
+    ]);
+  if (point) {
+    const values = point.values.map(
+      (v) => `${showName(v.name)} ${showValue(v.value, v.unit)} (${formatShare(v.importance)})`,
+    );
+    rows.push([
+      "Most probable failure",
+      `${formatShare(point.probability)}, ${index(point.index)}, at ${values.join(", ")}; in brackets the share of each ` +
+        `in the scatter${point.converged ? "" : "; the search did not come to rest"}`,
+    ]);
+  }
+  if (rows.length === 0) return null;
+  return (
+    <>
+      <h4>Probability of failure</h4>
+      <Facts caption="Estimates of the probability of failure" rows={rows} />
+      {failure?.interval && <p class="chart-note">{failure.interval}</p>}
+    </>
+  );
+}
+
+export function SamplingSection() {
+  const sampling = report.value.study?.sampling;
+  if (!sampling) return null;
+  const { factor, failure, runout } = sampling;
+  const plan =
+    sampling.plan === "random"
+      ? "drawn at random"
+      : sampling.replicates > 1
+        ? `${formatNumber(sampling.replicates)} Latin hypercubes`
+        : "a Latin hypercube";
+  return (
+    <section class="chart-section" aria-labelledby="chart-sampling-title">
+      <h3 id="chart-sampling-title">Uncertain numbers</h3>
+      <p>
+        {formatNumber(sampling.samples, 7)} samples, {plan}, seed {sampling.seed}; {sampling.method_title},{" "}
+        {formatQuantity(sampling.seconds, "s", 3)}.
+      </p>
+      <Estimates sampling={sampling} />
+      <div class="chart-grid">
+        {factor && factor.histogram.counts.length > 0 && (
+          <HistogramChart
+            values={factor}
+            title="Factor of safety"
+            unit=""
+            limit={failure?.limit ?? null}
+            probability={failure?.probability ?? null}
+            part="factor-histogram"
+          />
+        )}
+        {sampling.tornado.length > 0 && <TornadoChart sampling={sampling} />}
+        {failure && failure.growth.length > 1 && <GrowthChart failure={failure} />}
+        {runout && <RunoutChart runout={runout} />}
+        {runout && runout.histogram.counts.length > 0 && (
+          <HistogramChart
+            values={runout}
+            title="Runout beyond the toe"
+            unit={runout.unit}
+            limit={null}
+            probability={null}
+            part="runout-histogram"
+          />
+        )}
+      </div>
+      <NumbersTable sampling={sampling} />
+      {sampling.notes.length > 0 && (
+        <ul class="chart-note">
+          {sampling.notes.map((note) => (
+            <li key={note}>{formatSentence(note)}</li>
+          ))}
+        </ul>
+      )}
+      <p class="chart-note">All samples with their results are in samples.csv of the study's folder.</p>
+    </section>
+  );
+}

@@ -1,0 +1,137 @@
+/** The surfaces that have a factor: by method, with what the checks say and the yield acceleration; one is selected. */
+import { CsvButton } from "../charts/Legend";
+import { formatNumber, titleWithUnit } from "../charts/numbers";
+import type { SlicedSurface, Slices } from "../contractMethods";
+import { Scroller } from "../page/Scroller";
+import { report } from "../state";
+import { formatFactor, nameReason, nameSurface } from "./sliceData";
+
+interface Props {
+  slices: Slices;
+  selected: SlicedSurface;
+  select: (surface: SlicedSurface) => void;
+}
+
+const percent = (share: number) => `${formatNumber(100 * share, 2)} %`;
+
+export function SurfaceTable({ slices, selected, select }: Props) {
+  const { length } = report.value.units;
+  const { surfaces } = slices;
+  const has = {
+    lambda: surfaces.some((s) => s.lambda !== null),
+    correction: surfaces.some((s) => s.correction !== 1),
+    acceleration: surfaces.some((s) => s.yield_acceleration !== null),
+  };
+  const columns = () => [
+    { name: "surface", values: surfaces.map(nameSurface) },
+    { name: "factor of safety", unit: "-", values: surfaces.map((s) => s.factor) },
+    { name: "lambda", unit: "-", values: surfaces.map((s) => s.lambda) },
+    { name: "correction f0", unit: "-", values: surfaces.map((s) => s.correction) },
+    { name: "yield acceleration", unit: "g", values: surfaces.map((s) => s.yield_acceleration) },
+    { name: "area", unit: `${length.name}²`, values: surfaces.map((s) => s.area / length.si ** 2) },
+    { name: "depth", unit: length.name, values: surfaces.map((s) => s.depth / length.si) },
+    {
+      name: "centre x",
+      unit: length.name,
+      values: surfaces.map((s) => (s.circle ? s.circle.centre[0]! / length.si : null)),
+    },
+    {
+      name: "centre y",
+      unit: length.name,
+      values: surfaces.map((s) => (s.circle ? s.circle.centre[1]! / length.si : null)),
+    },
+    { name: "radius", unit: length.name, values: surfaces.map((s) => (s.circle ? s.circle.radius / length.si : null)) },
+    { name: "smallest m_alpha", unit: "-", values: surfaces.map((s) => s.checks.smallest_m_alpha) },
+    { name: "tensile share of the base", unit: "-", values: surfaces.map((s) => s.checks.tensile_share) },
+    { name: "share of sides with thrust outside", unit: "-", values: surfaces.map((s) => s.checks.thrust_outside) },
+    { name: "refused because", values: surfaces.map((s) => (s.factor === null ? nameReason(s.checks.refusal) : "")) },
+  ];
+  return (
+    <figure class="chart-figure" aria-label="Critical surfaces">
+      <div class="chart-head">
+        <h4>Critical surfaces by method</h4>
+        <CsvButton part="slip-surfaces" columns={columns} />
+      </div>
+      <Scroller class="chart-scroll" label="Critical surfaces by method">
+        <table class="chart-table surface-table">
+          <thead>
+            <tr>
+              <th scope="col">Surface</th>
+              <th scope="col" class="chart-number">
+                F
+              </th>
+              {has.lambda && (
+                <th scope="col" class="chart-number">
+                  λ
+                </th>
+              )}
+              {has.correction && (
+                <th scope="col" class="chart-number">
+                  f₀
+                </th>
+              )}
+              {has.acceleration && (
+                <th scope="col" class="chart-number" title="Horizontal acceleration with F = 1">
+                  k<sub>y</sub>
+                </th>
+              )}
+              <th scope="col" class="chart-number">
+                {titleWithUnit("Area", `${length.name}²`)}
+              </th>
+              <th scope="col" class="chart-number">
+                {titleWithUnit("Depth", length.name)}
+              </th>
+              <th scope="col" class="chart-number chart-wrap">
+                Smallest m<sub>α</sub>
+              </th>
+              <th scope="col" class="chart-number chart-wrap">
+                Base in tension
+              </th>
+              <th scope="col" class="chart-number chart-wrap">
+                Thrust outside
+              </th>
+              <th scope="col">Remarks</th>
+            </tr>
+          </thead>
+          <tbody>
+            {surfaces.map((s, i) => (
+              <tr key={i} class={s === selected ? "surface-selected" : undefined}>
+                <th scope="row">
+                  <button type="button" aria-pressed={s === selected} title="Show its slices" onClick={() => select(s)}>
+                    <span aria-hidden="true">{s === selected ? "●" : "○"}</span> {nameSurface(s)}
+                  </button>
+                </th>
+                <td class="chart-number">{formatFactor(s.factor)}</td>
+                {has.lambda && <td class="chart-number">{formatNumber(s.lambda, 3)}</td>}
+                {has.correction && (
+                  <td class="chart-number">{s.correction === 1 ? "–" : formatNumber(s.correction, 4)}</td>
+                )}
+                {has.acceleration && <td class="chart-number">{formatNumber(s.yield_acceleration, 3)}</td>}
+                <td class="chart-number">{formatNumber(s.area / length.si ** 2, 4)}</td>
+                <td class="chart-number">{formatNumber(s.depth / length.si, 3)}</td>
+                <td class="chart-number">{formatNumber(s.checks.smallest_m_alpha, 3)}</td>
+                <td class="chart-number">{percent(s.checks.tensile_share)}</td>
+                <td class="chart-number">{s.lambda === null ? "–" : percent(s.checks.thrust_outside)}</td>
+                <td class="surface-remarks">
+                  {s.factor === null && s.checks.refusal && (
+                    <span class="chart-bad">refused: {nameReason(s.checks.refusal)}</span>
+                  )}
+                  {s.warnings.map((w) => (
+                    <div key={w}>{w}</div>
+                  ))}
+                  {s.factor !== null && s.warnings.length === 0 && <span class="chart-missing">none</span>}
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </Scroller>
+      {has.acceleration && (
+        <p class="chart-note">
+          k<sub>y</sub> is the horizontal acceleration, over that of gravity, with which the factor of this surface is
+          1.
+        </p>
+      )}
+    </figure>
+  );
+}

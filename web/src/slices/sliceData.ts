@@ -1,0 +1,161 @@
+/** Slices as the figures and tables need them: titles, columns with their units, colours of the trials. */
+import type { SlicedSurface, Slices } from "../contractMethods";
+import { report } from "../state";
+import { tabulateColours } from "../viewer/colours";
+
+export const reasonTitles: { [reason: string]: string } = {
+  outside: "outside the model",
+  too_shallow: "too shallow",
+  below_base: "below the base",
+  no_driving: "nothing drives it",
+  m_alpha: "m_α too small",
+  tension: "tension on the base",
+  thrust: "thrust outside the mass",
+  not_converged: "no solution",
+  steep_toe: "passive end too steep",
+};
+
+export const nameReason = (reason: string) => reasonTitles[reason] ?? reason.replaceAll("m_alpha", "m_α");
+
+/** "Spencer, circle", "Bishop, polyline", "Bishop, surface ‘toe’". */
+export function nameSurface(surface: SlicedSurface): string {
+  if (surface.kind === "given") return `${surface.title}, surface “${surface.name}”`;
+  return `${surface.title}, ${surface.kind === "circle" ? "critical circle" : "polyline"}`;
+}
+
+export const titleMethod = (slices: Slices, name: string) =>
+  slices.methods.find((m) => m.name === name)?.title ?? name.replaceAll("_", " ");
+
+export const formatFactor = (factor: number | null) => (factor === null ? "none" : factor.toFixed(3));
+
+/** Unit of forces per metre of thickness that goes with the report's unit of stress: kPa and kN/m. */
+export function findForceUnit(): { name: string; si: number } {
+  const { name, si } = report.value.units.stress;
+  const known: { [stress: string]: string } = { Pa: "N/m", kPa: "kN/m", MPa: "MN/m", GPa: "GN/m" };
+  return known[name] ? { name: known[name], si } : { name: "kN/m", si: 1000 };
+}
+
+export interface SliceColumn {
+  name: string;
+  title: string;
+  /** For the head of the table, where an index stands below the line. */
+  symbol: string;
+  unit: string;
+  values: (number | string | null)[];
+  digits: number;
+}
+
+const degrees = 180 / Math.PI;
+
+/** The slice table; quantities that are zero everywhere are left out, but for those of every slice table. */
+export function makeSliceTable(surface: SlicedSurface): SliceColumn[] {
+  const s = surface.slices;
+  if (!s) return [];
+  const { length, stress } = report.value.units;
+  const force = findForceUnit();
+  const count = s.left.length;
+  const effective = s.normal.map((n, i) => (n === null ? null : n - Math.max(0, s.pore_pressure[i]!) * s.length[i]!));
+  const column = (
+    name: string,
+    title: string,
+    symbol: string,
+    unit: { name: string; si: number },
+    values: (number | null)[],
+    always = true,
+    digits = 4,
+  ): SliceColumn[] =>
+    !always && values.every((v) => !v)
+      ? []
+      : [
+          {
+            name,
+            title,
+            symbol,
+            unit: unit.name,
+            digits,
+            values: values.map((v) => (v === null ? null : v / unit.si)),
+          },
+        ];
+  const plain = { name: "", si: 1 };
+  const degree = { name: "°", si: 1 / degrees };
+  const middle = s.left.map((x, i) => (x + s.right[i]!) / 2);
+  return [
+    {
+      name: "slice",
+      title: "Slice, from left to right",
+      symbol: "",
+      unit: "",
+      digits: 4,
+      values: Array.from({ length: count }, (_, i) => i + 1),
+    },
+    ...column("x", "Middle of the slice", "x", length, middle),
+    ...column(
+      "width",
+      "Width",
+      "b",
+      length,
+      s.left.map((x, i) => s.right[i]! - x),
+      true,
+      3,
+    ),
+    ...(new Set(s.soil).size > 1
+      ? [{ name: "soil", title: "Soil at the base", symbol: "soil", unit: "", digits: 0, values: s.soil }]
+      : []),
+    ...column("alpha", "Inclination of the base", "α", degree, s.alpha, true, 3),
+    ...column("length", "Length of the base", "l", length, s.length, true, 3),
+    ...column("weight", "Weight", "W", force, s.weight),
+    ...column("surface_load", "Load on the ground", "Q", force, s.surface_load, false),
+    ...column(
+      "surface_thrust",
+      "Horizontal load of ponded water, against the sliding",
+      "Q_h",
+      force,
+      s.surface_thrust,
+      false,
+    ),
+    ...column("earthquake", "Earthquake force", "F_h", force, s.earthquake, false),
+    ...column("pore_pressure", "Pore pressure", "u", stress, s.pore_pressure),
+    ...column("cohesion", "Cohesion, with roots and suction", "c", stress, s.cohesion, true, 3),
+    ...column("root_cohesion", "Of it from roots", "c_r", stress, s.root_cohesion, false, 3),
+    ...column("suction_strength", "Of it from suction", "c_s", stress, s.suction_strength, false, 3),
+    ...column("friction", "Friction angle", "φ", degree, s.tan_friction.map(Math.atan), true, 3),
+    ...column("normal", "Normal force", "N", force, s.normal),
+    ...column("effective_normal", "Effective normal force, N − u l without suction", "N′", force, effective),
+    ...column("shear", "Mobilised shear force", "T", force, s.shear),
+    ...column("normal_right", "Force between slices on the right side, horizontal", "E", force, s.normal_right, false),
+    ...column("shear_right", "Force between slices on the right side, vertical", "X", force, s.shear_right, false),
+    ...column("thrust_right", "Elevation of E on the right side", "y_E", length, s.thrust_right, false),
+    ...column("m_alpha", "Denominator of the normal force", "m_α", plain, s.m_alpha, false, 3),
+  ];
+}
+
+/** Trials of one method: which stand, from the safest to the weakest, and the limits of their colours. */
+export interface RankedTrials {
+  order: Uint32Array;
+  factors: Float32Array;
+  low: number;
+  high: number;
+}
+
+export function rankTrials(all: ArrayLike<number>, methods: number, method: number): RankedTrials | null {
+  const count = all.length / methods;
+  const factors = Float32Array.from({ length: count }, (_, i) => all[i * methods + method]!);
+  const order = Uint32Array.from(factors.keys()).filter((i) => factors[i]! > 0);
+  if (!order.length) return null;
+  order.sort((a, b) => factors[b]! - factors[a]!);
+  const low = factors[order.at(-1)!]!;
+  // Outliers do not stretch the colours: the safest fifth shares its colour.
+  const high = factors[order[Math.floor(order.length / 5)]!]!;
+  return { order, factors, low, high: Math.max(high, low * 1.05) };
+}
+
+/** Weak surfaces stand out from the ground of the page: dark on light, light on dark. */
+export function chooseColours(dark: boolean): Uint8Array {
+  const table = tabulateColours("viridis");
+  if (dark) {
+    const reversed = new Uint8Array(table.length);
+    for (let i = 0; i < 256; ++i) reversed.set(table.subarray(4 * (255 - i), 4 * (256 - i)), 4 * i);
+    return reversed;
+  }
+  return table;
+}

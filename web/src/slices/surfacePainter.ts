@@ -1,0 +1,70 @@
+/** Draws one sliced surface: the slices, the surface, the line of thrust, the circle's centre. */
+import type { SlicedSurface } from "../contractMethods";
+import type { Pen } from "../drawing/pen";
+import { drawSurface } from "../drawing/surfaceLines";
+import { strokeLine } from "../viewer/lines";
+
+export const criticalLook = { colour: "#c2185b", dash: [] };
+export const thrustLook = { colour: "#00755a", dash: [7, 3] };
+
+export function drawSlices({ context, place, theme }: Pen, { slices }: SlicedSurface): void {
+  if (!slices) return;
+  const { left, base_left, base_right, top_left, top_right, right } = slices;
+  context.globalAlpha = 0.45;
+  context.fillStyle = theme.ground;
+  context.beginPath();
+  left.forEach((x, i) => {
+    const corners = [[x, top_left[i]!], [right[i]!, top_right[i]!], base_right[i]!, base_left[i]!].map(place);
+    context.moveTo(...corners[0]!);
+    for (const corner of corners.slice(1)) context.lineTo(...corner);
+    context.closePath();
+  });
+  context.fill();
+  context.globalAlpha = 0.9;
+  context.strokeStyle = theme.ink;
+  context.lineWidth = 0.8;
+  context.stroke();
+  context.globalAlpha = 1;
+}
+
+/** Where the forces between slices act; a method without them has no such line. */
+export function hasThrust({ slices }: SlicedSurface): boolean {
+  return !!slices && slices.normal_right.some((e) => e) && slices.thrust_right.some((y) => y !== null && y !== 0);
+}
+
+export function drawThrust({ context, place }: Pen, surface: SlicedSurface): void {
+  const { slices } = surface;
+  if (!slices || !hasThrust(surface)) return;
+  // On the last side, at the ground, there is no force.
+  const points = slices.right
+    .map((x, i) => [x, slices.thrust_right[i] ?? Number.NaN])
+    .slice(0, -1)
+    .filter(([, y]) => Number.isFinite(y));
+  drawSurface(context, points.map(place), thrustLook, 1.8);
+}
+
+/** The surface; of a circle also the lines from its centre to its ends. */
+export function drawCritical({ context, place, theme }: Pen, surface: SlicedSurface, withCentre: boolean): void {
+  const { slices } = surface;
+  const points = [...surface.points];
+  if (points.length < 2) return;
+  // A tension crack ends the surface below the ground.
+  if (slices && slices.top_left[0]! > slices.base_left[0]![1]! + 1e-6)
+    points.unshift([slices.left[0]!, slices.top_left[0]!]);
+  const last = (slices?.left.length ?? 0) - 1;
+  if (slices && slices.top_right[last]! > slices.base_right[last]![1]! + 1e-6)
+    points.push([slices.right[last]!, slices.top_right[last]!]);
+  const line = points.map(place);
+  drawSurface(context, line, criticalLook, 2.6);
+  if (!surface.circle || !withCentre) return;
+  const centre = place(surface.circle.centre);
+  for (const end of [line[0]!, line.at(-1)!])
+    strokeLine(context, [centre, end], { colour: theme.muted, width: 1, dash: [5, 4] });
+  context.fillStyle = criticalLook.colour;
+  context.strokeStyle = theme.ground;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.arc(...centre, 4.5, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+}

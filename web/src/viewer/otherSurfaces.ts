@@ -1,0 +1,12 @@
+/** Slip surfaces that slices and finite elements found, to be laid over the points. */
+import { listSurfaces, type NamedSurface } from "../compared/surfaces";
+import { chosenSurfaces } from "./settings";
+
+export type OtherSurface = NamedSurface & { shown: boolean };
+
+/** Those of material points are the viewer's own. */
+export function listOtherSurfaces(): OtherSurface[] {
+  return listSurfaces()
+    .filter((surface) => surface.method !== "mpm")
+    .map((surface) => ({ ...surface, shown: chosenSurfaces.value[surface.name] ?? surface.first }));
+}

@@ -1,0 +1,93 @@
+/** Slices and finite elements of a real report (TALUS_REPORT) against its results folder (TALUS_RESULTS). */
+import { describe, expect, it } from "vitest";
+
+import { readIntegers, readValues } from "../src/data";
+import { findGiven, readJson, readReportFile } from "./reportFile";
+
+const given = findGiven();
+const folder = given?.results ?? "";
+const summary = folder ? readJson(folder, "summary.json") : null;
+const { report, source } = given ? readReportFile(given.page) : ({} as never);
+
+describe.skipIf(!summary?.methods)("the methods of a report", () => {
+  it("has every factor of the results' table, and names one of each method", () => {
+    const table = report.method_table;
+    if (!table) return expect(summary.methods.asked).toEqual(["mpm"]);
+    expect(table.rows.map((row) => row.factor)).toEqual(
+      summary.methods.table.map((row: any) => (row.factor > 0 ? row.factor : null)),
+    );
+    for (const method of ["lem", "fem"]) {
+      const factors = report.answer.factors.filter((f) => f.method === method);
+      const found = factors.filter((f) => f.value !== null);
+      expect(factors.filter((f) => f.main).length, method).toBe(found.length > 0 ? 1 : 0);
+      for (const main of factors.filter((f) => f.main))
+        expect(report.answer.sentences.join(" ")).toContain(main.value!.toFixed(3));
+    }
+    const names = report.answer.factors.map((f) => `${f.name} ${f.title}`);
+    expect(new Set(names).size).toBe(names.length);
+  });
+
+  it("draws surfaces that lie in the model", () => {
+    const [low, high] = report.model.bounds;
+    for (const { name, points } of report.method_table?.surfaces ?? [])
+      for (const point of points)
+        for (const k of [0, 1]) {
+          expect(point[k]!, name).toBeGreaterThanOrEqual(low[k]! - 1e-6);
+          expect(point[k]!, name).toBeLessThanOrEqual(high[k]! + 1e-6);
+        }
+  });
+
+  it("has slices that fill the sliding mass", () => {
+    for (const surface of report.slices?.surfaces ?? []) {
+      const s = surface.slices;
+      if (!s) continue;
+      const area = s.left.reduce((sum, x, i) => {
+        const [left, right] = [s.top_left[i]! - s.base_left[i]![1]!, s.top_right[i]! - s.base_right[i]![1]!];
+        return sum + 0.5 * (s.right[i]! - x) * (left + right);
+      }, 0);
+      // The base of a slice is straight: a circle's mass is a little larger.
+      expect(area / surface.area, `${surface.method} ${surface.kind}`).toBeCloseTo(1, 2);
+    }
+  });
+
+  it("has every trial, and none that is weaker than the critical circle of its method", async () => {
+    const trials = report.slices?.trials;
+    if (!trials) return;
+    const file = readJson(folder, summary.lem.trials_file);
+    const factors = await readValues(trials.factors, source);
+    const circles = await readValues(trials.circles, source);
+    expect(trials.count).toBe(file.trials.length);
+    for (const i of [0, trials.count >> 1, trials.count - 1]) {
+      const row = file.trials[i];
+      expect(Array.from(circles.slice(5 * i, 5 * i + 5))).toEqual(row.slice(0, 5).map(Math.fround));
+      const own = factors.slice(i * trials.methods.length, (i + 1) * trials.methods.length);
+      expect(Array.from(own)).toEqual(row.slice(5).map(Math.fround));
+    }
+    trials.methods.forEach((method, m) => {
+      const critical = report.slices!.surfaces.find((s) => s.kind === "circle" && s.method === method);
+      if (!critical?.factor) return;
+      const least = factors.reduce((a, f, i) => (i % trials.methods.length === m && f > 0 && f < a ? f : a), Infinity);
+      expect(least, method).toBeGreaterThanOrEqual(critical.factor - 1e-3);
+    });
+  });
+
+  it("has the fields of the finite elements at every node", async () => {
+    const elements = report.finite_elements;
+    if (!elements?.mesh) return;
+    const file = readJson(folder, summary.fem.fields_file);
+    const cells = await readIntegers(elements.mesh.elements, source);
+    expect(cells.length).toBe(6 * file.elements.length);
+    expect(Array.from(cells.slice(-6))).toEqual(file.elements.at(-1));
+    for (const run of elements.runs) {
+      const stored = file.runs.find((r: any) => r.flow === run.flow);
+      const strain = await readValues(run.fields!.shear_strain, source);
+      const { range } = run.fields!.shear_strain;
+      const step = (range![1] - range![0]) / 65534;
+      stored.shear_strain.forEach((value: number, i: number) =>
+        expect(Math.abs(strain[i]! - value)).toBeLessThanOrEqual(step + 1e-9),
+      );
+      expect(run.trials.every((t, i) => i === 0 || t.factor >= run.trials[i - 1]!.factor)).toBe(true);
+      if (run.factor !== null) expect(run.factor).toBeCloseTo((run.stable! + run.failed!) / 2, 9);
+    }
+  });
+});
