@@ -1,5 +1,7 @@
 // Factors of given slip surfaces against published ones and an independent recomputation with 400 slices.
 
+#include <ostream>
+
 #include "physics/lem_sections.hpp"
 
 namespace talus::lem {
@@ -124,6 +126,10 @@ struct FredlundKrahn {
   bool water = false;
   Factors expected{};
 };
+
+void PrintTo(const FredlundKrahn& p, std::ostream* out) {
+  *out << (p.weak ? "weak seam" : "homogeneous") << ", r_u " << p.r_u << (p.water ? ", water table" : "");
+}
 
 class LemFredlundKrahn : public testing::TestWithParam<FredlundKrahn> {};
 
