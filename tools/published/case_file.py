@@ -1,0 +1,163 @@
+"""Writes a published problem as a Talus case file that an engineer can read."""
+from __future__ import annotations
+
+import json
+import math
+import textwrap
+
+from .problem import METHODS, read_given_surfaces, read_strips
+
+
+def number(value):
+    """As short as it is exact."""
+    value = float(value)
+    return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
+
+
+def points_text(points, indent="  "):
+    pairs = [f"[{number(x)}, {number(y)}]" for x, y in points]
+    line = "[" + ", ".join(pairs) + "]"
+    if len(line) <= 100:
+        return line
+    return "[\n" + textwrap.fill(", ".join(pairs), 110, initial_indent=indent, subsequent_indent=indent,
+                                 break_long_words=False, break_on_hyphens=False) + ",\n]"
+
+
+def quantity(value, unit):
+    return json.dumps(f"{number(value)} {unit}")
+
+
+def write_comment(lines, text):
+    for line in textwrap.wrap(text, 116):
+        lines.append(f"# {line}")
+
+
+def write_header(lines, problem):
+    entry = problem.entry
+    write_comment(lines, f"{entry['id']}: {entry.get('title', '')}")
+    for key in ("notes", "caveat"):
+        if entry.get(key):
+            write_comment(lines, f"{key.capitalize()}: {entry[key]}")
+    if entry.get("source"):
+        write_comment(lines, f"Source: {entry['source']}")
+    if problem.units.imperial:
+        lines.append("# Given in feet and pounds: lengths stand here in metres, strengths and weights as they were given.")
+    lines += [f"title = {json.dumps(entry['id'] + ': ' + entry.get('title', ''), ensure_ascii=False)}", ""]
+
+
+def write_geometry(lines, problem):
+    for name, _, ring in problem.regions:
+        lines += ["[[geometry.polygon]]", f'name = "{name}"', f"points = {points_text(ring)}", ""]
+    lines.append("[regions]")
+    lines += [f'{name} = "{problem.materials[material]["key"]}"' for name, material, _ in problem.regions]
+    lines.append("")
+
+
+def write_materials(lines, problem, stiffness):
+    units = problem.units
+    for material in problem.materials:
+        c, phi = material.get("c", 0), material.get("phi", 0)
+        lines += [f"[materials.{material['key']}]", 'model = "mohr_coulomb"',
+                  f"unit_weight = {quantity(material['gamma'], units.weight_name)}"]
+        if material.get("gamma_sat"):
+            lines.append(f"saturated_unit_weight = {quantity(material['gamma_sat'], units.weight_name)}")
+        lines += [f"cohesion = {quantity(c, units.stress_name)}", f"friction_angle = {number(phi)}"]
+        if material.get("cu_rate_per_depth"):
+            lines += [f"cohesion_gradient = {quantity(material['cu_rate_per_depth'], units.gradient_name)}",
+                      f"cohesion_level = {number(round(material['cu_ref_elev'] * units.length, 9))}"]
+        if material.get("ru"):
+            lines.append(f"pore_pressure_ratio = {number(material['ru'])}")
+        if stiffness:
+            apex = c / math.tan(math.radians(phi)) if phi > 0 else 10 * c
+            lines += ['young_modulus = "100 MPa"', "poisson_ratio = 0.3", "dilatancy_angle = 0",
+                      f"tensile_strength = {quantity(round(apex * (1 - 1e-9), 9), units.stress_name)}"
+                      + ("  # the apex: no tension cut-off" if phi > 0 else "  # far off: no tension cut-off")]
+        lines.append("")
+
+
+def write_loads(lines, problem):
+    entry, units = problem.entry, problem.units
+    if units.imperial and problem.water_table:
+        lines += ["[water]", f"density = {number(round(62.4 * 157.08746385 / 9.81, 6))}  # 62.4 lbf/ft3", ""]
+    if problem.water_table:
+        lines += ["[initial]", 'pore_pressure = "water_table"', f"water_table = {points_text(problem.water_table)}", ""]
+    for count, strip in enumerate(read_strips(problem), 1):
+        lines += ["[[surcharge]]", f'name = "load_{count}"', f"x = [{', '.join(number(x) for x, _ in strip)}]",
+                  f"load = [{', '.join(quantity(q, units.stress_name) for _, q in strip)}]", ""]
+    if entry.get("kh") or entry.get("kv"):
+        lines.append("[earthquake]")
+        lines += [f"{key} = {number(entry[k])}" for k, key in (("kh", "horizontal"), ("kv", "vertical")) if entry.get(k)]
+        lines.append("")
+
+
+def find_search_ranges(problem):
+    """Where the circles may leave and enter [m]; from the file, or of the face that the problem means where the ground
+    has two of them."""
+    entry, length = problem.entry, problem.units.length
+    exit_range, entry_range = entry.get("search_exit"), entry.get("search_entry")
+    if exit_range or entry_range:
+        left, right = problem.ground[0][0], problem.ground[-1][0]
+        return tuple([min(max(round(v * length, 9), left), right) for v in sorted(r)] if r else None
+                     for r in (exit_range, entry_range))
+    heights = [y for _, y in problem.ground]
+    rises = any(b > a for a, b in zip(heights, heights[1:]))
+    falls = any(b < a for a, b in zip(heights, heights[1:]))
+    if not (rises and falls):
+        return None, None
+    top = max(heights)
+    level = [x for x, y in problem.ground if y == top]
+    middle, left, right = 0.5 * (level[0] + level[-1]), problem.ground[0][0], problem.ground[-1][0]
+    if entry.get("mirror"):
+        return [middle, right], [left, level[-1]]
+    return [left, middle], [level[0], right]
+
+
+def write_slices(lines, problem, slices, search, noncircular):
+    entry, length = problem.entry, problem.units.length
+    lines += ["[lem]", "methods = [" + ", ".join(f'"{m}"' for m in METHODS.values()) + "]", f"slices = {slices}"]
+    lines.append(f'search = "{"entry_exit" if search else "none"}"')
+    lines.append(f"noncircular = {'true' if noncircular else 'false'}")
+    lines.append("yield_acceleration = false")
+    if entry.get("composite"):
+        lines.append("composite = true")
+    if entry.get("mindepth"):
+        lines.append(f"smallest_depth = {number(round(entry['mindepth'] * length, 9))}")
+    lines.append("")
+    if search:
+        ranges = find_search_ranges(problem)
+        if any(ranges):
+            lines.append("[lem.entry_exit]")
+            lines += [f"{key} = [{number(r[0])}, {number(r[1])}]" for key, r in zip(("exit", "entry"), ranges) if r]
+            lines.append("")
+    if entry.get("tension_crack"):
+        crack = entry["tension_crack"]
+        lines += ["[lem.tension_crack]", f"depth = {number(round(crack['depth'] * length, 9))}",
+                  f"water = {number(round(crack.get('water', 0) * length, 9))}", ""]
+
+
+def write_surface(lines, name, surface):
+    lines += ["[[lem.surface]]", f'name = "{name}"']
+    if "circle" in surface:
+        xc, yc, radius = surface["circle"]
+        lines += [f"centre = [{number(xc)}, {number(yc)}]", f"radius = {number(radius)}"]
+        if surface["ends"]:
+            lines.append(f"ends = [{number(surface['ends'][0])}, {number(surface['ends'][1])}]")
+    else:
+        lines.append(f"points = {points_text(surface['points'])}")
+    lines.append("")
+
+
+def make_case(problem, slices=100, search=True, noncircular=False, surfaces=None, finite_elements=False):
+    """The text of the case file. `surfaces` replaces the surfaces that the problem gives."""
+    lines = []
+    write_header(lines, problem)
+    lines += ["[analysis]", 'methods = ["lem"]', ""]
+    write_geometry(lines, problem)
+    write_materials(lines, problem, finite_elements)
+    write_loads(lines, problem)
+    write_slices(lines, problem, slices, search, noncircular)
+    for name, surface in read_given_surfaces(problem) if surfaces is None else surfaces:
+        write_surface(lines, name, surface)
+    if finite_elements:
+        lines += ["[fem]", 'flow = "both"', ""]
+    return "\n".join(lines).rstrip() + "\n"
