@@ -42,7 +42,8 @@ export default function (config) {
   config.on("eleventy.after", () => {
     copyAssets();
     for (const file of files) copyTo(file, findFiles(file));
-    const text = JSON.stringify(records.sort((a, b) => (a.url < b.url ? -1 : a.url > b.url ? 1 : 0)));
+    records.sort((a, b) => (a.url < b.url ? -1 : a.url > b.url ? 1 : 0));
+    const text = JSON.stringify(records.map(({ source, ...found }) => found)); // `source` served the collecting only
     writeFileSync(path.join(site, "assets/search-records.js"), `window.talusRecords = ${text};\n`);
   });
 

@@ -8,6 +8,10 @@ const flatten = (token) =>
     )
     .join("");
 
+// Nobody searches for the digits in a table, and they are a good part of all text.
+const isCellOfNumbers = (tokens, i) =>
+  tokens[i - 1]?.type === "td_open" && /^[\d\s.,:;/×%±()–+-]*$/.test(flatten(tokens[i]));
+
 /** Appends {url, page, title, text} of every section of the page that `state` holds. */
 export function collectRecords(state, records, reference) {
   const { source, title } = state.env;
@@ -19,6 +23,7 @@ export function collectRecords(state, records, reference) {
   open(title, "");
   state.tokens.forEach((token, i) => {
     if (token.type === "heading_open" && token.tag !== "h1") open(flatten(state.tokens[i + 1]), token.attrGet("id"));
+    else if (isCellOfNumbers(state.tokens, i)) return;
     else if (token.type === "inline" && state.tokens[i - 1]?.tag !== "h1") {
       if (state.tokens[i - 1]?.type !== "heading_open") records.at(-1).text += flatten(token) + " ";
     } else if (token.type === "fence") records.at(-1).text += token.content.replace(/\s+/g, " ") + " ";

@@ -201,8 +201,8 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
       reasons = fmt::format("{} by {}", describe_refusals(result.refused.front(), result.tried),
                             title_method(options.methods.front()));
     throw Error(ExitCode::wrong_input,
-                fmt::format("no admissible slip surface was found: {}; check the range searched, the base and the "
-                            "limits in checks",
+                fmt::format("no admissible slip surface was found: {}; check the ranges of the search, the bottom "
+                            "of the model and the limits (smallest_depth, smallest_m_alpha, most_tension)",
                             reasons));
   }
   result.minima.resize(options.methods.size());

@@ -95,9 +95,19 @@ class Reading {
 
   void read_search() {
     const json& hits = list(get(get(summary_, "lem"), "search"), "limit_hits");
-    for (const json& hit : hits)
-      say("The search of the slices ended at a limit: {}; widen the range before the factors are compared.",
-          hit.get<std::string>());
+    // "Spencer: the critical circle …": one sentence for all methods that ended at the same limit.
+    std::vector<std::pair<std::string, std::vector<std::string>>> limits;
+    for (const json& hit : hits) {
+      const std::string text = hit.get<std::string>();
+      const std::size_t colon = std::min(text.find(": "), text.size());
+      const std::string method = text.substr(0, colon), what = colon < text.size() ? text.substr(colon + 2) : "";
+      auto known = std::find_if(limits.begin(), limits.end(), [&](const auto& l) { return l.first == what; });
+      if (known == limits.end()) known = limits.insert(limits.end(), {what, {}});
+      if (std::find(known->second.begin(), known->second.end(), method) == known->second.end())
+        known->second.push_back(method);
+    }
+    for (const auto& [what, methods] : limits)
+      say("The search of the slices ended at a limit ({}): {}.", fmt::join(methods, ", "), what);
   }
 
   void read_slices() {
@@ -167,9 +177,9 @@ class Reading {
         say("The flow rule hardly matters: finite elements give {:.3f} with {} and {:.3f} with ψ = φ.", a,
             describe_flow(*given_), b);
       else
-        say("The flow rule matters: finite elements give {:.3f} with {} and {:.3f} with ψ = φ, {} it. Slices know no "
+        say("The flow rule matters: finite elements give {:.3f} with ψ = φ and {:.3f}, {} it, with {}. Slices know no "
             "flow rule; their answer belongs to ψ = φ.",
-            a, describe_flow(*given_), b, compare(a, b));
+            b, a, compare(a, b), describe_flow(*given_));
     } else if (given_ && circle_ && is_nonassociated()) {
       const double f = given_->at("factor");
       if (f / *circle_ < 1 - same)
@@ -281,8 +291,12 @@ class Reading {
       const Polyline line = find_surface(s.at("name"));
       if (line.size() < 2) continue;
       const double mean = find_mean_distance(circle, line);
-      const std::string of =
-          s.at("method") == "fem" ? "band of the finite elements" : "slip line of the material points";
+      const bool both = given_ && associated_;
+      const std::string rule = s.at("name").get<std::string>().find("associated") != std::string::npos
+                                   ? " with ψ = φ"
+                                   : (given_ ? " with " + describe_flow(*given_) : "");
+      const std::string of = s.at("method") == "fem" ? "band of the finite elements" + (both ? rule : "")
+                                                     : "slip line of the material points";
       const std::string handed = describe_handed(s.at("name"));
       const double size = s.at("method") == "fem" ? get_number(get(summary_, "fem"), "size").value_or(0)
                                                   : get_number(get(summary_, "mesh"), "mean_size").value_or(0);

@@ -182,9 +182,15 @@ class FemRun {
     json trials = json::array(), warnings = json::array(), line = json::array();
     for (const fem::ReductionTrial& t : found.trials) trials.push_back(to_json(t));
     if constexpr (D == 2) {
-      for (const auto& x : fem::find_slip_line(solid.model, mesh, found.at_failure)) line.push_back({x[0], x[1]});
+      for (const auto& x : fem::find_slip_line(solid.model, mesh, found.mechanism)) line.push_back({x[0], x[1]});
       if (line.empty()) warnings.push_back("the shear strain shows no band from the ground to the ground");
     }
+    for (const fem::ReductionTrial& t : found.trials)
+      if (t.factor == found.failed && !t.flows)
+        warnings.push_back(
+            fmt::format("the trial that failed, at {:.4g}, ran out of iterations ({}) before its soil flowed: with "
+                        "more `iterations` under [fem] the factor may be higher",
+                        t.factor, t.iterations));
     if (found.stable < 1) warnings.push_back("the slope does not stand with its full strength: the factor is below 1");
     result.block["unknowns"] = found.unknowns;
     result.block["runs"].push_back(

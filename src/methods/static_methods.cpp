@@ -66,10 +66,14 @@ void StaticMethods::run_elements(const std::function<void()>& open_folder) {
     known.erase("input_hash");
     options.known.file = std::move(known);
   }
-  options.ready = [&] {
+  bool opened = false;
+  const auto open = [&] {
+    if (opened) return;
     open_folder();
+    opened = true;
     if (lem_ && !is_kept_) keep(lem_file, lem_->block, lem_->file);
   };
+  options.ready = open;
   options.keep = [&](const FemResult& result) {
     keep(fem_file, result.block, result.file);
     output::write_atomically(options_.folder / "fem.vtu", write_vtu(result.file));
@@ -79,6 +83,7 @@ void StaticMethods::run_elements(const std::function<void()>& open_folder) {
   } catch (const Error& error) {
     if (options_.progress) options_.progress->clear();
     if (data_.methods.size() == 1 || error.code() == ExitCode::interrupted) throw;
+    open();  // what the other methods found has to go somewhere
     fem_ = FemResult{describe_failure("finite elements", error), json::object()};
   }
 }

@@ -145,7 +145,7 @@ void check_start(const Case& data, Findings& findings) {
   // Slices and finite elements take a piezometric line in any soil.
   const bool takes_line = start.pressure == InitialPressure::water_table && !uses(data, Method::mpm);
   if (!is_wet(data) && !takes_line) {
-    if (findings.is_sound("materials"))
+    if (findings.is_sound("materials") && findings.is_sound("analysis.methods"))
       findings.add("initial.pore_pressure",
                    "there is a pore pressure at the start, but no material has pore water: add a table "
                    "[materials.NAME.water]");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "model/checks.hpp"
@@ -117,11 +118,14 @@ void check_points_can(const Case& data, Findings& findings) {
   }
 }
 
-/// Level of the lowest soil [m].
-double find_bottom(const mesh::Plan& plan) {
+/// Lowest level of a material's regions [m]; infinite where it has none.
+double find_bottom(const Case& data, const std::string& material) {
   double bottom = std::numeric_limits<double>::infinity();
-  for (const mesh::Polygon& polygon : plan.polygons)
+  for (const mesh::Polygon& polygon : data.mesh.polygons) {
+    const auto region = data.regions.find(polygon.name);
+    if (region == data.regions.end() || region->second != material) continue;
     for (const auto& p : polygon.points) bottom = std::min(bottom, p[1]);
+  }
   return bottom;
 }
 
@@ -135,7 +139,8 @@ void check_cohesion_gradient(const Case& data, const Material& m, const std::str
                     "both or none",
                     name));
   if (s.cohesion_gradient >= 0 || data.mesh.polygons.empty() || !findings.is_sound("geometry.polygon")) return;
-  const double bottom = find_bottom(data.mesh);
+  const double bottom = find_bottom(data, name);
+  if (!std::isfinite(bottom)) return;
   const double least = m.cohesion + s.cohesion_gradient * std::max(0.0, s.cohesion_level - bottom);
   if (least < 0 && findings.is_sound(path + ".cohesion"))
     findings.add(path + ".cohesion_gradient",

@@ -26,9 +26,11 @@ void describe(Visitor& v, FiniteElements& f) {
   v.key("force_tolerance", f.force_tolerance, plain().above(0).below(1),
         "Largest out-of-balance force over the external force in an equilibrium.");
   v.key("displacement_tolerance", f.displacement_tolerance, plain().above(0).below(1),
-        "And largest last correction over all displacement of the load step; both must hold.");
+        "And largest motion still to come over all displacement of the load step; both must hold.");
   v.key("iterations", f.iterations, plain().at_least(1).at_most(10000),
-        "Iterations of Newton's method in a load step, at most.");
+        "Linear systems that are solved in a load step or trial, at most. A trial that runs out of them counts as "
+        "failed, "
+        "and a warning says so: it may have stood.");
   v.key("load_steps", f.load_steps, plain().at_least(1).at_most(10000),
         "Steps in which weight and loads come on; halved where one does not converge.");
 }

@@ -18,7 +18,7 @@ struct FiniteElements {
   double resolution = 0.005;             ///< of the last [-]
   double force_tolerance = 1e-4;         ///< [-]
   double displacement_tolerance = 1e-4;  ///< [-]
-  int iterations = 60;                   ///< of Newton in a load step
+  int iterations = 400;                  ///< linear systems in a load step or trial
   int load_steps = 4;
 };
 

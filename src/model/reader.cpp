@@ -70,6 +70,7 @@ const toml::node* Reader::find_key(const std::string& name, const Spec& spec) {
       reason = condition.is_absence() ? fmt::format(", or give '{}'", condition.any.front().key)
                                       : fmt::format("; {} needs it", write_condition(reasons));
   }
+  if (reason.empty() && spec.instead) reason = fmt::format(", or give '{}'", spec.instead->key);
   if (node == nullptr && is_required && !spec.is_waived(methods_)) {
     const std::string example =
         spec.examples.empty() ? "" : fmt::format(", for example {} = {}", name, spec.examples[0]);

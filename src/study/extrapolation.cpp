@@ -43,7 +43,7 @@ std::vector<double> raise(const std::vector<double>& sizes, double order) {
 
 /// The order with the smallest residual by golden section; none when it lies at an end of the range.
 std::optional<double> find_order(const std::vector<double>& sizes, const std::vector<double>& factors) {
-  constexpr double lowest = 0.25, highest = 4, ratio = 0.6180339887498949, accuracy = 1e-4;
+  constexpr double lowest = 0.5, highest = 4, ratio = 0.6180339887498949, accuracy = 1e-4;
   const auto fault = [&](double p) { return fit_line(raise(sizes, p), factors).squares; };
   double a = lowest, b = highest;
   double c = b - ratio * (b - a), d = a + ratio * (b - a), fc = fault(c), fd = fault(d);

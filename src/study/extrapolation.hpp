@@ -17,7 +17,7 @@ struct Extrapolation {
   double linear = 0;                     ///< F_0 of the least squares line, p = 1
   std::optional<double> standard_error;  ///< of `linear`, from the scatter about the line; three sizes or more
   double finest_pair = 0;                ///< F_0 of the line through the two finest sizes
-  std::optional<double> order;           ///< p in [1/4, 4] that fits best; four sizes or more
+  std::optional<double> order;           ///< p in [1/2, 4] that fits best; four sizes or more
   std::optional<double> by_order;        ///< F_0 with that p
 };
 

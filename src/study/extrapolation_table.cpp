@@ -88,7 +88,7 @@ std::string write_extrapolation_markdown(const StudyPlan& plan, const std::vecto
   }
   text +=
       "\n±: standard error from the scatter of the meshes about the line. The order p is the exponent of h that fits "
-      "best, where there are four sizes and it lies within 1/4 and 4.\n";
+      "best, where there are four sizes and it lies within 1/2 and 4.\n";
   return text;
 }
 

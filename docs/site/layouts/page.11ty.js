@@ -59,7 +59,9 @@ ${source.startsWith("docs/reference/") ? "" : this.writeContents(content)}
   }
 
   writeSection(name, sources, current, root, nameOf) {
-    const items = sources.map((page) => {
+    // The reference has a page for every table, and its first page lists them: elsewhere that link is enough.
+    const away = name === "Reference" && !sources.includes(current);
+    const items = (away ? [sources[0], sources.at(-1)] : sources).map((page) => {
       const here = page === current ? ' aria-current="page"' : "";
       return `<li><a href="${root}${findPage(page)}"${here}>${escapeHtml(nameOf(page))}</a></li>`;
     });
