@@ -105,15 +105,16 @@ struct ReductionOptions {
 /// The factor of safety by both criteria.
 template <int D>
 struct ReductionResult {
-  double stable = 0;                   ///< largest factor with equilibrium
-  double failed = 0;                   ///< smallest factor without
-  double factor = 0;                   ///< their mean: the criterion of non-convergence
-  double by_displacement = 0;          ///< where the displacement since full strength passes `displacement_limit`
-  double base_factor = 1;              ///< of at_full_strength: 1, or less where the soil does not stand at 1
+  double stable = 0;           ///< largest factor with equilibrium
+  double failed = 0;           ///< smallest factor without
+  double factor = 0;           ///< their mean: the criterion of non-convergence
+  double by_displacement = 0;  ///< where the displacement since full strength passes `displacement_limit`; 0: not told
+  double base_factor = 1;      ///< of at_full_strength: 1, or less where the soil does not stand at 1
   double elastic_displacement = 0;     ///< largest of the elastic soil under all loads: the scale of the criterion [m]
   std::vector<ReductionTrial> trials;  ///< in the order of the factors
   SolidState<D> at_full_strength;
   SolidState<D> at_failure;  ///< of the trial `failed`, displacements and strains since full strength
+  SolidState<D> mechanism;   ///< its last motion: displacements and strains of one step, nothing else
   int iterations = 0, factorisations = 0;
   double seconds = 0;
   int unknowns = 0;
@@ -144,8 +145,8 @@ ReductionResult<D> reduce_strength(const SolidModel<D>& model, const ReductionOp
                                    const std::function<void(const ReductionTrial&)>& report = {});
 
 /// The slip surface as a polyline from crest to toe: the ridge of the shear strain between the moving mass and the rest
-/// [m]. 2D; empty where there is none.
+/// [m]. `motion`: displacements and strains, best those of ReductionResult::mechanism. 2D; empty where there is none.
 std::vector<std::array<double, 2>> find_slip_line(const SolidModel<2>& model, const QuadraticMesh<2>& mesh,
-                                                  const SolidState<2>& state);
+                                                  const SolidState<2>& motion);
 
 }  // namespace talus::fem

@@ -123,6 +123,7 @@ NewtonOutcome SolidNewton<D>::solve(const SolidAssembly<D>& assembly, const Soli
   double viscosity = now.sums.yielding == 0 ? 0 : first_viscosity;
   bool went = false;
   way_.clear();
+  last_motion_ = {};
   out.displacement_residual = 1;
   for (;;) {
     out.force_residual = scale_ > 0 ? now.fault / scale_ : 0;
@@ -145,6 +146,10 @@ NewtonOutcome SolidNewton<D>::solve(const SolidAssembly<D>& assembly, const Soli
     const double fading = now.fault > 0 ? next.fault / now.fault : 0, all = find_norm(moved);
     out.displacement_residual = fading < 1 && all > 0 ? find_norm(q) / all * fading / (1 - fading) : 1;
     out.flows = is_steady(largest, next.fault);
+    system_.to_nodes(q, last_motion_.displacement);
+    last_motion_.strain = next.state.strain;
+    for (std::size_t p = 0; p < last_motion_.strain.size(); ++p)
+      for (std::size_t i = 0; i < 6; ++i) last_motion_.strain[p][i] -= now.state.strain[p][i];
     std::swap(now, next);
     viscosity = std::max(viscosity * (solves <= 1   ? 0.1
                                       : solves == 2 ? 0.25

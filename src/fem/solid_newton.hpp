@@ -25,6 +25,9 @@ class SolidNewton {
   NewtonOutcome solve(const SolidAssembly<D>& assembly, const SolidState<D>& start, const std::vector<double>& target,
                       SolidState<D>& end);
 
+  /// Displacements and strains of the last step of creep of solve(); empty where there was none.
+  const SolidState<D>& last_motion() const { return last_motion_; }
+
   int factorisations() const { return solver_.factorisations(); }
   /// Largest displacement of the elastic soil under all loads [m]; known after the first step.
   double elastic_displacement() const { return elastic_displacement_; }
@@ -55,6 +58,7 @@ class SolidNewton {
   std::vector<double> elastic_;        ///< matrix of the elastic soil
   std::vector<double> matrix_, lack_;  ///< work
   std::vector<Vec<D>> u_;
+  SolidState<D> last_motion_;
   std::vector<std::array<double, 2>> way_;  ///< displacement and fault of the steps so far
 };
 

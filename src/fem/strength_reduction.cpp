@@ -28,6 +28,7 @@ double find_passing(const std::vector<ReductionTrial>& trials, double base, doub
     const double high = std::log(std::max(trial.displacement, 1e-3 * limit));
     if (trial.displacement > limit)
       return factor + (trial.factor - factor) * std::clamp((std::log(limit) - low) / (high - low), 0.0, 1.0);
+    if (!trial.converged) return 0;  // it ran out of iterations before it had moved so far
     factor = trial.factor;
     low = high;
   }
@@ -126,7 +127,10 @@ class Reduction {
         factor, out.converged, out.flows, out.iterations, out.force_residual, out.displacement_residual, 0, 0};
     for (const auto& u : end.displacement) trial.displacement = std::max(trial.displacement, norm(u));
     trial.seconds = find_seconds(begin);
-    if (!out.converged) result_.at_failure = std::move(end);  // the last one to fail has the lowest factor
+    if (!out.converged) {  // the last one to fail has the lowest factor
+      result_.at_failure = std::move(end);
+      result_.mechanism = newton_.last_motion();
+    }
     result_.iterations += out.iterations;
     result_.trials.push_back(trial);
     if (report_) report_(trial);

@@ -55,17 +55,17 @@ struct Critical {
   Method method = Method::spencer;
   Surface surface;
   Solution solution;
-  CutSurface cut;        ///< with the forces
+  CutSurface cut;  ///< with the forces
   bool circular = true;
   std::vector<std::string> warnings;  ///< m_α, tension, model's edge, limits of the search that were hit
   std::optional<double> yield_acceleration;
 };
 
 struct SearchResult {
-  std::vector<Critical> circular;     ///< per method that found one
-  std::vector<Critical> noncircular;  ///< per method (of those that suit polylines), when asked for
+  std::vector<Critical> circular;             ///< per method that found one
+  std::vector<Critical> noncircular;          ///< per method (of those that suit polylines), when asked for
   std::vector<std::vector<Critical>> minima;  ///< per method: several separate local minima, best first
-  std::vector<Trial> trials;          ///< every trial circle of the search
+  std::vector<Trial> trials;                  ///< every trial circle of the search
   /// The smallest factor per centre of the grid, per method (grid search; else of the circles binned by their centres).
   struct Map {
     Point from{}, to{};

@@ -25,11 +25,12 @@ constexpr double same_surface = 0.06;
 constexpr double noticeable_suction = 0.01;
 
 std::string format_share(double part) {
-  return fmt::format("{:.1f} %", 100 * std::abs(part));
+  return std::abs(part) < 5e-4 ? "0.1 %" : fmt::format("{:.1f} %", 100 * std::abs(part));
 }
 
 /// "1.2 % above", "3.7 % below".
 std::string compare(double factor, double other) {
+  if (std::abs(factor / other - 1) < 5e-4) return "the same as";
   return fmt::format("{} {}", format_share(factor / other - 1), factor >= other ? "above" : "below");
 }
 
@@ -343,7 +344,8 @@ class Reading {
       const auto f = get_number(h, "factor");
       if (h.at("from") != from || h.at("to") != "spencer" || !f) continue;
       const auto own = find_slices(summary_, "critical", "spencer");
-      return fmt::format(", and Spencer on it gives {:.3f}{}", *f, own ? ", " + compare(*f, *own) + " his circle" : "");
+      return fmt::format(", and Spencer on it gives {:.3f}{}", *f,
+                         own ? ", " + compare(*f, *own) + " that of the circle" : "");
     }
     return "";
   }
