@@ -105,22 +105,24 @@ void say_methods(const json& summary, const json& factors, json& sentences) {
         return f["main"] == true && f["value"].get<double>() < 1;
       }))
     sentences.push_back(too_low);
-  if (const std::string weakest = say_weakest_surface(factors); !weakest.empty()) sentences.push_back(weakest);
-  if (const std::string text = get_text(summary, {"methods", "partial_factors", "text"}); !text.empty())
-    sentences.push_back(text);
-  for (const json& reading : find_list(summary, {"methods", "reading"})) sentences.push_back(reading);
+  for (const std::string& said : {say_agreement(factors), say_weakest_surface(factors),
+                                  get_text(summary, {"methods", "partial_factors", "text"})})
+    if (!said.empty()) sentences.push_back(said);
 }
 
-/// `lone`: no other method gave one.
+/// Of material points. `lone`: no other method was asked; the table of the methods has the details otherwise.
 void say_factor(const json& summary, const json& factors, bool lone, json& sentences) {
   const auto found = std::find_if(factors.begin(), factors.end(), [](const json& f) { return f["main"] == true; });
   if (found == factors.end()) {
-    if (!factors.empty()) sentences.push_back("No criterion found a factor of safety in the range that was tried.");
+    if (!factors.empty())
+      sentences.push_back(fmt::format("No criterion {}found a factor of safety in the range that was tried.",
+                                      lone ? "" : "of the material points "));
     return;
   }
+  if (!lone) return;
   const double value = (*found)["value"].get<double>();
   const bool by_frozen = (*found)["name"] == "factor_of_safety.frozen";
-  std::string text = fmt::format("{} is {:.3f}", lone ? "The factor of safety" : "That of material points", value);
+  std::string text = fmt::format("The factor of safety is {:.3f}", value);
   if (by_frozen) {
     const json& frozen = summary["factor_of_safety"]["frozen"];
     const ShownUnit length = read_units(summary).length;
@@ -138,7 +140,7 @@ void say_factor(const json& summary, const json& factors, bool lone, json& sente
     text += fmt::format(" by the criterion \"{}\".", (*found)["title"].get<std::string>());
   }
   sentences.push_back(text);
-  if (lone && value < 1) sentences.push_back(too_low);
+  if (value < 1) sentences.push_back(too_low);
 }
 
 /// What has become of the soil when a calculation ended.

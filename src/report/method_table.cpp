@@ -1,9 +1,11 @@
 #include "report/method_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -112,6 +114,54 @@ void mark_main(json& factors, const std::string& method, const std::vector<std::
   if (main != nullptr) (*main)["main"] = true;
 }
 
+/// "to 0.4 %", "to three digits".
+std::string format_closeness(double difference) {
+  const double percent = 100 * std::abs(difference);
+  return percent < 0.05 ? "to three digits" : fmt::format("to {:.1f} %", percent);
+}
+
+/// What a sentence of the comparison is about, by how it begins.
+const char* find_topic(const std::string& sentence) {
+  struct Beginning {
+    const char *text, *topic;
+  };
+  static constexpr const char *slices = "Slices", *elements = "Finite elements", *points = "Material points",
+                              *mechanism = "Mechanism";
+  static constexpr std::array beginnings{
+      Beginning{"Bishop", slices},
+      Beginning{"Simplified Janbu", slices},
+      Beginning{"The best polyline", slices},
+      Beginning{"The search of the slices", slices},
+      Beginning{"Suction gives", slices},
+      Beginning{"Finite elements", elements},
+      Beginning{"The finite elements", elements},
+      Beginning{"The flow rule", elements},
+      Beginning{"With ψ", elements},
+      Beginning{"Material points", points},
+      Beginning{"The criterion", points},
+      Beginning{"The bilinear construction", points},
+      Beginning{"One mechanism", mechanism},
+      Beginning{"The band", mechanism},
+      Beginning{"The slip line", mechanism},
+      Beginning{"Computing time", "Computing time"},
+  };
+  for (const Beginning& b : beginnings)
+    if (sentence.starts_with(b.text)) return b.topic;
+  return "Agreement";
+}
+
+/// In the order of the topics' first sentences.
+json group_reading(const json& sentences) {
+  json groups = json::array();
+  for (const json& sentence : sentences) {
+    const std::string topic = find_topic(sentence);
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const json& g) { return g["topic"] == topic; });
+    json& group = found != groups.end() ? *found : groups.emplace_back(json{{"topic", topic}});
+    group["sentences"].push_back(sentence);
+  }
+  return groups;
+}
+
 }  // namespace
 
 json make_method_table(const json& summary) {
@@ -121,7 +171,7 @@ json make_method_table(const json& summary) {
              {"rows", json::array()},
              {"surfaces", json::array()},
              {"handed", json::array()},
-             {"reading", find_list(*block, {"reading"})}};
+             {"reading", group_reading(find_list(*block, {"reading"}))}};
   for (const json& row : find_list(*block, {"table"})) table["rows"].push_back(take_row(row));
   for (const json& s : find_list(*block, {"surfaces"}))
     table["surfaces"].push_back({{"name", get_text(s, {"name"})},
@@ -172,6 +222,38 @@ std::string say_main_factors(const json& summary, const json& factors) {
   if (parts.empty()) return "";
   return fmt::format("The factor of safety{} is {}.", has_design_values(summary) ? " with design values" : "",
                      join_words(parts));
+}
+
+std::string say_agreement(const json& factors) {
+  // Less is not worth a reason.
+  constexpr double close = 0.02;
+  std::vector<double> values;
+  const json *given = nullptr, *associated = nullptr, *points = nullptr;
+  for (const json& factor : factors) {
+    if (factor["value"].is_null()) continue;
+    if (factor["main"] == true) values.push_back(factor["value"]);
+    if (factor["name"] == "fem.factor") given = &factor;
+    if (factor["name"] == "fem.associated.factor") associated = &factor;
+    if (factor["name"] == "factor_of_safety.frozen") points = &factor;
+  }
+  if (values.size() < 2) return "";
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double spread = *high / *low - 1;
+  if (spread < close)
+    return fmt::format("The {} methods agree {}.", values.size() == 2 ? "two" : "three", format_closeness(spread));
+  std::vector<std::string> reasons;
+  if (given != nullptr && associated != nullptr) {
+    const double a = (*given)["value"], b = (*associated)["value"];
+    if (std::abs(a / b - 1) > close / 2)
+      reasons.push_back(
+          fmt::format("the flow rule alone makes {:.1f} % in the finite elements ({:.3f} as given, {:.3f} with ψ = φ), "
+                      "and slices know none",
+                      100 * std::abs(a / b - 1), a, b));
+  }
+  if (points != nullptr && (*points)["note"].get<std::string>().find("not extrapolated") != std::string::npos)
+    reasons.push_back("material points are those of one mesh, not extrapolated");
+  return fmt::format("The methods lie within {:.1f} % of each other{}{}.", 100 * spread, reasons.empty() ? "" : "; ",
+                     fmt::join(reasons, "; "));
 }
 
 std::string say_weakest_surface(const json& factors) {

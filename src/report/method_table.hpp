@@ -18,6 +18,10 @@ nlohmann::json list_other_factors(const nlohmann::json& summary);
 /// when no method found one. `factors` are those of all methods.
 std::string say_main_factors(const nlohmann::json& summary, const nlohmann::json& factors);
 
+/// How far the main factors lie apart, and how much of it is known to be the flow rule or the mesh; empty for fewer
+/// than two.
+std::string say_agreement(const nlohmann::json& factors);
+
 /// Where slices found a surface that is weaker than the one of their main factor; empty otherwise.
 std::string say_weakest_surface(const nlohmann::json& factors);
 

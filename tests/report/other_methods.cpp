@@ -168,6 +168,60 @@ TEST_F(OtherMethods, NameOneFactorOfEach) {
       }
 }
 
+TEST_F(OtherMethods, KeepTheAnswerShortAndTheReadingInItsPart) {
+  std::vector<std::string> told;
+  for (const json& group : document().at("method_table").at("reading"))
+    for (const json& sentence : group.at("sentences")) told.push_back(sentence);
+  const json& read = summary_->at("methods").at("reading");
+  ASSERT_FALSE(read.empty());
+  EXPECT_EQ(told.size(), read.size()) << "every sentence in one group";
+  for (const json& sentence : read)
+    EXPECT_EQ(std::count(told.begin(), told.end(), sentence.get<std::string>()), 1) << sentence;
+  const json& sentences = document().at("answer").at("sentences");
+  EXPECT_LE(sentences.size(), 4u) << sentences;
+  for (const json& sentence : sentences)
+    EXPECT_EQ(std::count(told.begin(), told.end(), sentence.get<std::string>()), 0) << "said twice: " << sentence;
+}
+
+TEST_F(OtherMethods, GroupTheReadingByWhatItIsAbout) {
+  const fs::path folder = make_test_folder("grouped_reading");
+  json summary = *summary_;
+  summary["methods"]["reading"] = {"Factors of safety: a, b; they lie within 3 % of each other.",
+                                   "Bishop (1.4) and Spencer (1.4) agree within 0.1 %.",
+                                   "One mechanism: the band is near.",
+                                   "The best polyline (1.4) is close.",
+                                   "The flow rule hardly matters.",
+                                   "Computing time: slices 1 s."};
+  std::ofstream(folder / "summary.json") << summary.dump();
+  const ReadPage page(read_text(write_report(folder)));
+  std::vector<std::pair<std::string, std::size_t>> groups;
+  for (const json& group : page.document.at("method_table").at("reading"))
+    groups.emplace_back(group.at("topic"), group.at("sentences").size());
+  const std::vector<std::pair<std::string, std::size_t>> expected{
+      {"Agreement", 1}, {"Slices", 2}, {"Mechanism", 1}, {"Finite elements", 1}, {"Computing time", 1}};
+  EXPECT_EQ(groups, expected);
+  fs::remove_all(folder);
+}
+
+TEST_F(OtherMethods, SayHowFarTheMethodsLieApart) {
+  const auto tell = [&](double elements) {
+    const fs::path folder = make_test_folder("agreement");
+    json summary = *summary_;
+    double spencer = 0;
+    for (json& row : summary["methods"]["table"])
+      if (row["surface"] == "lem.spencer") spencer = row["factor"];
+    for (json& row : summary["methods"]["table"])
+      if (row["method"] == "fem") row["factor"] = elements * spencer;
+    std::ofstream(folder / "summary.json") << summary.dump();
+    const ReadPage page(read_text(write_report(folder)));
+    fs::remove_all(folder);
+    return page.document.at("answer").at("sentences").at(1).get<std::string>();
+  };
+  EXPECT_EQ(tell(1.0001), "The two methods agree to three digits.");
+  EXPECT_EQ(tell(0.99), "The two methods agree to 1.0 %.");
+  EXPECT_EQ(tell(1.05), "The methods lie within 5.0 % of each other.");
+}
+
 TEST_F(OtherMethods, SlicesAreInVerticalBalance) {
   // Bishop neglects X: N cosα + T sinα of every slice carries its weight and load.
   const json& s = find_surface("circle", "bishop").at("slices");

@@ -81,6 +81,7 @@ async function checkElements(list, page, report, out) {
 
 export async function checkMethods(list, page, report, out) {
   await scrollThrough(page);
+  await page.locator("#compared details").evaluateAll((folds) => folds.forEach((fold) => (fold.open = true)));
   const table = await page.locator("#compared tbody tr").allInnerTexts();
   for (const row of report.method_table?.rows ?? []) {
     const factor = row.factor === null ? "none" : row.factor.toFixed(3);

@@ -9,8 +9,8 @@ export interface MethodTable {
   surfaces: MethodSurface[];
   /** Surfaces of one method that slices were cut on. */
   handed: { from: string; to: string; title: string; factor: number | null; refusal: string }[];
-  /** Sentences: where the methods differ, and why. */
-  reading: string[];
+  /** Where the methods differ, and why; "Slices", "Mechanism". */
+  reading: { topic: string; sentences: string[] }[];
   partial_factors?: PartialFactors;
 }
 

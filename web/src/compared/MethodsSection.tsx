@@ -1,20 +1,84 @@
 /** All methods beside each other: factors by criterion with computing times, handed surfaces, how to read it. */
 import { CsvButton } from "../charts/Legend";
-import { formatNumber } from "../charts/numbers";
 import type { MethodRow, MethodTable } from "../contractMethods";
 import { methodNames } from "../page/FactorTable";
-import { formatDuration, formatFactor, formatSentence } from "../page/format";
+import { formatDifference, formatDuration, formatFactor, formatSentence } from "../page/format";
 import { Scroller } from "../page/Scroller";
 import { report } from "../state";
 import { PartialFactors } from "./PartialFactors";
-
-const percent = (share: number) =>
-  `${share > 0 ? "+" : share < 0 ? "−" : ""}${formatNumber(Math.abs(100 * share), 2)} %`;
 
 /** Others are compared with Spencer's critical circle, else with the first factor there is. */
 function chooseReference(rows: MethodRow[]): MethodRow | undefined {
   const found = rows.filter((row) => row.factor !== null);
   return found.find((row) => row.method === "lem" && row.name.replace(/^lem\./, "") === "spencer") ?? found[0];
+}
+
+interface RowsProps {
+  rows: MethodRow[];
+  reference: MethodRow | undefined;
+  compare: (row: MethodRow) => number | null;
+  label: string;
+}
+
+function RowTable({ rows, reference, compare, label }: RowsProps) {
+  return (
+    <Scroller class="chart-scroll" label={label}>
+      <table class="chart-table compared-factors">
+        <thead>
+          <tr>
+            <th scope="col">Method</th>
+            <th scope="col">Criterion</th>
+            <th scope="col" class="chart-number">
+              F
+            </th>
+            <th scope="col" class="chart-number">
+              Bracket
+            </th>
+            {reference && (
+              <th scope="col" class="chart-number chart-wrap">
+                against {reference.title}
+              </th>
+            )}
+            <th scope="col" class="chart-number">
+              Time
+            </th>
+            <th scope="col">Note</th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map((row, i) => {
+            const difference = compare(row);
+            return (
+              <tr key={i}>
+                <th scope="row">
+                  {!row.title.startsWith(methodNames[row.method] ?? row.method) && (
+                    <span class="chart-missing">{methodNames[row.method] ?? row.method}: </span>
+                  )}
+                  {row.title}
+                </th>
+                <td>{row.criterion}</td>
+                <td class="chart-number">
+                  <strong>{row.factor === null ? "none" : formatFactor(row.factor)}</strong>
+                </td>
+                <td class="chart-number">
+                  {row.lower === null || row.upper === null
+                    ? "–"
+                    : `${formatFactor(row.lower)}–${formatFactor(row.upper)}`}
+                </td>
+                {reference && (
+                  <td class="chart-number">
+                    {row === reference ? "=" : difference === null ? "–" : formatDifference(difference)}
+                  </td>
+                )}
+                <td class="chart-number">{row.seconds === null ? "–" : formatDuration(row.seconds)}</td>
+                <td>{row.note || "–"}</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </Scroller>
+  );
 }
 
 function FactorRows({ table }: { table: MethodTable }) {
@@ -33,68 +97,25 @@ function FactorRows({ table }: { table: MethodTable }) {
     { name: "computing time", unit: "s", values: rows.map((r) => r.seconds) },
     { name: "note", values: rows.map((r) => r.note) },
   ];
+  // A surface that slices were given is no answer of theirs.
+  const isGiven = (row: MethodRow) =>
+    row.method === "lem" && (!row.surface.startsWith("lem.") || /^lem\.(surface|handed)\[/.test(row.surface));
+  const given = rows.some((row) => row.method === "lem" && !isGiven(row)) ? rows.filter(isGiven) : [];
+  const found = rows.filter((row) => !given.includes(row));
+  const shared = { reference, compare };
   return (
     <>
       <div class="chart-head">
         <h3 id="chart-compared-title">Factors of safety by method</h3>
         <CsvButton part="methods" columns={columns} />
       </div>
-      <Scroller class="chart-scroll" label="Factors of safety by method and criterion">
-        <table class="chart-table">
-          <thead>
-            <tr>
-              <th scope="col">Method</th>
-              <th scope="col">Criterion</th>
-              <th scope="col" class="chart-number">
-                F
-              </th>
-              <th scope="col" class="chart-number">
-                Bracket
-              </th>
-              {reference && (
-                <th scope="col" class="chart-number chart-wrap">
-                  against {reference.title}
-                </th>
-              )}
-              <th scope="col" class="chart-number">
-                Time
-              </th>
-              <th scope="col">Note</th>
-            </tr>
-          </thead>
-          <tbody>
-            {rows.map((row, i) => {
-              const difference = compare(row);
-              return (
-                <tr key={i}>
-                  <th scope="row">
-                    {!row.title.startsWith(methodNames[row.method] ?? row.method) && (
-                      <span class="chart-missing">{methodNames[row.method] ?? row.method}: </span>
-                    )}
-                    {row.title}
-                  </th>
-                  <td>{row.criterion}</td>
-                  <td class="chart-number">
-                    <strong>{row.factor === null ? "none" : formatFactor(row.factor)}</strong>
-                  </td>
-                  <td class="chart-number">
-                    {row.lower === null || row.upper === null
-                      ? "–"
-                      : `${formatFactor(row.lower)}–${formatFactor(row.upper)}`}
-                  </td>
-                  {reference && (
-                    <td class="chart-number">
-                      {row === reference ? "=" : difference === null ? "–" : percent(difference)}
-                    </td>
-                  )}
-                  <td class="chart-number">{row.seconds === null ? "–" : formatDuration(row.seconds)}</td>
-                  <td>{row.note || "–"}</td>
-                </tr>
-              );
-            })}
-          </tbody>
-        </table>
-      </Scroller>
+      <RowTable {...shared} rows={found} label="Factors of safety by method and criterion" />
+      {given.length > 0 && (
+        <details class="compared-more">
+          <summary>{given.length} more on given surfaces, and on those of other methods</summary>
+          <RowTable {...shared} rows={given} label="Factors of safety on given surfaces" />
+        </details>
+      )}
     </>
   );
 }
@@ -128,11 +149,18 @@ export function MethodsSection() {
       {table.reading.length > 0 && (
         <figure class="chart-figure" aria-label="How to read the differences">
           <h4>How to read the differences</h4>
-          <ul class="compared-list">
-            {table.reading.map((text) => (
-              <li key={text}>{formatSentence(text)}</li>
+          <dl class="compared-reading">
+            {table.reading.map(({ topic, sentences }) => (
+              <div key={topic}>
+                <dt>{topic}</dt>
+                <dd>
+                  {sentences.map((text) => (
+                    <p key={text}>{formatSentence(text)}</p>
+                  ))}
+                </dd>
+              </div>
             ))}
-          </ul>
+          </dl>
         </figure>
       )}
       <Handed table={table} />

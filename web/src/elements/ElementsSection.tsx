@@ -60,6 +60,16 @@ function FactorRows({ runs }: { runs: FlowRun[] }) {
   );
 }
 
+/** Why there is no picture, and where the fields are. */
+function NotDrawn({ element }: { element: string }) {
+  return (
+    <p>
+      {element === "T10" ? "Finite elements in three dimensions are" : "The finite elements of this run are"} not drawn
+      here; ParaView shows them from <code>fem.vtu</code> in the results folder.
+    </p>
+  );
+}
+
 export function ElementsSection() {
   const elements = report.value.finite_elements;
   const [flow, setFlow] = useState("");
@@ -100,7 +110,7 @@ export function ElementsSection() {
           />
         </div>
       )}
-      {run?.fields && <ElementsFigure elements={elements} run={run} />}
+      {run?.fields ? <ElementsFigure elements={elements} run={run} /> : run && <NotDrawn element={elements.element} />}
       {runs.length > 0 && <ReductionChart runs={runs} />}
       {runs.length > 0 && <TrialTable runs={runs} />}
     </section>

@@ -26,52 +26,57 @@ export function TrialTable({ runs }: { runs: FlowRun[] }) {
         <h4>Trials</h4>
         <CsvButton part="finite-element-trials" columns={columns} />
       </div>
-      <Scroller class="chart-scroll" label="Trials of the strength reduction by finite elements">
-        <table class="chart-table">
-          <thead>
-            <tr>
-              {several && <th scope="col">Flow</th>}
-              <th scope="col" class="chart-number">
-                F
-              </th>
-              <th scope="col">Equilibrium</th>
-              <th scope="col" class="chart-number">
-                Iterations
-              </th>
-              <th scope="col" class="chart-number chart-wrap">
-                Force residual
-              </th>
-              <th scope="col" class="chart-number chart-wrap">
-                Displacement residual
-              </th>
-              <th scope="col" class="chart-number chart-wrap">
-                {titleWithUnit("Largest displacement", unit.name)}
-              </th>
-              <th scope="col" class="chart-number">
-                Time [s]
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {rows.map(({ run, trial }, i) => (
-              <tr key={i}>
-                {several && <td>{run.title}</td>}
-                <th scope="row" class="chart-number">
-                  {trial.factor.toFixed(4)}
+      <details>
+        <summary class="elements-summary">
+          {rows.length} trials, {rows.filter(({ trial }) => trial.converged).length} of them in equilibrium
+        </summary>
+        <Scroller class="chart-scroll" label="Trials of the strength reduction by finite elements">
+          <table class="chart-table">
+            <thead>
+              <tr>
+                {several && <th scope="col">Flow</th>}
+                <th scope="col" class="chart-number">
+                  F
                 </th>
-                <td>
-                  {trial.converged ? <span class="chart-good">✓ found</span> : <span class="chart-bad">✗ none</span>}
-                </td>
-                <td class="chart-number">{formatNumber(trial.iterations)}</td>
-                <td class="chart-number">{formatNumber(trial.force_residual, 2)}</td>
-                <td class="chart-number">{formatNumber(trial.displacement_residual, 2)}</td>
-                <td class="chart-number">{formatNumber(trial.displacement / unit.si, 4)}</td>
-                <td class="chart-number">{formatNumber(trial.seconds, 3)}</td>
+                <th scope="col">Equilibrium</th>
+                <th scope="col" class="chart-number">
+                  Iterations
+                </th>
+                <th scope="col" class="chart-number chart-wrap">
+                  Force residual
+                </th>
+                <th scope="col" class="chart-number chart-wrap">
+                  Displacement residual
+                </th>
+                <th scope="col" class="chart-number chart-wrap">
+                  {titleWithUnit("Largest displacement", unit.name)}
+                </th>
+                <th scope="col" class="chart-number">
+                  Time [s]
+                </th>
               </tr>
-            ))}
-          </tbody>
-        </table>
-      </Scroller>
+            </thead>
+            <tbody>
+              {rows.map(({ run, trial }, i) => (
+                <tr key={i}>
+                  {several && <td>{run.title}</td>}
+                  <th scope="row" class="chart-number">
+                    {trial.factor.toFixed(4)}
+                  </th>
+                  <td>
+                    {trial.converged ? <span class="chart-good">✓ found</span> : <span class="chart-bad">✗ none</span>}
+                  </td>
+                  <td class="chart-number">{formatNumber(trial.iterations)}</td>
+                  <td class="chart-number">{formatNumber(trial.force_residual, 2)}</td>
+                  <td class="chart-number">{formatNumber(trial.displacement_residual, 2)}</td>
+                  <td class="chart-number">{formatNumber(trial.displacement / unit.si, 4)}</td>
+                  <td class="chart-number">{formatNumber(trial.seconds, 3)}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </Scroller>
+      </details>
     </figure>
   );
 }

@@ -1,9 +1,11 @@
 /** The answer: the factor of safety large, in words, beside other criteria; runout; warnings. */
 import { report } from "../state";
 import { FactorTable, methodNames } from "./FactorTable";
-import { formatFactor, formatQuantity, formatSentence } from "./format";
+import { formatCount, formatFactor, formatQuantity, formatSentence } from "./format";
+import { splitFactors } from "./shortFactors";
 import { WarningLink, Warnings } from "./Warnings";
 import type { Factor, NamedResult } from "../contract";
+import "./answer.css";
 
 /** Partial factors make it one of design values, and failure a matter of verification. */
 const hasDesignValues = () => report.value.method_table?.partial_factors !== undefined;
@@ -56,6 +58,29 @@ function MainFactor({ factor }: { factor: Factor }) {
   );
 }
 
+/** The table of the answer: all criteria of material points alone, a choice where several methods answer. */
+function Factors({ factors }: { factors: Factor[] }) {
+  const { shown, folded } = splitFactors(factors);
+  return (
+    <>
+      <FactorTable
+        factors={shown}
+        among={factors}
+        caption="Factor of safety by each criterion, with the bracket that the search ended with"
+      />
+      {folded.length > 0 && (
+        <details class="more-factors no-print">
+          <summary>{formatCount(folded.length, "more factor", "more factors")} of safety</summary>
+          <FactorTable factors={folded} among={factors} caption="The other factors of safety" />
+          <p>
+            With computing times and notes: <a href="#compared">Methods beside each other</a>.
+          </p>
+        </details>
+      )}
+    </>
+  );
+}
+
 /** What an engineer asks for first, where there is no room for everything. */
 const wanted = [
   "moved_volume",
@@ -87,8 +112,10 @@ function pickResults(results: NamedResult[], most: number): NamedResult[] {
     const found = wanted.indexOf(last);
     return found < 0 ? wanted.length : found;
   };
+  // Beside other methods the stages only prepare the strength reduction, and the mesh is told below.
+  const isAside = (name: string) => (report.value.method_table?.asked.length ?? 1) > 1 && /^(stage\[|mesh\.)/.test(name);
   return results
-    .filter((result) => !isFactor(result.name) && !isOtherAcceleration(result.name))
+    .filter(({ name }) => !isFactor(name) && !isOtherAcceleration(name) && !isAside(name))
     .sort((a, b) => rank(a) - rank(b))
     .slice(0, most);
 }
@@ -119,6 +146,13 @@ export function Answer() {
   const results = pickResults(answer.results, main ? 4 : 6);
   const [first, ...others] = answer.sentences;
   const moreWords = others.length > 0 && <p class="more-words">{others.map(formatSentence).join(" ")}</p>;
+  const listedWords = others.length > 0 && (
+    <ul class="more-words listed">
+      {others.map((text) => (
+        <li key={text}>{formatSentence(text)}</li>
+      ))}
+    </ul>
+  );
   return (
     <section id="answer" class="answer" aria-labelledby="answer-title" tabIndex={-1}>
       <h2 id="answer-title" class="unseen">
@@ -126,9 +160,8 @@ export function Answer() {
       </h2>
       {mains.length > 1 ? <MainFactors factors={mains} /> : main && <MainFactor factor={main} />}
       {first && <p class={main ? "in-words" : "in-words only"}>{formatSentence(first)}</p>}
-      {mains.length < 2 && moreWords}
-      {answer.factors.length > 0 && <FactorTable factors={answer.factors} />}
-      {mains.length > 1 && moreWords}
+      {mains.length > 1 ? listedWords : moreWords}
+      {answer.factors.length > 0 && <Factors factors={answer.factors} />}
       {results.length > 0 && <Results results={results} large={!main} />}
       <Warnings />
     </section>

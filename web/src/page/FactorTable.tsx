@@ -36,12 +36,19 @@ function Strip({ factor, range: [low, high] }: { factor: Factor; range: [number,
   );
 }
 
-export function FactorTable({ factors }: { factors: Factor[] }) {
-  const range = findRange(factors);
-  const methods = new Set(factors.map((factor) => factor.method));
+interface Props {
+  factors: Factor[];
+  /** Those that share the axis. */
+  among: Factor[];
+  caption: string;
+}
+
+export function FactorTable({ factors, among, caption }: Props) {
+  const range = findRange(among);
+  const methods = new Set(among.map((factor) => factor.method));
   return (
     <table class="factors">
-      <caption class="unseen">Factor of safety by each criterion, with the bracket that the search ended with</caption>
+      <caption class="unseen">{caption}</caption>
       <thead>
         <tr>
           <th scope="col">Criterion</th>

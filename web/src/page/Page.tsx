@@ -1,5 +1,6 @@
 /** The page: the answer first, then what it rests on. */
 import type { ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
 
 import { report } from "../state";
 import {
@@ -24,6 +25,7 @@ import { Guard } from "./Guard";
 import { InputPart } from "./InputPart";
 import { Lazy } from "./Lazy";
 import { MethodsPart } from "./methods/MethodsPart";
+import { openAtMechanism } from "./opening";
 import { Part } from "./Part";
 import { ProvenancePart } from "./ProvenancePart";
 import { Statement } from "./statement/Statement";
@@ -67,6 +69,7 @@ function ChartPart({ id, title, what, height, draw }: ChartProps) {
 }
 
 export function Page() {
+  useState(() => openAtMechanism(report.value));
   const entries = listContents(report.value);
   const has = (id: string) => entries.some((entry) => entry.id === id);
   return (

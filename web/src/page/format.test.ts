@@ -1,7 +1,15 @@
 // Numbers as engineers write them.
 import { describe, expect, it } from "vitest";
 
-import { formatDate, formatDuration, formatFactor, formatNumber, formatQuantity, formatSentence } from "./format";
+import {
+  formatDate,
+  formatDifference,
+  formatDuration,
+  formatFactor,
+  formatNumber,
+  formatQuantity,
+  formatSentence,
+} from "./format";
 
 describe("formatNumber", () => {
   it.each([
@@ -54,4 +62,14 @@ it("writes dates in full and leaves other texts alone", () => {
 it("makes sentences of the results' lines", () => {
   expect(formatSentence("the mesh is coarse")).toBe("The mesh is coarse.");
   expect(formatSentence("Is it?")).toBe("Is it?");
+  expect(formatSentence("λ = 0.45")).toBe("λ = 0.45.");
+});
+
+it("writes differences with one decimal", () => {
+  expect([-4.7e-6, 0.000_4, 0.016, -0.0368].map(formatDifference)).toEqual([
+    "±0.0\u00a0%",
+    "±0.0\u00a0%",
+    "+1.6\u00a0%",
+    "−3.7\u00a0%",
+  ]);
 });

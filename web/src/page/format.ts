@@ -78,7 +78,14 @@ export function formatCount(count: number, one: string, many = `${one}s`): strin
 export function formatSentence(text: string): string {
   const trimmed = text.trim();
   if (!trimmed) return "";
-  return trimmed[0]!.toUpperCase() + trimmed.slice(1) + (/[.!?]$/.test(trimmed) ? "" : ".");
+  // Symbols stay as they are: "λ = 0.45".
+  return trimmed.replace(/^[a-z]/, (first) => first.toUpperCase()) + (/[.!?]$/.test(trimmed) ? "" : ".");
+}
+
+/** A relative difference: "+1.6 %", "±0.0 %". */
+export function formatDifference(share: number): string {
+  const size = Math.abs(100 * share).toFixed(1);
+  return `${Number(size) === 0 ? "±" : share > 0 ? "+" : "−"}${size}\u00a0%`;
 }
 
 /** [x, y] → "(12, 15)". */

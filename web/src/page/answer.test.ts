@@ -1,0 +1,69 @@
+// What the answer shows first where several methods were asked.
+import { describe, expect, it } from "vitest";
+
+import type { Factor, Report } from "../contract";
+import { findMechanism } from "./opening";
+import { splitFactors } from "./shortFactors";
+
+const makeFactor = (method: string, name: string, value: number, main = false) =>
+  ({ method, name, title: name, value, lower: null, upper: null, note: "", main }) as Factor;
+const factors = [
+  makeFactor("lem", "lem.bishop", 1.44),
+  makeFactor("lem", "lem.spencer", 1.439, true),
+  makeFactor("lem", "lem.noncircular.janbu", 1.38),
+  makeFactor("lem", "lem.noncircular.spencer", 1.434),
+  makeFactor("fem", "fem.factor", 1.432, true),
+  makeFactor("fem", "fem.by_displacement", 1.432),
+  makeFactor("fem", "fem.associated.factor", 1.463),
+  makeFactor("mpm", "factor_of_safety.frozen", 1.393, true),
+  makeFactor("mpm", "factor_of_safety.bilinear", 1.593),
+  makeFactor("mpm", "factor_of_safety.jump", 1.625),
+];
+
+describe("the short table", () => {
+  it("has the main rows and what explains them, the fold all others", () => {
+    const { shown, folded } = splitFactors(factors);
+    expect(shown.map((f) => f.name)).toEqual([
+      "lem.spencer",
+      "lem.noncircular.spencer",
+      "fem.factor",
+      "fem.associated.factor",
+      "factor_of_safety.frozen",
+      "factor_of_safety.bilinear",
+    ]);
+    expect(shown.length + folded.length).toBe(factors.length);
+  });
+
+  it("has all of material points alone", () => {
+    const own = factors.filter((f) => f.method === "mpm");
+    expect(splitFactors(own)).toEqual({ shown: own, folded: [] });
+  });
+});
+
+describe("the viewer", () => {
+  const still = { end: "time", force_ratio: 1e-8, nodal_speed: 1e-8 };
+  const moving = { end: "time", force_ratio: 2e-3, nodal_speed: 1e-3 };
+  const make = (points: object[], method = "fem") =>
+    ({
+      answer: { factors },
+      method_table: { surfaces: [{ method }] },
+      input: {},
+      model: { slope_height: 10 },
+      sequences: [
+        { id: "stages", frames: [{ factor: null }] },
+        { id: "curve", frames: [1.3, 1.4, 1.5, 1.6].map((factor) => ({ factor })), fields: [] },
+      ],
+      curve: { points },
+    }) as unknown as Report;
+  const points = [1.3, 1.4, 1.5, 1.6].map((srf) => ({ srf, ...(srf < 1.45 ? still : moving) }));
+
+  it("opens on the first trial above the factor that goes on moving", () => {
+    expect(findMechanism(make(points))).toEqual({ sequence: 1, frame: 2 });
+  });
+  it("opens on the first above the factor where all come to rest", () => {
+    expect(findMechanism(make(points.map((p) => ({ ...p, ...still }))))).toEqual({ sequence: 1, frame: 1 });
+  });
+  it("is left alone where no other method has a surface", () => {
+    expect(findMechanism(make(points, "mpm"))).toBeNull();
+  });
+});
