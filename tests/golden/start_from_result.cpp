@@ -257,7 +257,8 @@ TEST_F(StartFromResult, ReducesTheStrengthFromThere) {
   run(bank, "one");
   const std::string again = "[[stage]]\nname = \"again\"\nduration = 0.2\ndamping = 0.5\n";
   const std::string reduction =
-      "[analysis]\nkind = \"strength_reduction\"\n[strength_reduction.curve]\nsmoothing = \"none\"\nfrom = 1\nto = 1.6\nstep = 0.3\n"
+      "[analysis]\nkind = \"strength_reduction\"\n[strength_reduction.curve]\nsmoothing = \"none\"\nfrom = 1\nto = "
+      "1.6\nstep = 0.3\n"
       "refine = false\nwindow = 0.3\nrunout = [1.6]\nrunout_time = 0.5\n[strength_reduction.frozen]\n"
       "resolution = 0.05\nalgorithm = \"frontal\"\n";
   bank.stages = std::string(golden::come_to_rest) + again + reduction;
