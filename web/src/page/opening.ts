@@ -1,4 +1,5 @@
 /** What the viewer opens on where slip surfaces of other methods lie over the material points. */
+import { effect } from "@preact/signals";
 import { findRestLimits, judgeTrial } from "../charts/rest";
 import type { Report } from "../contract";
 import { fieldName, frameIndex, sequenceIndex } from "../state";
@@ -32,8 +33,15 @@ export function openAtMechanism(report: Report): void {
   if (!found) return;
   sequenceIndex.value = found.sequence;
   frameIndex.value = found.frame;
-  // Those of all trials are the strains of the run-away ones, next to which a slip band pales.
+  // Those of all trials are the strains of the run-away ones, next to which a slip band pales. Another sequence has its
+  // usual limits again.
+  const usual = limitMode.value;
   limitMode.value = "frame";
+  const stop = effect(() => {
+    if (sequenceIndex.value === found.sequence) return;
+    if (limitMode.peek() === "frame") limitMode.value = usual;
+    queueMicrotask(() => stop());
+  });
   const fields = report.sequences[found.sequence]!.fields.map((f) => f.name);
   if (!fields.includes(fieldName.value)) fieldName.value = fields[0] ?? "";
 }
