@@ -124,7 +124,7 @@ void describe_slice_soil(Visitor& v, Material& m) {
       "Weight of the soil with its water below the water table, for slices and finite elements; if not given, that of "
       "grains and water where `grain_density` is given, else `unit_weight`.");
   v.key(
-      "pore_pressure_ratio", s.pore_pressure_ratio, plain().at_least(0).at_most(1),
+      "pore_pressure_ratio", s.pore_pressure_ratio, plain().at_least(0).below(1),
       "r_u, pore pressure over the weight of the soil above, in the place of a water table; slices and finite elements "
       "only.");
   v.key("suction_strength", s.suction_strength, plain(),

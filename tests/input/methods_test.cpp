@@ -182,7 +182,7 @@ TEST(CohesionGradient, HasALevelAndStaysPositive) {
   // 3 kPa - 0.5 kPa/m · (30 m - 20 m)
   expect_fault(with("cohesion_gradient = @@-0.5\ncohesion_level = 30\n"), "would be negative, -2 kPa at y = 20 m");
   EXPECT_TRUE(find_faults(with("cohesion_gradient = -0.2\ncohesion_level = 30\n")).empty());
-  expect_fault(with("pore_pressure_ratio = @@1.2\n"), "at least 0 and at most 1");
+  expect_fault(with("pore_pressure_ratio = @@1\n"), "at least 0 and below 1");
 }
 
 TEST(Echo, LeavesOutWhatNoMethodNeeds) {
