@@ -200,22 +200,9 @@ class CaseRun {
   }
 
   void fill_summary_head() {
-    summary_["title"] = data_.title;
-    summary_["project"] = describe_project(data_);
-    summary_["provenance"] = describe_provenance(loaded_, hash_, options_.threads);
+    summary_.update(describe_case(loaded_, hash_, options_.threads));
     summary_["mesh"] = describe_mesh(body_);
     summary_["slope_height"] = slope_height_;
-    summary_["units"] = {{"length", data_.output.length_unit},
-                         {"displacement", data_.output.displacement_unit},
-                         {"stress", data_.output.stress_unit}};
-    json outlines = json::array();
-    for (const mesh::Polygon& p : data_.mesh.polygons) {
-      json outline = json::array();
-      for (const auto& x : p.points) outline.push_back({x[0], x[1]});
-      outlines.push_back(outline);
-    }
-    summary_["outlines"] = outlines;
-    summary_["input"] = loaded_.echo;
   }
 
   /// For the report: the elements and the sides that the boundaries name.

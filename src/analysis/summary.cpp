@@ -108,6 +108,25 @@ json describe_provenance(const model::LoadedCase& loaded, const std::string& inp
           {"started", now_as_text()}, {"case_file", loaded.file},  {"input_hash", input_hash}};
 }
 
+json describe_case(const model::LoadedCase& loaded, const std::string& input_hash, int threads) {
+  const model::Case& data = loaded.data;
+  json outlines = json::array();
+  for (const mesh::Polygon& p : data.mesh.polygons) {
+    json outline = json::array();
+    for (const auto& x : p.points) outline.push_back({x[0], x[1]});
+    outlines.push_back(std::move(outline));
+  }
+  return {{"title", data.title},
+          {"project", describe_project(data)},
+          {"provenance", describe_provenance(loaded, input_hash, threads)},
+          {"units",
+           {{"length", data.output.length_unit},
+            {"displacement", data.output.displacement_unit},
+            {"stress", data.output.stress_unit}}},
+          {"outlines", std::move(outlines)},
+          {"input", loaded.echo}};
+}
+
 json describe_project(const model::Case& data) {
   const model::Project& p = data.project;
   return {{"title", data.title},        {"project", p.name},      {"client", p.client}, {"author", p.author},

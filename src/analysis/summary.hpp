@@ -32,6 +32,9 @@ nlohmann::json to_json(const Profile& profile);
 /// Program, build, machine and input: where a number comes from.
 nlohmann::json describe_provenance(const model::LoadedCase& loaded, const std::string& input_hash, int threads);
 
+/// What the summary of every run begins with, by whatever methods: title, project, provenance, units, outlines, input.
+nlohmann::json describe_case(const model::LoadedCase& loaded, const std::string& input_hash, int threads);
+
 /// The title block of the report.
 nlohmann::json describe_project(const model::Case& data);
 

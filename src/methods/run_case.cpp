@@ -34,29 +34,6 @@ void add_comparison(const model::Case& data, const lem::Slope* slope, json state
   summary["methods"] = std::move(block);
 }
 
-/// What summary.json says of every run, also of one without material points.
-json describe_case(const model::LoadedCase& loaded, const std::string& hash, int threads) {
-  const model::Case& data = loaded.data;
-  json summary{{"title", data.title},
-               {"project", analysis::describe_project(data)},
-               {"provenance", analysis::describe_provenance(loaded, hash, threads)},
-               {"units",
-                {{"length", data.output.length_unit},
-                 {"displacement", data.output.displacement_unit},
-                 {"stress", data.output.stress_unit}}},
-               {"input", loaded.echo},
-               {"outlines", json::array()},
-               {"warnings", json::array()}};
-  for (const mesh::Polygon& p : data.mesh.polygons) {
-    json outline = json::array();
-    for (const auto& x : p.points) outline.push_back({x[0], x[1]});
-    summary["outlines"].push_back(std::move(outline));
-  }
-  if (data.mesh.dimension == 2 && !data.mesh.polygons.empty())
-    summary["slope_height"] = find_slope_height(data.mesh, find_ground(data.mesh));
-  return summary;
-}
-
 /// A case without material points.
 class StaticRun {
  public:
@@ -67,7 +44,11 @@ class StaticRun {
   json run() {
     const auto start = Clock::now();
     StaticMethods methods(design_.data, hash_, options_);
-    summary_ = describe_case(loaded_, hash_, options_.threads);
+    const mesh::Plan& plan = loaded_.data.mesh;
+    summary_ = analysis::describe_case(loaded_, hash_, options_.threads);
+    summary_["warnings"] = json::array();
+    if (plan.dimension == 2 && !plan.polygons.empty())
+      summary_["slope_height"] = find_slope_height(plan, find_ground(plan));
     bool is_open = false;
     const auto open_folder = [&] {
       analysis::clear_folder(options_);
