@@ -59,8 +59,8 @@ talus::bench::Yardstick<D> make_case(const std::string& name, int threads, const
                : talus::bench::make_yardstick<D>(name, chunks, rooted);
   y.options.threads = threads;
   y.options.mixed = flags.contains("mixed");
-  if (flags.contains("smooth")) y.options.smoothing = talus::model::Smoothing::strain;
-  if (flags.contains("stable")) y.options.smoothing = talus::model::Smoothing::stable;
+  if (flags.contains("smooth")) y.options.smoothing = talus::input::Smoothing::strain;
+  if (flags.contains("stable")) y.options.smoothing = talus::input::Smoothing::stable;
   y.options.objective = flags.contains("objective");
   y.options.net_damping = flags.contains("net");
   y.options.implicit_drag = !flags.contains("explicit");

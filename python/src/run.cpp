@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "methods/run_case.hpp"
 #include "bind.hpp"
 #include "drive.hpp"
+#include "methods/run_case.hpp"
 #include "study/study.hpp"
 
 namespace talus::python {
@@ -22,7 +22,7 @@ Options make_options(const std::filesystem::path& folder, int threads, bool resu
   return options;
 }
 
-void run(const model::LoadedCase& loaded, const std::filesystem::path& folder, int threads, bool resume, bool overwrite,
+void run(const input::LoadedCase& loaded, const std::filesystem::path& folder, int threads, bool resume, bool overwrite,
          const py::object& callback) {
   auto options = make_options<analysis::RunOptions>(folder, threads, resume, overwrite);
   const auto work = [&](Progress& progress) {
@@ -34,7 +34,7 @@ void run(const model::LoadedCase& loaded, const std::filesystem::path& folder, i
 
 /// Returns the error of a study whose variants did not all finish, or None; throws when it was stopped, and what kept
 /// it from beginning.
-py::object study(const model::LoadedCase& base, const std::filesystem::path& folder, int threads, bool resume,
+py::object study(const input::LoadedCase& base, const std::filesystem::path& folder, int threads, bool resume,
                  bool overwrite, const py::object& callback) {
   auto options = make_options<study::StudyOptions>(folder, threads, resume, overwrite);
   std::optional<Error> failure;

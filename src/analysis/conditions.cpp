@@ -26,33 +26,33 @@ Vec<D> truncate(const std::array<double, 3>& v) {
 }
 
 template <int D>
-void apply_boundary(mpm::Body<D>& body, const model::Boundary& boundary, const std::type_identity_t<Vec<D>>& gravity) {
+void apply_boundary(mpm::Body<D>& body, const input::Boundary& boundary, const std::type_identity_t<Vec<D>>& gravity) {
   const auto& sides = find_sides(body.mesh(), boundary.on);
   mpm::Conditions<D>& conditions = body.conditions;
-  if (boundary.fix == model::Fix::velocity)
+  if (boundary.fix == input::Fix::velocity)
     conditions.prescribed.push_back({truncate<D>(boundary.velocity), boundary.factor});
   for (const auto& [node, normals] : find_node_normals(body, sides, gravity)) {
     mpm::Constraint<D>& c = get_constraint(conditions, node);
     switch (boundary.fix) {
-      case model::Fix::full:
+      case input::Fix::full:
         for (std::size_t d = 0; d < D; ++d) {
           Vec<D> axis{};
           axis[d] = 1;
           add_direction<D>(c.fixed, c.fixed_count, axis);
         }
         break;
-      case model::Fix::normal:
+      case input::Fix::normal:
         for (const Vec<D>& n : normals) add_direction<D>(c.fixed, c.fixed_count, n);
         break;
-      case model::Fix::plane:
+      case input::Fix::plane:
         add_direction<D>(c.fixed, c.fixed_count, truncate<D>(boundary.normal));
         break;
-      case model::Fix::friction:
+      case input::Fix::friction:
         c.has_wall = true;
         c.wall_normal = normals.front();
         c.friction = boundary.friction;
         break;
-      case model::Fix::velocity:
+      case input::Fix::velocity:
         c.prescribed = static_cast<int>(conditions.prescribed.size()) - 1;
         break;
     }
@@ -60,10 +60,10 @@ void apply_boundary(mpm::Body<D>& body, const model::Boundary& boundary, const s
 }
 
 template <int D>
-void apply_traction(mpm::Body<D>& body, const model::Traction& traction) {
+void apply_traction(mpm::Body<D>& body, const input::Traction& traction) {
   const auto& mesh = body.mesh();
   mpm::Load<D> load;
-  load.on_points = traction.carrier == model::Carrier::points;
+  load.on_points = traction.carrier == input::Carrier::points;
   load.factor = traction.factor;
   const Vec<D> t = truncate<D>(traction.traction);
   for (const auto& [side, elements] : map_sides<D>(mesh, find_sides(mesh, traction.on))) {
@@ -102,15 +102,15 @@ void apply_traction(mpm::Body<D>& body, const model::Traction& traction) {
 }  // namespace
 
 template <int D>
-void resolve_conditions(mpm::Body<D>& body, const model::Case& data) {
+void resolve_conditions(mpm::Body<D>& body, const input::Case& data) {
   body.conditions = {};
   body.conditions.constraint_of_node.assign(body.mesh().nodes.size(), -1);
   Vec<D> gravity = truncate<D>(data.gravity.direction);
-  for (const model::Boundary& boundary : data.boundaries) apply_boundary(body, boundary, gravity);
-  for (const model::Traction& traction : data.tractions) apply_traction(body, traction);
+  for (const input::Boundary& boundary : data.boundaries) apply_boundary(body, boundary, gravity);
+  for (const input::Traction& traction : data.tractions) apply_traction(body, traction);
 }
 
-template void resolve_conditions<2>(mpm::Body<2>&, const model::Case&);
-template void resolve_conditions<3>(mpm::Body<3>&, const model::Case&);
+template void resolve_conditions<2>(mpm::Body<2>&, const input::Case&);
+template void resolve_conditions<3>(mpm::Body<3>&, const input::Case&);
 
 }  // namespace talus::analysis

@@ -113,7 +113,7 @@ void copy_from_drained(const mpm::Body<D>& drained, mpm::Body<D>& wet) {
 
 template <int D>
 StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks) {
-  if (plan.step.geometry != model::Geometry::frozen) {
+  if (plan.step.geometry != input::Geometry::frozen) {
     throw Error(ExitCode::wrong_input,
                 fmt::format("stage '{}' holds the pore pressures, which needs frozen geometry", plan.name));
   }

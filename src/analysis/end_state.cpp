@@ -10,7 +10,7 @@
 #include "analysis/recorder.hpp"
 #include "analysis/root_content.hpp"
 #include "base/error.hpp"
-#include "model/declare_material.hpp"
+#include "input/case/declare_material.hpp"
 #include "mpm/coupled_kernels.hpp"
 #include "mpm/observe.hpp"
 #include "mpm/pore_state.hpp"
@@ -131,7 +131,7 @@ std::string hash_values(const Values& values) {
 
 }  // namespace
 
-EndState::EndState(const model::Initial& initial)
+EndState::EndState(const input::Initial& initial)
     : result_(initial.result), archive_(std::filesystem::path(initial.result_folder) / end_state_file) {
   check_lane_width(archive_, fmt::format("the result '{}'", initial.result), "start from it");
   input_ = json::parse(archive_.text("input"));
@@ -153,11 +153,11 @@ int EndState::points_per_element() const {
   return input_.at("mesh").at("points_per_element").at("value");
 }
 
-std::vector<model::MaterialModel> EndState::list_models() const {
-  std::vector<model::MaterialModel> by_number, models;  // materials are numbered by name, as objects are ordered
+std::vector<input::MaterialModel> EndState::list_models() const {
+  std::vector<input::MaterialModel> by_number, models;  // materials are numbered by name, as objects are ordered
   for (const auto& [name, material] : input_.at("materials").items()) {
     const std::string word = material.at("model").at("value");
-    const auto& words = model::choices<model::MaterialModel>;
+    const auto& words = input::choices<input::MaterialModel>;
     const auto found = std::find_if(words.begin(), words.end(), [&](const auto& c) { return c.word == word; });
     if (found == words.end())
       throw Error(ExitCode::wrong_input, fmt::format("the result '{}' has a material of the model '{}', which this "
@@ -170,7 +170,7 @@ std::vector<model::MaterialModel> EndState::list_models() const {
   return models;
 }
 
-bool EndState::has_roots_of(const model::Case& data) const {
+bool EndState::has_roots_of(const input::Case& data) const {
   return archive_.has("roots") && archive_.text("roots") == write_root_input(data);
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "mpm/body.hpp"
 #include "output/archive.hpp"
 
@@ -20,7 +20,7 @@ class EndState {
  public:
   /// Throws Error (wrong_input) when the file is not there, is damaged, or was written by a build with another lane
   /// width.
-  explicit EndState(const model::Initial& initial);
+  explicit EndState(const input::Initial& initial);
 
   /// Echo of the case that ended so; its geometry and mesh are those that the points are on.
   const nlohmann::json& input() const { return input_; }
@@ -33,9 +33,9 @@ class EndState {
   int points_per_element() const;
 
   /// The model of each point's material.
-  std::vector<model::MaterialModel> list_models() const;
+  std::vector<input::MaterialModel> list_models() const;
   /// Whether the roots of the result are those that `data` describes.
-  bool has_roots_of(const model::Case& data) const;
+  bool has_roots_of(const input::Case& data) const;
 
   template <int D>
   mesh::Mesh<D> get_mesh() const;

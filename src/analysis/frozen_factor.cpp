@@ -27,7 +27,7 @@ double FrozenResult::uncertainty() const {
 }
 
 template <int D>
-StagePlan<D> make_frozen_plan(const model::Case& data, const model::FrozenFactor& settings, double slope_height,
+StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor& settings, double slope_height,
                               int threads) {
   StagePlan<D> plan;
   plan.name = "frozen trial";
@@ -42,7 +42,7 @@ StagePlan<D> make_frozen_plan(const model::Case& data, const model::FrozenFactor
   return plan;
 }
 
-MeshFactor search_frozen_factor(const model::FrozenFactor& settings, int side_by_side,
+MeshFactor search_frozen_factor(const input::FrozenFactor& settings, int side_by_side,
                                 const std::function<TrialResult(double)>& run_trial) {
   MeshFactor result;
   const auto is_stable = [&](const std::vector<double>& factors) {
@@ -108,7 +108,7 @@ MeshFactor search_frozen_factor(const model::FrozenFactor& settings, int side_by
 }
 
 template <int D>
-MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data, const model::FrozenFactor& settings,
+MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data, const input::FrozenFactor& settings,
                               double slope_height, int threads) {
   const int side_by_side = count_parallel_trials(state.points.size(), threads);
   const StagePlan<D> plan = make_frozen_plan<D>(data, settings, slope_height, side_by_side > 1 ? 1 : threads);
@@ -122,8 +122,8 @@ MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data
 }
 
 #define TALUS_INSTANTIATE(D)                                                                                     \
-  template StagePlan<D> make_frozen_plan<D>(const model::Case&, const model::FrozenFactor&, double, int);        \
-  template MeshFactor find_frozen_factor<D>(const mpm::Body<D>&, const model::Case&, const model::FrozenFactor&, \
+  template StagePlan<D> make_frozen_plan<D>(const input::Case&, const input::FrozenFactor&, double, int);        \
+  template MeshFactor find_frozen_factor<D>(const mpm::Body<D>&, const input::Case&, const input::FrozenFactor&, \
                                             double, int);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -34,17 +34,17 @@ using KnownTrials = std::map<double, TrialResult>;
 /// Bisects between rest and run-away. `run_trial` calculates the trial with a factor; up to `side_by_side` calls run at
 /// the same time. The factors that are tried do not depend on that: every round tries two that cut the bracket into
 /// three.
-MeshFactor search_frozen_factor(const model::FrozenFactor& settings, int side_by_side,
+MeshFactor search_frozen_factor(const input::FrozenFactor& settings, int side_by_side,
                                 const std::function<TrialResult(double)>& run_trial);
 
 /// The trial at frozen geometry. `slope_height` is H of the criteria [m].
 template <int D>
-StagePlan<D> make_frozen_plan(const model::Case& data, const model::FrozenFactor& settings, double slope_height,
+StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor& settings, double slope_height,
                               int threads);
 
 /// The factor of the body `state` (at rest under real strength, geometry frozen all along), with nothing kept on disk.
 template <int D>
-MeshFactor find_frozen_factor(const mpm::Body<D>& state, const model::Case& data, const model::FrozenFactor& settings,
+MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data, const input::FrozenFactor& settings,
                               double slope_height, int threads);
 
 /// Linear extrapolation of two factors at sizes `coarse` > `fine` to size 0.

@@ -31,7 +31,7 @@ constexpr const char* stage_start = "stage_start.h5";
 constexpr double far_apart = 0.1;
 
 /// The case's plan for mesh `i` of the frozen factor: every element size halved i times, by that factor's mesher.
-mesh::Plan plan_mesh(mesh::Plan plan, const model::FrozenFactor& settings, int i) {
+mesh::Plan plan_mesh(mesh::Plan plan, const input::FrozenFactor& settings, int i) {
   plan.algorithm = settings.algorithm;
   const double share = std::pow(0.5, i);
   plan.size *= share;
@@ -41,13 +41,13 @@ mesh::Plan plan_mesh(mesh::Plan plan, const model::FrozenFactor& settings, int i
 
 /// A stage of the case at frozen geometry, to rest.
 template <int D>
-StagePlan<D> make_frozen_stage(const model::Case& data, const model::Stage& stage, double slope_height, int threads) {
-  const model::FrozenFactor& settings = data.strength_reduction.frozen;
+StagePlan<D> make_frozen_stage(const input::Case& data, const input::Stage& stage, double slope_height, int threads) {
+  const input::FrozenFactor& settings = data.strength_reduction.frozen;
   StagePlan<D> plan = make_plan<D>(data, stage, slope_height, threads);
   plan.name += " at frozen geometry";
   // As the trials calculate, but with the stage's own mass scaling and, below, at least its own damping.
   plan.step = settings.step_settings;
-  plan.step.geometry = model::Geometry::frozen;
+  plan.step.geometry = input::Geometry::frozen;
   plan.step.mass_scaling = stage.step.mass_scaling;
   plan.step.objective_rate = stage.step.objective_rate;
   // Undamped or nearly undamped stages would swing for long without changing where they come to rest.
@@ -108,7 +108,7 @@ class FrozenMesh {
                                : ready    ? base
                                           : mesh::generate<D>(plan_mesh(data_.mesh, settings_, number_)));
     // Held pressures are those of the start, whenever a trial runs; so is the water outside.
-    if (settings_.step_settings.water == model::WaterMotion::held) hold_surfaces(state_, 0);
+    if (settings_.step_settings.water == input::WaterMotion::held) hold_surfaces(state_, 0);
     height_ = find_slope_height(state_, data_.gravity);
     StageState stage_state;
     int first = 0;
@@ -121,7 +121,7 @@ class FrozenMesh {
         checkpoint ? Recorder<D>::resume(recording_, state_, *checkpoint) : Recorder<D>::start(recording_, state_);
     const int threads = count_parallel_trials(state_.points.size(), threads_) > 1 ? 1 : threads_;
     for (int i = first; i < static_cast<int>(data_.stages.size()); ++i) {
-      const model::Stage& stage = data_.stages[i];
+      const input::Stage& stage = data_.stages[i];
       StagePlan<D> plan = make_frozen_stage<D>(data_, stage, height_, threads);
       // The first stage brings the weight on and may settle the slope by any amount; a later one shows whether it
       // stands.
@@ -193,8 +193,8 @@ class FrozenMesh {
   }
 
   const TrialContext& context_;
-  const model::Case& data_;
-  const model::FrozenFactor& settings_;
+  const input::Case& data_;
+  const input::FrozenFactor& settings_;
   int number_, threads_;
   fs::path folder_;
   RecorderSettings recording_;

@@ -22,15 +22,15 @@ struct Start {
   RootsAt roots;
 };
 
-bool is_cam_clay(model::MaterialModel model) {
-  return model == model::MaterialModel::modified_cam_clay || model == model::MaterialModel::rooted_cam_clay;
+bool is_cam_clay(input::MaterialModel model) {
+  return model == input::MaterialModel::modified_cam_clay || model == input::MaterialModel::rooted_cam_clay;
 }
 
-bool is_rooted(model::MaterialModel model) {
-  return model == model::MaterialModel::rooted_mohr_coulomb || model == model::MaterialModel::rooted_cam_clay;
+bool is_rooted(input::MaterialModel model) {
+  return model == input::MaterialModel::rooted_mohr_coulomb || model == input::MaterialModel::rooted_cam_clay;
 }
 
-State make_state(const material::Law& law, const model::Material& soil, const Start& start) {
+State make_state(const material::Law& law, const input::Material& soil, const Start& start) {
   State state{};
   const auto set_cam_clay = [&](const auto& cam_clay) {
     cam_clay.set_initial_state(start.stress, start.void_ratio, start.roots.content,
@@ -56,14 +56,14 @@ double find_saturation(const mpm::PointView<D>& point) {
 
 /// Void ratio of a point, from its grains and its volume.
 template <int D>
-double find_void_ratio(const mpm::PointView<D>& point, const model::Material& soil) {
+double find_void_ratio(const mpm::PointView<D>& point, const input::Material& soil) {
   return std::max(0.0, point.volume * soil.grain_density / point.mass - 1);
 }
 
 /// The state of a point after a change of its material.
 template <int D>
-State adopt(const mpm::PointView<D>& point, const State& fresh, const material::Law& law, const model::Material& soil,
-            model::MaterialModel before, bool same_roots) {
+State adopt(const mpm::PointView<D>& point, const State& fresh, const material::Law& law, const input::Material& soil,
+            input::MaterialModel before, bool same_roots) {
   const auto now = soil.model;
   const bool stays_cam_clay = is_cam_clay(now) && is_cam_clay(before);
   // A run that ended before its preconsolidation was set leaves that to a case that gives one.
@@ -71,8 +71,8 @@ State adopt(const mpm::PointView<D>& point, const State& fresh, const material::
       stays_cam_clay && !material::ModifiedCamClay::is_set(point.state[1]) && soil.cam_clay.preconsolidation;
   if (now == before && !lacks_one && (same_roots || !is_rooted(now))) return point.state;
   RootsAt roots;
-  if (now == model::MaterialModel::rooted_cam_clay) roots.content = fresh[first_root_variable];
-  if (now == model::MaterialModel::rooted_mohr_coulomb) roots.cohesion = fresh[1];
+  if (now == input::MaterialModel::rooted_cam_clay) roots.content = fresh[first_root_variable];
+  if (now == input::MaterialModel::rooted_mohr_coulomb) roots.cohesion = fresh[1];
   State renewed =
       make_state(law, soil, {point.stress.data(), find_void_ratio(point, soil), find_saturation(point), roots});
   const double preconsolidation = renewed[1];
@@ -105,10 +105,10 @@ bool set_point(const CamClay& law, double ratio, const mpm::PointView<D>& point,
 }  // namespace
 
 template <int D>
-void set_initial_state(const model::Case& data, const mesh::Mesh<D>& mesh, const std::vector<material::Law>& laws,
+void set_initial_state(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<material::Law>& laws,
                        const std::vector<std::string>& names, const std::vector<mpm::WaterLaw>& water,
                        std::vector<mpm::InitialPoint<D>>& points) {
-  std::vector<const model::Material*> by_number, soils;
+  std::vector<const input::Material*> by_number, soils;
   for (const std::string& name : names) by_number.push_back(&data.materials.at(name));
   std::vector<Vec<D>> places;
   for (const auto& p : points) {
@@ -126,8 +126,8 @@ void set_initial_state(const model::Case& data, const mesh::Mesh<D>& mesh, const
 }
 
 template <int D>
-void adopt_state(mpm::Body<D>& body, const model::Case& data, const mpm::Body<D>& fresh,
-                 const std::vector<model::MaterialModel>& before, bool same_roots) {
+void adopt_state(mpm::Body<D>& body, const input::Case& data, const mpm::Body<D>& fresh,
+                 const std::vector<input::MaterialModel>& before, bool same_roots) {
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
     const auto at = static_cast<std::size_t>(id);
@@ -138,7 +138,7 @@ void adopt_state(mpm::Body<D>& body, const model::Case& data, const mpm::Body<D>
   }
 }
 
-bool is_equilibrium_stage(const model::Case& data, int stage) {
+bool is_equilibrium_stage(const input::Case& data, int stage) {
   if (data.initial.equilibrium.empty()) return stage == 0;
   return data.stages[static_cast<std::size_t>(stage)].name == data.initial.equilibrium;
 }
@@ -151,17 +151,17 @@ nlohmann::json to_json(const Preconsolidation& done) {
 }
 
 template <int D>
-Preconsolidation set_preconsolidation(mpm::Body<D>& body, const model::Case& data) {
+Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::Case& data) {
   Preconsolidation done{.smallest = std::numeric_limits<double>::infinity()};
   for (int id = 0; id < body.points.size(); ++id) {
     const std::size_t number = body.points.material[static_cast<std::size_t>(id)];
-    const model::Material& soil = data.materials.at(body.material_names[number]);
+    const input::Material& soil = data.materials.at(body.material_names[number]);
     if (!mpm::is_present(body, id) || !is_cam_clay(soil.model) || !soil.cam_clay.preconsolidation_ratio) continue;
     const mpm::PointView<D> point = mpm::view_point(body, id);
     State state = point.state;
     const double ratio = *soil.cam_clay.preconsolidation_ratio;
     const material::Law& law = body.laws[number];
-    if (soil.model == model::MaterialModel::rooted_cam_clay
+    if (soil.model == input::MaterialModel::rooted_cam_clay
             ? set_point(std::get<material::RootedCamClay>(law), ratio, point, state, done)
             : set_point(std::get<material::ModifiedCamClay>(law), ratio, point, state, done))
       mpm::write_state(body, id, state.data());
@@ -171,12 +171,12 @@ Preconsolidation set_preconsolidation(mpm::Body<D>& body, const model::Case& dat
 }
 
 #define TALUS_INSTANTIATE(D)                                                                                      \
-  template void set_initial_state<D>(const model::Case&, const mesh::Mesh<D>&, const std::vector<material::Law>&, \
+  template void set_initial_state<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<material::Law>&, \
                                      const std::vector<std::string>&, const std::vector<mpm::WaterLaw>&,          \
                                      std::vector<mpm::InitialPoint<D>>&);                                         \
-  template void adopt_state<D>(mpm::Body<D>&, const model::Case&, const mpm::Body<D>&,                            \
-                               const std::vector<model::MaterialModel>&, bool);                                   \
-  template Preconsolidation set_preconsolidation<D>(mpm::Body<D>&, const model::Case&);
+  template void adopt_state<D>(mpm::Body<D>&, const input::Case&, const mpm::Body<D>&,                            \
+                               const std::vector<input::MaterialModel>&, bool);                                   \
+  template Preconsolidation set_preconsolidation<D>(mpm::Body<D>&, const input::Case&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

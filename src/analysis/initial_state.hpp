@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
-#include "model/case.hpp"
 #include "mpm/build.hpp"
 
 namespace talus::analysis {
@@ -14,7 +14,7 @@ namespace talus::analysis {
 /// its place. Cam-clay soil whose preconsolidation is a ratio stays elastic until set_preconsolidation(). `laws`,
 /// `names` and `water` by material number. Throws what find_roots() throws.
 template <int D>
-void set_initial_state(const model::Case& data, const mesh::Mesh<D>& mesh, const std::vector<material::Law>& laws,
+void set_initial_state(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<material::Law>& laws,
                        const std::vector<std::string>& names, const std::vector<mpm::WaterLaw>& water,
                        std::vector<mpm::InitialPoint<D>>& points);
 
@@ -23,11 +23,11 @@ void set_initial_state(const model::Case& data, const mesh::Mesh<D>& mesh, const
 /// has. Without `same_roots` all roots are those of this case and new: nothing of them is activated or broken. `fresh`:
 /// the body before it was moved; `before`: the model of each point in the other run.
 template <int D>
-void adopt_state(mpm::Body<D>& body, const model::Case& data, const mpm::Body<D>& fresh,
-                 const std::vector<model::MaterialModel>& before, bool same_roots);
+void adopt_state(mpm::Body<D>& body, const input::Case& data, const mpm::Body<D>& fresh,
+                 const std::vector<input::MaterialModel>& before, bool same_roots);
 
 /// Whether the preconsolidation that is given as a ratio follows from the end of the stage with this number.
-bool is_equilibrium_stage(const model::Case& data, int stage);
+bool is_equilibrium_stage(const input::Case& data, int stage);
 
 /// What set_preconsolidation() did.
 struct Preconsolidation {
@@ -40,6 +40,6 @@ nlohmann::json to_json(const Preconsolidation& done);
 /// Gives Cam-clay points whose preconsolidation is not set yet that of their present stress: saturated and without
 /// roots R_0 times the mean effective stress, or times the smallest pressure of the soil where that is more.
 template <int D>
-Preconsolidation set_preconsolidation(mpm::Body<D>& body, const model::Case& data);
+Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::Case& data);
 
 }  // namespace talus::analysis

@@ -11,13 +11,13 @@ namespace talus::analysis {
 namespace {
 
 template <int D>
-bool is_wet(const model::Case& data, const mesh::Mesh<D>& mesh, int e) {
-  const model::Material* soil = find_soil(data, mesh, e);
+bool is_wet(const input::Case& data, const mesh::Mesh<D>& mesh, int e) {
+  const input::Material* soil = find_soil(data, mesh, e);
   return soil != nullptr && soil->water.is_wet();
 }
 
 template <int D>
-void set_from_table(const model::Case& data, const mesh::Mesh<D>& mesh, InitialWater<D>& water) {
+void set_from_table(const input::Case& data, const mesh::Mesh<D>& mesh, InitialWater<D>& water) {
   check_upright(data, "a water table");
   const double weight = find_water_weight(data);
   Vec<D> middle;
@@ -31,7 +31,7 @@ void set_from_table(const model::Case& data, const mesh::Mesh<D>& mesh, InitialW
 }
 
 template <int D>
-void set_from_seepage(const model::Case& data, const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& seepage,
+void set_from_seepage(const input::Case& data, const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& seepage,
                       InitialWater<D>& water) {
   for (int e = 0; e < mesh.element_count(); ++e) {
     if (!is_wet(data, mesh, e)) continue;
@@ -43,21 +43,21 @@ void set_from_seepage(const model::Case& data, const mesh::Mesh<D>& mesh, const 
 
 /// Heads of the nodes in the state that the season begins with [m].
 template <int D>
-std::vector<double> find_first_heads(const model::Case& data, const mesh::Mesh<D>& mesh, const InitialWater<D>& water) {
+std::vector<double> find_first_heads(const input::Case& data, const mesh::Mesh<D>& mesh, const InitialWater<D>& water) {
   if (water.seepage) return water.seepage->head;
-  const model::InitialWater& initial = data.initial.water;
+  const input::InitialWater& initial = data.initial.water;
   const double weight = find_water_weight(data);
   std::vector<double> heads;
   for (const Vec<D>& x : mesh.nodes) {
     const double level =
-        initial.pressure == model::InitialPressure::zero ? x[1] : find_water_table(initial.water_table, x[0]);
+        initial.pressure == input::InitialPressure::zero ? x[1] : find_water_table(initial.water_table, x[0]);
     heads.push_back(x[1] - std::min(x[1] - level, initial.largest_suction / weight));
   }
   return heads;
 }
 
 template <int D>
-void follow_season(const model::Case& data, const mesh::Mesh<D>& mesh, const fem::SeepageModel<D>& model,
+void follow_season(const input::Case& data, const mesh::Mesh<D>& mesh, const fem::SeepageModel<D>& model,
                    InitialWater<D>& water) {
   Season<D> season = run_season<D>(data, model, find_first_heads<D>(data, mesh, water));
   water.pressure.assign(mesh.elements.size(), 0.0);
@@ -97,24 +97,24 @@ double find_water_table(const std::vector<std::array<double, 2>>& table, double 
 }
 
 template <int D>
-InitialWater<D> find_initial_water(const model::Case& data, const mesh::Mesh<D>& mesh) {
+InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>& mesh) {
   InitialWater<D> water;
   water.pressure.assign(mesh.elements.size(), 0.0);
   water.velocity.assign(mesh.elements.size(), {});
   if (!has_water(data)) return water;
   // A state that is taken over has its weather behind it.
   const bool has_season = data.initial.water.season > 0 && data.initial.result.empty();
-  const bool seeps = data.initial.water.pressure == model::InitialPressure::seepage;
+  const bool seeps = data.initial.water.pressure == input::InitialPressure::seepage;
   mesh::Mesh<D> wet_mesh;
   fem::SeepageModel<D> model;
   if (has_season || seeps) model = make_seepage_model<D>(data, mesh, wet_mesh);
   switch (data.initial.water.pressure) {
-    case model::InitialPressure::zero:
+    case input::InitialPressure::zero:
       break;
-    case model::InitialPressure::water_table:
+    case input::InitialPressure::water_table:
       set_from_table(data, mesh, water);
       break;
-    case model::InitialPressure::seepage:
+    case input::InitialPressure::seepage:
       water.seepage = fem::solve_steady_seepage(model, {}, {}, has_season ? -data.initial.water.season : 0);
       set_from_seepage<D>(data, mesh, *water.seepage, water);
       break;
@@ -124,7 +124,7 @@ InitialWater<D> find_initial_water(const model::Case& data, const mesh::Mesh<D>&
 }
 
 template <int D>
-std::vector<double> find_ponded_load(const model::Case& data, const mesh::Mesh<D>& mesh,
+std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D>& mesh,
                                      const std::vector<mpm::InitialPoint<D>>& points) {
   constexpr double steepest = 1e-6;  // a vertical wall carries no water on its back
   std::vector<double> load(points.size(), 0.0);
@@ -163,8 +163,8 @@ std::vector<double> find_ponded_load(const model::Case& data, const mesh::Mesh<D
 }
 
 #define TALUS_INSTANTIATE(D)                                                                 \
-  template InitialWater<D> find_initial_water<D>(const model::Case&, const mesh::Mesh<D>&);  \
-  template std::vector<double> find_ponded_load<D>(const model::Case&, const mesh::Mesh<D>&, \
+  template InitialWater<D> find_initial_water<D>(const input::Case&, const mesh::Mesh<D>&);  \
+  template std::vector<double> find_ponded_load<D>(const input::Case&, const mesh::Mesh<D>&, \
                                                    const std::vector<mpm::InitialPoint<D>>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -6,7 +6,7 @@
 
 #include "analysis/season.hpp"
 #include "fem/seepage.hpp"
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "mpm/build.hpp"
 
 namespace talus::analysis {
@@ -23,7 +23,7 @@ struct InitialWater {
 /// Throws Error (wrong_input) when gravity is inclined where levels matter, and what solve_steady_seepage() and
 /// run_season() throw.
 template <int D>
-InitialWater<D> find_initial_water(const model::Case& data, const mesh::Mesh<D>& mesh);
+InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>& mesh);
 
 /// Level of the water table at x [m]: linear between its points, horizontal beyond its ends.
 double find_water_table(const std::vector<std::array<double, 2>>& table, double x);
@@ -31,12 +31,12 @@ double find_water_table(const std::vector<std::array<double, 2>>& table, double 
 /// What steady seepage through the case is: materials by region, [[hydraulic]] by boundary; regions without pore water
 /// take no part. `wet_mesh` receives the mesh with those regions empty, and must live as long as the model.
 template <int D>
-fem::SeepageModel<D> make_seepage_model(const model::Case& data, const mesh::Mesh<D>& mesh, mesh::Mesh<D>& wet_mesh);
+fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mesh<D>& mesh, mesh::Mesh<D>& wet_mesh);
 
 /// Pressure [Pa] of water that stands on the ground above each point, from the total heads and pressures at time 0 of
 /// the surfaces that face upwards. Zero for all in a case without.
 template <int D>
-std::vector<double> find_ponded_load(const model::Case& data, const mesh::Mesh<D>& mesh,
+std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D>& mesh,
                                      const std::vector<mpm::InitialPoint<D>>& points);
 
 }  // namespace talus::analysis

@@ -15,7 +15,7 @@ namespace talus::analysis {
 struct TrialContext {
   std::filesystem::path folder;  ///< of the case
   std::string input_hash;
-  const model::Case* data = nullptr;
+  const input::Case* data = nullptr;
   Progress* progress = nullptr;
   bool resume = false;
   std::vector<int> monitor_points;  ///< those of the stages

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
-#include "model/result_names.hpp"
+#include "input/case/result_names.hpp"
 
 namespace talus::analysis {
 namespace {
@@ -78,8 +78,8 @@ std::string write_sentence(const std::vector<MonitorOnset>& order, MotionPattern
 
 }  // namespace
 
-std::optional<Clock> find_clock(const model::Case& data, const json& stages) {
-  const model::Stage* stage = model::find_clock_stage(data);
+std::optional<Clock> find_clock(const input::Case& data, const json& stages) {
+  const input::Stage* stage = input::find_clock_stage(data);
   if (stage == nullptr || !stages.is_array()) return std::nullopt;
   const auto index = static_cast<std::size_t>(stage - data.stages.data());
   if (index > stages.size()) return std::nullopt;
@@ -129,7 +129,7 @@ std::optional<double> find_onset(std::span<const double> time, std::span<const d
   return std::nullopt;
 }
 
-double find_onset_threshold(const model::Output& output, double slope_height) {
+double find_onset_threshold(const input::Output& output, double slope_height) {
   return output.onset_displacement.value_or(output.onset_ratio * slope_height);
 }
 
@@ -152,7 +152,7 @@ MotionPattern find_pattern(const std::vector<MonitorOnset>& monitors) {
   return MotionPattern::mixed;
 }
 
-json describe_motion(const model::Case& data, const json& stages, double slope_height,
+json describe_motion(const input::Case& data, const json& stages, double slope_height,
                      const std::filesystem::path& folder) {
   const std::optional<Clock> clock = find_clock(data, stages);
   const auto file = folder / "monitors.csv";
@@ -161,7 +161,7 @@ json describe_motion(const model::Case& data, const json& stages, double slope_h
   const double threshold = find_onset_threshold(data.output, slope_height);
   json monitors = json::array(), names = json::array();
   std::vector<MonitorOnset> order;
-  for (const model::Monitor& m : data.output.monitors) {
+  for (const input::Monitor& m : data.output.monitors) {
     const MonitorPath path = read_monitor_path(table, m.name, *clock);
     double height = 0;
     for (std::size_t d = 0; d < 3; ++d) height -= data.gravity.direction[d] * m.at[d];

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "output/history.hpp"
 
 namespace talus::analysis {
@@ -21,7 +21,7 @@ struct Clock {
 };
 
 /// `stages` as in summary.json, as far as the run came. Nothing when it did not come to the stage.
-std::optional<Clock> find_clock(const model::Case& data, const nlohmann::json& stages);
+std::optional<Clock> find_clock(const input::Case& data, const nlohmann::json& stages);
 
 /// Displacement of a monitor from the start of the clock on, [row], beginning with zero there.
 struct MonitorPath {
@@ -36,7 +36,7 @@ MonitorPath read_monitor_path(const output::HistoryTable& table, const std::stri
 std::optional<double> find_onset(std::span<const double> time, std::span<const double> displacement, double threshold);
 
 /// What counts as movement in the runs of a case [m]: of monitors, and of the soil that has run out.
-double find_onset_threshold(const model::Output& output, double slope_height);
+double find_onset_threshold(const input::Output& output, double slope_height);
 
 /// A monitor with its onset [s], if it moved, and its height [m] at the start.
 struct MonitorOnset {
@@ -54,7 +54,7 @@ MotionPattern find_pattern(const std::vector<MonitorOnset>& monitors);
 
 /// `motion` of summary.json, from monitors.csv in `folder`: clock, threshold, onset and displacement of each monitor,
 /// order, pattern and a sentence that says it with its criterion. Null when there is no monitor or no clock.
-nlohmann::json describe_motion(const model::Case& data, const nlohmann::json& stages, double slope_height,
+nlohmann::json describe_motion(const input::Case& data, const nlohmann::json& stages, double slope_height,
                                const std::filesystem::path& folder);
 
 }  // namespace talus::analysis

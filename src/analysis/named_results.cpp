@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
-#include "model/result_names.hpp"
+#include "input/case/result_names.hpp"
 
 namespace talus::analysis {
 namespace {
@@ -62,7 +62,7 @@ CurveValue find_displacement(const json& summary, double factor) {
 
 /// What a reader must know about how a result was come by; empty for most.
 std::string find_note(const json& summary, const std::string& name) {
-  const auto factor = model::find_trial_factor(name);
+  const auto factor = input::find_trial_factor(name);
   return factor ? find_displacement(summary, *factor).note : "";
 }
 
@@ -151,7 +151,7 @@ std::optional<double> find_element_result(const json& summary, const std::string
   return find_listed(get(get(summary, "fem"), "runs"), "flow", associated ? "associated" : "as_given", name.c_str());
 }
 
-json describe_unit(const std::string& unit, const model::Output& output) {
+json describe_unit(const std::string& unit, const input::Output& output) {
   const std::string shown = unit == "m" ? output.length_unit : (unit == "Pa" ? output.stress_unit : unit);
   return {{"name", shown}, {"si", units::get_si_factor(shown)}};
 }
@@ -159,8 +159,8 @@ json describe_unit(const std::string& unit, const model::Output& output) {
 }  // namespace
 
 std::optional<double> find_result(const json& summary, const std::string& name) {
-  if (const auto factor = model::find_trial_factor(name)) return find_displacement(summary, *factor).displacement;
-  if (model::find_point_result_name(name)) return get_number(get(summary, "point_results"), name.c_str());
+  if (const auto factor = input::find_trial_factor(name)) return find_displacement(summary, *factor).displacement;
+  if (input::find_point_result_name(name)) return get_number(get(summary, "point_results"), name.c_str());
   const Path path = split(name);
   if (path.block == "factor_of_safety") return find_factor(summary, path.key);
   if (path.block == "lem" || path.block.starts_with("lem.")) return find_slice_result(summary, path);
@@ -194,9 +194,9 @@ std::optional<double> find_result(const json& summary, const std::string& name) 
   return std::nullopt;
 }
 
-json list_results(const model::Case& data, const json& summary) {
+json list_results(const input::Case& data, const json& summary) {
   json list = json::array();
-  for (const model::ResultName& result : model::list_result_names(data))
+  for (const input::ResultName& result : input::list_result_names(data))
     if (const auto value = find_result(summary, result.name))
       list.push_back({{"name", result.name},
                       {"title", result.title},
@@ -205,15 +205,15 @@ json list_results(const model::Case& data, const json& summary) {
   return list;
 }
 
-json compare_results(const model::Case& data, const json& summary) {
+json compare_results(const input::Case& data, const json& summary) {
   json list = json::array();
-  for (const model::Compare& compare : data.compare) {
+  for (const input::Compare& compare : data.compare) {
     // Element tests are no part of a run, and a run none of theirs.
-    if (model::find_point_result_name(compare.name).has_value() != summary.contains("point_results")) continue;
-    const auto result = model::find_result_name(data, compare.name);
-    const auto known = result ? result : model::find_possible_name(data, compare.name);
+    if (input::find_point_result_name(compare.name).has_value() != summary.contains("point_results")) continue;
+    const auto result = input::find_result_name(data, compare.name);
+    const auto known = result ? result : input::find_possible_name(data, compare.name);
     const std::string unit = compare.value.unit.empty() && known ? known->unit : compare.value.unit;
-    const double published = model::to_si(compare.value), tolerance = model::find_tolerance(compare);
+    const double published = input::to_si(compare.value), tolerance = input::find_tolerance(compare);
     const auto computed = result ? find_result(summary, compare.name) : std::nullopt;
     json entry{{"name", compare.name},
                {"title", known ? known->title : compare.name},

@@ -1,10 +1,10 @@
 #pragma once
-// The numbers of a run under the names of model/result_names.hpp, and how they compare with what the case expects.
+// The numbers of a run under the names of input/case/result_names.hpp, and how they compare with what the case expects.
 
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 
 namespace talus::analysis {
 
@@ -14,9 +14,9 @@ std::optional<double> find_result(const nlohmann::json& summary, const std::stri
 
 /// All results that the run came to: [{name, title, value, unit: {name, si}}]. `value` is SI, `unit` says how it is
 /// shown.
-nlohmann::json list_results(const model::Case& data, const nlohmann::json& summary);
+nlohmann::json list_results(const input::Case& data, const nlohmann::json& summary);
 
 /// The case's [[compare]], each with the computed value, the tolerance in SI, and whether it passes.
-nlohmann::json compare_results(const model::Case& data, const nlohmann::json& summary);
+nlohmann::json compare_results(const input::Case& data, const nlohmann::json& summary);
 
 }  // namespace talus::analysis

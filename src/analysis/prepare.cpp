@@ -29,7 +29,7 @@ int find_material(const std::vector<std::string>& names, const std::string& name
 
 /// Material number of each region of the mesh.
 template <int D>
-std::vector<int> assign_materials(const model::Case& data, const mesh::Mesh<D>& mesh,
+std::vector<int> assign_materials(const input::Case& data, const mesh::Mesh<D>& mesh,
                                   const std::vector<std::string>& names) {
   std::vector<int> material;
   for (const std::string& region : mesh.region_names) {
@@ -45,12 +45,12 @@ std::vector<int> assign_materials(const model::Case& data, const mesh::Mesh<D>& 
 
 /// Vertical effective stress of the column of soil and water above, and K0 of it sideways.
 template <int D>
-void set_k0_stress(const model::Case& data, const mesh::Mesh<D>& mesh, const std::vector<std::string>& names,
+void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<std::string>& names,
                    const std::vector<mpm::WaterLaw>& laws, const InitialWater<D>& water,
                    std::vector<mpm::InitialPoint<D>>& points) {
   std::vector<double> unit_weight(mesh.elements.size(), 0.0), bishop(mesh.elements.size(), 0.0);
   for (const mpm::InitialPoint<D>& p : points) {
-    const model::Material& m = data.materials.at(names[p.material]);
+    const input::Material& m = data.materials.at(names[p.material]);
     double density = m.density();
     if (m.water.is_wet()) {
       const mpm::WaterLaw& law = laws[p.material];
@@ -71,7 +71,7 @@ void set_k0_stress(const model::Case& data, const mesh::Mesh<D>& mesh, const std
     for (std::size_t i = 0; i < points.size(); ++i) overburden[i] += ponded[i];
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const model::Material& m = data.materials.at(names[points[i].material]);
+    const input::Material& m = data.materials.at(names[points[i].material]);
     const double k0 = data.initial.k0.value_or(m.poisson_ratio / (1 - m.poisson_ratio));
     const double vertical = -overburden[i] - bishop[points[i].element], sideways = k0 * vertical;  // σ = σ' + χp
     // σ = sideways·I + (vertical - sideways) up⊗up
@@ -89,7 +89,7 @@ void set_k0_stress(const model::Case& data, const mesh::Mesh<D>& mesh, const std
 
 /// A body whose soil is where the mesh says.
 template <int D>
-mpm::Body<D> fill_mesh(const model::Case& data, mesh::Mesh<D> mesh, int points_per_element, int chunks,
+mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_per_element, int chunks,
                        std::optional<fem::SeepageResult<D>>* seepage, std::optional<SeasonRecord>* season) {
   const std::vector<std::string> names = list_materials(data);
   if (names.size() > 32)
@@ -122,7 +122,7 @@ mpm::Body<D> fill_mesh(const model::Case& data, mesh::Mesh<D> mesh, int points_p
   }
   if (points.empty())
     throw Error(ExitCode::wrong_input, "no element of the mesh holds soil; check the polygons and the mesh size");
-  if (data.initial.stress == model::InitialStress::k0) set_k0_stress<D>(data, mesh, names, water_laws, water, points);
+  if (data.initial.stress == input::InitialStress::k0) set_k0_stress<D>(data, mesh, names, water_laws, water, points);
 
   std::vector<material::Law> laws;
   for (const std::string& name : names) laws.push_back(make_law(data.materials.at(name)));
@@ -139,28 +139,28 @@ mpm::Body<D> fill_mesh(const model::Case& data, mesh::Mesh<D> mesh, int points_p
 
 }  // namespace
 
-std::vector<std::string> list_materials(const model::Case& data) {
+std::vector<std::string> list_materials(const input::Case& data) {
   std::vector<std::string> names;
   for (const auto& [name, material] : data.materials) names.push_back(name);
   return names;
 }
 
 template <int D>
-void set_strength(mpm::Body<D>& body, const model::Case& data, std::optional<double> cohesion, double factor) {
+void set_strength(mpm::Body<D>& body, const input::Case& data, std::optional<double> cohesion, double factor) {
   body.laws.clear();
   for (const std::string& name : body.material_names)
     body.laws.push_back(make_law(data.materials.at(name), cohesion, factor));
 }
 
 template <int D>
-Vec<D> find_gravity(const model::Gravity& gravity) {
+Vec<D> find_gravity(const input::Gravity& gravity) {
   Vec<D> g;
   for (std::size_t d = 0; d < D; ++d) g[d] = gravity.acceleration * gravity.direction[d];
   return g;
 }
 
 template <int D>
-mpm::Body<D> prepare(const model::Case& data, mesh::Mesh<D> mesh, int chunks,
+mpm::Body<D> prepare(const input::Case& data, mesh::Mesh<D> mesh, int chunks,
                      std::optional<fem::SeepageResult<D>>* seepage, std::optional<SeasonRecord>* season) {
   if (data.initial.result.empty())
     return fill_mesh(data, std::move(mesh), data.points_per_element, chunks, seepage, season);
@@ -177,7 +177,7 @@ mpm::Body<D> prepare(const model::Case& data, mesh::Mesh<D> mesh, int chunks,
 }
 
 template <int D>
-double find_soil_height(const mpm::Body<D>& body, const model::Gravity& gravity) {
+double find_soil_height(const mpm::Body<D>& body, const input::Gravity& gravity) {
   // Corners of the elements that hold points, so that the height is the polygon's and not the points'.
   double lowest = std::numeric_limits<double>::max(), highest = std::numeric_limits<double>::lowest();
   for (int e = 0; e < body.mesh().element_count(); ++e) {
@@ -193,11 +193,11 @@ double find_soil_height(const mpm::Body<D>& body, const model::Gravity& gravity)
 }
 
 #define TALUS_INSTANTIATE(D)                                                                                      \
-  template void set_strength<D>(mpm::Body<D>&, const model::Case&, std::optional<double>, double);                \
-  template Vec<D> find_gravity<D>(const model::Gravity&);                                                         \
-  template mpm::Body<D> prepare<D>(const model::Case&, mesh::Mesh<D>, int, std::optional<fem::SeepageResult<D>>*, \
+  template void set_strength<D>(mpm::Body<D>&, const input::Case&, std::optional<double>, double);                \
+  template Vec<D> find_gravity<D>(const input::Gravity&);                                                         \
+  template mpm::Body<D> prepare<D>(const input::Case&, mesh::Mesh<D>, int, std::optional<fem::SeepageResult<D>>*, \
                                    std::optional<SeasonRecord>*);                                                 \
-  template double find_soil_height<D>(const mpm::Body<D>&, const model::Gravity&);
+  template double find_soil_height<D>(const mpm::Body<D>&, const input::Gravity&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

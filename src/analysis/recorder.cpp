@@ -22,7 +22,7 @@ constexpr int rows_per_leg = 200;
 const char* const axes[] = {"x", "y", "z"};
 
 template <int D>
-std::vector<output::Column> list_columns(const model::Case& data) {
+std::vector<output::Column> list_columns(const input::Case& data) {
   std::vector<output::Column> columns{{"time", "s"},
                                       {"step", "-"},
                                       {"time_step", "s"},
@@ -47,9 +47,9 @@ bool is_stress(const material::StateField& field) {
 }
 
 template <int D>
-std::vector<output::Column> list_monitor_columns(const model::Case& data, bool wet, const StateFields& states) {
+std::vector<output::Column> list_monitor_columns(const input::Case& data, bool wet, const StateFields& states) {
   std::vector<output::Column> columns{{"time", "s"}};
-  for (const model::Monitor& m : data.output.monitors) {
+  for (const input::Monitor& m : data.output.monitors) {
     for (int d = 0; d < D; ++d)
       columns.push_back({fmt::format("{}.displacement_{}", m.name, axes[d]), data.output.displacement_unit});
     columns.push_back({m.name + ".displacement", data.output.displacement_unit});
@@ -69,9 +69,9 @@ std::vector<output::Column> list_monitor_columns(const model::Case& data, bool w
 
 /// The point that is nearest to each monitor now, at its reference position.
 template <int D>
-std::vector<int> find_monitor_points(const model::Case& data, const mpm::Body<D>& body) {
+std::vector<int> find_monitor_points(const input::Case& data, const mpm::Body<D>& body) {
   std::vector<int> points;
-  for (const model::Monitor& m : data.output.monitors) {
+  for (const input::Monitor& m : data.output.monitors) {
     int nearest = -1;
     double shortest = std::numeric_limits<double>::max();
     for (int id = 0; id < body.points.size(); ++id) {

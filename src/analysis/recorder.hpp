@@ -20,7 +20,7 @@ struct RecorderSettings {
   std::filesystem::path folder;
   std::string checkpoint_name = "checkpoint.h5";
   std::string input_hash;  ///< of the case; a checkpoint of another one is refused
-  const model::Case* data = nullptr;
+  const input::Case* data = nullptr;
   bool keeps_history = true;
   bool keeps_frames = true;
   double frame_interval = 0;  ///< [s]; 0: only at the end

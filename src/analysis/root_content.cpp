@@ -15,7 +15,7 @@ using Rows = std::vector<std::array<double, 2>>;
 
 /// Linear between rows, constant beyond them; 1 without rows.
 double interpolate(const Rows& rows, double at) {
-  model::TimeTable table;
+  input::TimeTable table;
   for (const auto& [x, value] : rows) {
     table.time.push_back(x);
     table.value.push_back(value);
@@ -45,26 +45,26 @@ std::vector<double> find_depths(const mesh::Mesh<D>& mesh, const std::string& gr
   return depths;
 }
 
-double find_root_share(const model::Roots& roots, double depth, double x) {
+double find_root_share(const input::Roots& roots, double depth, double x) {
   if (depth > roots.depth) return 0;
   double share = interpolate(roots.along, x);
-  if (roots.profile == model::RootProfile::exponential) share *= std::exp(-depth / roots.decay_depth);
-  if (roots.profile == model::RootProfile::table) share *= interpolate(roots.depth_table, depth);
+  if (roots.profile == input::RootProfile::exponential) share *= std::exp(-depth / roots.decay_depth);
+  if (roots.profile == input::RootProfile::table) share *= interpolate(roots.depth_table, depth);
   return share;
 }
 
-double find_age_share(const model::Roots& roots) {
+double find_age_share(const input::Roots& roots) {
   double share = 1;
   if (roots.age) share *= interpolate(roots.growth, *roots.age);
   if (roots.felled) share *= interpolate(roots.decay, *roots.felled);
   return share;
 }
 
-std::optional<double> find_ground_cohesion(const model::Roots& roots) {
+std::optional<double> find_ground_cohesion(const input::Roots& roots) {
   if (roots.cohesion) return roots.cohesion;
   if (!roots.bundle) return std::nullopt;
-  const model::RootBundle& bundle = *roots.bundle;
-  const bool breaks_one_by_one = bundle.model == model::RootBundleModel::fibre_bundle;
+  const input::RootBundle& bundle = *roots.bundle;
+  const bool breaks_one_by_one = bundle.model == input::RootBundleModel::fibre_bundle;
   std::vector<material::RootClass> classes;
   for (std::size_t i = 0; i < bundle.area_ratios.size(); ++i) {
     const double diameter = i < bundle.diameters.size() ? bundle.diameters[i] : 0;  // of no account for the plain sum
@@ -75,11 +75,11 @@ std::optional<double> find_ground_cohesion(const model::Roots& roots) {
 }
 
 template <int D>
-std::vector<RootsAt> find_roots(const model::Case& data, const mesh::Mesh<D>& mesh, const std::vector<Vec<D>>& places,
-                                const std::vector<const model::Material*>& soils) {
-  const auto takes_content = [&](std::size_t i) { return soils[i]->model == model::MaterialModel::rooted_cam_clay; };
+std::vector<RootsAt> find_roots(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<Vec<D>>& places,
+                                const std::vector<const input::Material*>& soils) {
+  const auto takes_content = [&](std::size_t i) { return soils[i]->model == input::MaterialModel::rooted_cam_clay; };
   const auto takes_cohesion = [&](std::size_t i) {
-    return soils[i]->model == model::MaterialModel::rooted_mohr_coulomb;
+    return soils[i]->model == input::MaterialModel::rooted_mohr_coulomb;
   };
   std::vector<std::size_t> rooted;  // the places that may have roots
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -90,7 +90,7 @@ std::vector<RootsAt> find_roots(const model::Case& data, const mesh::Mesh<D>& me
   std::vector<bool> reached(places.size(), false);
   std::vector<Vec<D>> asked;
   for (const std::size_t i : rooted) asked.push_back(places[i]);
-  for (const model::Roots& block : data.roots) {
+  for (const input::Roots& block : data.roots) {
     const std::optional<double> cohesion = find_ground_cohesion(block);
     if (!block.content && !cohesion) continue;
     const std::vector<double> depths = find_depths<D>(mesh, block.ground, asked);
@@ -114,7 +114,7 @@ std::vector<RootsAt> find_roots(const model::Case& data, const mesh::Mesh<D>& me
   return result;
 }
 
-std::string write_root_input(const model::Case& data) {
+std::string write_root_input(const input::Case& data) {
   std::string text;
   const auto add = [&](double number) { text += fmt::format(" {}", number); };
   const auto add_rows = [&](const Rows& rows) {
@@ -125,10 +125,10 @@ std::string write_root_input(const model::Case& data) {
     text += ';';
   };
   for (const auto& [region, material] : data.regions) {
-    const model::Material& soil = data.materials.at(material);
+    const input::Material& soil = data.materials.at(material);
     text += fmt::format("{} {} {} {}\n", region, static_cast<int>(soil.model), soil.roots.content, soil.roots.cohesion);
   }
-  for (const model::Roots& block : data.roots) {
+  for (const input::Roots& block : data.roots) {
     text += fmt::format("{} {}", block.ground, static_cast<int>(block.profile));
     for (const double number : {block.depth, block.decay_depth, block.content.value_or(-1),
                                 find_ground_cohesion(block).value_or(-1), find_age_share(block)})
@@ -142,8 +142,8 @@ std::string write_root_input(const model::Case& data) {
 
 #define TALUS_INSTANTIATE(D)                                                                                         \
   template std::vector<double> find_depths<D>(const mesh::Mesh<D>&, const std::string&, const std::vector<Vec<D>>&); \
-  template std::vector<RootsAt> find_roots<D>(const model::Case&, const mesh::Mesh<D>&, const std::vector<Vec<D>>&,  \
-                                              const std::vector<const model::Material*>&);
+  template std::vector<RootsAt> find_roots<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<Vec<D>>&,  \
+                                              const std::vector<const input::Material*>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

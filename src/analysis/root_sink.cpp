@@ -40,9 +40,9 @@ std::vector<std::array<double, D + 1>> list_samples() {
 template <int D>
 class Ground {
  public:
-  Ground(const mesh::Mesh<D>& mesh, const model::Roots& roots) : along_(roots), set_(collect(mesh, roots.ground)) {
+  Ground(const mesh::Mesh<D>& mesh, const input::Roots& roots) : along_(roots), set_(collect(mesh, roots.ground)) {
     along_.depth = 1;
-    along_.profile = model::RootProfile::uniform;
+    along_.profile = input::RootProfile::uniform;
     for (std::size_t i = 0; i < horizontal_.size(); ++i) covered_ += horizontal_[i] * share_along(centre_[i][0]);
   }
   double covered() const { return covered_; }
@@ -81,7 +81,7 @@ class Ground {
     return SideSet<D>(std::move(sides));
   }
 
-  model::Roots along_;  ///< the block without its profile
+  input::Roots along_;  ///< the block without its profile
   std::vector<double> horizontal_, area_;
   std::vector<Vec<D>> centre_;
   SideSet<D> set_;
@@ -91,7 +91,7 @@ class Ground {
 
 /// Adds ∫ β N dV of element `e`, before β is scaled; returns their sum.
 template <int D>
-double add_element(const mesh::Mesh<D>& mesh, int e, const model::Roots& roots, Ground<D>& ground,
+double add_element(const mesh::Mesh<D>& mesh, int e, const input::Roots& roots, Ground<D>& ground,
                    const std::vector<std::array<double, D + 1>>& samples, std::array<double, D + 1>& weights) {
   const auto mix = [&](const std::array<double, D + 1>& shares) {
     Vec<D> x{};
@@ -122,7 +122,7 @@ double add_element(const mesh::Mesh<D>& mesh, int e, const model::Roots& roots, 
   return sum;
 }
 
-material::Feddes make_reduction(const model::Roots& roots) {
+material::Feddes make_reduction(const input::Roots& roots) {
   const auto& s = roots.transpiration->suctions;
   if (!(s[0] <= s[1] && s[1] <= s[2] && s[2] < s[3]))
     throw Error(
@@ -134,7 +134,7 @@ material::Feddes make_reduction(const model::Roots& roots) {
 }
 
 template <int D>
-void check_roots(const model::Roots& roots, const RootDistribution<D>& distribution, double sum) {
+void check_roots(const input::Roots& roots, const RootDistribution<D>& distribution, double sum) {
   if (!(distribution.covered > 0))
     throw Error(ExitCode::wrong_input,
                 fmt::format("[[roots]]: the ground '{}' that transpires has no horizontal extent", roots.ground));
@@ -148,7 +148,7 @@ void check_roots(const model::Roots& roots, const RootDistribution<D>& distribut
 }  // namespace
 
 template <int D>
-RootDistribution<D> find_root_distribution(const model::Case& data, const model::Roots& roots,
+RootDistribution<D> find_root_distribution(const input::Case& data, const input::Roots& roots,
                                            const mesh::Mesh<D>& mesh) {
   check_upright(data, "transpiration counts ground on the horizontal and a height");
   Ground<D> ground(mesh, roots);
@@ -157,7 +157,7 @@ RootDistribution<D> find_root_distribution(const model::Case& data, const model:
   const auto samples = list_samples<D>();
   double sum = 0;
   for (int e = 0; e < mesh.element_count(); ++e) {
-    const model::Material* soil = find_soil(data, mesh, e);
+    const input::Material* soil = find_soil(data, mesh, e);
     if (soil == nullptr || !soil->water.is_wet()) continue;
     sum += add_element<D>(mesh, e, roots, ground, samples, r.weights[e]);
   }
@@ -168,18 +168,18 @@ RootDistribution<D> find_root_distribution(const model::Case& data, const model:
   return r;
 }
 
-model::TimeTable make_transpiration_rate(const model::Transpiration& transpiration) {
-  model::Hydraulic rows;  // has the same two shapes of a series
-  rows.condition = model::WaterCondition::rain;
+input::TimeTable make_transpiration_rate(const input::Transpiration& transpiration) {
+  input::Hydraulic rows;  // has the same two shapes of a series
+  rows.condition = input::WaterCondition::rain;
   rows.rate = transpiration.rate;
   rows.series = transpiration.series;
   return rows.values();
 }
 
 template <int D>
-std::vector<fem::RootSink> make_root_sinks(const model::Case& data, const mesh::Mesh<D>& mesh) {
+std::vector<fem::RootSink> make_root_sinks(const input::Case& data, const mesh::Mesh<D>& mesh) {
   std::vector<fem::RootSink> sinks;
-  for (const model::Roots& roots : data.roots) {
+  for (const input::Roots& roots : data.roots) {
     if (!roots.transpiration) continue;
     const RootDistribution<D> distribution = find_root_distribution<D>(data, roots, mesh);
     fem::RootSink sink{roots.ground, make_reduction(roots), make_transpiration_rate(*roots.transpiration),
@@ -193,11 +193,11 @@ std::vector<fem::RootSink> make_root_sinks(const model::Case& data, const mesh::
 }
 
 template <int D>
-void resolve_root_uptakes(mpm::Body<D>& body, const model::Case& data) {
+void resolve_root_uptakes(mpm::Body<D>& body, const input::Case& data) {
   body.water.uptakes.clear();
   if (!body.water.is_wet()) return;
   const mpm::Points<D>& points = body.points;
-  for (const model::Roots& roots : data.roots) {
+  for (const input::Roots& roots : data.roots) {
     if (!roots.transpiration) continue;
     const RootDistribution<D> distribution = find_root_distribution<D>(data, roots, body.mesh());
     mpm::RootUptake uptake{roots.ground, make_transpiration_rate(*roots.transpiration), make_reduction(roots),
@@ -212,10 +212,10 @@ void resolve_root_uptakes(mpm::Body<D>& body, const model::Case& data) {
 }
 
 #define TALUS_INSTANTIATE(D)                                                                        \
-  template RootDistribution<D> find_root_distribution<D>(const model::Case&, const model::Roots&,   \
+  template RootDistribution<D> find_root_distribution<D>(const input::Case&, const input::Roots&,   \
                                                          const mesh::Mesh<D>&);                     \
-  template std::vector<fem::RootSink> make_root_sinks<D>(const model::Case&, const mesh::Mesh<D>&); \
-  template void resolve_root_uptakes<D>(mpm::Body<D>&, const model::Case&);
+  template std::vector<fem::RootSink> make_root_sinks<D>(const input::Case&, const mesh::Mesh<D>&); \
+  template void resolve_root_uptakes<D>(mpm::Body<D>&, const input::Case&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

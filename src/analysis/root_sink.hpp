@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fem/root_sink.hpp"
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "mpm/body.hpp"
 
 namespace talus::analysis {
@@ -19,18 +19,18 @@ struct RootDistribution {
 
 /// Throws Error (wrong_input) when the mesh has no line `roots.ground`, or no wet soil lies within the roots' depth.
 template <int D>
-RootDistribution<D> find_root_distribution(const model::Case& data, const model::Roots& roots,
+RootDistribution<D> find_root_distribution(const input::Case& data, const input::Roots& roots,
                                            const mesh::Mesh<D>& mesh);
 
 /// The potential rate, steps written out as jumps.
-model::TimeTable make_transpiration_rate(const model::Transpiration& transpiration);
+input::TimeTable make_transpiration_rate(const input::Transpiration& transpiration);
 
 /// One sink for each block of [[roots]] that transpires.
 template <int D>
-std::vector<fem::RootSink> make_root_sinks(const model::Case& data, const mesh::Mesh<D>& mesh);
+std::vector<fem::RootSink> make_root_sinks(const input::Case& data, const mesh::Mesh<D>& mesh);
 
 /// The same for the points of a body on the mesh as it was filled.
 template <int D>
-void resolve_root_uptakes(mpm::Body<D>& body, const model::Case& data);
+void resolve_root_uptakes(mpm::Body<D>& body, const input::Case& data);
 
 }  // namespace talus::analysis

@@ -47,7 +47,7 @@ double process_seconds() {
 }
 
 /// What follows from the histories and frames that a run has written: onset of movement, sections.
-void describe_output(json& summary, const model::Case& data, const fs::path& folder) {
+void describe_output(json& summary, const input::Case& data, const fs::path& folder) {
   for (const char* key : {"clock", "motion", "sections"}) summary.erase(key);
   const json stages = summary.value("stages", json::array());
   const double size = summary.at("mesh").value("mean_size", 1.0);
@@ -57,7 +57,7 @@ void describe_output(json& summary, const model::Case& data, const fs::path& fol
                         {"resets", clock->resets},
                         {"shown_times", data.output.shown_times}};
   if (json motion = describe_motion(data, stages, summary.value("slope_height", 0.0), folder);
-      !motion.is_null() && data.analysis == model::AnalysisKind::run)
+      !motion.is_null() && data.analysis == input::AnalysisKind::run)
     summary["motion"] = std::move(motion);
   if (json sections = write_sections(data, stages, size, folder); !sections.empty())
     summary["sections"] = std::move(sections);
@@ -65,7 +65,7 @@ void describe_output(json& summary, const model::Case& data, const fs::path& fol
 
 /// What a finished run compares with, what is read off its results, and its title block, may have changed since: none
 /// needs the run again.
-void renew_finished(json& summary, const model::Case& data, const fs::path& folder) {
+void renew_finished(json& summary, const input::Case& data, const fs::path& folder) {
   const json before = summary;
   summary["title"] = data.title;
   summary["project"] = describe_project(data);
@@ -78,7 +78,7 @@ void renew_finished(json& summary, const model::Case& data, const fs::path& fold
 template <int D>
 class CaseRun {
  public:
-  CaseRun(const model::LoadedCase& loaded, const RunOptions& options, std::string input_hash)
+  CaseRun(const input::LoadedCase& loaded, const RunOptions& options, std::string input_hash)
       : loaded_(loaded), data_(loaded.data), options_(options), hash_(std::move(input_hash)) {}
 
   json run() {
@@ -120,7 +120,7 @@ class CaseRun {
     try {
       if (options_.begin) options_.begin(summary_);
       run_stages(checkpoint.get());
-      if (data_.analysis == model::AnalysisKind::strength_reduction) {
+      if (data_.analysis == input::AnalysisKind::strength_reduction) {
         const TrialContext context{options_.folder,
                                    checkpoint_hash_,
                                    &data_,
@@ -155,7 +155,7 @@ class CaseRun {
   void check_names(const mesh::Mesh<D>& mesh) const {
     std::set<std::string> sides, regions(mesh.region_names.begin(), mesh.region_names.end());
     for (const auto& [name, list] : mesh.sides) sides.insert(name);
-    model::check_against_mesh(loaded_, sides, regions);
+    input::check_against_mesh(loaded_, sides, regions);
   }
 
   /// The result that the case starts from, when there is one, and it fits.
@@ -163,7 +163,7 @@ class CaseRun {
     checkpoint_hash_ = hash_;
     if (data_.initial.result.empty()) return nullptr;
     auto origin = std::make_unique<EndState>(data_.initial);
-    model::check_against_result(loaded_, origin->input());
+    input::check_against_result(loaded_, origin->input());
     checkpoint_hash_ = hash_text(hash_ + origin->hash());
     mesh_input_ = origin->input();
     return origin;
@@ -182,7 +182,7 @@ class CaseRun {
           fmt::format("material '{}' holds water otherwise than in the result '{}': pore pressures are those of the "
                       "result, the water in the pores has been changed to fit",
                       name, result));
-    if (data_.analysis == model::AnalysisKind::strength_reduction && data_.strength_reduction.frozen.enabled)
+    if (data_.analysis == input::AnalysisKind::strength_reduction && data_.strength_reduction.frozen.enabled)
       warnings_.push_back(fmt::format(
           "the mesh is that of the result '{}', which cannot be halved: the factor of safety is that of one "
           "mesh and not extrapolated",
@@ -232,7 +232,7 @@ class CaseRun {
         checkpoint ? Recorder<D>::resume(settings, body_, *checkpoint) : Recorder<D>::start(settings, body_);
     const int count = static_cast<int>(data_.stages.size());
     for (int i = first; i < count; ++i) {
-      const model::Stage& stage = data_.stages[i];
+      const input::Stage& stage = data_.stages[i];
       const StagePlan<D> plan = make_plan<D>(data_, stage, slope_height_, options_.threads);
       set_strength(body_, data_, stage.cohesion, stage.strength_factor.value_or(1));
       if (!state.started) {
@@ -264,17 +264,17 @@ class CaseRun {
     }
     monitor_points_ = recorder.monitor_points();
     end_stages();
-    recorder.finish(data_.analysis == model::AnalysisKind::run);
-    if (data_.analysis == model::AnalysisKind::run) add_runout();
+    recorder.finish(data_.analysis == input::AnalysisKind::run);
+    if (data_.analysis == input::AnalysisKind::run) add_runout();
   }
 
-  void warn_about(const model::Stage& stage, const StageReport& report, bool last) {
-    if (stage.until == model::Until::rest && report.end != StageEnd::rest) {
+  void warn_about(const input::Stage& stage, const StageReport& report, bool last) {
+    if (stage.until == input::Until::rest && report.end != StageEnd::rest) {
       warnings_.push_back(
           fmt::format("stage '{}' was not at rest after {:g} s: its unbalanced force is {:.2g} of gravity", stage.name,
                       stage.duration, report.force_ratio));
-    } else if (stage.until == model::Until::time && report.force_ratio > restless_force_ratio &&
-               (!last || data_.analysis == model::AnalysisKind::strength_reduction)) {
+    } else if (stage.until == input::Until::time && report.force_ratio > restless_force_ratio &&
+               (!last || data_.analysis == input::AnalysisKind::strength_reduction)) {
       warnings_.push_back(fmt::format(
           "stage '{}' ended with an unbalanced force of {:.2g} of gravity; what follows starts from a moving slope",
           stage.name, report.force_ratio));
@@ -357,8 +357,8 @@ class CaseRun {
     if (summary_["status"] == "finished") fs::remove(stage_file());
   }
 
-  const model::LoadedCase& loaded_;
-  const model::Case& data_;
+  const input::LoadedCase& loaded_;
+  const input::Case& data_;
   const RunOptions& options_;
   std::string hash_, checkpoint_hash_;  ///< of the input; together with the state that it starts from
   json mesh_input_ = loaded_.echo;      ///< echo of the case that the mesh was made for
@@ -385,7 +385,7 @@ std::string hash_input(json echo) {
   return hash_text(echo.dump());
 }
 
-json run_case(const model::LoadedCase& loaded, const RunOptions& options) {
+json run_case(const input::LoadedCase& loaded, const RunOptions& options) {
   const std::string hash = hash_input(loaded.echo);
   check_folder(loaded.data.initial, options);
   if (auto finished = load_finished(options, hash)) {

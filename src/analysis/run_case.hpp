@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/progress.hpp"
-#include "model/read.hpp"
+#include "input/read.hpp"
 
 namespace talus::analysis {
 
@@ -28,6 +28,6 @@ std::string hash_input(nlohmann::json echo);
 /// Runs the case and writes its folder: results.vtkhdf, histories, checkpoint, trials, summary.json. Returns the
 /// summary. Throws InputError before anything is written when names do not fit the mesh; Error (folder_exists,
 /// cannot_write, unstable, interrupted) as its code says.
-nlohmann::json run_case(const model::LoadedCase& loaded, const RunOptions& options);
+nlohmann::json run_case(const input::LoadedCase& loaded, const RunOptions& options);
 
 }  // namespace talus::analysis

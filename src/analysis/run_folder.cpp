@@ -24,7 +24,7 @@ const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf"
 
 }  // namespace
 
-void check_folder(const model::Initial& initial, const RunOptions& options) {
+void check_folder(const input::Initial& initial, const RunOptions& options) {
   std::error_code unknown;  // of a folder that is not there yet
   if (!initial.result.empty() && fs::equivalent(initial.result_folder, options.folder, unknown)) {
     throw Error(ExitCode::folder_exists, fmt::format("the case starts from the result in '{}', which stays as it is; "

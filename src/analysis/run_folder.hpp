@@ -9,7 +9,7 @@ namespace talus::analysis {
 
 /// Throws Error (folder_exists) when the folder holds something and neither --overwrite nor --resume was given, or the
 /// case starts from the result in it.
-void check_folder(const model::Initial& initial, const RunOptions& options);
+void check_folder(const input::Initial& initial, const RunOptions& options);
 
 /// Removes the results that --overwrite replaces, and nothing else.
 void clear_folder(const RunOptions& options);

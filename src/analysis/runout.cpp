@@ -77,7 +77,7 @@ Profile find_profile(const mpm::Body<D>& body, double bin) {
 }
 
 template <int D>
-double find_slope_height(const mpm::Body<D>& body, const model::Gravity& gravity) {
+double find_slope_height(const mpm::Body<D>& body, const input::Gravity& gravity) {
   // Free sides of the soil seen from above: an element with soil whose neighbour has none, and whose outward normal
   // points up. Their highest and lowest nodes are the relief.
   const auto& mesh = body.mesh();
@@ -152,7 +152,7 @@ Runout find_runout(const mpm::Body<D>& body, const Profile& initial, double thre
 
 #define TALUS_INSTANTIATE(D)                                                        \
   template Profile find_profile<D>(const mpm::Body<D>&, double);                    \
-  template double find_slope_height<D>(const mpm::Body<D>&, const model::Gravity&); \
+  template double find_slope_height<D>(const mpm::Body<D>&, const input::Gravity&); \
   template Runout find_runout<D>(const mpm::Body<D>&, const Profile&, double);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

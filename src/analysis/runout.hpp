@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "mpm/body.hpp"
 
 namespace talus::analysis {
@@ -21,7 +21,7 @@ Profile find_profile(const mpm::Body<D>& body, double bin);
 /// Relief of the ground: highest minus lowest level of the profile [m]. This is H of the displacement criteria; a
 /// level ground has the height of the soil itself.
 template <int D>
-double find_slope_height(const mpm::Body<D>& body, const model::Gravity& gravity);
+double find_slope_height(const mpm::Body<D>& body, const input::Gravity& gravity);
 
 struct Runout {
   double moved_volume = 0;          ///< of points displaced by more than the threshold [m³ or m³/m]

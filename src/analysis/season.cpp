@@ -34,11 +34,11 @@ struct Layers {
 
 /// Depth of the nodes under the ground of the roots; without roots the level under the highest soil.
 template <int D>
-std::vector<double> find_node_depths(const model::Case& data, const mesh::Mesh<D>& mesh,
+std::vector<double> find_node_depths(const input::Case& data, const mesh::Mesh<D>& mesh,
                                      const std::vector<double>& volume, double& unit) {
   std::vector<double> depths;
   unit = 0;
-  for (const model::Roots& roots : data.roots) {
+  for (const input::Roots& roots : data.roots) {
     if (roots.depth <= unit) continue;
     unit = roots.depth;
     depths = find_depths<D>(mesh, roots.ground, mesh.nodes);
@@ -56,7 +56,7 @@ std::vector<double> find_node_depths(const model::Case& data, const mesh::Mesh<D
 }
 
 template <int D>
-Layers find_layers(const model::Case& data, const mesh::Mesh<D>& mesh) {
+Layers find_layers(const input::Case& data, const mesh::Mesh<D>& mesh) {
   Layers layers;
   layers.volume.assign(mesh.nodes.size(), 0.0);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -129,7 +129,7 @@ double SeasonRecord::find_error() const {
 }
 
 template <int D>
-Season<D> run_season(const model::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial) {
+Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial) {
   const double length = data.initial.water.season;
   const Layers layers = find_layers<D>(data, *model.mesh);
   fem::SeepageModel<D> growing = model;
@@ -221,7 +221,7 @@ void write_season(const std::filesystem::path& path, const SeasonRecord& r) {
   output::write_atomically(path, text);
 }
 
-template Season<2> run_season<2>(const model::Case&, const fem::SeepageModel<2>&, const std::vector<double>&);
-template Season<3> run_season<3>(const model::Case&, const fem::SeepageModel<3>&, const std::vector<double>&);
+template Season<2> run_season<2>(const input::Case&, const fem::SeepageModel<2>&, const std::vector<double>&);
+template Season<3> run_season<3>(const input::Case&, const fem::SeepageModel<3>&, const std::vector<double>&);
 
 }  // namespace talus::analysis

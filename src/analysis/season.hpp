@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fem/seepage.hpp"
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 
 namespace talus::analysis {
 
@@ -44,7 +44,7 @@ struct Season {
 /// From the heads `initial` per node at the time -season to 0. `mesh` is that of the model, with dry soil empty.
 /// Throws what solve_transient_seepage() and make_root_sinks() throw.
 template <int D>
-Season<D> run_season(const model::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial);
+Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial);
 
 /// For summary.json.
 nlohmann::json describe_season(const SeasonRecord& record);

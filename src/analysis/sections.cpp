@@ -67,7 +67,7 @@ std::vector<SectionColumn> list_section_columns(const output::Frame& frame, int 
   return columns;
 }
 
-std::vector<SectionRow> cut_section(const output::Frame& frame, const model::Section& section, int dimension,
+std::vector<SectionRow> cut_section(const output::Frame& frame, const input::Section& section, int dimension,
                                     double width) {
   const std::vector<Component> components = list_components(frame, dimension);
   const output::Field* volumes = output::find(frame.point_fields, "volume");
@@ -114,7 +114,7 @@ std::vector<SectionRow> cut_section(const output::Frame& frame, const model::Sec
   return rows;
 }
 
-json write_sections(const model::Case& data, const json& stages, double size, const fs::path& folder) {
+json write_sections(const input::Case& data, const json& stages, double size, const fs::path& folder) {
   json list = json::array();
   if (data.output.sections.empty()) return list;
   if (!fs::exists(folder / "results.vtkhdf") && !fs::exists(folder / "frames")) return list;
@@ -130,7 +130,7 @@ json write_sections(const model::Case& data, const json& stages, double size, co
     if (clock && clock->resets && frame.time == clock->start) set_displacements_zero(frame);
     if (columns.empty()) columns = list_section_columns(frame, dimension);
     for (std::size_t s = 0; s < texts.size(); ++s) {
-      const model::Section& section = data.output.sections[s];
+      const input::Section& section = data.output.sections[s];
       for (const SectionRow& row : cut_section(frame, section, dimension, section.width.value_or(size)))
         if (row.values.size() == columns.size()) texts[s] += write_row(frame.time, row, dimension);
     }
@@ -141,7 +141,7 @@ json write_sections(const model::Case& data, const json& stages, double size, co
   for (const SectionColumn& c : columns) header += fmt::format(",{} [{}]", c.name, c.unit);
   output::make_folder(folder / "sections");
   for (std::size_t s = 0; s < texts.size(); ++s) {
-    const model::Section& section = data.output.sections[s];
+    const input::Section& section = data.output.sections[s];
     output::write_atomically(folder / "sections" / (section.name + ".csv"), header + "\n" + texts[s]);
     list.push_back(
         {{"name", section.name}, {"from", section.from}, {"to", section.to}, {"width", section.width.value_or(size)}});

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "output/frame.hpp"
 
 namespace talus::analysis {
@@ -30,14 +30,14 @@ std::vector<SectionColumn> list_section_columns(const output::Frame& frame, int 
 
 /// The line is cut into parts of length `width`; each has the means, weighted by volume, of the points that lie within
 /// half a width from it [m]. Parts without points have no row.
-std::vector<SectionRow> cut_section(const output::Frame& frame, const model::Section& section, int dimension,
+std::vector<SectionRow> cut_section(const output::Frame& frame, const input::Section& section, int dimension,
                                     double width);
 
 /// sections/NAME.csv in `folder` for every section of the case: all stored frames, of two at one time the later one.
 /// `size`: width of sections that state none [m]. Where displacements are counted from the start of the clock, those of
 /// the frame at that time, which is from before they were set to zero, are zero. Returns `sections` of summary.json:
 /// name, ends and width of each; empty when there are no sections or no frames, and then nothing is written.
-nlohmann::json write_sections(const model::Case& data, const nlohmann::json& stages, double size,
+nlohmann::json write_sections(const input::Case& data, const nlohmann::json& stages, double size,
                               const std::filesystem::path& folder);
 
 }  // namespace talus::analysis

@@ -6,27 +6,27 @@
 #include "analysis/side_normals.hpp"
 #include "analysis/water.hpp"
 #include "analysis/water_sides.hpp"
-#include "model/soil_water_law.hpp"
+#include "input/case/soil_water_law.hpp"
 
 namespace talus::analysis {
 namespace {
 
-using model::WaterCondition;
+using input::WaterCondition;
 
 template <int D>
-fem::HydraulicSoil<D> make_soil(const model::Case& data, const std::string& region) {
+fem::HydraulicSoil<D> make_soil(const input::Case& data, const std::string& region) {
   fem::HydraulicSoil<D> soil;
   soil.name = region;
   soil.porosity = 0.5;
   soil.conductivity.fill(1);  // of a region that takes no part
   const auto given = data.regions.find(region);
-  const model::Material& m = data.materials.at(given->second);
+  const input::Material& m = data.materials.at(given->second);
   if (!m.water.is_wet()) return soil;
   soil.porosity = m.porosity;
   // Darcy's k under the model's gravity: a head of one metre presses harder there.
-  soil.conductivity.fill(model::find_saturated_conductivity(m.water, data.water, data.gravity.acceleration));
-  soil.retention = model::make_retention(m.water);
-  soil.relative = model::make_relative_conductivity(m.water);
+  soil.conductivity.fill(input::find_saturated_conductivity(m.water, data.water, data.gravity.acceleration));
+  soil.retention = input::make_retention(m.water);
+  soil.relative = input::make_relative_conductivity(m.water);
   soil.water_modulus = data.water.bulk_modulus;
   return soil;
 }
@@ -52,11 +52,11 @@ fem::HydraulicKind to_kind(WaterCondition c) {
 }  // namespace
 
 template <int D>
-fem::SeepageModel<D> make_seepage_model(const model::Case& data, const mesh::Mesh<D>& mesh, mesh::Mesh<D>& wet_mesh) {
+fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mesh<D>& mesh, mesh::Mesh<D>& wet_mesh) {
   check_upright(data, "a total head");
   wet_mesh = mesh;
   for (int e = 0; e < mesh.element_count(); ++e) {
-    const model::Material* soil = find_soil(data, mesh, e);
+    const input::Material* soil = find_soil(data, mesh, e);
     if (soil != nullptr && !soil->water.is_wet()) wet_mesh.element_region[e] = mesh::empty_region;
   }
   fem::SeepageModel<D> model;
@@ -71,9 +71,9 @@ fem::SeepageModel<D> make_seepage_model(const model::Case& data, const mesh::Mes
     boundary.name = sides.surfaces[number].name;
     boundary.kind = number == 0 ? fem::HydraulicKind::seepage_face : fem::HydraulicKind::no_flow;
     if (is_named) {
-      const model::Hydraulic& h = data.hydraulics[number - 1];
+      const input::Hydraulic& h = data.hydraulics[number - 1];
       boundary.kind = to_kind(h.condition);
-      boundary.measure = h.condition == WaterCondition::rain && h.rain == model::RainDirection::vertical
+      boundary.measure = h.condition == WaterCondition::rain && h.rain == input::RainDirection::vertical
                              ? fem::FluxMeasure::vertical
                              : fem::FluxMeasure::normal;
       boundary.suction_limit = h.suction_limit;
@@ -83,14 +83,14 @@ fem::SeepageModel<D> make_seepage_model(const model::Case& data, const mesh::Mes
       if (s.condition == static_cast<int>(number)) boundary.sides.push_back(s.nodes);
     }
     if (boundary.sides.empty()) continue;
-    const model::TimeTable& values = sides.surfaces[number].value;
+    const input::TimeTable& values = sides.surfaces[number].value;
     for (std::size_t i = 0; i < values.time.size(); ++i) boundary.history.push_back({values.time[i], values.value[i]});
     model.boundaries.push_back(std::move(boundary));
   }
   return model;
 }
 
-template fem::SeepageModel<2> make_seepage_model<2>(const model::Case&, const mesh::Mesh<2>&, mesh::Mesh<2>&);
-template fem::SeepageModel<3> make_seepage_model<3>(const model::Case&, const mesh::Mesh<3>&, mesh::Mesh<3>&);
+template fem::SeepageModel<2> make_seepage_model<2>(const input::Case&, const mesh::Mesh<2>&, mesh::Mesh<2>&);
+template fem::SeepageModel<3> make_seepage_model<3>(const input::Case&, const mesh::Mesh<3>&, mesh::Mesh<3>&);
 
 }  // namespace talus::analysis

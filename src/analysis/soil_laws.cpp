@@ -7,17 +7,17 @@
 namespace talus::analysis {
 namespace {
 
-material::LinearElastic make_elastic(const model::Material& m) {
+material::LinearElastic make_elastic(const input::Material& m) {
   return material::LinearElastic::from_young(m.young_modulus, m.poisson_ratio);
 }
 
-material::MohrCoulombStrength make_strength(const model::Material& m, std::optional<double> cohesion, double factor) {
+material::MohrCoulombStrength make_strength(const input::Material& m, std::optional<double> cohesion, double factor) {
   material::MohrCoulombStrength strength{m.cohesion, m.friction_angle, m.dilatancy_angle, m.tensile_strength};
   if (cohesion) strength.cohesion = *cohesion;
   return factor == 1 ? strength : strength.reduced(factor);
 }
 
-material::CamClayParameters make_cam_clay(const model::Material& m, double factor) {
+material::CamClayParameters make_cam_clay(const input::Material& m, double factor) {
   return {.compression = m.cam_clay.compression,
           .swelling = m.cam_clay.swelling,
           .poisson_ratio = m.poisson_ratio,
@@ -27,7 +27,7 @@ material::CamClayParameters make_cam_clay(const model::Material& m, double facto
           .strength_factor = factor};
 }
 
-material::RootParameters make_roots(const model::RootedSoil& roots) {
+material::RootParameters make_roots(const input::RootedSoil& roots) {
   return {.hardening = roots.hardening,
           .strength = roots.strength,
           .activation = roots.activation.value_or(-1),
@@ -36,7 +36,7 @@ material::RootParameters make_roots(const model::RootedSoil& roots) {
           .residual_share = roots.residual_share};
 }
 
-material::External make_external(const model::ExternalModel& m) {
+material::External make_external(const input::ExternalModel& m) {
   return material::External({.library = m.library_file.empty() ? m.library : m.library_file,
                              .symbol = m.symbol,
                              .material = m.material,
@@ -48,19 +48,19 @@ material::External make_external(const model::ExternalModel& m) {
 
 }  // namespace
 
-material::Law make_law(const model::Material& m, std::optional<double> cohesion, double factor) {
+material::Law make_law(const input::Material& m, std::optional<double> cohesion, double factor) {
   switch (m.model) {
-    case model::MaterialModel::linear_elastic:
+    case input::MaterialModel::linear_elastic:
       return make_elastic(m);
-    case model::MaterialModel::mohr_coulomb:
+    case input::MaterialModel::mohr_coulomb:
       return material::MohrCoulomb(make_elastic(m), make_strength(m, cohesion, factor));
-    case model::MaterialModel::rooted_mohr_coulomb:
+    case input::MaterialModel::rooted_mohr_coulomb:
       return material::RootedMohrCoulomb(make_elastic(m), make_strength(m, cohesion, factor), factor);
-    case model::MaterialModel::modified_cam_clay:
+    case input::MaterialModel::modified_cam_clay:
       return material::ModifiedCamClay(make_cam_clay(m, factor));
-    case model::MaterialModel::rooted_cam_clay:
+    case input::MaterialModel::rooted_cam_clay:
       return material::RootedCamClay(make_cam_clay(m, factor), make_roots(m.roots));
-    case model::MaterialModel::external:
+    case input::MaterialModel::external:
       if (factor != 1)
         throw Error(ExitCode::wrong_input,
                     fmt::format("the strength of the external model '{}' cannot be divided by {:g}: only the library "

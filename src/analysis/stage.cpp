@@ -50,10 +50,10 @@ double find_smallest_step(const mpm::Body<D>& body, double wave_speed, const Sta
   const auto& altitudes = body.mesh().altitudes;
   double step = smallest_step_share * *std::min_element(altitudes.begin(), altitudes.end()) *
                 std::sqrt(plan.step.mass_scaling) / wave_speed;
-  if (body.water.is_wet() && plan.step.drag == model::Drag::explicit_at_nodes) {
+  if (body.water.is_wet() && plan.step.drag == input::Drag::explicit_at_nodes) {
     // Drag may ask for far less than the waves do (2.85).
     StagePlan<D> without = plan;
-    without.step.drag = model::Drag::implicit_at_nodes;
+    without.step.drag = input::Drag::implicit_at_nodes;
     step *= std::min(1.0, find_critical_step(body, plan).dt / find_critical_step(body, without).dt);
   }
   return step;
@@ -160,18 +160,18 @@ template <int D>
 
 template <int D>
 mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
-  const model::StepSettings& step = plan.step;
+  const input::StepSettings& step = plan.step;
   mpm::StepOptions<D> o;
   o.damping = step.damping;
   o.mass_scaling = step.mass_scaling;
-  o.mixed = step.integration == model::Integration::mixed;
+  o.mixed = step.integration == input::Integration::mixed;
   o.smoothing = step.smoothing;
-  o.moving = step.geometry == model::Geometry::moving;
+  o.moving = step.geometry == input::Geometry::moving;
   o.objective = step.objective_rate;
   o.threads = plan.threads;
-  o.implicit_drag = step.drag == model::Drag::implicit_at_nodes;
+  o.implicit_drag = step.drag == input::Drag::implicit_at_nodes;
   o.water_damping = step.water_damping;
-  o.net_damping = step.damped_force == model::DampedForce::net;
+  o.net_damping = step.damped_force == input::DampedForce::net;
   o.smooth_pressure = step.pressure_smoothing;
   o.exchange_water = step.water_exchange;
   o.conductivity_factor = step.conductivity_factor;
@@ -180,7 +180,7 @@ mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
 
 template <int D>
 mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan) {
-  if (body.water.is_wet() && plan.step.water == model::WaterMotion::held)
+  if (body.water.is_wet() && plan.step.water == input::WaterMotion::held)
     return find_drained_critical_step(body, plan.step.mass_scaling);
   return mpm::find_critical_step(body, make_options(plan));
 }
@@ -202,17 +202,17 @@ bool is_calm(const mpm::Body<D>& body, const StagePlan<D>& plan) {
   const mpm::Monitor& m = body.monitor;
   const double reference_speed = std::sqrt(norm(plan.gravity) * plan.soil_height);
   const bool slow = m.kinetic_energy <= plan.rest.energy_ratio * std::abs(body.work.external) ||
-                    plan.step.geometry == model::Geometry::frozen;
+                    plan.step.geometry == input::Geometry::frozen;
   return m.out_of_balance < plan.rest.force_ratio * m.external && m.speed < plan.rest.speed_ratio * reference_speed &&
          slow;
 }
 
 template <int D>
-StagePlan<D> make_plan(const model::Case& data, const model::Stage& stage, double soil_height, int threads) {
+StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, double soil_height, int threads) {
   StagePlan<D> plan;
   plan.name = stage.name;
   plan.duration = stage.duration;
-  plan.until_rest = stage.until == model::Until::rest;
+  plan.until_rest = stage.until == input::Until::rest;
   plan.step = stage.step;
   plan.rest = data.rest;
   plan.gravity = find_gravity<D>(data.gravity);
@@ -224,7 +224,7 @@ StagePlan<D> make_plan(const model::Case& data, const model::Stage& stage, doubl
 
 template <int D>
 StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks) {
-  if (body.water.is_wet() && plan.step.water == model::WaterMotion::held)
+  if (body.water.is_wet() && plan.step.water == input::WaterMotion::held)
     return run_drained_stage(body, plan, state, hooks);
   mpm::StepOptions<D> options = make_options(plan);
   if (!state.started) {
@@ -296,7 +296,7 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
   template mpm::CriticalStep find_critical_step<D>(const mpm::Body<D>&, const StagePlan<D>&); \
   template Vec<D> find_stage_gravity<D>(const StagePlan<D>&, const StageState&, double);      \
   template bool is_calm<D>(const mpm::Body<D>&, const StagePlan<D>&);                         \
-  template StagePlan<D> make_plan<D>(const model::Case&, const model::Stage&, double, int);   \
+  template StagePlan<D> make_plan<D>(const input::Case&, const input::Stage&, double, int);   \
   template StageEnd run_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&, const StageHooks<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

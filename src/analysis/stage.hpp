@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "mpm/critical_step.hpp"
 #include "mpm/step.hpp"
 
@@ -16,8 +16,8 @@ struct StagePlan {
   std::string name;
   double duration = 0;  ///< [s]; the longest time when until_rest
   bool until_rest = false;
-  model::StepSettings step;
-  model::RestCriterion rest;
+  input::StepSettings step;
+  input::RestCriterion rest;
   Vec<D> gravity{};                ///< at full strength [m/s²]
   double gravity_ramp = 0;         ///< [s]
   double soil_height = 0;          ///< H of the rest criterion [m]
@@ -70,7 +70,7 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
 
 /// Plan of the stage `index` of a case.
 template <int D>
-StagePlan<D> make_plan(const model::Case& data, const model::Stage& stage, double soil_height, int threads);
+StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, double soil_height, int threads);
 
 /// Gravity [m/s²] that acts at `time` of the stage.
 template <int D>

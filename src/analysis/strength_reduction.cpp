@@ -19,10 +19,10 @@ using nlohmann::json;
 constexpr double elastic_share = 1e-3;
 
 /// Least and greatest angle of dilatancy [deg]; zero where no soil has one.
-std::pair<double, double> find_dilatancy_range(const model::Case& data) {
+std::pair<double, double> find_dilatancy_range(const input::Case& data) {
   double low = 1e9, high = -1e9;
   for (const auto& [name, m] : data.materials) {
-    if (m.model != model::MaterialModel::mohr_coulomb && m.model != model::MaterialModel::rooted_mohr_coulomb) continue;
+    if (m.model != input::MaterialModel::mohr_coulomb && m.model != input::MaterialModel::rooted_mohr_coulomb) continue;
     low = std::min(low, m.dilatancy_angle * 180 / std::numbers::pi);
     high = std::max(high, m.dilatancy_angle * 180 / std::numbers::pi);
   }
@@ -34,8 +34,8 @@ std::pair<double, double> find_dilatancy_range(const model::Case& data) {
 template <int D>
 void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, double slope_height, int threads,
                      json& summary, std::vector<std::string>& warnings) {
-  const model::Case& data = *context.data;
-  const model::StrengthReduction& settings = data.strength_reduction;
+  const input::Case& data = *context.data;
+  const input::StrengthReduction& settings = data.strength_reduction;
   json& factors = summary["factor_of_safety"] = json::object();
   if (settings.curve.enabled) {
     const CurveResult curve = compute_curve(state, context, slope_height, threads);

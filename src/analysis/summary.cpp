@@ -101,15 +101,15 @@ json to_json(const Profile& p) {
   return {{"bin", p.bin}, {"x", p.x}, {"height", p.height}};
 }
 
-json describe_provenance(const model::LoadedCase& loaded, const std::string& input_hash, int threads) {
+json describe_provenance(const input::LoadedCase& loaded, const std::string& input_hash, int threads) {
   return {{"program", "talus"},       {"version", version},        {"commit", commit},
           {"compiler", compiler},     {"build_type", build_type},  {"architecture", architecture},
           {"lane_width", lane_width}, {"machine", find_machine()}, {"threads", threads},
           {"started", now_as_text()}, {"case_file", loaded.file},  {"input_hash", input_hash}};
 }
 
-json describe_case(const model::LoadedCase& loaded, const std::string& input_hash, int threads) {
-  const model::Case& data = loaded.data;
+json describe_case(const input::LoadedCase& loaded, const std::string& input_hash, int threads) {
+  const input::Case& data = loaded.data;
   json outlines = json::array();
   for (const mesh::Polygon& p : data.mesh.polygons) {
     json outline = json::array();
@@ -127,8 +127,8 @@ json describe_case(const model::LoadedCase& loaded, const std::string& input_has
           {"input", loaded.echo}};
 }
 
-json describe_project(const model::Case& data) {
-  const model::Project& p = data.project;
+json describe_project(const input::Case& data) {
+  const input::Project& p = data.project;
   return {{"title", data.title},        {"project", p.name},      {"client", p.client}, {"author", p.author},
           {"checked_by", p.checked_by}, {"revision", p.revision}, {"notes", p.notes}};
 }

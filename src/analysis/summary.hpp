@@ -6,8 +6,8 @@
 
 #include "analysis/displacement_curve.hpp"
 #include "analysis/frozen_factor.hpp"
+#include "input/read.hpp"
 #include "mesh/quality.hpp"
-#include "model/read.hpp"
 
 namespace talus::analysis {
 
@@ -30,13 +30,13 @@ nlohmann::json to_json(const Runout& runout);
 nlohmann::json to_json(const Profile& profile);
 
 /// Program, build, machine and input: where a number comes from.
-nlohmann::json describe_provenance(const model::LoadedCase& loaded, const std::string& input_hash, int threads);
+nlohmann::json describe_provenance(const input::LoadedCase& loaded, const std::string& input_hash, int threads);
 
 /// What the summary of every run begins with, by whatever methods: title, project, provenance, units, outlines, input.
-nlohmann::json describe_case(const model::LoadedCase& loaded, const std::string& input_hash, int threads);
+nlohmann::json describe_case(const input::LoadedCase& loaded, const std::string& input_hash, int threads);
 
 /// The title block of the report.
-nlohmann::json describe_project(const model::Case& data);
+nlohmann::json describe_project(const input::Case& data);
 
 /// Mesh and points.
 template <int D>

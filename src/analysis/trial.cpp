@@ -8,7 +8,7 @@
 namespace talus::analysis {
 
 template <int D>
-mpm::Body<D> start_trial(const mpm::Body<D>& state, const model::Case& data, double factor) {
+mpm::Body<D> start_trial(const mpm::Body<D>& state, const input::Case& data, double factor) {
   mpm::Body<D> body = state;
   set_strength(body, data, {}, factor);
   mpm::reset_displacements(body);
@@ -36,8 +36,8 @@ int count_parallel_trials(int points, int threads) {
   return points < points_worth_threads ? threads : 1;
 }
 
-template mpm::Body<2> start_trial<2>(const mpm::Body<2>&, const model::Case&, double);
-template mpm::Body<3> start_trial<3>(const mpm::Body<3>&, const model::Case&, double);
+template mpm::Body<2> start_trial<2>(const mpm::Body<2>&, const input::Case&, double);
+template mpm::Body<3> start_trial<3>(const mpm::Body<3>&, const input::Case&, double);
 template TrialResult run_trial<2>(mpm::Body<2>&, double, const StagePlan<2>&, StageState&, const StageHooks<2>&);
 template TrialResult run_trial<3>(mpm::Body<3>&, double, const StagePlan<3>&, StageState&, const StageHooks<3>&);
 

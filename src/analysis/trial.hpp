@@ -18,7 +18,7 @@ struct TrialResult {
 
 /// Prepares a body for a trial: reduced strength (3.14-3.15), displacements from zero (time and work go on).
 template <int D>
-mpm::Body<D> start_trial(const mpm::Body<D>& state, const model::Case& data, double factor);
+mpm::Body<D> start_trial(const mpm::Body<D>& state, const input::Case& data, double factor);
 
 /// Runs the stage `plan` on a body from start_trial and tells how it went. The body is left at the end of the trial.
 template <int D>

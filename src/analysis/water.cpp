@@ -6,18 +6,18 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "model/soil_water_law.hpp"
+#include "input/case/soil_water_law.hpp"
 
 namespace talus::analysis {
 
-bool has_water(const model::Case& data) {
+bool has_water(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
     const auto material = data.materials.find(region.second);
     return material != data.materials.end() && material->second.water.is_wet();
   });
 }
 
-std::vector<mpm::WaterLaw> make_water_laws(const model::Case& data) {
+std::vector<mpm::WaterLaw> make_water_laws(const input::Case& data) {
   std::vector<mpm::WaterLaw> laws;
   if (!has_water(data)) return laws;
   for (const auto& [name, m] : data.materials) {
@@ -28,22 +28,22 @@ std::vector<mpm::WaterLaw> make_water_laws(const model::Case& data) {
     law.drag_gravity = data.water.drag_gravity;
     law.wet = m.water.is_wet();
     if (law.wet) {
-      law.conductivity = model::find_saturated_conductivity(m.water, data.water, data.water.drag_gravity);
-      law.retention = model::make_retention(m.water);
-      law.relative = model::make_relative_conductivity(m.water);
-      if (m.water.chi == model::BishopChi::khalili_khabbaz) law.chi_air_entry = m.water.chi_air_entry;
+      law.conductivity = input::find_saturated_conductivity(m.water, data.water, data.water.drag_gravity);
+      law.retention = input::make_retention(m.water);
+      law.relative = input::make_relative_conductivity(m.water);
+      if (m.water.chi == input::BishopChi::khalili_khabbaz) law.chi_air_entry = m.water.chi_air_entry;
     }
     laws.push_back(std::move(law));
   }
   return laws;
 }
 
-double find_water_weight(const model::Case& data) {
+double find_water_weight(const input::Case& data) {
   return data.water.density * data.gravity.acceleration;
 }
 
 template <int D>
-const model::Material* find_soil(const model::Case& data, const mesh::Mesh<D>& mesh, int e) {
+const input::Material* find_soil(const input::Case& data, const mesh::Mesh<D>& mesh, int e) {
   const int region = mesh.element_region[e];
   if (region < 0) return nullptr;
   const auto given = data.regions.find(mesh.region_names[region]);
@@ -55,7 +55,7 @@ const model::Material* find_soil(const model::Case& data, const mesh::Mesh<D>& m
   return &material->second;
 }
 
-void check_upright(const model::Case& data, const char* what) {
+void check_upright(const input::Case& data, const char* what) {
   constexpr double upright = 1e-9;
   if (data.gravity.direction[1] > -1 + upright) {
     throw Error(ExitCode::wrong_input,
@@ -64,7 +64,7 @@ void check_upright(const model::Case& data, const char* what) {
   }
 }
 
-template const model::Material* find_soil<2>(const model::Case&, const mesh::Mesh<2>&, int);
-template const model::Material* find_soil<3>(const model::Case&, const mesh::Mesh<3>&, int);
+template const input::Material* find_soil<2>(const input::Case&, const mesh::Mesh<2>&, int);
+template const input::Material* find_soil<3>(const input::Case&, const mesh::Mesh<3>&, int);
 
 }  // namespace talus::analysis

@@ -141,7 +141,7 @@ class NodeConditions {
 }  // namespace
 
 template <int D>
-void resolve_water_conditions(mpm::Body<D>& body, const model::Case& data) {
+void resolve_water_conditions(mpm::Body<D>& body, const input::Case& data) {
   mpm::Water<D>& water = body.water;
   if (!water.is_wet()) return;
   WaterSides<D> sides = find_water_sides<D>(body.mesh(), data);
@@ -172,7 +172,7 @@ void hold_surfaces(mpm::Body<D>& body, double time) {
 
 template void hold_surfaces<2>(mpm::Body<2>&, double);
 template void hold_surfaces<3>(mpm::Body<3>&, double);
-template void resolve_water_conditions<2>(mpm::Body<2>&, const model::Case&);
-template void resolve_water_conditions<3>(mpm::Body<3>&, const model::Case&);
+template void resolve_water_conditions<2>(mpm::Body<2>&, const input::Case&);
+template void resolve_water_conditions<3>(mpm::Body<3>&, const input::Case&);
 
 }  // namespace talus::analysis

@@ -1,7 +1,7 @@
 #pragma once
 // Where pore water is held, and what it meets where the wet soil ends: [[hydraulic]] and [[boundary]] on a body's mesh.
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "mpm/body.hpp"
 
 namespace talus::analysis {
@@ -15,7 +15,7 @@ namespace talus::analysis {
 /// nearest, so that conditions go with a free surface that moves; those of walls stay with the elements at the wall.
 /// Throws Error (wrong_input) for a side that the mesh does not have, and for a condition that water never meets.
 template <int D>
-void resolve_water_conditions(mpm::Body<D>& body, const model::Case& data);
+void resolve_water_conditions(mpm::Body<D>& body, const input::Case& data);
 
 /// Makes the values that conditions have at `time` [s] constant: those that belong to pore pressures which are held.
 template <int D>

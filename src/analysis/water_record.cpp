@@ -40,7 +40,7 @@ WaterState<D> find_water_state(const mpm::Body<D>& body) {
 }
 
 template <int D>
-WaterRecord<D>::WaterRecord(const model::Case& data, const mpm::Body<D>& body)
+WaterRecord<D>::WaterRecord(const input::Case& data, const mpm::Body<D>& body)
     : names_(name_surfaces(body.water.surfaces)),
       density_(data.water.density),
       stress_(units::get_si_factor(data.output.stress_unit)),

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "mpm/body.hpp"
 #include "output/history.hpp"
 
@@ -28,7 +28,7 @@ WaterState<D> find_water_state(const mpm::Body<D>& body);
 template <int D>
 class WaterRecord {
  public:
-  WaterRecord(const model::Case& data, const mpm::Body<D>& body);
+  WaterRecord(const input::Case& data, const mpm::Body<D>& body);
   std::vector<output::Column> list_columns() const;
   /// Appends the values of the columns to `row`, and starts the next interval.
   void append(const mpm::Body<D>& body, std::vector<double>& row);

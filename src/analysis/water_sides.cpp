@@ -14,7 +14,7 @@
 namespace talus::analysis {
 namespace {
 
-using model::WaterCondition;
+using input::WaterCondition;
 
 /// A plane condition holds a side whose normal is within 20° of the plane's.
 constexpr double parallel_cosine = 0.9397;
@@ -32,7 +32,7 @@ Side<D> sort_nodes(Side<D> side) {
 template <int D>
 class NamedSides {
  public:
-  NamedSides(const mesh::Mesh<D>& mesh, const model::Case& data) {
+  NamedSides(const mesh::Mesh<D>& mesh, const input::Case& data) {
     for (std::size_t h = 0; h < data.hydraulics.size(); ++h) {
       for (const auto& side : find_sides(mesh, data.hydraulics[h].on)) {
         const int number = static_cast<int>(h) + 1;
@@ -41,12 +41,12 @@ class NamedSides {
       }
     }
     int moved = static_cast<int>(data.hydraulics.size());
-    for (const model::Boundary& b : data.boundaries) {
-      if (b.fix == model::Fix::velocity) ++moved;
+    for (const input::Boundary& b : data.boundaries) {
+      if (b.fix == input::Fix::velocity) ++moved;
       for (const auto& [side, elements] : map_sides<D>(mesh, find_sides(mesh, b.on))) {
-        if (b.fix == model::Fix::plane && !is_parallel(mesh, b, elements)) continue;
+        if (b.fix == input::Fix::plane && !is_parallel(mesh, b, elements)) continue;
         walls_.insert(side);
-        if (b.fix == model::Fix::velocity) conditions_.try_emplace(side, moved);
+        if (b.fix == input::Fix::velocity) conditions_.try_emplace(side, moved);
       }
     }
   }
@@ -58,14 +58,14 @@ class NamedSides {
   }
 
  private:
-  static int choose(const model::Case& data, int a, int b) {
+  static int choose(const input::Case& data, int a, int b) {
     const auto rank = [&](int number) {
       constexpr double lowest = -1e300;  // a head is a head below its level
       return find_rank(make_surface_condition(data.hydraulics[static_cast<std::size_t>(number) - 1]), lowest, true);
     };
     return rank(b) < rank(a) ? b : a;
   }
-  static bool is_parallel(const mesh::Mesh<D>& mesh, const model::Boundary& b,
+  static bool is_parallel(const mesh::Mesh<D>& mesh, const input::Boundary& b,
                           const std::vector<SideElement>& elements) {
     if (elements.empty()) return false;
     const Vec<D> n = find_outward_normal(mesh, elements.front().element, elements.front().opposite).first;
@@ -78,15 +78,15 @@ class NamedSides {
   std::set<Side<D>> walls_;
 };
 
-model::TimeTable make_constant(double value) {
+input::TimeTable make_constant(double value) {
   return {{0.0}, {value}};
 }
 
 template <int D>
-std::vector<bool> find_wet_elements(const mesh::Mesh<D>& mesh, const model::Case& data) {
+std::vector<bool> find_wet_elements(const mesh::Mesh<D>& mesh, const input::Case& data) {
   std::vector<bool> wet(mesh.elements.size(), false);
   for (int e = 0; e < mesh.element_count(); ++e) {
-    const model::Material* soil = find_soil(data, mesh, e);
+    const input::Material* soil = find_soil(data, mesh, e);
     wet[static_cast<std::size_t>(e)] = soil != nullptr && soil->water.is_wet();
   }
   return wet;
@@ -104,10 +104,10 @@ Side<D> get_side(const mesh::Mesh<D>& mesh, int e, int opposite) {
 
 /// The sides of boundaries that stand still, but not those that a [[hydraulic]] opens.
 template <int D>
-void add_held_walls(const mesh::Mesh<D>& mesh, const model::Case& data, const NamedSides<D>& named,
+void add_held_walls(const mesh::Mesh<D>& mesh, const input::Case& data, const NamedSides<D>& named,
                     WaterSides<D>& result) {
-  for (const model::Boundary& b : data.boundaries) {
-    if (b.fix == model::Fix::velocity) continue;
+  for (const input::Boundary& b : data.boundaries) {
+    if (b.fix == input::Fix::velocity) continue;
     std::vector<Side<D>> held;
     for (const auto& side : find_sides(mesh, b.on)) {
       const Side<D> sorted = sort_nodes<D>(side);
@@ -123,11 +123,11 @@ void add_held_walls(const mesh::Mesh<D>& mesh, const model::Case& data, const Na
 
 }  // namespace
 
-mpm::SurfaceCondition make_surface_condition(const model::Hydraulic& h) {
+mpm::SurfaceCondition make_surface_condition(const input::Hydraulic& h) {
   mpm::SurfaceCondition s;
   s.name = h.on;
   s.value = h.values();
-  s.vertical = h.rain == model::RainDirection::vertical;
+  s.vertical = h.rain == input::RainDirection::vertical;
   s.suction_limit = h.suction_limit;
   switch (h.condition) {
     case WaterCondition::total_head:
@@ -175,12 +175,12 @@ int find_rank(const mpm::SurfaceCondition& s, double y, bool is_named) {
 }
 
 template <int D>
-WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const model::Case& data) {
+WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const input::Case& data) {
   WaterSides<D> result;
   result.surfaces.push_back({"other surfaces", mpm::SurfaceKind::seepage, {}});
-  for (const model::Hydraulic& h : data.hydraulics) result.surfaces.push_back(make_surface_condition(h));
-  for (const model::Boundary& b : data.boundaries) {
-    if (b.fix == model::Fix::velocity) result.surfaces.push_back({b.on, mpm::SurfaceKind::flux, make_constant(0)});
+  for (const input::Hydraulic& h : data.hydraulics) result.surfaces.push_back(make_surface_condition(h));
+  for (const input::Boundary& b : data.boundaries) {
+    if (b.fix == input::Fix::velocity) result.surfaces.push_back({b.on, mpm::SurfaceKind::flux, make_constant(0)});
   }
   const NamedSides<D> named(mesh, data);
   const std::vector<bool> wet = find_wet_elements(mesh, data);
@@ -226,7 +226,7 @@ WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const model::Case& dat
   return result;
 }
 
-template WaterSides<2> find_water_sides<2>(const mesh::Mesh<2>&, const model::Case&);
-template WaterSides<3> find_water_sides<3>(const mesh::Mesh<3>&, const model::Case&);
+template WaterSides<2> find_water_sides<2>(const mesh::Mesh<2>&, const input::Case&);
+template WaterSides<3> find_water_sides<3>(const mesh::Mesh<3>&, const input::Case&);
 
 }  // namespace talus::analysis

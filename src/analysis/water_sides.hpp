@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
-#include "model/case.hpp"
 #include "mpm/water.hpp"
 
 namespace talus::analysis {
@@ -33,11 +33,11 @@ struct WaterSides {
 };
 
 /// The condition of the engine for one [[hydraulic]]. Pressures change their sign: positive in tension.
-mpm::SurfaceCondition make_surface_condition(const model::Hydraulic& hydraulic);
+mpm::SurfaceCondition make_surface_condition(const input::Hydraulic& hydraulic);
 
 /// Throws Error (wrong_input) for a side that the mesh does not have, and for a condition that water never meets.
 template <int D>
-WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const model::Case& data);
+WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const input::Case& data);
 
 /// Which of several conditions holds where they meet at the elevation `y` [m]: head, pressure, flux, rain, seepage. A
 /// head is a seepage face above its level. Smaller comes first.

@@ -38,7 +38,7 @@ json to_list(const std::array<double, D>& x) {
 }  // namespace
 
 template <int D>
-json describe_water(const model::Case& data, const mpm::Body<D>& body, double initial) {
+json describe_water(const input::Case& data, const mpm::Body<D>& body, double initial) {
   const mpm::Water<D>& water = body.water;
   const std::vector<std::string> names = name_surfaces(water.surfaces);
   json surfaces = json::array();
@@ -103,7 +103,7 @@ json describe_seepage(const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& r)
 }
 
 #define TALUS_INSTANTIATE(D)                                                        \
-  template json describe_water<D>(const model::Case&, const mpm::Body<D>&, double); \
+  template json describe_water<D>(const input::Case&, const mpm::Body<D>&, double); \
   template json describe_seepage<D>(const mesh::Mesh<D>&, const fem::SeepageResult<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

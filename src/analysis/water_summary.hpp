@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fem/seepage.hpp"
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "mpm/body.hpp"
 
 namespace talus::analysis {
@@ -12,7 +12,7 @@ namespace talus::analysis {
 /// Water at the start and now, and what passed each condition [kg], [Pa]. `initial` is its mass at the start. The
 /// error of the budget is what the sums leave unexplained, as a share of the water in the model.
 template <int D>
-nlohmann::json describe_water(const model::Case& data, const mpm::Body<D>& body, double initial);
+nlohmann::json describe_water(const input::Case& data, const mpm::Body<D>& body, double initial);
 
 /// Discharges [m³/s], greatest suction and its place, the water table, where water comes out, and how it was found.
 template <int D>

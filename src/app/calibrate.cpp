@@ -8,8 +8,8 @@
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
+#include "input/read.hpp"
 #include "laboratory/run_calibration.hpp"
-#include "model/read.hpp"
 #include "report/report.hpp"
 
 namespace talus::app {
@@ -24,8 +24,8 @@ struct CalibrateCommand {
 void calibrate(CalibrateCommand& command) {
   laboratory::CalibrationRun& run = command.run;
   run.overrides = command.input.parse_overrides();
-  const model::LoadedCase loaded =
-      model::read_case(command.input.file, run.overrides, model::CaseScope::whole_or_tests);
+  const input::LoadedCase loaded =
+      input::read_case(command.input.file, run.overrides, input::CaseScope::whole_or_tests);
   if (run.folder.empty()) run.folder = std::filesystem::path(command.input.file).stem().string() + "_calibration";
   catch_interrupts();
   Progress progress(!command.quiet);

@@ -12,9 +12,9 @@ void CaseOptions::add_to(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
-std::vector<model::Override> CaseOptions::parse_overrides() const {
-  std::vector<model::Override> overrides;
-  for (const std::string& text : sets) overrides.push_back(model::parse_override(text));
+std::vector<input::Override> CaseOptions::parse_overrides() const {
+  std::vector<input::Override> overrides;
+  for (const std::string& text : sets) overrides.push_back(input::parse_override(text));
   return overrides;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/overrides.hpp"
+#include "input/language/overrides.hpp"
 
 namespace talus::app {
 
@@ -16,7 +16,7 @@ struct CaseOptions {
   /// Adds CASE and --set to a command; the options must live as long as the command line is parsed.
   void add_to(CLI::App& command);
   /// The changes. Throws Error (wrong_input) for one that is not key=value.
-  std::vector<model::Override> parse_overrides() const;
+  std::vector<input::Override> parse_overrides() const;
 };
 
 }  // namespace talus::app

@@ -5,10 +5,10 @@
 #include "analysis/end_state.hpp"
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
+#include "input/case/method_names.hpp"
+#include "input/case/partial_factors.hpp"
+#include "input/read.hpp"
 #include "methods/run_case.hpp"
-#include "model/method_names.hpp"
-#include "model/partial_factors.hpp"
-#include "model/read.hpp"
 
 namespace talus::app {
 namespace {
@@ -18,8 +18,8 @@ std::string count(std::size_t n, const char* one, const char* many) {
 }
 
 /// What the soil is.
-std::string describe_soil(const model::Case& data) {
-  const bool has_points = model::uses(data, model::Method::mpm);
+std::string describe_soil(const input::Case& data) {
+  const bool has_points = input::uses(data, input::Method::mpm);
   std::string mesh;
   if (!data.mesh.file.empty())
     mesh = fmt::format(", mesh '{}'", data.mesh.file);
@@ -35,46 +35,46 @@ std::string describe_soil(const model::Case& data) {
                      count(data.boundaries.size(), "boundary condition", "boundary conditions"), hydraulics);
 }
 
-std::string describe_slices(const model::LimitEquilibrium& lem) {
+std::string describe_slices(const input::LimitEquilibrium& lem) {
   std::string methods;
-  for (const model::SliceMethod method : lem.methods)
-    methods += (methods.empty() ? "" : ", ") + std::string(model::get_title(method));
+  for (const input::SliceMethod method : lem.methods)
+    methods += (methods.empty() ? "" : ", ") + std::string(input::get_title(method));
   std::string surfaces;
-  if (lem.search == model::SurfaceSearch::entry_exit) surfaces = "circles between entries and exits";
-  if (lem.search == model::SurfaceSearch::grid) surfaces = "circles about a grid of centres";
+  if (lem.search == input::SurfaceSearch::entry_exit) surfaces = "circles between entries and exits";
+  if (lem.search == input::SurfaceSearch::grid) surfaces = "circles about a grid of centres";
   if (!surfaces.empty() && lem.noncircular) surfaces += ", then polylines";
   if (!lem.surfaces.empty())
     surfaces += (surfaces.empty() ? "" : ", and ") + count(lem.surfaces.size(), "given surface", "given surfaces");
   return fmt::format("  limit equilibrium: {}; {}\n", methods, surfaces);
 }
 
-std::string describe_elements(const model::Case& data) {
+std::string describe_elements(const input::Case& data) {
   const double size = data.fem.size.value_or(data.mesh.size);
-  const char* flow = data.fem.flow == model::FlowRule::as_given     ? "ψ as given"
-                     : data.fem.flow == model::FlowRule::associated ? "ψ = φ"
+  const char* flow = data.fem.flow == input::FlowRule::as_given     ? "ψ as given"
+                     : data.fem.flow == input::FlowRule::associated ? "ψ = φ"
                                                                     : "ψ as given and ψ = φ";
   return fmt::format("  finite elements: strength reduction{}, {}\n",
                      data.mesh.file.empty() ? fmt::format(" with elements of {:g} m", size) : "", flow);
 }
 
-std::string describe_points(const model::Case& data) {
+std::string describe_points(const input::Case& data) {
   double time = 0;
-  for (const model::Stage& stage : data.stages) time += stage.duration;
+  for (const input::Stage& stage : data.stages) time += stage.duration;
   return fmt::format("  {}{}: {}, together at most {:g} s\n", data.methods.size() > 1 ? "material points, " : "",
-                     data.analysis == model::AnalysisKind::run ? "run" : "strength reduction",
+                     data.analysis == input::AnalysisKind::run ? "run" : "strength reduction",
                      count(data.stages.size(), "stage", "stages"), time);
 }
 
 /// What the soil is, what each method calculates, and what the study does with it.
-std::string summarise(const model::Case& data) {
+std::string summarise(const input::Case& data) {
   std::string text = describe_soil(data);
-  if (model::uses(data, model::Method::lem)) text += describe_slices(data.lem);
-  if (model::uses(data, model::Method::fem)) text += describe_elements(data);
-  if (model::uses(data, model::Method::mpm)) text += describe_points(data);
-  if (const model::PartialFactorValues factors = model::find_partial_factors(data.partial_factors); factors.is_active())
+  if (input::uses(data, input::Method::lem)) text += describe_slices(data.lem);
+  if (input::uses(data, input::Method::fem)) text += describe_elements(data);
+  if (input::uses(data, input::Method::mpm)) text += describe_points(data);
+  if (const input::PartialFactorValues factors = input::find_partial_factors(data.partial_factors); factors.is_active())
     text += fmt::format("  with partial factors {}\n", factors.set);
-  const model::Study& study = data.study;
-  if (study.mode == model::StudyMode::sample)
+  const input::Study& study = data.study;
+  if (study.mode == input::StudyMode::sample)
     text += fmt::format("  a study draws {} samples of {}\n", study.sampling.samples,
                         count(study.sampling.numbers.size(), "uncertain number", "uncertain numbers"));
   else if (!study.vary.empty())
@@ -89,10 +89,10 @@ void add_check(CLI::App& app) {
   const auto options = std::make_shared<CaseOptions>();
   options->add_to(*command);
   command->callback([options] {
-    const model::LoadedCase loaded =
-        model::read_case(options->file, options->parse_overrides(), model::CaseScope::whole_or_tests);
+    const input::LoadedCase loaded =
+        input::read_case(options->file, options->parse_overrides(), input::CaseScope::whole_or_tests);
     if (!loaded.data.initial.result.empty())
-      model::check_against_result(loaded, analysis::EndState(loaded.data.initial).input());
+      input::check_against_result(loaded, analysis::EndState(loaded.data.initial).input());
     if (loaded.is_whole) methods::check_methods(loaded.data);
     fmt::print("{}: no errors\n{}", options->file,
                loaded.is_whole ? summarise(loaded.data)

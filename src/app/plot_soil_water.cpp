@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "model/read.hpp"
+#include "input/read.hpp"
 #include "output/atomic_file.hpp"
 #include "output/water_plot.hpp"
 
 namespace talus::app {
 
 void plot_soil_water(const CaseOptions& input, const std::filesystem::path& picture, const std::string& format) {
-  const model::LoadedCase loaded = model::read_case(input.file, input.parse_overrides());
+  const input::LoadedCase loaded = input::read_case(input.file, input.parse_overrides());
   const output::WaterPlot plot{loaded.data.title, output::sample_water_curves(loaded.data)};
   if (plot.soils.empty())
     throw Error(ExitCode::wrong_input,

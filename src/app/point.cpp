@@ -7,8 +7,8 @@
 
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
+#include "input/read.hpp"
 #include "laboratory/run_point_tests.hpp"
-#include "model/read.hpp"
 #include "report/report.hpp"
 
 namespace talus::app {
@@ -21,8 +21,8 @@ struct PointCommand {
 };
 
 void run_tests(PointCommand& command) {
-  const model::LoadedCase loaded =
-      model::read_case(command.input.file, command.input.parse_overrides(), model::CaseScope::whole_or_tests);
+  const input::LoadedCase loaded =
+      input::read_case(command.input.file, command.input.parse_overrides(), input::CaseScope::whole_or_tests);
   if (command.options.folder.empty())
     command.options.folder = std::filesystem::path(command.input.file).stem().string() + "_point";
   const nlohmann::json summary = laboratory::run_point_tests(loaded, command.options);

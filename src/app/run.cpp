@@ -24,7 +24,7 @@ struct RunCommand {
 };
 
 void run(const RunCommand& command) {
-  const model::LoadedCase loaded = model::read_case(command.input.file, command.input.parse_overrides());
+  const input::LoadedCase loaded = input::read_case(command.input.file, command.input.parse_overrides());
   catch_interrupts();
   Progress progress(!command.quiet);
   analysis::RunOptions options;

@@ -26,9 +26,9 @@ struct StudyCommand {
 };
 
 void run_study(const StudyCommand& command) {
-  const std::vector<model::Override> overrides = command.input.parse_overrides();
-  const model::LoadedCase base = model::read_case(command.input.file, overrides);
-  const bool samples = base.data.study.mode == model::StudyMode::sample;
+  const std::vector<input::Override> overrides = command.input.parse_overrides();
+  const input::LoadedCase base = input::read_case(command.input.file, overrides);
+  const bool samples = base.data.study.mode == input::StudyMode::sample;
   study::StudyPlan plan;
   if (!samples) plan = study::plan_study(base, overrides);
   catch_interrupts();

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
-#include "model/read.hpp"
+#include "input/read.hpp"
 
 namespace talus::app {
 
 void add_template(CLI::App& app) {
   app.add_subcommand("template", "Print a commented case file with every key; it can be run as it is")->callback([] {
-    fmt::print("{}", model::write_template());
+    fmt::print("{}", input::write_template());
   });
 }
 

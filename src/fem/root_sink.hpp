@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "input/language/time_table.hpp"
 #include "material/feddes.hpp"
-#include "model/time_table.hpp"
 
 namespace talus::fem {
 
@@ -13,7 +13,7 @@ namespace talus::fem {
 struct RootSink {
   std::string name;
   material::Feddes reduction;   ///< α
-  model::TimeTable rate;        ///< T, potential per horizontal area of ground [m/s]
+  input::TimeTable rate;        ///< T, potential per horizontal area of ground [m/s]
   std::vector<double> weights;  ///< W per node of the mesh: the roots' share times the ground covered [m²] (2D: m)
 };
 

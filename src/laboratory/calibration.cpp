@@ -28,7 +28,7 @@ class Draw {
 };
 
 /// Where the searches begin: at the user's values, then at random.
-std::vector<std::vector<double>> choose_starts(const CalibrationModel& model, const model::Calibration& calibration,
+std::vector<std::vector<double>> choose_starts(const CalibrationModel& model, const input::Calibration& calibration,
                                                long& evaluations) {
   const std::size_t m = model.count_parameters();
   std::vector<std::vector<double>> starts(1);
@@ -61,11 +61,11 @@ double sum_squares(const std::vector<double>& residuals) {
   return sum;
 }
 
-std::vector<FittedCurve> describe_curves(const model::Calibration& calibration, const Comparison& before,
+std::vector<FittedCurve> describe_curves(const input::Calibration& calibration, const Comparison& before,
                                          const Comparison& fitted) {
   std::vector<FittedCurve> curves;
   for (std::size_t k = 0; k < calibration.curves.size(); ++k) {
-    const model::MeasuredCurve& c = calibration.curves[k];
+    const input::MeasuredCurve& c = calibration.curves[k];
     FittedCurve& f = curves.emplace_back();
     f.test = c.test, f.x = c.x, f.y = c.y, f.deviation = c.deviation, f.weight = c.weight;
     f.before = before.values[k], f.fitted = fitted.values[k], f.missing = fitted.missing[k];
@@ -103,9 +103,9 @@ void add_certainty(const CalibrationModel& model, const std::vector<double>& pla
 
 }  // namespace
 
-CalibrationResult calibrate(const model::Case& data, const CalibrationOptions& options) {
+CalibrationResult calibrate(const input::Case& data, const CalibrationOptions& options) {
   const CalibrationModel model(data);
-  const model::Calibration& calibration = *data.calibration;
+  const input::Calibration& calibration = *data.calibration;
   CalibrationResult result;
   const std::vector<std::vector<double>> starts = choose_starts(model, calibration, result.evaluations);
   std::vector<Search> searches;
@@ -137,7 +137,7 @@ CalibrationResult calibrate(const model::Case& data, const CalibrationOptions& o
   result.curves = describe_curves(calibration, *before, *fitted);
   std::size_t held = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const model::CalibrationParameter& p = calibration.parameters[i];
+    const input::CalibrationParameter& p = calibration.parameters[i];
     const AtLimit limit = places[i] <= 0 ? AtLimit::low : places[i] >= 1 ? AtLimit::high : AtLimit::no;
     held += limit == AtLimit::no ? 0 : 1;
     result.parameters.push_back(

@@ -8,7 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 
 namespace talus::laboratory {
 
@@ -63,6 +63,6 @@ struct CalibrationOptions {
 
 /// Fits the parameters of data.calibration. Throws Error (wrong_input) when the parameters at the start are refused by
 /// the case or a test cannot be run with them, and Error (interrupted).
-CalibrationResult calibrate(const model::Case& data, const CalibrationOptions& options = {});
+CalibrationResult calibrate(const input::Case& data, const CalibrationOptions& options = {});
 
 }  // namespace talus::laboratory

@@ -88,7 +88,7 @@ void add_rivals(const CalibrationResult& result, std::vector<std::string>& list)
 
 }  // namespace
 
-std::vector<std::string> list_findings(const model::Calibration& calibration, const CalibrationResult& result,
+std::vector<std::string> list_findings(const input::Calibration& calibration, const CalibrationResult& result,
                                        const std::vector<std::vector<double>>& unfixed, double freedom) {
   std::vector<std::string> list;
   if (!result.starts[result.best].converged)

@@ -7,9 +7,9 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "input/case/number_keys.hpp"
+#include "input/checks/checks.hpp"
 #include "laboratory/measured_match.hpp"
-#include "model/checks.hpp"
-#include "model/number_keys.hpp"
 
 namespace talus::laboratory {
 namespace {
@@ -21,19 +21,19 @@ constexpr double slack = 1e-6;  ///< of the measured abscissae: less than this b
 constexpr std::size_t most_drawn = 200;
 
 /// What the checks of a case say against the soil; empty when nothing.
-std::string find_fault(const std::string& name, const model::Material& soil) {
-  model::Case alone;
+std::string find_fault(const std::string& name, const input::Material& soil) {
+  input::Case alone;
   alone.materials[name] = soil;
   alone.regions["soil"] = name;  // a soil without use is a fault of its own
   alone.mesh.file = "soil";
-  model::Places places;
-  model::Findings findings(places);
-  model::check_materials(alone, findings);
+  input::Places places;
+  input::Findings findings(places);
+  input::check_materials(alone, findings);
   return findings.empty() ? "" : findings.sort().front().sentence;
 }
 
 /// The whole curve of a test, for charts; turning points and the end are always in it.
-std::vector<std::array<double, 2>> draw_line(const PointCurve& curve, const model::MeasuredCurve& measured) {
+std::vector<std::array<double, 2>> draw_line(const PointCurve& curve, const input::MeasuredCurve& measured) {
   std::vector<std::array<double, 2>> line;
   const std::size_t stride = (curve.rows.size() + most_drawn - 1) / most_drawn;
   for (std::size_t i = 0; i < curve.rows.size(); ++i)
@@ -45,8 +45,8 @@ std::vector<std::array<double, 2>> draw_line(const PointCurve& curve, const mode
 
 }  // namespace
 
-CalibrationModel::CalibrationModel(const model::Case& data) : data_(data), calibration_(*data.calibration) {
-  for (const model::MeasuredCurve& curve : calibration_.curves) {
+CalibrationModel::CalibrationModel(const input::Case& data) : data_(data), calibration_(*data.calibration) {
+  for (const input::MeasuredCurve& curve : calibration_.curves) {
     if (std::find(tests_.begin(), tests_.end(), curve.test_number) == tests_.end()) tests_.push_back(curve.test_number);
     legs_.push_back(find_legs(data.tests[curve.test_number], curve.points));
     const auto by_x = [](const auto& a, const auto& b) { return a[0] < b[0]; };
@@ -58,33 +58,33 @@ CalibrationModel::CalibrationModel(const model::Case& data) : data_(data), calib
 }
 
 double CalibrationModel::find_value(std::size_t i, double u) const {
-  const model::CalibrationParameter& p = calibration_.parameters[i];
+  const input::CalibrationParameter& p = calibration_.parameters[i];
   // The ends exactly, so that a number at its limit is the limit.
   if (u <= 0) return p.low;
   if (u >= 1) return p.high;
-  return p.scale == model::CalibrationScale::log ? p.low * std::pow(p.high / p.low, u) : p.low + u * (p.high - p.low);
+  return p.scale == input::CalibrationScale::log ? p.low * std::pow(p.high / p.low, u) : p.low + u * (p.high - p.low);
 }
 
 double CalibrationModel::find_place(std::size_t i, double value) const {
-  const model::CalibrationParameter& p = calibration_.parameters[i];
-  const double u = p.scale == model::CalibrationScale::log ? std::log(value / p.low) / std::log(p.high / p.low)
+  const input::CalibrationParameter& p = calibration_.parameters[i];
+  const double u = p.scale == input::CalibrationScale::log ? std::log(value / p.low) / std::log(p.high / p.low)
                                                            : (value - p.low) / (p.high - p.low);
   return std::clamp(u, 0.0, 1.0);
 }
 
 double CalibrationModel::find_slope(std::size_t i, double u) const {
-  const model::CalibrationParameter& p = calibration_.parameters[i];
-  return p.scale == model::CalibrationScale::log ? find_value(i, u) * std::log(p.high / p.low) : p.high - p.low;
+  const input::CalibrationParameter& p = calibration_.parameters[i];
+  return p.scale == input::CalibrationScale::log ? find_value(i, u) * std::log(p.high / p.low) : p.high - p.low;
 }
 
-model::Material CalibrationModel::make_soil(std::size_t test, const std::vector<double>& places) const {
-  model::Material soil = data_.test_soils[test];
+input::Material CalibrationModel::make_soil(std::size_t test, const std::vector<double>& places) const {
+  input::Material soil = data_.test_soils[test];
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const model::CalibrationParameter& p = calibration_.parameters[i];
+    const input::CalibrationParameter& p = calibration_.parameters[i];
     const auto& own = data_.tests[test].set;
     if (p.material != data_.tests[test].material) continue;
     if (std::any_of(own.begin(), own.end(), [&](const auto& s) { return s.key == p.path; })) continue;
-    model::set_number(soil, p.path, find_value(i, places[i]));
+    input::set_number(soil, p.path, find_value(i, places[i]));
   }
   return soil;
 }
@@ -93,7 +93,7 @@ std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& p
                                                     bool with_lines) const {
   std::map<std::size_t, PointCurve> curves;
   for (const std::size_t test : tests_) {
-    const model::Material soil = make_soil(test, places);
+    const input::Material soil = make_soil(test, places);
     std::string fault = find_fault(data_.tests[test].material, soil);
     if (fault.empty()) {
       try {
@@ -110,7 +110,7 @@ std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& p
   Comparison result;
   result.residuals.reserve(value_count_);
   for (std::size_t k = 0; k < calibration_.curves.size(); ++k) {
-    const model::MeasuredCurve& c = calibration_.curves[k];
+    const input::MeasuredCurve& c = calibration_.curves[k];
     std::vector<double>& values = result.values.emplace_back();
     double missing = 0;
     for (std::size_t i = 0; i < c.points.size(); ++i) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "input/case/case.hpp"
 #include "laboratory/point_test.hpp"
-#include "model/case.hpp"
 
 namespace talus::laboratory {
 
@@ -23,7 +23,7 @@ struct Comparison {
 class CalibrationModel {
  public:
   /// `data` must hold a calibration and outlive this.
-  explicit CalibrationModel(const model::Case& data);
+  explicit CalibrationModel(const input::Case& data);
 
   std::size_t count_parameters() const { return calibration_.parameters.size(); }
   /// Measured values that are fitted; each has a residual.
@@ -43,10 +43,10 @@ class CalibrationModel {
   long count_runs() const { return runs_; }
 
  private:
-  model::Material make_soil(std::size_t test, const std::vector<double>& places) const;
+  input::Material make_soil(std::size_t test, const std::vector<double>& places) const;
 
-  const model::Case& data_;
-  const model::Calibration& calibration_;
+  const input::Case& data_;
+  const input::Calibration& calibration_;
   std::vector<std::size_t> tests_;              ///< those that were measured
   std::vector<std::vector<std::size_t>> legs_;  ///< of every curve, of its points
   std::vector<double> spans_;                   ///< of every curve: what its abscissae cover

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
-#include "model/measured_table.hpp"
+#include "input/case/measured_table.hpp"
 #include "output/history.hpp"
 
 namespace talus::laboratory {
@@ -20,7 +20,7 @@ struct Shown {
 };
 
 Shown show_quantity(const std::string& name, const std::string& stress_unit) {
-  const model::PointQuantity& q = *model::find_point_quantity(name);
+  const input::PointQuantity& q = *input::find_point_quantity(name);
   if (std::string(q.unit) == "Pa") return {name, q.title, q.symbol, stress_unit, units::get_si_factor(stress_unit)};
   if (name.ends_with("strain")) return {name, q.title, q.symbol, "%", 0.01};
   return {name, q.title, q.symbol, q.unit, 1};

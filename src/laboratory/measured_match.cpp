@@ -8,13 +8,13 @@ namespace talus::laboratory {
 namespace {
 
 /// Signs of the legs: +1 where what the test follows grows.
-std::vector<int> list_directions(const model::PointTest& test) {
+std::vector<int> list_directions(const input::PointTest& test) {
   std::vector<double> turns = test.goals();
   double start = 0;
-  if (test.kind == model::PointTestKind::wetting) {
+  if (test.kind == input::PointTestKind::wetting) {
     start = turns.front();
     turns.erase(turns.begin());
-  } else if (test.control == model::PointControl::stress && test.kind != model::PointTestKind::simple_shear) {
+  } else if (test.control == input::PointControl::stress && test.kind != input::PointTestKind::simple_shear) {
     start =
         test.has_cell() ? test.confining_pressure.value_or(0) / test.k0.value_or(1) : test.vertical_stress.value_or(0);
   }
@@ -53,7 +53,7 @@ std::pair<std::vector<std::size_t>, double> divide(const std::vector<std::array<
 
 }  // namespace
 
-std::vector<std::size_t> find_legs(const model::PointTest& test, const std::vector<std::array<double, 2>>& points) {
+std::vector<std::size_t> find_legs(const input::PointTest& test, const std::vector<std::array<double, 2>>& points) {
   const std::vector<int> directions = list_directions(test);
   if (directions.size() < 2 || points.empty()) return std::vector<std::size_t>(points.size(), 0);
   // Most abscissae grow with what the test follows; a void ratio or a saturation does not.

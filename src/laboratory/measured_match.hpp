@@ -13,7 +13,7 @@ namespace talus::laboratory {
 /// Which leg of the test each point belongs to: legs of loading and unloading cross the same abscissa. Points are in
 /// the order of the measurement, so that only the places of the turns are open; they are those with the least way in
 /// the wrong direction. All zero where the test has one leg.
-std::vector<std::size_t> find_legs(const model::PointTest& test, const std::vector<std::array<double, 2>>& points);
+std::vector<std::size_t> find_legs(const input::PointTest& test, const std::vector<std::array<double, 2>>& points);
 
 /// The ordinate of the curve at an abscissa.
 struct Reading {

@@ -5,8 +5,8 @@
 namespace talus::laboratory {
 namespace {
 
-using model::PointTest;
-using model::PointTestKind;
+using input::PointTest;
+using input::PointTestKind;
 
 PointGroup describe_group(PointTestKind kind) {
   const PointPanel compression{"p", "void_ratio", true};
@@ -69,7 +69,7 @@ int find_number(std::vector<Key>& keys, const Key& key) {
 
 std::string write_settings(const PointTest& test) {
   std::string text = test.material;
-  for (const model::PointSetting& s : test.set) text += ";" + s.key + "=" + s.value;
+  for (const input::PointSetting& s : test.set) text += ";" + s.key + "=" + s.value;
   return text;
 }
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 
 namespace talus::laboratory {
 
-/// One diagram; names of model::list_point_quantities().
+/// One diagram; names of input::list_point_quantities().
 struct PointPanel {
   std::string x, y;
   bool log_x = false;
@@ -24,6 +24,6 @@ struct PointGroup {
 };
 
 /// The groups of a case in the order of their first tests.
-std::vector<PointGroup> group_tests(const std::vector<model::PointTest>& tests);
+std::vector<PointGroup> group_tests(const std::vector<input::PointTest>& tests);
 
 }  // namespace talus::laboratory

@@ -6,9 +6,9 @@
 namespace talus::laboratory {
 namespace {
 
-using model::PointControl;
-using model::PointTest;
-using model::PointTestKind;
+using input::PointControl;
+using input::PointTest;
+using input::PointTestKind;
 
 // Axial is y; lateral directions are x and z; shear is xy.
 constexpr Voigt axial{0, 1, 0, 0, 0, 0}, lateral{1, 0, 1, 0, 0, 0}, lateral_mean{0.5, 0, 0.5, 0, 0, 0};
@@ -85,7 +85,7 @@ PointStep make_step(const PointTest& test, const Cell& start, double from, doubl
         step.fixed = scale(shear, d);
       else
         step.add(shear, shear, to);
-      if (test.drainage == model::ShearDrainage::drained) hold_axial(start.axial);
+      if (test.drainage == input::ShearDrainage::drained) hold_axial(start.axial);
       break;
     case PointTestKind::wetting:
       hold_axial(start.axial);

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "input/case/point_test.hpp"
 #include "laboratory/point_control.hpp"
-#include "model/point_test.hpp"
 
 namespace talus::laboratory {
 
@@ -13,13 +13,13 @@ struct Cell {
   double axial = 0, radial = 0;
 };
 
-Cell find_start(const model::PointTest& test);
+Cell find_start(const input::PointTest& test);
 
 /// The step that moves what the test follows from `from` to `to`. `sucked` is χs at its end [Pa].
-PointStep make_step(const model::PointTest& test, const Cell& start, double from, double to, double sucked);
+PointStep make_step(const input::PointTest& test, const Cell& start, double from, double to, double sucked);
 
 /// Where the followed quantity is, at every step: the first value is the start. `reached` receives the steps of the
 /// goals.
-std::vector<double> list_values(const model::PointTest& test, double start, std::vector<std::size_t>& reached);
+std::vector<double> list_values(const input::PointTest& test, double start, std::vector<std::size_t>& reached);
 
 }  // namespace talus::laboratory

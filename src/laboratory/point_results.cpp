@@ -12,17 +12,17 @@
 namespace talus::laboratory {
 namespace {
 
-bool is_stress(const model::PointQuantity& quantity) {
+bool is_stress(const input::PointQuantity& quantity) {
   return std::string(quantity.unit) == "Pa";
 }
 
 }  // namespace
 
 std::string write_point_table(const PointCurve& curve, const std::string& stress_unit) {
-  const auto& quantities = model::list_point_quantities();
+  const auto& quantities = input::list_point_quantities();
   const double si = units::get_si_factor(stress_unit);
   std::string text;
-  for (const model::PointQuantity& q : quantities)
+  for (const input::PointQuantity& q : quantities)
     text += fmt::format("{}{} [{}]", text.empty() ? "" : ",", q.name, is_stress(q) ? stress_unit : q.unit);
   text += '\n';
   for (const PointRow& row : curve.rows) {
@@ -41,15 +41,15 @@ const PointRow& find_peak(const PointCurve& curve) {
                            [](const PointRow& a, const PointRow& b) { return std::abs(a.q) < std::abs(b.q); });
 }
 
-std::optional<double> find_point_result(const PointCurve& curve, const model::PointTest& test,
-                                        const model::PointResultName& name) {
+std::optional<double> find_point_result(const PointCurve& curve, const input::PointTest& test,
+                                        const input::PointResultName& name) {
   if (name.quantity == "peak_q") return find_peak(curve).q;
   if (!name.strain) {
     if (!curve.stopped.empty()) return std::nullopt;  // the end was not reached
     return get_quantity(curve.rows.back(), name.quantity);
   }
   const auto strain =
-      test.kind == model::PointTestKind::simple_shear ? &PointRow::shear_strain : &PointRow::axial_strain;
+      test.kind == input::PointTestKind::simple_shear ? &PointRow::shear_strain : &PointRow::axial_strain;
   // A goal of 0.1 that is reached by a thousand steps may end a rounding error short of it.
   const double slack = 1e-9;
   for (std::size_t i = 1; i < curve.rows.size(); ++i) {
@@ -62,9 +62,9 @@ std::optional<double> find_point_result(const PointCurve& curve, const model::Po
   return std::nullopt;
 }
 
-nlohmann::json describe_point_test(const model::PointTest& test, const PointCurve& curve, const std::string& file) {
+nlohmann::json describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file) {
   nlohmann::json end = nlohmann::json::object();
-  for (const model::PointQuantity& q : model::list_point_quantities())
+  for (const input::PointQuantity& q : input::list_point_quantities())
     end[q.name] = get_quantity(curve.rows.back(), q.name);
   const PointRow& peak = find_peak(curve);
   return {{"name", test.name},
@@ -77,7 +77,7 @@ nlohmann::json describe_point_test(const model::PointTest& test, const PointCurv
           {"turns", curve.turns},
           {"stopped", curve.stopped},
           {"peak_q", peak.q},
-          {"peak_q_strain", test.kind == model::PointTestKind::simple_shear ? peak.shear_strain : peak.axial_strain},
+          {"peak_q_strain", test.kind == input::PointTestKind::simple_shear ? peak.shear_strain : peak.axial_strain},
           {"end", end}};
 }
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "input/case/result_names.hpp"
 #include "laboratory/point_test.hpp"
-#include "model/result_names.hpp"
 
 namespace talus::laboratory {
 
@@ -18,10 +18,10 @@ const PointRow& find_peak(const PointCurve& curve);
 
 /// The value of a result [SI]: of the last row, or interpolated where the curve first reaches its strain; nothing when
 /// it does not.
-std::optional<double> find_point_result(const PointCurve& curve, const model::PointTest& test,
-                                        const model::PointResultName& name);
+std::optional<double> find_point_result(const PointCurve& curve, const input::PointTest& test,
+                                        const input::PointResultName& name);
 
 /// Name, path, peak and end of a test; `file` is its table.
-nlohmann::json describe_point_test(const model::PointTest& test, const PointCurve& curve, const std::string& file);
+nlohmann::json describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file);
 
 }  // namespace talus::laboratory

@@ -9,7 +9,7 @@
 
 #include "analysis/soil_laws.hpp"
 #include "base/error.hpp"
-#include "model/soil_water_law.hpp"
+#include "input/case/soil_water_law.hpp"
 
 namespace talus::laboratory {
 namespace {
@@ -20,11 +20,11 @@ double find_mean_pressure(const Voigt& stress) {
 
 }  // namespace
 
-PointSoil::PointSoil(const model::Material& material, const Voigt& stress, double suction)
+PointSoil::PointSoil(const input::Material& material, const Voigt& stress, double suction)
     : law_(analysis::make_law(material)),
-      retention_(model::make_retention(material.water)),
+      retention_(input::make_retention(material.water)),
       is_wet_(material.water.is_wet()),
-      chi_air_entry_(material.water.chi == model::BishopChi::khalili_khabbaz ? material.water.chi_air_entry : 0),
+      chi_air_entry_(material.water.chi == input::BishopChi::khalili_khabbaz ? material.water.chi_air_entry : 0),
       void_ratio_(material.void_ratio()) {
   start_.stress = stress;
   for (std::size_t i = 0; i < 3; ++i) start_.stress[i] -= find_suction_stress(suction);
@@ -49,12 +49,12 @@ PointSoil::PointSoil(const model::Material& material, const Voigt& stress, doubl
                                                       : ""));
 }
 
-void PointSoil::set_start_state(const model::Material& material) {
+void PointSoil::set_start_state(const input::Material& material) {
   const double saturation = find_saturation(start_.suction);
   std::visit(
       [&]<class L>(const L& law) {
         if constexpr (material::is_cam_clay<L>) {
-          const model::CamClaySoil& soil = material.cam_clay;
+          const input::CamClaySoil& soil = material.cam_clay;
           const double p = std::max(find_mean_pressure(start_.stress), soil.smallest_pressure);
           const double preconsolidation =
               soil.preconsolidation ? *soil.preconsolidation : soil.preconsolidation_ratio.value_or(1) * p;

@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
+#include "input/case/case.hpp"
 #include "material/law.hpp"
 #include "material/retention.hpp"
-#include "model/case.hpp"
 
 namespace talus::laboratory {
 
@@ -24,7 +24,7 @@ struct PointState {
 class PointSoil {
  public:
   /// `stress`: at the start, net [Pa]. Throws Error (wrong_input) when the soil does not carry it.
-  PointSoil(const model::Material& material, const Voigt& stress, double suction);
+  PointSoil(const input::Material& material, const Voigt& stress, double suction);
 
   const PointState& start() const { return start_; }
   /// The state after the strain increment `d_epsilon`, at the end of which the pore water has `suction` [Pa]. Where an
@@ -42,7 +42,7 @@ class PointSoil {
   double find_void_ratio(const PointState& at, double volumetric_strain) const;
 
  private:
-  void set_start_state(const model::Material& material);
+  void set_start_state(const input::Material& material);
 
   material::Law law_;
   material::Retention retention_;

@@ -12,9 +12,9 @@
 namespace talus::laboratory {
 namespace {
 
-using model::PointControl;
-using model::PointTest;
-using model::PointTestKind;
+using input::PointControl;
+using input::PointTest;
+using input::PointTestKind;
 
 constexpr double most_strain = 2;  ///< [-]; beyond it, a soil that flows is stopped
 
@@ -76,7 +76,7 @@ std::string describe_stop(const PointTest& test, const PointRow& row, double goa
 
 }  // namespace
 
-PointCurve run_point_test(const model::Material& material, const PointTest& test) try {
+PointCurve run_point_test(const input::Material& material, const PointTest& test) try {
   const Cell start = find_start(test);
   const bool wets = test.kind == PointTestKind::wetting;
   double suction = test.suction.empty() ? 0 : test.suction.front();
@@ -143,12 +143,12 @@ double get_quantity(const PointRow& row, const std::string& name) {
                                                  &PointRow::saturation,
                                                  &PointRow::void_ratio,
                                                  &PointRow::preconsolidation};
-  const auto& known = model::list_point_quantities();
+  const auto& known = input::list_point_quantities();
   for (std::size_t i = 0; i < known.size(); ++i)
     if (name == known[i].name) return row.*values[i];
   std::vector<std::string> names;
   std::string list;
-  for (const model::PointQuantity& quantity : known) {
+  for (const input::PointQuantity& quantity : known) {
     names.emplace_back(quantity.name);
     list += (list.empty() ? "" : ", ") + names.back();
   }

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "model/case.hpp"
-#include "model/point_test.hpp"
+#include "input/case/case.hpp"
+#include "input/case/point_test.hpp"
 
 namespace talus::laboratory {
 
@@ -31,9 +31,9 @@ struct PointCurve {
 /// Runs `test` on soil `material` (Case::test_soils holds it with what the test sets). A soil that cannot follow to the
 /// end gives the curve as far as it goes. Throws Error (wrong_input) when the soil does not carry the stress at the
 /// start, and Error (unstable) with the test's name when the model yields no number.
-PointCurve run_point_test(const model::Material& material, const model::PointTest& test);
+PointCurve run_point_test(const input::Material& material, const input::PointTest& test);
 
-/// A quantity of a row by its name (model::list_point_quantities()); throws Error (wrong_input) for another name.
+/// A quantity of a row by its name (input::list_point_quantities()); throws Error (wrong_input) for another name.
 double get_quantity(const PointRow& row, const std::string& name);
 
 }  // namespace talus::laboratory

@@ -7,9 +7,9 @@
 namespace talus::laboratory {
 namespace {
 
-using model::PointControl;
-using model::PointTest;
-using model::PointTestKind;
+using input::PointControl;
+using input::PointTest;
+using input::PointTestKind;
 
 std::string in_kpa(double stress) {
   return fmt::format("{:.6g} kPa", stress / 1e3);
@@ -54,7 +54,7 @@ std::string name_kind(const PointTest& test) {
     case PointTestKind::undrained_triaxial:
       return "undrained triaxial " + way;
     case PointTestKind::simple_shear:
-      return test.drainage == model::ShearDrainage::drained ? "drained simple shear"
+      return test.drainage == input::ShearDrainage::drained ? "drained simple shear"
                                                             : "simple shear at constant volume";
     case PointTestKind::wetting:
       break;
@@ -82,7 +82,7 @@ std::string describe_path(const PointTest& test) {
 
 std::string describe_settings(const PointTest& test) {
   std::string text;
-  for (const model::PointSetting& s : test.set) text += (text.empty() ? "" : ", ") + s.key + " = " + s.value;
+  for (const input::PointSetting& s : test.set) text += (text.empty() ? "" : ", ") + s.key + " = " + s.value;
   return text;
 }
 

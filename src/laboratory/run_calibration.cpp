@@ -15,7 +15,7 @@ namespace talus::laboratory {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-json run_calibration(const model::LoadedCase& loaded, const CalibrationRun& run) {
+json run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run) {
   if (!loaded.data.calibration)
     throw Error(ExitCode::wrong_input,
                 fmt::format("there is nothing to calibrate in '{}': add [[calibration.parameter]] and "
@@ -27,10 +27,10 @@ json run_calibration(const model::LoadedCase& loaded, const CalibrationRun& run)
   if (run.options.progress != nullptr) run.options.progress->clear();
 
   // The element tests once more, with the fitted soils: tables, pictures and the report's first half.
-  std::vector<model::Override> changes = run.overrides;
+  std::vector<input::Override> changes = run.overrides;
   for (const FittedParameter& p : result.parameters) changes.push_back({p.key, write_value(p)});
-  const model::LoadedCase fitted =
-      model::read_case_text(loaded.text, loaded.file, changes, model::CaseScope::whole_or_tests);
+  const input::LoadedCase fitted =
+      input::read_case_text(loaded.text, loaded.file, changes, input::CaseScope::whole_or_tests);
   run_point_tests(fitted, {run.folder, {}, run.pictures});
 
   const fs::path folder = run.folder / "calibration";

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "input/read.hpp"
 #include "laboratory/calibration.hpp"
-#include "model/read.hpp"
 
 namespace talus::laboratory {
 
 struct CalibrationRun {
   std::filesystem::path folder;            ///< gets calibration/ and point/
-  std::vector<model::Override> overrides;  ///< with which `loaded` was read
+  std::vector<input::Override> overrides;  ///< with which `loaded` was read
   CalibrationOptions options;
   std::string pictures = "svg";  ///< of the element tests: "svg" or "png"
 };
@@ -22,7 +22,7 @@ struct CalibrationRun {
 /// calibration.json last; before them folder/point with the element tests of the case with the fitted parameters.
 /// Returns what calibration.json holds. Throws Error (wrong_input) when the case has no calibration, what calibrate()
 /// throws, and Error (cannot_write).
-nlohmann::json run_calibration(const model::LoadedCase& loaded, const CalibrationRun& run);
+nlohmann::json run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run);
 
 /// A few lines for the person at the terminal.
 std::string write_calibration_digest(const nlohmann::json& summary);

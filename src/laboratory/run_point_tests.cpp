@@ -29,18 +29,18 @@ using nlohmann::json;
 constexpr std::size_t most_drawn = 250;  ///< rows of a test in a picture
 
 struct Done {
-  model::PointTest test;
+  input::PointTest test;
   PointCurve curve;
 };
 
-std::vector<std::size_t> choose_tests(const model::LoadedCase& loaded, const std::vector<std::string>& wanted) {
-  const std::vector<model::PointTest>& tests = loaded.data.tests;
+std::vector<std::size_t> choose_tests(const input::LoadedCase& loaded, const std::vector<std::string>& wanted) {
+  const std::vector<input::PointTest>& tests = loaded.data.tests;
   if (tests.empty())
     throw Error(ExitCode::wrong_input,
                 fmt::format("there is no element test in '{}': add a [[test]] with a name, a material and a kind",
                             loaded.file));
   std::vector<std::string> names;
-  for (const model::PointTest& test : tests) names.push_back(test.name);
+  for (const input::PointTest& test : tests) names.push_back(test.name);
   for (const std::string& name : wanted)
     if (std::find(names.begin(), names.end(), name) == names.end()) {
       const std::string near = find_nearest(name, names);
@@ -89,11 +89,11 @@ output::PointPlot make_plot(const PointGroup& group, const std::vector<Done>& te
   for (std::size_t i = 0; i < group.tests.size(); ++i)
     plot.lines.push_back({tests[group.tests[i]].test.name, group.colour[i], group.dash[i]});
   const auto describe = [&](const std::string& name) {
-    const auto& all = model::list_point_quantities();
+    const auto& all = input::list_point_quantities();
     return *std::find_if(all.begin(), all.end(), [&](const auto& q) { return name == q.name; });
   };
   const auto label = [&](const std::string& name) {
-    const model::PointQuantity q = describe(name);
+    const input::PointQuantity q = describe(name);
     const bool is_strain = name.ends_with("strain");
     return output::make_label(std::string(q.title) + (*q.symbol ? " " : "") + q.symbol, is_strain ? "%"
                                                                                         : std::string(q.unit) == "Pa"
@@ -122,10 +122,10 @@ json to_json(const PointGroup& group, const std::string& picture) {
 }
 
 /// Whatever the case compares with a published value.
-json find_results(const model::LoadedCase& loaded, const std::vector<Done>& tests) {
+json find_results(const input::LoadedCase& loaded, const std::vector<Done>& tests) {
   json results = json::object();
-  for (const model::Compare& compare : loaded.data.compare) {
-    const auto name = model::find_point_result_name(compare.name);
+  for (const input::Compare& compare : loaded.data.compare) {
+    const auto name = input::find_point_result_name(compare.name);
     if (!name) continue;
     for (const Done& done : tests)
       if (done.test.name == name->test)
@@ -136,7 +136,7 @@ json find_results(const model::LoadedCase& loaded, const std::vector<Done>& test
 
 }  // namespace
 
-json run_point_tests(const model::LoadedCase& loaded, const PointOptions& options) {
+json run_point_tests(const input::LoadedCase& loaded, const PointOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu = std::clock();
   const std::vector<std::size_t> chosen = choose_tests(loaded, options.names);
@@ -148,7 +148,7 @@ json run_point_tests(const model::LoadedCase& loaded, const PointOptions& option
   output::make_folder(folder);
   json list = json::array(), warnings = json::array(), groups = json::array();
   std::set<std::string> files;
-  std::vector<model::PointTest> shown;
+  std::vector<input::PointTest> shown;
   for (const Done& done : tests) {
     const std::string file = name_file(done.test.name, files);
     output::write_atomically(folder / file, write_point_table(done.curve, stress_unit));

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "input/read.hpp"
 #include "laboratory/point_test.hpp"
-#include "model/read.hpp"
 
 namespace talus::laboratory {
 
@@ -20,7 +20,7 @@ struct PointOptions {
 /// Runs the tests and writes into folder/point: a table NAME.csv of each, a picture of each group, and point.json last.
 /// Returns what point.json holds. Throws Error (wrong_input) when the case has no such tests, what run_point_test()
 /// throws, and Error (cannot_write).
-nlohmann::json run_point_tests(const model::LoadedCase& loaded, const PointOptions& options);
+nlohmann::json run_point_tests(const input::LoadedCase& loaded, const PointOptions& options);
 
 /// A few lines for the person at the terminal.
 std::string write_point_digest(const nlohmann::json& summary);

@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "input/case/method_names.hpp"
 #include "methods/look_up.hpp"
 #include "methods/reading.hpp"
 #include "methods/run_lem.hpp"
 #include "methods/slip_line.hpp"
-#include "model/method_names.hpp"
 
 namespace talus::methods {
 namespace {
@@ -21,11 +21,11 @@ using nlohmann::json;
 
 /// The methods that a surface of another method is given to: Spencer and Morgenstern–Price, which satisfy all
 /// equilibrium, and those of the case that suit polylines.
-std::vector<lem::Method> list_takers(const model::LimitEquilibrium& settings) {
+std::vector<lem::Method> list_takers(const input::LimitEquilibrium& settings) {
   std::vector<lem::Method> takers{lem::Method::spencer, lem::Method::morgenstern_price};
-  for (const model::SliceMethod m : settings.methods) {
+  for (const input::SliceMethod m : settings.methods) {
     const lem::Method method = to_lem(m);
-    if (model::suits_polylines(m) && std::find(takers.begin(), takers.end(), method) == takers.end())
+    if (input::suits_polylines(m) && std::find(takers.begin(), takers.end(), method) == takers.end())
       takers.push_back(method);
   }
   return takers;
@@ -56,7 +56,7 @@ json to_points(const Polyline& line) {
 
 class Comparison {
  public:
-  Comparison(const model::Case& data, const lem::Slope* slope, const json& summary, const fs::path& folder, int threads)
+  Comparison(const input::Case& data, const lem::Slope* slope, const json& summary, const fs::path& folder, int threads)
       : data_(data), slope_(slope), summary_(summary), folder_(folder), threads_(threads) {}
 
   json make() {
@@ -65,8 +65,8 @@ class Comparison {
     add_points();
     if (slope_ != nullptr) hand_over();
     json asked = json::array();
-    for (const model::Method m : data_.methods)
-      asked.push_back(m == model::Method::lem ? "lem" : (m == model::Method::fem ? "fem" : "mpm"));
+    for (const input::Method m : data_.methods)
+      asked.push_back(m == input::Method::lem ? "lem" : (m == input::Method::fem ? "fem" : "mpm"));
     json block{{"asked", asked}, {"table", table_}, {"surfaces", surfaces_}, {"handed", handed_}};
     block["reading"] = read_differences(data_, summary_, block);
     block["partial_factors"] = nullptr;
@@ -128,7 +128,7 @@ class Comparison {
   }
 
   void add_points() {
-    if (!model::uses(data_, model::Method::mpm)) return;
+    if (!input::uses(data_, input::Method::mpm)) return;
     const json& factors = get(summary_, "factor_of_safety");
     const PointsSlipLine line = find_line();
     const std::string surface = line.line.empty() ? "" : "mpm.slip_line";
@@ -225,7 +225,7 @@ class Comparison {
     handed_.push_back({{"from", from}, {"to", to}, {"title", title}, {"factor", factor}, {"refusal", refusal}});
   }
 
-  const model::Case& data_;
+  const input::Case& data_;
   const lem::Slope* slope_;
   const json& summary_;
   const fs::path& folder_;
@@ -235,7 +235,7 @@ class Comparison {
 
 }  // namespace
 
-json compare_methods(const model::Case& data, const lem::Slope* slope, const json& summary, const fs::path& folder,
+json compare_methods(const input::Case& data, const lem::Slope* slope, const json& summary, const fs::path& folder,
                      int threads) {
   return Comparison(data, slope, summary, folder, threads).make();
 }

@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "input/case/case.hpp"
 #include "lem/slope.hpp"
-#include "model/case.hpp"
 
 namespace talus::methods {
 
 /// "methods" of summary.json, from what the methods have written into it (lem, fem, factor_of_safety, curve, timing).
 /// `slope`: for surfaces that are handed to slices; may be nullptr. `folder`: results of material points.
-nlohmann::json compare_methods(const model::Case& data, const lem::Slope* slope, const nlohmann::json& summary,
+nlohmann::json compare_methods(const input::Case& data, const lem::Slope* slope, const nlohmann::json& summary,
                                const std::filesystem::path& folder, int threads);
 
 /// The factor that stands for the case: that of material points, else of finite elements (ψ as given), else the

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "model/partial_factors.hpp"
+#include "input/case/partial_factors.hpp"
 
 namespace talus::methods {
 namespace {
@@ -17,7 +17,7 @@ using nlohmann::json;
 
 constexpr double kilo = 1e3, degree = std::numbers::pi / 180;
 
-json list_values(const model::PartialFactorValues& v) {
+json list_values(const input::PartialFactorValues& v) {
   json list = json::array();
   const auto add = [&](const char* key, const char* title, const char* symbol, double value) {
     list.push_back({{"key", key}, {"title", title}, {"symbol", symbol}, {"value", value}});
@@ -70,16 +70,16 @@ class SoilFactors {
   json& told_;
 };
 
-void factor_soil(const std::string& name, model::Material& m, const model::PartialFactorValues& v, json& told) {
+void factor_soil(const std::string& name, input::Material& m, const input::PartialFactorValues& v, json& told) {
   switch (m.model) {
-    case model::MaterialModel::linear_elastic:
+    case input::MaterialModel::linear_elastic:
       break;
-    case model::MaterialModel::mohr_coulomb:
-    case model::MaterialModel::rooted_mohr_coulomb:
+    case input::MaterialModel::mohr_coulomb:
+    case input::MaterialModel::rooted_mohr_coulomb:
       break;
-    case model::MaterialModel::modified_cam_clay:
-    case model::MaterialModel::rooted_cam_clay:
-    case model::MaterialModel::external:
+    case input::MaterialModel::modified_cam_clay:
+    case input::MaterialModel::rooted_cam_clay:
+    case input::MaterialModel::external:
       throw Error(
           ExitCode::wrong_input,
           fmt::format("material '{}' has no cohesion and friction angle that partial factors could divide; take "
@@ -115,22 +115,22 @@ std::string list_words(const json& values) {
 
 }  // namespace
 
-DesignValues apply_partial_factors(const model::Case& data) {
+DesignValues apply_partial_factors(const input::Case& data) {
   DesignValues result{data, 1, nullptr};
-  const model::PartialFactorValues given = model::find_partial_factors(data.partial_factors);
+  const input::PartialFactorValues given = input::find_partial_factors(data.partial_factors);
   if (!given.is_active()) return result;
   result.resistance = given.resistance;
-  const model::PartialFactorValues v = model::divide_by_permanent(given);
+  const input::PartialFactorValues v = input::divide_by_permanent(given);
   json materials = json::array(), surcharges = json::array(), notes = json::array();
   for (auto& [name, m] : result.data.materials) factor_soil(name, m, v, materials);
-  for (model::Roots& roots : result.data.roots) {
+  for (input::Roots& roots : result.data.roots) {
     if (roots.cohesion) *roots.cohesion /= v.cohesion;
     if (roots.bundle)  // the cohesion of a bundle is proportional to the roots' strength
       for (double& strength : roots.bundle->strengths) strength /= v.cohesion;
   }
-  for (model::Stage& stage : result.data.stages)
+  for (input::Stage& stage : result.data.stages)
     if (stage.cohesion) *stage.cohesion /= v.cohesion;
-  for (model::Surcharge& s : result.data.surcharges) {
+  for (input::Surcharge& s : result.data.surcharges) {
     const double factor = s.variable ? v.variable_load : 1;
     for (double& q : s.load) q *= factor;
     surcharges.push_back({{"name", s.name}, {"variable", s.variable}, {"factor", factor}});

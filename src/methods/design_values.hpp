@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 
 namespace talus::methods {
 
 struct DesignValues {
-  model::Case data;       ///< with design values; the case itself where no factors are asked for
+  input::Case data;       ///< with design values; the case itself where no factors are asked for
   double resistance = 1;  ///< γ_R;e, which divides the factor of safety
   /// null without factors, else {"set", "values": [{"key", "title", "symbol", "value"}], "materials": [{"material",
   /// "quantity", "symbol", "unit", "characteristic", "design"}], "surcharges": [{"name", "factor"}], "over_design":
@@ -19,9 +19,9 @@ struct DesignValues {
 };
 
 /// c'/γ_c', tanφ'/γ_φ', c_u/γ_cu where φ = 0, weights over γ_γ, loads by γ_G and γ_Q. γ_G stands on soil, water and
-/// permanent loads alike, so all that is in kPa is divided by it instead (model::divide_by_permanent). Throws Error
+/// permanent loads alike, so all that is in kPa is divided by it instead (input::divide_by_permanent). Throws Error
 /// (wrong_input) for a soil without cohesion and friction angle.
-DesignValues apply_partial_factors(const model::Case& data);
+DesignValues apply_partial_factors(const input::Case& data);
 
 /// Writes the over-design factor of a factor of safety that was calculated with design values into the statement, and
 /// says it in words. Does nothing to null.

@@ -27,28 +27,28 @@ constexpr int element_parts = 5;
 
 /// What a region's law is made of: the material, and as what model.
 struct RegionSoil {
-  model::Material material;  ///< rooted where cohesion varies from place to place
+  input::Material material;  ///< rooted where cohesion varies from place to place
   bool varies = false;       ///< takes cohesion from the state of its points
 };
 
-RegionSoil make_region_soil(const model::Case& data, const std::string& region) {
+RegionSoil make_region_soil(const input::Case& data, const std::string& region) {
   const auto given = data.regions.find(region);
   if (given == data.regions.end())
     throw Error(ExitCode::wrong_input, fmt::format("region '{}' has no material; add it to [regions]", region));
   RegionSoil soil{data.materials.at(given->second)};
   switch (soil.material.model) {
-    case model::MaterialModel::linear_elastic:
+    case input::MaterialModel::linear_elastic:
       break;
-    case model::MaterialModel::mohr_coulomb:
+    case input::MaterialModel::mohr_coulomb:
       soil.varies = soil.material.slices.cohesion_gradient != 0;
-      if (soil.varies) soil.material.model = model::MaterialModel::rooted_mohr_coulomb;
+      if (soil.varies) soil.material.model = input::MaterialModel::rooted_mohr_coulomb;
       break;
-    case model::MaterialModel::rooted_mohr_coulomb:
+    case input::MaterialModel::rooted_mohr_coulomb:
       soil.varies = true;
       break;
-    case model::MaterialModel::modified_cam_clay:
-    case model::MaterialModel::rooted_cam_clay:
-    case model::MaterialModel::external:
+    case input::MaterialModel::modified_cam_clay:
+    case input::MaterialModel::rooted_cam_clay:
+    case input::MaterialModel::external:
       throw Error(ExitCode::wrong_input,
                   fmt::format("finite elements cannot reduce the strength of material '{}': they take the models "
                               "linear_elastic, mohr_coulomb and rooted_mohr_coulomb",
@@ -58,38 +58,38 @@ RegionSoil make_region_soil(const model::Case& data, const std::string& region) 
 }
 
 template <int D>
-std::vector<RegionSoil> list_soils(const model::Case& data, const mesh::Mesh<D>& mesh) {
+std::vector<RegionSoil> list_soils(const input::Case& data, const mesh::Mesh<D>& mesh) {
   std::vector<RegionSoil> soils;
   for (const std::string& region : mesh.region_names) soils.push_back(make_region_soil(data, region));
   return soils;
 }
 
 /// Throws where finite elements have no such boundary.
-void check_boundary(const model::Boundary& b) {
-  if (b.fix == model::Fix::plane &&
+void check_boundary(const input::Boundary& b) {
+  if (b.fix == input::Fix::plane &&
       std::none_of(b.normal.begin(), b.normal.end(), [](double n) { return std::abs(n) > along_axis; }))
     throw Error(
         ExitCode::wrong_input,
         fmt::format("finite elements can hold '{}' along x, y or z only, not along ({:g}, {:g}, {:g}); use fix = "
                     "\"normal\" on an inclined side",
                     b.on, b.normal[0], b.normal[1], b.normal[2]));
-  if (b.fix != model::Fix::friction && b.fix != model::Fix::velocity) return;
+  if (b.fix != input::Fix::friction && b.fix != input::Fix::velocity) return;
   throw Error(
       ExitCode::wrong_input,
       fmt::format("finite elements have no {}: take \"fem\" out of [analysis] methods, or let fix of the boundary "
                   "'{}' be full or normal",
-                  b.fix == model::Fix::friction ? "wall with friction" : "boundary that moves", b.on));
+                  b.fix == input::Fix::friction ? "wall with friction" : "boundary that moves", b.on));
 }
 
 template <int D>
-fem::Support<D> make_support(const model::Boundary& b, const mesh::Mesh<D>& mesh) {
+fem::Support<D> make_support(const input::Boundary& b, const mesh::Mesh<D>& mesh) {
   check_boundary(b);
   fem::Support<D> support;
   support.name = b.on;
   support.sides = analysis::find_sides(mesh, b.on);
-  support.along_normal = b.fix == model::Fix::normal;
+  support.along_normal = b.fix == input::Fix::normal;
   for (std::size_t d = 0; d < D; ++d)
-    support.fixed[d] = b.fix == model::Fix::full || (b.fix == model::Fix::plane && std::abs(b.normal[d]) > along_axis);
+    support.fixed[d] = b.fix == input::Fix::full || (b.fix == input::Fix::plane && std::abs(b.normal[d]) > along_axis);
   return support;
 }
 
@@ -118,7 +118,7 @@ double find_mean(const std::array<double, D + 1>& corners, const F& find) {
 template <int D>
 class SolidBuilder {
  public:
-  SolidBuilder(const model::Case& data, SolidOfCase<D>& solid)
+  SolidBuilder(const input::Case& data, SolidOfCase<D>& solid)
       : data_(data), solid_(solid), mesh_(*solid.mesh), soils_(list_soils<D>(data, mesh_)) {}
 
   void build() {
@@ -126,16 +126,16 @@ class SolidBuilder {
     model.mesh = &mesh_;
     for (std::size_t d = 0; d < D; ++d) model.direction[d] = data_.gravity.direction[d];
     if constexpr (D == 2) find_plane();
-    for (const model::Boundary& b : data_.boundaries) model.supports.push_back(make_support<D>(b, mesh_));
+    for (const input::Boundary& b : data_.boundaries) model.supports.push_back(make_support<D>(b, mesh_));
     set_water();
     add_earthquake();
     model.loads = make_surface_loads<D>(data_, mesh_, ponds_, table_, ground_);
-    if (data_.initial.stress == model::InitialStress::k0) set_k0_stress();
+    if (data_.initial.stress == input::InitialStress::k0) set_k0_stress();
     set_start();
   }
 
  private:
-  const model::Material& get_soil(int e) const { return soils_[mesh_.element_region[e]].material; }
+  const input::Material& get_soil(int e) const { return soils_[mesh_.element_region[e]].material; }
   bool is_soil(int e) const { return mesh_.element_region[e] != mesh::empty_region; }
 
   void find_plane() {
@@ -143,7 +143,7 @@ class SolidBuilder {
     ground_ = find_ground(data_.mesh);
     ponds_ = find_ponds(data_, ground_);
     for (std::string& note : find_open_ends(ponds_, ground_)) solid_.notes.push_back(std::move(note));
-    if (data_.initial.water.pressure == model::InitialPressure::water_table) table_ = data_.initial.water.water_table;
+    if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
   }
 
   /// Weights, χ p, saturation.
@@ -158,7 +158,7 @@ class SolidBuilder {
     bool acts = false;
     for (int e = 0; e < mesh_.element_count(); ++e) {
       if (!is_soil(e)) continue;
-      const model::Material& m = get_soil(e);
+      const input::Material& m = get_soil(e);
       const bool wet = takes_water(data_, m);
       std::array<double, D + 1> p{};
       for (std::size_t c = 0; c <= D; ++c) p[c] = wet && has_pressure ? pressure[mesh_.elements[e][c]] : 0;
@@ -166,7 +166,7 @@ class SolidBuilder {
       const bool is_dry = !m.water.is_wet() && !(wet && has_pressure);
       model.unit_weight[e] = is_dry ? find_unit_weight(data_, m, 1)
                                     : find_mean<D>(p, [&](double q) { return find_unit_weight(data_, m, q); });
-      if (m.friction_angle == 0 && m.model != model::MaterialModel::linear_elastic) continue;  // total stress
+      if (m.friction_angle == 0 && m.model != input::MaterialModel::linear_elastic) continue;  // total stress
       for (std::size_t c = 0; c <= D; ++c) {
         pore_[e][c] = p[c] > 0 ? find_suction_stress(m, p[c]) : p[c];
         acts = acts || pore_[e][c] != 0;
@@ -205,7 +205,7 @@ class SolidBuilder {
 
   /// Out of the slope: towards the lower end of the ground.
   void add_earthquake() {
-    const model::Earthquake& quake = data_.earthquake;
+    const input::Earthquake& quake = data_.earthquake;
     if (quake.horizontal == 0 && quake.vertical == 0) return;
     double out = 1;
     if (!ground_.empty() && ground_.front()[1] < ground_.back()[1]) out = -1;
@@ -229,7 +229,7 @@ class SolidBuilder {
     solid_.model.initial_stress.assign(mesh_.elements.size(), {});
     for (std::size_t i = 0; i < places.size(); ++i) {
       const int e = places[i].element;
-      const model::Material& m = get_soil(e);
+      const input::Material& m = get_soil(e);
       const Vec<D> x = mesh::to_global(mesh_, e, middle);
       double above = overburden[i], pore = 0;
       if (!ground_.empty()) {
@@ -259,15 +259,15 @@ class SolidBuilder {
                                                                                 double* state) {
       const RegionSoil& soil = soils[region];
       if (!soil.varies) return;
-      const model::SliceSoil& slices = soil.material.slices;
+      const input::SliceSoil& slices = soil.material.slices;
       double cohesion = slices.cohesion_gradient * std::max(0.0, slices.cohesion_level - x[1]);
-      const model::Material& given = data.materials.at(data.regions.at(mesh->region_names[region]));
+      const input::Material& given = data.materials.at(data.regions.at(mesh->region_names[region]));
       cohesion += analysis::find_roots<D>(data, *mesh, {x}, {&given}).front().cohesion;
       state[1] = cohesion;
     };
   }
 
-  const model::Case& data_;
+  const input::Case& data_;
   SolidOfCase<D>& solid_;
   const mesh::Mesh<D>& mesh_;
   std::vector<RegionSoil> soils_;
@@ -277,7 +277,7 @@ class SolidBuilder {
 };
 
 template <int D>
-void set_laws(const model::Case& data, SolidOfCase<D>& solid, bool associated) {
+void set_laws(const input::Case& data, SolidOfCase<D>& solid, bool associated) {
   std::vector<RegionSoil> soils = list_soils<D>(data, *solid.mesh);
   if (associated)
     for (RegionSoil& soil : soils) soil.material.dilatancy_angle = soil.material.friction_angle;
@@ -288,7 +288,7 @@ void set_laws(const model::Case& data, SolidOfCase<D>& solid, bool associated) {
 
 }  // namespace
 
-mesh::Plan make_fem_plan(const model::Case& data) {
+mesh::Plan make_fem_plan(const input::Case& data) {
   mesh::Plan plan = data.mesh;
   if (!plan.file.empty()) return plan;
   plan.algorithm = data.fem.algorithm;
@@ -300,13 +300,13 @@ mesh::Plan make_fem_plan(const model::Case& data) {
   return plan;
 }
 
-void check_solid(const model::Case& data) {
+void check_solid(const input::Case& data) {
   for (const auto& [region, material] : data.regions) make_region_soil(data, region);
-  for (const model::Boundary& b : data.boundaries) check_boundary(b);
+  for (const input::Boundary& b : data.boundaries) check_boundary(b);
 }
 
 template <int D>
-SolidOfCase<D> make_solid(const model::Case& data) {
+SolidOfCase<D> make_solid(const input::Case& data) {
   SolidOfCase<D> solid;
   solid.mesh = std::make_shared<const mesh::Mesh<D>>(mesh::generate<D>(make_fem_plan(data)));
   set_laws<D>(data, solid, false);
@@ -315,13 +315,13 @@ SolidOfCase<D> make_solid(const model::Case& data) {
 }
 
 template <int D>
-void set_associated_flow(const model::Case& data, SolidOfCase<D>& solid) {
+void set_associated_flow(const input::Case& data, SolidOfCase<D>& solid) {
   set_laws<D>(data, solid, true);
 }
 
 #define TALUS_INSTANTIATE(D)                                 \
-  template SolidOfCase<D> make_solid<D>(const model::Case&); \
-  template void set_associated_flow<D>(const model::Case&, SolidOfCase<D>&);
+  template SolidOfCase<D> make_solid<D>(const input::Case&); \
+  template void set_associated_flow<D>(const input::Case&, SolidOfCase<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fem/solid.hpp"
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 
 namespace talus::methods {
 
@@ -24,16 +24,16 @@ struct SolidOfCase {
 /// mesh. Throws Error (wrong_input) for a material or a boundary that finite elements at small strain do not have; what
 /// mesh::generate() and find_initial_water() throw.
 template <int D>
-SolidOfCase<D> make_solid(const model::Case& data);
+SolidOfCase<D> make_solid(const input::Case& data);
 
 /// The laws of the case with ψ = φ instead of ψ as given.
 template <int D>
-void set_associated_flow(const model::Case& data, SolidOfCase<D>& solid);
+void set_associated_flow(const input::Case& data, SolidOfCase<D>& solid);
 
 /// Throws Error (wrong_input) for materials and boundaries that make_solid() refuses, without a mesh.
-void check_solid(const model::Case& data);
+void check_solid(const input::Case& data);
 
 /// The plan that make_solid() meshes: the case's with the element size and algorithm of [fem].
-mesh::Plan make_fem_plan(const model::Case& data);
+mesh::Plan make_fem_plan(const input::Case& data);
 
 }  // namespace talus::methods

@@ -84,9 +84,9 @@ std::vector<GroundSide<D>> find_ground_sides(const mesh::Mesh<D>& mesh) {
   return ground;
 }
 
-double find_surcharge(const model::Case& data, double x) {
+double find_surcharge(const input::Case& data, double x) {
   double sum = 0;
-  for (const model::Surcharge& s : data.surcharges) {
+  for (const input::Surcharge& s : data.surcharges) {
     for (std::size_t i = 1; i < s.x.size(); ++i) {
       if (x < s.x[i - 1] || x >= s.x[i]) continue;
       sum += s.load[i - 1] + (s.load[i] - s.load[i - 1]) * (x - s.x[i - 1]) / (s.x[i] - s.x[i - 1]);
@@ -96,7 +96,7 @@ double find_surcharge(const model::Case& data, double x) {
 }
 
 template <int D>
-std::vector<fem::SurfaceLoad<D>> make_surface_loads(const model::Case& data, const mesh::Mesh<D>& mesh,
+std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, const mesh::Mesh<D>& mesh,
                                                     const std::vector<Pond>& ponds, const Polyline& table,
                                                     const Polyline& ground) {
   std::vector<fem::SurfaceLoad<D>> loads;
@@ -128,7 +128,7 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const model::Case& data, con
       return t;
     });
   }
-  for (const model::Traction& traction : data.tractions) {
+  for (const input::Traction& traction : data.tractions) {
     fem::SurfaceLoad<D> load;
     load.name = traction.on;
     Vec<D> t;
@@ -146,7 +146,7 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const model::Case& data, con
 #define TALUS_INSTANTIATE(D)                                                      \
   template std::vector<GroundSide<D>> find_ground_sides<D>(const mesh::Mesh<D>&); \
   template std::vector<fem::SurfaceLoad<D>> make_surface_loads<D>(                \
-      const model::Case&, const mesh::Mesh<D>&, const std::vector<Pond>&, const Polyline&, const Polyline&);
+      const input::Case&, const mesh::Mesh<D>&, const std::vector<Pond>&, const Polyline&, const Polyline&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

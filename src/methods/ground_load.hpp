@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "fem/solid.hpp"
+#include "input/case/case.hpp"
 #include "methods/plane_water.hpp"
-#include "model/case.hpp"
 
 namespace talus::methods {
 
@@ -21,11 +21,11 @@ std::vector<GroundSide<D>> find_ground_sides(const mesh::Mesh<D>& mesh);
 /// What lies on the ground and on named sides, as tractions linear on each side with the force and the moment of the
 /// load. `table`: water table, may be empty; standing water is that of find_standing_level().
 template <int D>
-std::vector<fem::SurfaceLoad<D>> make_surface_loads(const model::Case& data, const mesh::Mesh<D>& mesh,
+std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, const mesh::Mesh<D>& mesh,
                                                     const std::vector<Pond>& ponds, const Polyline& table,
                                                     const Polyline& ground);
 
 /// Surcharge [Pa per horizontal metre] at x: the sum of all.
-double find_surcharge(const model::Case& data, double x);
+double find_surcharge(const input::Case& data, double x);
 
 }  // namespace talus::methods

@@ -27,8 +27,8 @@ constexpr int weight_samples = 40;
 /// Parts in depth, and along the ground, that a distribution of roots is cut into.
 constexpr int root_depths = 20, root_parts = 24;
 
-lem::Soil make_soil(const model::Case& data, const std::string& name, std::vector<std::string>& notes) {
-  const model::Material& m = data.materials.at(name);
+lem::Soil make_soil(const input::Case& data, const std::string& name, std::vector<std::string>& notes) {
+  const input::Material& m = data.materials.at(name);
   lem::Soil soil;
   soil.name = name;
   soil.saturated_unit_weight = find_saturated_weight(data, m);
@@ -37,18 +37,18 @@ lem::Soil make_soil(const model::Case& data, const std::string& name, std::vecto
   soil.cohesion_level = m.slices.cohesion_level;
   soil.pore_pressure_ratio = m.slices.pore_pressure_ratio;
   switch (m.model) {
-    case model::MaterialModel::mohr_coulomb:
-    case model::MaterialModel::rooted_mohr_coulomb:
+    case input::MaterialModel::mohr_coulomb:
+    case input::MaterialModel::rooted_mohr_coulomb:
       soil.cohesion = m.cohesion;
       soil.friction_angle = m.friction_angle;
       break;
-    case model::MaterialModel::linear_elastic:
+    case input::MaterialModel::linear_elastic:
       soil.cohesion = unyielding;
       notes.push_back(fmt::format("material '{}' is elastic: no slip surface passes through it", name));
       break;
-    case model::MaterialModel::modified_cam_clay:
-    case model::MaterialModel::rooted_cam_clay:
-    case model::MaterialModel::external:
+    case input::MaterialModel::modified_cam_clay:
+    case input::MaterialModel::rooted_cam_clay:
+    case input::MaterialModel::external:
       throw Error(ExitCode::wrong_input,
                   fmt::format("material '{}' has no cohesion and friction angle: methods of slices need the model "
                               "mohr_coulomb or rooted_mohr_coulomb",
@@ -56,24 +56,24 @@ lem::Soil make_soil(const model::Case& data, const std::string& name, std::vecto
   }
   soil.undrained = soil.friction_angle == 0;
   switch (m.slices.suction_strength) {
-    case model::SuctionStrength::from_water:
-    case model::SuctionStrength::saturation:
+    case input::SuctionStrength::from_water:
+    case input::SuctionStrength::saturation:
       if (m.water.is_wet()) soil.suction = lem::Suction::saturation;
       break;
-    case model::SuctionStrength::phi_b:
+    case input::SuctionStrength::phi_b:
       soil.suction = lem::Suction::phi_b;
       break;
-    case model::SuctionStrength::none:
+    case input::SuctionStrength::none:
       break;
   }
   if (soil.suction == lem::Suction::saturation) {
     // The χ of the soil, whichever it is.
     soil.saturation = [m](double suction) { return suction > 0 ? find_suction_stress(m, suction) / suction : 1.0; };
-    if (m.slices.suction_strength == model::SuctionStrength::saturation && !uses_saturation(m))
+    if (m.slices.suction_strength == input::SuctionStrength::saturation && !uses_saturation(m))
       notes.push_back(fmt::format("material '{}' has no retention curve: its suction adds no strength", name));
   }
   soil.phi_b = m.slices.phi_b;
-  if (data.initial.water.pressure == model::InitialPressure::water_table)
+  if (data.initial.water.pressure == input::InitialPressure::water_table)
     soil.largest_suction = data.initial.water.largest_suction;
   return soil;
 }
@@ -88,7 +88,7 @@ std::vector<const mesh::Polygon*> sort_polygons(const mesh::Plan& plan) {
   return sorted;
 }
 
-void add_regions(const model::Case& data, lem::Section& section, std::vector<std::string>& notes) {
+void add_regions(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
   std::map<std::string, int> numbers;
   for (const mesh::Polygon* polygon : sort_polygons(data.mesh)) {
     const auto given = data.regions.find(polygon->name);
@@ -103,7 +103,7 @@ void add_regions(const model::Case& data, lem::Section& section, std::vector<std
 
 /// Weight of the soil above the water table: where it follows from the water in its pores, the mean over the
 /// unsaturated soil of its polygons.
-void weigh_moist_soil(const model::Case& data, const lem::PressureGrid* grid, lem::Section& section) {
+void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, lem::Section& section) {
   const double weight = analysis::find_water_weight(data);
   const bool has_table = !section.water_table.empty();
   std::vector<double> sum(section.soils.size(), 0.0), area(section.soils.size(), 0.0);
@@ -141,7 +141,7 @@ void weigh_moist_soil(const model::Case& data, const lem::PressureGrid* grid, le
     }
   }
   for (std::size_t s = 0; s < section.soils.size(); ++s) {
-    const model::Material& m = data.materials.at(section.soils[s].name);
+    const input::Material& m = data.materials.at(section.soils[s].name);
     // Without a water table nothing is below it: dry soil is dry, and wet soil at zero pressure full.
     const bool is_dry = !m.water.is_wet() && !has_table && grid == nullptr;
     if (area[s] > 0)
@@ -152,14 +152,14 @@ void weigh_moist_soil(const model::Case& data, const lem::PressureGrid* grid, le
   }
 }
 
-void add_water(const model::Case& data, lem::Section& section, nlohmann::json& seepage) {
+void add_water(const input::Case& data, lem::Section& section, nlohmann::json& seepage) {
   section.water_unit_weight = analysis::find_water_weight(data);
   const std::vector<Pond> ponds = find_ponds(data, section.ground);
   if (needs_seepage(data)) {
     const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
     section.pressure_grid = make_pressure_grid(data, mesh, find_nodal_pressure<2>(close_sides(data), mesh, &seepage));
     section.water_table = trace_water_table(*section.pressure_grid, ponds, section.ground, section.base);
-  } else if (data.initial.water.pressure == model::InitialPressure::water_table) {
+  } else if (data.initial.water.pressure == input::InitialPressure::water_table) {
     analysis::check_upright(data, "a water table");
     section.water_table = data.initial.water.water_table;
     if (!ponds.empty()) section.water_table = add_ponds(section.water_table, ponds, section.ground);
@@ -168,9 +168,9 @@ void add_water(const model::Case& data, lem::Section& section, nlohmann::json& s
 }
 
 /// The vertical part of a traction on a named line of the ground, per horizontal metre.
-void add_tractions(const model::Case& data, lem::Section& section, std::vector<std::string>& notes) {
+void add_tractions(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
   const double near = 1e-6 * (section.ground.back()[0] - section.ground.front()[0]);
-  for (const model::Traction& t : data.tractions) {
+  for (const input::Traction& t : data.tractions) {
     const auto line = std::find_if(data.mesh.lines.begin(), data.mesh.lines.end(),
                                    [&](const mesh::Line& l) { return l.name == t.on; });
     bool lies_on_ground = false;
@@ -193,17 +193,17 @@ void add_tractions(const model::Case& data, lem::Section& section, std::vector<s
   }
 }
 
-void add_surcharges(const model::Case& data, lem::Section& section) {
-  for (const model::Surcharge& s : data.surcharges) {
+void add_surcharges(const input::Case& data, lem::Section& section) {
+  for (const input::Surcharge& s : data.surcharges) {
     lem::Surcharge load;
     for (std::size_t i = 0; i < s.x.size(); ++i) load.load.push_back({s.x[i], s.load.at(i)});
     section.surcharges.push_back(std::move(load));
   }
 }
 
-void add_roots(const model::Case& data, lem::Section& section, std::vector<std::string>& notes) {
+void add_roots(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
   bool has_blocks = false;
-  for (const model::Roots& block : data.roots) {
+  for (const input::Roots& block : data.roots) {
     const auto cohesion = analysis::find_ground_cohesion(block);
     if (!cohesion) continue;
     has_blocks = true;
@@ -228,8 +228,8 @@ void add_roots(const model::Case& data, lem::Section& section, std::vector<std::
     }
   }
   for (lem::Soil& soil : section.soils) {
-    const model::Material& m = data.materials.at(soil.name);
-    if (m.model != model::MaterialModel::rooted_mohr_coulomb || m.roots.cohesion == 0) continue;
+    const input::Material& m = data.materials.at(soil.name);
+    if (m.model != input::MaterialModel::rooted_mohr_coulomb || m.roots.cohesion == 0) continue;
     if (!has_blocks)
       soil.cohesion += m.roots.cohesion;
     else
@@ -239,7 +239,7 @@ void add_roots(const model::Case& data, lem::Section& section, std::vector<std::
 
 }  // namespace
 
-SectionOfCase make_section(const model::Case& data) {
+SectionOfCase make_section(const input::Case& data) {
   if (data.mesh.dimension != 2)
     throw Error(
         ExitCode::wrong_input,

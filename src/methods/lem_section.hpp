@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "input/case/case.hpp"
 #include "lem/section.hpp"
-#include "model/case.hpp"
 
 namespace talus::methods {
 
@@ -19,6 +19,6 @@ struct SectionOfCase {
 /// Ground, soils, water and loads of a plane case. Pore pressures of steady seepage are calculated on the case's mesh.
 /// Throws Error (wrong_input) when the case is not plane or has no polygons, the ground has gaps or overhangs, or a
 /// soil has no friction angle and cohesion; what find_initial_water() throws.
-SectionOfCase make_section(const model::Case& data);
+SectionOfCase make_section(const input::Case& data);
 
 }  // namespace talus::methods

@@ -28,12 +28,12 @@ double find_width(const Polyline& ground) {
 
 }  // namespace
 
-std::vector<Pond> find_ponds(const model::Case& data, const Polyline& ground) {
+std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground) {
   std::vector<Pond> ponds;
   const double weight = analysis::find_water_weight(data), near = 1e-6 * find_width(ground);
-  for (const model::Hydraulic& h : data.hydraulics) {
-    const bool is_head = h.condition == model::WaterCondition::total_head;
-    if (!is_head && h.condition != model::WaterCondition::pressure) continue;
+  for (const input::Hydraulic& h : data.hydraulics) {
+    const bool is_head = h.condition == input::WaterCondition::total_head;
+    if (!is_head && h.condition != input::WaterCondition::pressure) continue;
     const mesh::Line* line = find_line(data.mesh, h.on);
     if (line == nullptr) continue;  // a side of the box: nothing lies on it
     const double value = h.values().at(0);
@@ -92,29 +92,29 @@ std::optional<double> find_standing_level(const std::vector<Pond>& ponds, const 
   return level;
 }
 
-bool needs_seepage(const model::Case& data) {
+bool needs_seepage(const input::Case& data) {
   return analysis::has_water(data) &&
-         (data.initial.water.pressure == model::InitialPressure::seepage || data.initial.water.season > 0);
+         (data.initial.water.pressure == input::InitialPressure::seepage || data.initial.water.season > 0);
 }
 
-bool takes_water(const model::Case& data, const model::Material& soil) {
+bool takes_water(const input::Case& data, const input::Material& soil) {
   return soil.water.is_wet() || !analysis::has_water(data);
 }
 
-model::Case close_sides(model::Case data) {
+input::Case close_sides(input::Case data) {
   if (!data.boundaries.empty()) return data;
   for (const char* side : {"bottom", "left", "right"}) {
     data.boundaries.emplace_back();
     data.boundaries.back().on = side;
-    data.boundaries.back().fix = model::Fix::normal;
+    data.boundaries.back().fix = input::Fix::normal;
   }
   return data;
 }
 
 template <int D>
-std::vector<double> find_nodal_pressure(const model::Case& data, const mesh::Mesh<D>& mesh, nlohmann::json* seepage) {
+std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh, nlohmann::json* seepage) {
   std::vector<double> pressure(mesh.nodes.size(), 0.0);
-  const model::InitialWater& initial = data.initial.water;
+  const input::InitialWater& initial = data.initial.water;
   if (needs_seepage(data)) {
     const analysis::InitialWater<D> water = analysis::find_initial_water<D>(data, mesh);
     if (water.seepage && seepage != nullptr) *seepage = analysis::describe_seepage<D>(mesh, *water.seepage);
@@ -122,7 +122,7 @@ std::vector<double> find_nodal_pressure(const model::Case& data, const mesh::Mes
     // A season leaves means of elements.
     std::vector<double> volume(mesh.nodes.size(), 0.0);
     for (int e = 0; e < mesh.element_count(); ++e) {
-      const model::Material* soil = analysis::find_soil(data, mesh, e);
+      const input::Material* soil = analysis::find_soil(data, mesh, e);
       if (soil == nullptr || !soil->water.is_wet()) continue;
       for (const int i : mesh.elements[e]) {
         pressure[i] += mesh.volumes[e] * water.pressure[e];
@@ -133,7 +133,7 @@ std::vector<double> find_nodal_pressure(const model::Case& data, const mesh::Mes
       if (volume[i] > 0) pressure[i] /= volume[i];
     return pressure;
   }
-  if (initial.pressure != model::InitialPressure::water_table || initial.water_table.empty()) return pressure;
+  if (initial.pressure != input::InitialPressure::water_table || initial.water_table.empty()) return pressure;
   analysis::check_upright(data, "a water table");
   const double weight = analysis::find_water_weight(data);
   for (std::size_t i = 0; i < pressure.size(); ++i) {
@@ -144,13 +144,13 @@ std::vector<double> find_nodal_pressure(const model::Case& data, const mesh::Mes
   return pressure;
 }
 
-lem::PressureGrid make_pressure_grid(const model::Case& data, const mesh::Mesh<2>& mesh,
+lem::PressureGrid make_pressure_grid(const input::Case& data, const mesh::Mesh<2>& mesh,
                                      const std::vector<double>& pressure) {
   lem::PressureGrid grid;
   grid.nodes.assign(mesh.nodes.begin(), mesh.nodes.end());
   for (const double p : pressure) grid.pressure.push_back(-p);
   for (int e = 0; e < mesh.element_count(); ++e) {
-    const model::Material* soil = analysis::find_soil(data, mesh, e);
+    const input::Material* soil = analysis::find_soil(data, mesh, e);
     if (soil == nullptr) continue;
     std::array<int, 3> nodes = mesh.elements[e];
     if (!takes_water(data, *soil)) {  // nodes of its own, at zero
@@ -233,7 +233,7 @@ Polyline add_ponds(const Polyline& table, const std::vector<Pond>& ponds, const 
   return line;
 }
 
-template std::vector<double> find_nodal_pressure<2>(const model::Case&, const mesh::Mesh<2>&, nlohmann::json*);
-template std::vector<double> find_nodal_pressure<3>(const model::Case&, const mesh::Mesh<3>&, nlohmann::json*);
+template std::vector<double> find_nodal_pressure<2>(const input::Case&, const mesh::Mesh<2>&, nlohmann::json*);
+template std::vector<double> find_nodal_pressure<3>(const input::Case&, const mesh::Mesh<3>&, nlohmann::json*);
 
 }  // namespace talus::methods

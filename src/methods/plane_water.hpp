@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "input/case/case.hpp"
 #include "lem/section.hpp"
 #include "mesh/mesh.hpp"
 #include "methods/ground_line.hpp"
-#include "model/case.hpp"
 
 namespace talus::methods {
 
@@ -19,7 +19,7 @@ struct Pond {
   Point from{}, to{};                   ///< on the ground, from left to right [m]
   double level_from = 0, level_to = 0;  ///< of the water there [m]
 };
-std::vector<Pond> find_ponds(const model::Case& data, const Polyline& ground);
+std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground);
 
 /// Sentences on ponds that end in the open, where the ground beside them is lower than their water.
 std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground);
@@ -30,25 +30,25 @@ std::optional<double> find_standing_level(const std::vector<Pond>& ponds, const 
                                           double x);
 
 /// Whether pore pressures follow from a flow calculation and need a mesh.
-bool needs_seepage(const model::Case& data);
+bool needs_seepage(const input::Case& data);
 
 /// Whether water acts in this material: where some soil of the case has pore water only in those that have, as for
 /// material points; else in all.
-bool takes_water(const model::Case& data, const model::Material& soil);
+bool takes_water(const input::Case& data, const input::Material& soil);
 
 /// Pore pressure at the nodes of a mesh, positive in tension [Pa]; zero in a case without water. With a season before
 /// the run: of its end. `seepage` receives the steady seepage that they are from, as in summary.json, where there is
 /// one.
 template <int D>
-std::vector<double> find_nodal_pressure(const model::Case& data, const mesh::Mesh<D>& mesh,
+std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh,
                                         nlohmann::json* seepage = nullptr);
 
 /// The case with bottom, left and right side held where it names no boundary at all: water does not pass them unless a
 /// [[hydraulic]] opens them.
-model::Case close_sides(model::Case data);
+input::Case close_sides(input::Case data);
 
 /// Pressures of a mesh for slices; soil that takes no water has zero.
-lem::PressureGrid make_pressure_grid(const model::Case& data, const mesh::Mesh<2>& mesh,
+lem::PressureGrid make_pressure_grid(const input::Case& data, const mesh::Mesh<2>& mesh,
                                      const std::vector<double>& pressure);
 
 /// The line of zero pressure in such a grid, with the water that stands on the ground, as a water table [m].

@@ -36,7 +36,7 @@ std::string compare(double factor, double other) {
 
 class Reading {
  public:
-  Reading(const model::Case& data, const json& summary, const json& methods)
+  Reading(const input::Case& data, const json& summary, const json& methods)
       : data_(data), summary_(summary), methods_(methods), height_(summary.value("slope_height", 0.0)) {
     for (const char* name : {"spencer", "morgenstern_price", "morgenstern_price_constant", "bishop", "janbu_corrected",
                              "janbu", "fellenius"}) {
@@ -159,10 +159,10 @@ class Reading {
     if (!(all > 0) || suction < noticeable_suction * all) return;
     bool by_angle = false, by_saturation = false;
     for (const auto& [region, name] : data_.regions) {
-      const model::SuctionStrength how = data_.materials.at(name).slices.suction_strength;
-      by_angle = by_angle || how == model::SuctionStrength::phi_b;
+      const input::SuctionStrength how = data_.materials.at(name).slices.suction_strength;
+      by_angle = by_angle || how == input::SuctionStrength::phi_b;
       by_saturation =
-          by_saturation || how == model::SuctionStrength::from_water || how == model::SuctionStrength::saturation;
+          by_saturation || how == input::SuctionStrength::from_water || how == input::SuctionStrength::saturation;
     }
     say("Suction gives {} of the resistance on the critical circle of {}{}.", format_share(suction / all), circle_name_,
         by_angle && given_ ? "; the finite elements cannot take φ_b and leave it out"
@@ -193,7 +193,7 @@ class Reading {
 
   bool is_nonassociated() const {
     return std::any_of(data_.regions.begin(), data_.regions.end(), [&](const auto& region) {
-      const model::Material& m = data_.materials.at(region.second);
+      const input::Material& m = data_.materials.at(region.second);
       return m.friction_angle > 0 && m.dilatancy_angle < m.friction_angle - 1e-9;
     });
   }
@@ -362,7 +362,7 @@ class Reading {
     if (parts.size() > 1) say("Computing time: {}.", fmt::join(parts, ", "));
   }
 
-  const model::Case& data_;
+  const input::Case& data_;
   const json &summary_, &methods_;
   double height_;
   std::optional<double> circle_, frozen_;
@@ -373,7 +373,7 @@ class Reading {
 
 }  // namespace
 
-json read_differences(const model::Case& data, const json& summary, const json& methods) {
+json read_differences(const input::Case& data, const json& summary, const json& methods) {
   return Reading(data, summary, methods).read();
 }
 

@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 
 namespace talus::methods {
 
 /// Each sentence states what was measured in this case; causes are named only where the numbers show them. `methods`:
 /// table, surfaces and handed surfaces of summary.json.
-nlohmann::json read_differences(const model::Case& data, const nlohmann::json& summary, const nlohmann::json& methods);
+nlohmann::json read_differences(const input::Case& data, const nlohmann::json& summary, const nlohmann::json& methods);
 
 }  // namespace talus::methods

@@ -26,7 +26,7 @@ double find_seconds(Clock::time_point start) {
 }
 
 /// Fills "methods" and what follows from it: all that needs no further calculation but a few surfaces.
-void add_comparison(const model::Case& data, const lem::Slope* slope, json statement, json& summary,
+void add_comparison(const input::Case& data, const lem::Slope* slope, json statement, json& summary,
                     const analysis::RunOptions& options) {
   json block = compare_methods(data, slope, summary, options.folder, options.threads);
   if (const double factor = find_main_factor(summary); factor > 0) state_over_design(statement, factor);
@@ -37,7 +37,7 @@ void add_comparison(const model::Case& data, const lem::Slope* slope, json state
 /// A case without material points.
 class StaticRun {
  public:
-  StaticRun(const model::LoadedCase& loaded, const DesignValues& design, const analysis::RunOptions& options,
+  StaticRun(const input::LoadedCase& loaded, const DesignValues& design, const analysis::RunOptions& options,
             std::string hash)
       : loaded_(loaded), design_(design), options_(options), hash_(std::move(hash)) {}
 
@@ -89,7 +89,7 @@ class StaticRun {
     output::write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");
   }
 
-  const model::LoadedCase& loaded_;
+  const input::LoadedCase& loaded_;
   const DesignValues& design_;
   const analysis::RunOptions& options_;
   std::string hash_;
@@ -97,12 +97,12 @@ class StaticRun {
 };
 
 /// Material points with what else is asked for.
-json run_with_points(const model::LoadedCase& loaded, const DesignValues& design, const analysis::RunOptions& options,
+json run_with_points(const input::LoadedCase& loaded, const DesignValues& design, const analysis::RunOptions& options,
                      const std::string& hash) {
-  model::LoadedCase factored = loaded;
+  input::LoadedCase factored = loaded;
   factored.data = design.data;
   if (loaded.data.methods.size() == 1 && design.statement.is_null()) return analysis::run_case(loaded, options);
-  if (model::uses(design.data, model::Method::fem)) check_methods(design.data);
+  if (input::uses(design.data, input::Method::fem)) check_methods(design.data);
   StaticMethods methods(design.data, hash, options);
   analysis::RunOptions with = options;
   with.begin = [&](json&) { methods.run([] {}); };
@@ -114,7 +114,7 @@ json run_with_points(const model::LoadedCase& loaded, const DesignValues& design
 }
 
 /// What a finished run without material points compares with may have changed since.
-json renew(json summary, const model::Case& data, const analysis::RunOptions& options) {
+json renew(json summary, const input::Case& data, const analysis::RunOptions& options) {
   const json before = summary;
   summary["title"] = data.title;
   summary["project"] = analysis::describe_project(data);
@@ -126,15 +126,15 @@ json renew(json summary, const model::Case& data, const analysis::RunOptions& op
 
 }  // namespace
 
-void check_methods(const model::Case& data) {
-  if (model::uses(data, model::Method::lem) && !needs_seepage(data)) prepare_slope(data);
-  if (model::uses(data, model::Method::fem)) check_solid(data);
+void check_methods(const input::Case& data) {
+  if (input::uses(data, input::Method::lem) && !needs_seepage(data)) prepare_slope(data);
+  if (input::uses(data, input::Method::fem)) check_solid(data);
 }
 
-json run_case(const model::LoadedCase& loaded, const analysis::RunOptions& options) {
+json run_case(const input::LoadedCase& loaded, const analysis::RunOptions& options) {
   const std::string hash = analysis::hash_input(loaded.echo);
   const DesignValues design = apply_partial_factors(loaded.data);
-  if (model::uses(loaded.data, model::Method::mpm)) return run_with_points(loaded, design, options, hash);
+  if (input::uses(loaded.data, input::Method::mpm)) return run_with_points(loaded, design, options, hash);
   analysis::check_folder(loaded.data.initial, options);
   if (auto finished = analysis::load_finished(options, hash)) return renew(std::move(*finished), loaded.data, options);
   return StaticRun(loaded, design, options, hash).run();

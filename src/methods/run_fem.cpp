@@ -27,19 +27,19 @@ struct Flow {
   bool associated;
 };
 
-std::vector<Flow> list_flows(model::FlowRule rule) {
+std::vector<Flow> list_flows(input::FlowRule rule) {
   const Flow given{"as_given", false}, associated{"associated", true};
-  if (rule == model::FlowRule::as_given) return {given};
-  if (rule == model::FlowRule::associated) return {associated};
+  if (rule == input::FlowRule::as_given) return {given};
+  if (rule == input::FlowRule::associated) return {associated};
   return {given, associated};
 }
 
 /// Least and greatest ψ of the soils with a strength [rad].
-json find_dilatancy(const model::Case& data, bool associated) {
+json find_dilatancy(const input::Case& data, bool associated) {
   double low = 1e9, high = -1e9;
   for (const auto& [region, name] : data.regions) {
-    const model::Material& m = data.materials.at(name);
-    if (m.model == model::MaterialModel::linear_elastic) continue;
+    const input::Material& m = data.materials.at(name);
+    if (m.model == input::MaterialModel::linear_elastic) continue;
     const double psi = associated ? m.friction_angle : m.dilatancy_angle;
     low = std::min(low, psi);
     high = std::max(high, psi);
@@ -47,7 +47,7 @@ json find_dilatancy(const model::Case& data, bool associated) {
   return low <= high ? json{low, high} : json{0, 0};
 }
 
-fem::ReductionOptions make_options(const model::FiniteElements& settings, int threads) {
+fem::ReductionOptions make_options(const input::FiniteElements& settings, int threads) {
   fem::ReductionOptions options;
   options.from = settings.from;
   options.to = settings.to;
@@ -129,7 +129,7 @@ bool has_run(const json& block, const char* flow) {
 template <int D>
 class FemRun {
  public:
-  FemRun(const model::Case& data, const FemOptions& options) : data_(data), options_(options) {}
+  FemRun(const input::Case& data, const FemOptions& options) : data_(data), options_(options) {}
 
   FemResult run() {
     const auto start = Clock::now();
@@ -209,13 +209,13 @@ class FemRun {
     result.file["runs"].push_back(std::move(fields));
   }
 
-  const model::Case& data_;
+  const input::Case& data_;
   const FemOptions& options_;
 };
 
 }  // namespace
 
-FemResult run_fem(const model::Case& data, const FemOptions& options) {
+FemResult run_fem(const input::Case& data, const FemOptions& options) {
   if (data.mesh.dimension == 2) return FemRun<2>(data, options).run();
   return FemRun<3>(data, options).run();
 }

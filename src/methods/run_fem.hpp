@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/progress.hpp"
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 
 namespace talus::methods {
 
@@ -28,6 +28,6 @@ struct FemOptions {
 
 /// Throws Error (wrong_input) when there is no equilibrium at any factor or an element is inverted; Error
 /// (interrupted).
-FemResult run_fem(const model::Case& data, const FemOptions& options);
+FemResult run_fem(const input::Case& data, const FemOptions& options);
 
 }  // namespace talus::methods

@@ -42,9 +42,9 @@ void lead_through_ends(const lem::Slope& slope, const std::string& name, lem::Su
   circle.centre = centre;
 }
 
-json solve_given(const model::Case& data, const lem::Slope& slope, const lem::SearchOptions& options) {
+json solve_given(const input::Case& data, const lem::Slope& slope, const lem::SearchOptions& options) {
   json list = json::array();
-  for (const model::SlipSurface& given : data.lem.surfaces) {
+  for (const input::SlipSurface& given : data.lem.surfaces) {
     const lem::Surface surface = make_surface(slope, given);
     for (const lem::Method method : options.methods) {
       lem::Critical critical = solve_surface(slope, surface, method, options);
@@ -58,34 +58,34 @@ json solve_given(const model::Case& data, const lem::Slope& slope, const lem::Se
 
 }  // namespace
 
-lem::Method to_lem(model::SliceMethod method) {
+lem::Method to_lem(input::SliceMethod method) {
   switch (method) {
-    case model::SliceMethod::fellenius:
+    case input::SliceMethod::fellenius:
       return lem::Method::fellenius;
-    case model::SliceMethod::bishop:
+    case input::SliceMethod::bishop:
       return lem::Method::bishop;
-    case model::SliceMethod::janbu:
+    case input::SliceMethod::janbu:
       return lem::Method::janbu;
-    case model::SliceMethod::janbu_corrected:
+    case input::SliceMethod::janbu_corrected:
       return lem::Method::janbu_corrected;
-    case model::SliceMethod::spencer:
+    case input::SliceMethod::spencer:
       return lem::Method::spencer;
-    case model::SliceMethod::morgenstern_price:
+    case input::SliceMethod::morgenstern_price:
       return lem::Method::morgenstern_price;
-    case model::SliceMethod::morgenstern_price_constant:
+    case input::SliceMethod::morgenstern_price_constant:
       break;
   }
   return lem::Method::morgenstern_price_constant;
 }
 
-PreparedSlope prepare_slope(const model::Case& data) {
+PreparedSlope prepare_slope(const input::Case& data) {
   SectionOfCase made = make_section(data);
   return {std::make_shared<const lem::Slope>(std::move(made.section)), std::move(made.notes), std::move(made.seepage)};
 }
 
-lem::SearchOptions make_search_options(const model::LimitEquilibrium& settings, int threads) {
+lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads) {
   lem::SearchOptions options;
-  options.kind = settings.search == model::SurfaceSearch::grid ? lem::SearchKind::grid : lem::SearchKind::entry_exit;
+  options.kind = settings.search == input::SurfaceSearch::grid ? lem::SearchKind::grid : lem::SearchKind::entry_exit;
   lem::GridSearch grid;  // from == to: chosen from the ground
   grid.columns = settings.grid.columns;
   grid.rows = settings.grid.rows;
@@ -110,7 +110,7 @@ lem::SearchOptions make_search_options(const model::LimitEquilibrium& settings, 
   options.entry_exit = between;
   options.slices = settings.slices;
   options.methods.clear();
-  for (const model::SliceMethod m : settings.methods) options.methods.push_back(to_lem(m));
+  for (const input::SliceMethod m : settings.methods) options.methods.push_back(to_lem(m));
   options.checks.smallest_m_alpha = settings.smallest_m_alpha;
   options.checks.most_tension = settings.most_tension;
   options.checks.most_thrust_outside = settings.most_thrust_outside;
@@ -125,7 +125,7 @@ lem::SearchOptions make_search_options(const model::LimitEquilibrium& settings, 
   return options;
 }
 
-lem::Surface make_surface(const lem::Slope& slope, const model::SlipSurface& given) {
+lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& given) {
   lem::Surface surface;
   surface.name = given.name;
   if (!given.centre || !given.radius) {
@@ -185,7 +185,7 @@ lem::Critical solve_surface(const lem::Slope& slope, const lem::Surface& surface
   return result;
 }
 
-LemResult run_lem(const model::Case& data, const PreparedSlope& prepared, int threads) {
+LemResult run_lem(const input::Case& data, const PreparedSlope& prepared, int threads) {
   const auto start = std::chrono::steady_clock::now();
   const lem::Slope& slope = *prepared.slope;
   const lem::SearchOptions options = make_search_options(data.lem, threads);
@@ -195,7 +195,7 @@ LemResult run_lem(const model::Case& data, const PreparedSlope& prepared, int th
   json& block = result.block;
   block = {{"methods", names}, {"slices", options.slices}, {"warnings", prepared.notes}};
   block["given"] = solve_given(data, slope, options);
-  if (data.lem.search != model::SurfaceSearch::none) {
+  if (data.lem.search != input::SurfaceSearch::none) {
     lem::SearchResult found = lem::search(slope, options);
     const auto take = [&](lem::Critical& c, json& list) {
       if (data.lem.yield_acceleration)

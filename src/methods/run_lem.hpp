@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "input/case/case.hpp"
 #include "lem/search.hpp"
-#include "model/case.hpp"
 
 namespace talus::methods {
 
@@ -18,14 +18,14 @@ struct PreparedSlope {
   nlohmann::json seepage;          ///< likewise
 };
 /// Throws what make_section() and lem::Slope do.
-PreparedSlope prepare_slope(const model::Case& data);
+PreparedSlope prepare_slope(const input::Case& data);
 
 /// The settings of [lem] for the search.
-lem::SearchOptions make_search_options(const model::LimitEquilibrium& settings, int threads);
-lem::Method to_lem(model::SliceMethod method);
+lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads);
+lem::Method to_lem(input::SliceMethod method);
 
 /// A surface of [[lem.surface]]. Throws Error (wrong_input) when it does not cut the ground, naming it.
-lem::Surface make_surface(const lem::Slope& slope, const model::SlipSurface& given);
+lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& given);
 
 /// A surface by one method with its forces. Where the checks refuse it, the factor is kept and the reason is a warning;
 /// the factor is 0 only where there is none.
@@ -38,6 +38,6 @@ struct LemResult {
 };
 
 /// Throws Error (wrong_input) when no surface is admissible.
-LemResult run_lem(const model::Case& data, const PreparedSlope& prepared, int threads);
+LemResult run_lem(const input::Case& data, const PreparedSlope& prepared, int threads);
 
 }  // namespace talus::methods

@@ -96,11 +96,11 @@ std::optional<MovedPoints> read_last_frame(const fs::path& folder) {
 
 }  // namespace
 
-PointsSlipLine find_points_slip_line(const model::Case& data, const json& summary, const fs::path& folder) {
+PointsSlipLine find_points_slip_line(const input::Case& data, const json& summary, const fs::path& folder) {
   PointsSlipLine result;
   if (data.mesh.dimension != 2) return result;
   const double height = summary.value("slope_height", 0.0);
-  if (data.analysis == model::AnalysisKind::run) {
+  if (data.analysis == input::AnalysisKind::run) {
     if (const auto moved = read_last_frame(folder)) {
       result.line = analysis::find_moved_limit(
           moved->positions, moved->displacement, moved->spacing,

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "input/case/case.hpp"
 #include "lem/slope.hpp"
 #include "lem/surface.hpp"
 #include "methods/ground_line.hpp"
-#include "model/case.hpp"
 
 namespace talus::methods {
 
@@ -24,7 +24,7 @@ struct PointsSlipLine {
 /// From the trial at frozen geometry that failed with the smallest factor; else from the trial of the displacement
 /// curve whose largest displacement first reaches the share of the slope's height that counts as failure; of a run
 /// without strength reduction from its last frame.
-PointsSlipLine find_points_slip_line(const model::Case& data, const nlohmann::json& summary,
+PointsSlipLine find_points_slip_line(const input::Case& data, const nlohmann::json& summary,
                                      const std::filesystem::path& folder);
 
 /// A line made into a surface: from left to right without turning back, its ends led on to the ground, with few

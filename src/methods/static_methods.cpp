@@ -24,14 +24,14 @@ json describe_failure(const char* words, const Error& error) {
 
 }  // namespace
 
-StaticMethods::StaticMethods(const model::Case& data, std::string input_hash, const analysis::RunOptions& options)
+StaticMethods::StaticMethods(const input::Case& data, std::string input_hash, const analysis::RunOptions& options)
     : data_(data), hash_(std::move(input_hash)), options_(options) {
-  if (model::uses(data, model::Method::lem)) prepared_ = prepare_slope(data);
+  if (input::uses(data, input::Method::lem)) prepared_ = prepare_slope(data);
 }
 
 void StaticMethods::run(const std::function<void()>& open_folder) {
   run_slices();
-  if (model::uses(data_, model::Method::fem)) {
+  if (input::uses(data_, input::Method::fem)) {
     run_elements(open_folder);
   } else {
     open_folder();

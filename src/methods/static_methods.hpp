@@ -17,7 +17,7 @@ class StaticMethods {
  public:
   /// Prepares the slope; throws what prepare_slope() throws. `data`: with design values where there are partial
   /// factors.
-  StaticMethods(const model::Case& data, std::string input_hash, const analysis::RunOptions& options);
+  StaticMethods(const input::Case& data, std::string input_hash, const analysis::RunOptions& options);
 
   /// Calculates. `open_folder` is called once before anything is written. Errors of a method that is not the only one
   /// are noted in its block.
@@ -34,7 +34,7 @@ class StaticMethods {
   void keep(const char* file, const nlohmann::json& block, nlohmann::json content) const;
   nlohmann::json load(const char* file) const;
 
-  const model::Case& data_;
+  const input::Case& data_;
   std::string hash_;
   const analysis::RunOptions& options_;
   std::optional<PreparedSlope> prepared_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 
 namespace talus::mpm {
 
@@ -26,7 +26,7 @@ struct Constraint {
 template <int D>
 struct Prescribed {
   Vec<D> velocity{};  ///< [m/s], times `factor`
-  model::TimeTable factor;
+  input::TimeTable factor;
 };
 
 /// A traction: nodal forces of mesh sides, or forces carried by points, both at factor 1.
@@ -38,7 +38,7 @@ struct Load {
   };
   bool on_points = false;
   std::vector<Entry> entries;
-  model::TimeTable factor;
+  input::TimeTable factor;
 };
 
 template <int D>

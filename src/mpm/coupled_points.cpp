@@ -145,8 +145,8 @@ void advance_block(Pass<D>& pass, const Law& law, int b) {
   motion.strain(d_epsilon);
   WaterIncrement increment{water_motion.divergence, Pack(0.0), d_epsilon[0] + d_epsilon[1] + d_epsilon[2]};
   Pack pending(0.0);
-  const bool stable = o.smoothing == model::Smoothing::stable;
-  if (o.smoothing != model::Smoothing::none) {  // (2.95), recomposed over three components
+  const bool stable = o.smoothing == input::Smoothing::stable;
+  if (o.smoothing != input::Smoothing::none) {  // (2.95), recomposed over three components
     Pack mean(0.0), divergence(0.0);
     for (int l = 0; l < lane_width; ++l) {
       double s = 0, q = 0;

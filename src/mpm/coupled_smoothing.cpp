@@ -100,7 +100,7 @@ std::pair<Pack, Pack> find_increments(const Body<D>& body, int b, const int* row
 template <int D>
 void smooth_coupled_increments(Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
-  const bool strains = o.smoothing != model::Smoothing::none;
+  const bool strains = o.smoothing != input::Smoothing::none;
   if (strains) {
     for_blocks(body, o.threads, [&](int b, const int* rows) {
       const std::size_t first = static_cast<std::size_t>(b) * lane_width;

@@ -93,7 +93,7 @@ TALUS_KERNEL material::Response<Pack> update_point_stress(const StepOptions<D>& 
   TALUS_UNROLL
   for (int i = 0; i < NS; ++i) s[i] = load<Pack>(p + (P::stress + i) * lane_width);
   for (int i = 0; i < law.state_size; ++i) q[i] = load<Pack>(p + (P::state + i) * lane_width);
-  if (options.smoothing == model::Smoothing::stable) {
+  if (options.smoothing == input::Smoothing::stable) {
     TALUS_UNROLL
     for (int i = 0; i < 3; ++i) s[i] += increment.pending;
   }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/lane.hpp"
+#include "input/language/time_table.hpp"
 #include "material/feddes.hpp"
-#include "model/time_table.hpp"
 
 namespace talus::mpm {
 
@@ -18,7 +18,7 @@ struct StepOptions;
 /// Plants that draw water through the points where their roots are. A point loses α(s) T(t) of its weight.
 struct RootUptake {
   std::string name;
-  model::TimeTable rate;       ///< T, potential per horizontal area of ground [m/s]
+  input::TimeTable rate;       ///< T, potential per horizontal area of ground [m/s]
   material::Feddes reduction;  ///< α, of the mean suction of the element
   /// By point number: the ground, measured on the horizontal, that drinks through the point [m²] (2D: m). Goes with the
   /// point, and with it is lost.

@@ -24,7 +24,7 @@ class Stopwatch {
 
 template <int D>
 void step_coupled(Body<D>& body, const StepOptions<D>& options) {
-  using model::Smoothing;
+  using input::Smoothing;
   Timing& timing = body.timing;
   Stopwatch watch;
   load_surface(body, options);
@@ -59,7 +59,7 @@ void step_coupled(Body<D>& body, const StepOptions<D>& options) {
 
 template <int D>
 void step(Body<D>& body, const StepOptions<D>& options) {
-  using model::Smoothing;
+  using input::Smoothing;
   if (body.water.is_wet()) {
     step_coupled(body, options);
     return;

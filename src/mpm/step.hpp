@@ -5,7 +5,7 @@
 // Σ_p N_i m_p (v_p + Δt Σ_j N_j a_j) = p_i + Δt Σ_j M_ij a_j, therefore needs no second pass: M is the element's
 // consistent mass matrix, from the moments gathered in the one pass. tests/reference holds the textbook order.
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 #include "mpm/body.hpp"
 
 namespace talus::mpm {
@@ -17,7 +17,7 @@ struct StepOptions {
   double damping = 0;       ///< α of (2.89)
   double mass_scaling = 1;  ///< β of (2.91)
   bool mixed = false;       ///< mixed integration (2.92-2.93)
-  model::Smoothing smoothing = model::Smoothing::none;
+  input::Smoothing smoothing = input::Smoothing::none;
   bool moving = true;     ///< false: frozen geometry, small strain
   bool objective = true;  ///< rotate stresses with the soil
   bool monitor = false;   ///< fill Body::monitor in this step

@@ -45,7 +45,7 @@ enum class SurfaceKind {
 struct SurfaceCondition {
   std::string name;
   SurfaceKind kind = SurfaceKind::seepage;
-  model::TimeTable value;  ///< rain, flux [m/s]; head [m]; pressure, positive in tension [Pa]
+  input::TimeTable value;  ///< rain, flux [m/s]; head [m]; pressure, positive in tension [Pa]
   bool vertical = true;    ///< rain is measured on the horizontal
   double suction_limit = std::numeric_limits<double>::infinity();  ///< evaporation ends there [Pa]
 };

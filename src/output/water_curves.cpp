@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "model/soil_water_law.hpp"
+#include "input/case/soil_water_law.hpp"
 #include "output/history.hpp"
 
 namespace talus::output {
@@ -27,12 +27,12 @@ std::string in_kpa(double pressure) {
   return fmt::format("{:.4g} kPa", pressure / 1e3);
 }
 
-std::string describe_limits(const model::PoreWater& soil) {
+std::string describe_limits(const input::PoreWater& soil) {
   return fmt::format("S from {:.4g} to {:.4g}", soil.maximum_saturation, soil.minimum_saturation);
 }
 
-std::string describe_retention(const model::PoreWater& soil) {
-  using enum model::RetentionCurve;
+std::string describe_retention(const input::PoreWater& soil) {
+  using enum input::RetentionCurve;
   switch (soil.retention) {
     case van_genuchten:
       return fmt::format("van Genuchten, p_ref = {}, λ = {:.4g}, {}", in_kpa(soil.reference_pressure), soil.lambda,
@@ -50,9 +50,9 @@ std::string describe_retention(const model::PoreWater& soil) {
   return fmt::format("saturated at any suction, S = {:.4g}", soil.maximum_saturation);
 }
 
-std::string describe_relative(const model::PoreWater& soil) {
-  using enum model::ConductivityCurve;
-  const std::string measure = soil.measure == model::SaturationShare::total ? "S" : "S_e";
+std::string describe_relative(const input::PoreWater& soil) {
+  using enum input::ConductivityCurve;
+  const std::string measure = soil.measure == input::SaturationShare::total ? "S" : "S_e";
   switch (soil.relative_conductivity) {
     case mualem:
       return fmt::format("Mualem in {}, λ = {:.4g}{}", measure, soil.lambda,
@@ -76,7 +76,7 @@ std::string shorten(double value) {
   return at == std::string::npos ? text : text.erase(at + 2, 1);
 }
 
-std::string describe_conductivity(const model::PoreWater& soil, double saturated) {
+std::string describe_conductivity(const input::PoreWater& soil, double saturated) {
   const std::string source =
       soil.conductivity ? "" : fmt::format(" (κ = {} m²)", shorten(soil.permeability.value_or(0)));
   return fmt::format("{}, k = {} m/s when saturated{}", describe_relative(soil), shorten(saturated), source);
@@ -94,7 +94,7 @@ bool changes(const Laws& laws, double from, double to) {
 }
 
 /// First and last power of ten [Pa] of the suction axis.
-std::pair<int, int> find_decades(const std::vector<std::pair<const model::Material*, Laws>>& soils) {
+std::pair<int, int> find_decades(const std::vector<std::pair<const input::Material*, Laws>>& soils) {
   int low = 1, high = 7;
   std::vector<double> pairs;
   for (const auto& [material, laws] : soils) {
@@ -117,14 +117,14 @@ std::pair<int, int> find_decades(const std::vector<std::pair<const model::Materi
   return {low, high};
 }
 
-WaterCurves sample(const std::string& name, const model::PoreWater& soil, const Laws& laws, double saturated,
+WaterCurves sample(const std::string& name, const input::PoreWater& soil, const Laws& laws, double saturated,
                    std::pair<int, int> decades) {
   WaterCurves curves;
   curves.material = name;
   curves.retention = describe_retention(soil);
   curves.conductivity = describe_conductivity(soil, saturated);
   curves.saturated_conductivity = saturated;
-  const bool has_chi = soil.chi == model::BishopChi::khalili_khabbaz;
+  const bool has_chi = soil.chi == input::BishopChi::khalili_khabbaz;
   const int steps = (decades.second - decades.first) * steps_per_decade;
   for (int i = 0; i <= steps; ++i) {
     const double s = std::pow(10, decades.first + static_cast<double>(i) / steps_per_decade);
@@ -135,9 +135,9 @@ WaterCurves sample(const std::string& name, const model::PoreWater& soil, const 
     curves.relative.push_back(laws.relative_at(s));
     if (has_chi) curves.chi.push_back(find_chi(s, soil.chi_air_entry));
   }
-  if (soil.retention == model::RetentionCurve::table) curves.saturation_pairs = soil.retention_table;
-  if (soil.relative_conductivity == model::ConductivityCurve::table) curves.relative_pairs = soil.conductivity_table;
-  if (soil.relative_conductivity == model::ConductivityCurve::mualem) curves.air_entry = soil.air_entry;
+  if (soil.retention == input::RetentionCurve::table) curves.saturation_pairs = soil.retention_table;
+  if (soil.relative_conductivity == input::ConductivityCurve::table) curves.relative_pairs = soil.conductivity_table;
+  if (soil.relative_conductivity == input::ConductivityCurve::mualem) curves.air_entry = soil.air_entry;
   return curves;
 }
 
@@ -151,22 +151,22 @@ std::string quote_field(const std::string& name) {
 
 }  // namespace
 
-std::vector<WaterCurves> sample_water_curves(const model::Case& data) {
-  std::vector<std::pair<const model::Material*, Laws>> soils;
+std::vector<WaterCurves> sample_water_curves(const input::Case& data) {
+  std::vector<std::pair<const input::Material*, Laws>> soils;
   std::vector<std::string> names;
   for (const auto& [name, material] : data.materials) {
     if (!material.water.is_wet()) continue;
     names.push_back(name);
     soils.push_back(
-        {&material, {model::make_retention(material.water), model::make_relative_conductivity(material.water)}});
+        {&material, {input::make_retention(material.water), input::make_relative_conductivity(material.water)}});
   }
   std::vector<WaterCurves> curves;
   if (soils.empty()) return curves;
   const std::pair<int, int> decades = find_decades(soils);
   for (std::size_t i = 0; i < soils.size(); ++i) {
-    const model::PoreWater& soil = soils[i].first->water;
+    const input::PoreWater& soil = soils[i].first->water;
     // The value as it was measured, at the gravity of the laboratory.
-    const double saturated = model::find_saturated_conductivity(soil, data.water, data.water.drag_gravity);
+    const double saturated = input::find_saturated_conductivity(soil, data.water, data.water.drag_gravity);
     curves.push_back(sample(names[i], soil, soils[i].second, saturated, decades));
   }
   return curves;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/case.hpp"
+#include "input/case/case.hpp"
 
 namespace talus::output {
 
@@ -28,7 +28,7 @@ struct WaterCurves {
 /// The curves of all wet materials of a case, in the order of their names, over one range of suction: whole decades
 /// within 0.01 kPa to 10 MPa (and what tables hold beyond), without those at either end in which no curve changes, but
 /// two at least. Empty for a dry case.
-std::vector<WaterCurves> sample_water_curves(const model::Case& data);
+std::vector<WaterCurves> sample_water_curves(const input::Case& data);
 
 /// The curves as comma-separated text, one row per material and suction: `material,suction [kPa],saturation [-],...`.
 std::string make_water_table(const std::vector<WaterCurves>& soils);

@@ -64,7 +64,7 @@ json list_materials(const json& summary, std::optional<double> factor_of_safety)
                      find_si(soil, "saturated_unit_weight"));
     } else if (density && porosity)
       properties.add("unit_weight", "unit weight (dry)", "γ", {"kN/m³", 1000}, (1 - *porosity) * *density * gravity);
-    const model::PoreWater pore_water = read_pore_water(soil);
+    const input::PoreWater pore_water = read_pore_water(soil);
     if (density && porosity && pore_water.is_wet())
       properties.add_wet_weights(summary, pore_water, *density, *porosity, gravity);
     properties.add("young_modulus", "Young's modulus", "E", {"MPa", 1e6}, find_si(soil, "young_modulus"));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "model/point_test.hpp"
+#include "input/case/point_test.hpp"
 #include "output/history.hpp"
 #include "report/look_up.hpp"
 #include "report/thinning.hpp"
@@ -39,7 +39,7 @@ json read_columns(const std::filesystem::path& table, const std::set<std::string
   for (const json& turn : turns)
     if (turn.get<std::size_t>() < rows) shown.insert(turn.get<std::size_t>());
   json columns = json::array();
-  for (const model::PointQuantity& quantity : model::list_point_quantities()) {
+  for (const input::PointQuantity& quantity : input::list_point_quantities()) {
     if (!wanted.contains(quantity.name)) continue;
     for (std::size_t c = 0; c < curve.columns.size(); ++c) {
       if (curve.columns[c].name != quantity.name) continue;

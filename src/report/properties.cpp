@@ -166,7 +166,7 @@ void Properties::add_external(const json& soil) {
       find_si(soil, "constrained_modulus"));
 }
 
-void Properties::add_wet_weights(const json& summary, const model::PoreWater& soil, double density, double porosity,
+void Properties::add_wet_weights(const json& summary, const input::PoreWater& soil, double density, double porosity,
                                  double gravity) {
   const ShownUnit weight{"kN/m³", 1000};
   const double water = read_water(summary).density;

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "model/water.hpp"
+#include "input/case/water.hpp"
 #include "report/look_up.hpp"
 
 namespace talus::report {
@@ -36,7 +36,7 @@ class Properties {
   /// What a UMAT is given. Its constants have no names and no units that anybody but the UMAT knows.
   void add_external(const nlohmann::json& soil);
   /// With all pores that fill full of water, and as light as the driest soil of the model.
-  void add_wet_weights(const nlohmann::json& summary, const model::PoreWater& soil, double density, double porosity,
+  void add_wet_weights(const nlohmann::json& summary, const input::PoreWater& soil, double density, double porosity,
                        double gravity);
 
   nlohmann::json rows = nlohmann::json::array();

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "input/language/time_table.hpp"
 #include "material/root_bundle.hpp"
-#include "model/time_table.hpp"
 #include "report/look_up.hpp"
 
 namespace talus::report {
@@ -18,7 +18,7 @@ namespace {
 double find_share(const json& roots, const char* time, const char* table) {
   const json* at = find(roots, {time, "value"});
   if (at == nullptr || !at->is_number()) return 1;
-  model::TimeTable shares;
+  input::TimeTable shares;
   for (const json& row : find_list(roots, {table, "value"})) {
     shares.time.push_back(row.at(0).get<double>());
     shares.value.push_back(row.at(1).get<double>());

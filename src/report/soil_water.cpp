@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/units.hpp"
-#include "model/declare_water.hpp"
-#include "model/soil_water_law.hpp"
+#include "input/case/declare_water.hpp"
+#include "input/case/soil_water_law.hpp"
 #include "report/look_up.hpp"
 
 namespace talus::report {
@@ -26,7 +26,7 @@ constexpr double least_suction = 10, most_suction = 1e9;
 template <class Enum>
 void read_choice(const json& table, const char* key, Enum& value) {
   const std::string word = get_word(table, key);
-  for (const auto& choice : model::choices<Enum>)
+  for (const auto& choice : input::choices<Enum>)
     if (word == choice.word) value = choice.value;
 }
 
@@ -42,32 +42,32 @@ void read_pairs(const json& table, const char* key, std::vector<std::array<doubl
     pairs.push_back({row.at(0).get<double>() * si, row.at(1).get<double>()});
 }
 
-std::string name_retention(const model::PoreWater& soil) {
+std::string name_retention(const input::PoreWater& soil) {
   switch (soil.retention) {
-    case model::RetentionCurve::van_genuchten:
+    case input::RetentionCurve::van_genuchten:
       return "van Genuchten";
-    case model::RetentionCurve::linear:
+    case input::RetentionCurve::linear:
       return "linear in suction";
-    case model::RetentionCurve::exponential:
+    case input::RetentionCurve::exponential:
       return "exponential, after Gardner";
-    case model::RetentionCurve::table:
+    case input::RetentionCurve::table:
       return fmt::format("table of {} pairs, joined by monotone cubics", soil.retention_table.size());
     default:
       return "saturated at any suction";
   }
 }
 
-std::string name_conductivity(const model::PoreWater& soil) {
-  const std::string of = soil.measure == model::SaturationShare::effective ? " of the effective saturation"
+std::string name_conductivity(const input::PoreWater& soil) {
+  const std::string of = soil.measure == input::SaturationShare::effective ? " of the effective saturation"
                                                                            : " of the degree of saturation";
   switch (soil.relative_conductivity) {
-    case model::ConductivityCurve::mualem:
+    case input::ConductivityCurve::mualem:
       return "Mualem," + of;
-    case model::ConductivityCurve::hillel:
+    case input::ConductivityCurve::hillel:
       return "power (Hillel)" + of;
-    case model::ConductivityCurve::exponential:
+    case input::ConductivityCurve::exponential:
       return "exponential in suction, after Gardner";
-    case model::ConductivityCurve::table:
+    case input::ConductivityCurve::table:
       return fmt::format("table of {} pairs", soil.conductivity_table.size());
     default:
       return "constant: that of the saturated soil at any suction";
@@ -116,8 +116,8 @@ json list_parameters(const json& echo, const ShownUnit& stress, double conductiv
 }
 
 /// Suction at which the soil has lost this share of what it can lose [Pa]; `most` when it never has.
-double find_suction(const model::PoreWater& soil, double lost, double most) {
-  const auto curve = model::make_retention(soil);
+double find_suction(const input::PoreWater& soil, double lost, double most) {
+  const auto curve = input::make_retention(soil);
   const auto at = [&](double s) { return material::find_water(curve, s); };
   const double full = at(0.0).saturation, rest = at(most_suction).saturation, wanted = full - lost * (full - rest);
   double low = std::log(least_suction), high = std::log(most_suction);
@@ -129,9 +129,9 @@ double find_suction(const model::PoreWater& soil, double lost, double most) {
   return std::exp(high);
 }
 
-json sample_curves(const model::PoreWater& soil, double conductivity, std::optional<double> largest) {
-  const auto retention = model::make_retention(soil);
-  const auto relative = model::make_relative_conductivity(soil);
+json sample_curves(const input::PoreWater& soil, double conductivity, std::optional<double> largest) {
+  const auto retention = input::make_retention(soil);
+  const auto relative = input::make_relative_conductivity(soil);
   // From where the soil begins to drain to where little is left, and to what the model has seen.
   const double drained = find_suction(soil, 0.8, 1e8);
   double low = find_suction(soil, 0.01, 1e3) / 3, high = drained < 1e8 ? 3 * drained : 3e5;
@@ -155,8 +155,8 @@ json sample_curves(const model::PoreWater& soil, double conductivity, std::optio
 
 }  // namespace
 
-model::PoreWater read_pore_water(const json& material) {
-  model::PoreWater soil;
+input::PoreWater read_pore_water(const json& material) {
+  input::PoreWater soil;
   const json* echo = find(material, {"water"});
   if (echo == nullptr) return soil;
   read_choice(*echo, "retention", soil.retention);
@@ -179,8 +179,8 @@ model::PoreWater read_pore_water(const json& material) {
   return soil;
 }
 
-model::Water read_water(const json& summary) {
-  model::Water water;
+input::Water read_water(const json& summary) {
+  input::Water water;
   const json* echo = find(summary, {"input", "water"});
   if (echo == nullptr) return water;
   read_number(*echo, "density", water.density);
@@ -206,18 +206,18 @@ std::optional<double> find_largest_suction(const json& summary) {
   return largest > 0 ? std::optional(largest) : std::nullopt;
 }
 
-double find_saturation(const model::PoreWater& soil, double suction) {
-  return material::saturation(model::make_retention(soil), suction);
+double find_saturation(const input::PoreWater& soil, double suction) {
+  return material::saturation(input::make_retention(soil), suction);
 }
 
 json describe_soil_water(const json& summary, const json& material) {
-  const model::PoreWater soil = read_pore_water(material);
+  const input::PoreWater soil = read_pore_water(material);
   if (!soil.is_wet()) return {};
-  const model::Water water = read_water(summary);
-  const double conductivity = model::find_saturated_conductivity(soil, water, water.drag_gravity);
+  const input::Water water = read_water(summary);
+  const double conductivity = input::find_saturated_conductivity(soil, water, water.drag_gravity);
   json block{{"retention", name_retention(soil)},
              {"conductivity", name_conductivity(soil)},
-             {"chi", soil.chi == model::BishopChi::khalili_khabbaz
+             {"chi", soil.chi == input::BishopChi::khalili_khabbaz
                          ? "χ after Khalili and Khabbaz: (s/s_e)^(−0.55) above the air entry, 1 below"
                          : "χ = S"},
              {"parameters", list_parameters(material.at("water"), read_units(summary).stress, conductivity)}};

@@ -4,14 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "model/water.hpp"
+#include "input/case/water.hpp"
 
 namespace talus::report {
 
 /// [materials.NAME.water] as it was understood; a dry soil when the echo of the material has none.
-model::PoreWater read_pore_water(const nlohmann::json& material);
+input::PoreWater read_pore_water(const nlohmann::json& material);
 /// [water], with the program's defaults where the echo has nothing.
-model::Water read_water(const nlohmann::json& summary);
+input::Water read_water(const nlohmann::json& summary);
 
 /// Whether some soil of the case has pore water.
 bool is_wet(const nlohmann::json& summary);
@@ -21,7 +21,7 @@ bool is_wet(const nlohmann::json& summary);
 std::optional<double> find_largest_suction(const nlohmann::json& summary);
 
 /// S of the soil at a suction [Pa].
-double find_saturation(const model::PoreWater& soil, double suction);
+double find_saturation(const input::PoreWater& soil, double suction);
 
 /// The laws, their parameters and curves; null for a dry soil.
 nlohmann::json describe_soil_water(const nlohmann::json& summary, const nlohmann::json& material);

@@ -42,9 +42,9 @@ std::string describe_state(const json& summary) {
   bool drains = false, dry = false;
   if (materials != nullptr)
     for (const json& material : *materials) {
-      const model::PoreWater soil = read_pore_water(material);
+      const input::PoreWater soil = read_pore_water(material);
       dry = dry || !soil.is_wet();
-      drains = drains || (soil.is_wet() && soil.retention != model::RetentionCurve::saturated);
+      drains = drains || (soil.is_wet() && soil.retention != input::RetentionCurve::saturated);
     }
   std::string text = drains ? "Saturated and unsaturated soil" : "Saturated soil";
   if (dry) text += " beside dry soil";
@@ -53,7 +53,7 @@ std::string describe_state(const json& summary) {
 }
 
 json list_properties(const json& summary) {
-  const model::Water water = read_water(summary);
+  const input::Water water = read_water(summary);
   json rows = json::array();
   const auto add = [&](const char* key, const char* title, const char* symbol, const char* unit, double value) {
     if (!std::isfinite(value)) return;

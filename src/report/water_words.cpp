@@ -67,7 +67,7 @@ class WaterAssumptions {
   void add_phases() {
     const auto dry = list_soils(summary_, [](const auto& soil, const json&) { return !soil.is_wet(); });
     const auto khalili = list_soils(summary_, [](const auto& soil, const json&) {
-      return soil.is_wet() && soil.chi == model::BishopChi::khalili_khabbaz;
+      return soil.is_wet() && soil.chi == input::BishopChi::khalili_khabbaz;
     });
     add("Soil and pore water are two phases on the same points; air stays at atmospheric pressure. Effective stress "
         "after Bishop{}. Retention curves have no hysteresis, and water that leaves does not run down the slope and "
@@ -80,7 +80,7 @@ class WaterAssumptions {
           join_words(dry));
     const auto largest = find_largest_suction(summary_);
     const auto limp = list_soils(
-        summary_, [&](const auto& soil, const json&) { return soil.retention == model::RetentionCurve::saturated; });
+        summary_, [&](const auto& soil, const json&) { return soil.retention == input::RetentionCurve::saturated; });
     if (largest && !limp.empty())
       add("{} above the water table too, with suctions up to {}: that is on the unsafe side.",
           join_words(limp) + (limp.size() == 1 ? " stays saturated" : " stay saturated"),
@@ -128,8 +128,8 @@ class WaterAssumptions {
 
   void add_conductivity() {
     const auto constant = list_soils(summary_, [](const auto& soil, const json&) {
-      return soil.is_wet() && soil.retention != model::RetentionCurve::saturated &&
-             soil.relative_conductivity == model::ConductivityCurve::constant;
+      return soil.is_wet() && soil.retention != input::RetentionCurve::saturated &&
+             soil.relative_conductivity == input::ConductivityCurve::constant;
     });
     if (!constant.empty())
       add("The conductivity of {} does not fall with suction: above the water table the soil lets as much water "

@@ -10,7 +10,7 @@
 namespace talus::study {
 namespace {
 
-using model::Distribution;
+using input::Distribution;
 
 /// ζ and λ of ln X ~ N(λ, ζ²).
 struct LogMoments {

@@ -4,14 +4,14 @@
 #include <limits>
 #include <string>
 
-#include "model/sampling.hpp"
+#include "input/case/sampling.hpp"
 
 namespace talus::study {
 
 /// The distribution of one number, in the unit of its key. `mean` and `deviation` of a normal or lognormal one are
 /// those before it is cut.
 struct Marginal {
-  model::Distribution kind = model::Distribution::normal;
+  input::Distribution kind = input::Distribution::normal;
   double mean = 0, deviation = 0;
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ struct Marginal {
   double find_cut_share() const;
 };
 
-const char* name_distribution(model::Distribution kind);  ///< "lognormal"
+const char* name_distribution(input::Distribution kind);  ///< "lognormal"
 
 /// The correlation of two numbers whose normal scores have the correlation `coefficient` (Nataf's integral, by
 /// Gauss–Hermite quadrature).

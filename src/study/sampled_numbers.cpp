@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/uncertain_number.hpp"
+#include "input/case/uncertain_number.hpp"
 #include "study/key_paths.hpp"
 
 namespace talus::study {
 namespace {
 
-using model::Distribution;
+using input::Distribution;
 
 /// A distribution of which less than this lies beyond the limits of its key is cut there without a word.
 constexpr double worth_telling = 1e-6;
@@ -31,7 +31,7 @@ std::string describe(const SampledNumber& number) {
 }
 
 /// The limits that the case or the key sets, in words, and a note where they take something away.
-void tell_cut(SampledNumber& number, const model::RandomNumber& given, std::vector<std::string>& notes) {
+void tell_cut(SampledNumber& number, const input::RandomNumber& given, std::vector<std::string>& notes) {
   const Marginal& m = number.marginal;
   if (m.kind == Distribution::triangular || m.kind == Distribution::uniform) return;
   if (!given.lowest.empty()) number.text += fmt::format(", cut below {:.6g}", m.lowest);
@@ -45,9 +45,9 @@ void tell_cut(SampledNumber& number, const model::RandomNumber& given, std::vect
                     number.unit.empty() ? "" : " ", number.unit));
 }
 
-SampledNumber read_number(const model::LoadedCase& base, const model::RandomNumber& given,
+SampledNumber read_number(const input::LoadedCase& base, const input::RandomNumber& given,
                           std::vector<std::string>& notes) {
-  const model::UncertainNumber found = model::resolve(given, base.data, base.echo);
+  const input::UncertainNumber found = input::resolve(given, base.data, base.echo);
   SampledNumber number;
   number.key = found.key;
   number.unit = found.unit;
@@ -57,14 +57,14 @@ SampledNumber read_number(const model::LoadedCase& base, const model::RandomNumb
   return number;
 }
 
-std::vector<double> read_correlation(const model::Sampling& sampling, const std::vector<std::string>& keys) {
+std::vector<double> read_correlation(const input::Sampling& sampling, const std::vector<std::string>& keys) {
   const std::size_t n = keys.size();
   std::vector<double> matrix(n * n, 0);
   for (std::size_t i = 0; i < n; ++i) matrix[i * n + i] = 1;
   const auto find = [&](const std::string& key) {
     return static_cast<std::size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
   };
-  for (const model::Correlation& c : sampling.correlations) {
+  for (const input::Correlation& c : sampling.correlations) {
     const std::size_t i = find(c.keys.at(0)), j = find(c.keys.at(1));
     matrix.at(i * n + j) = matrix.at(j * n + i) = c.coefficient;
   }
@@ -85,12 +85,12 @@ std::vector<double> SampledNumbers::list_means() const {
   return list;
 }
 
-SampledNumbers read_sampled_numbers(const model::LoadedCase& base) {
-  const model::Sampling& sampling = base.data.study.sampling;
+SampledNumbers read_sampled_numbers(const input::LoadedCase& base) {
+  const input::Sampling& sampling = base.data.study.sampling;
   SampledNumbers sampled;
   std::vector<std::string> keys;
-  for (const model::RandomNumber& n : sampling.numbers) keys.push_back(n.key);
-  for (const model::RandomNumber& n : sampling.numbers) {
+  for (const input::RandomNumber& n : sampling.numbers) keys.push_back(n.key);
+  for (const input::RandomNumber& n : sampling.numbers) {
     sampled.numbers.push_back(read_number(base, n, sampled.notes));
     sampled.numbers.back().name = shorten_path(n.key, keys);
   }
@@ -98,8 +98,8 @@ SampledNumbers read_sampled_numbers(const model::LoadedCase& base) {
   return sampled;
 }
 
-std::vector<model::Override> set_values(const SampledNumbers& sampled, const std::vector<double>& values) {
-  std::vector<model::Override> changes;
+std::vector<input::Override> set_values(const SampledNumbers& sampled, const std::vector<double>& values) {
+  std::vector<input::Override> changes;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::string number = fmt::format("{}", values[i]);
     const std::string& unit = sampled.numbers[i].unit;
@@ -108,12 +108,12 @@ std::vector<model::Override> set_values(const SampledNumbers& sampled, const std
   return changes;
 }
 
-model::LoadedCase read_sample(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+input::LoadedCase read_sample(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                               const SampledNumbers& sampled, const std::vector<double>& values) {
-  std::vector<model::Override> changes = overrides;
+  std::vector<input::Override> changes = overrides;
   changes.push_back({"study", "{}"});
-  for (model::Override& change : set_values(sampled, values)) changes.push_back(std::move(change));
-  return model::read_case_text(base.text, base.file, changes);
+  for (input::Override& change : set_values(sampled, values)) changes.push_back(std::move(change));
+  return input::read_case_text(base.text, base.file, changes);
 }
 
 }  // namespace talus::study

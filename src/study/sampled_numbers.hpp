@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/read.hpp"
+#include "input/read.hpp"
 #include "study/distributions.hpp"
 
 namespace talus::study {
@@ -27,13 +27,13 @@ struct SampledNumbers {
 };
 
 /// [[study.random]] and [[study.correlation]] of a case that was read without a fault.
-SampledNumbers read_sampled_numbers(const model::LoadedCase& base);
+SampledNumbers read_sampled_numbers(const input::LoadedCase& base);
 
 /// The changes that give the numbers these values.
-std::vector<model::Override> set_values(const SampledNumbers& sampled, const std::vector<double>& values);
+std::vector<input::Override> set_values(const SampledNumbers& sampled, const std::vector<double>& values);
 
 /// The case with these values of its numbers and without its [study]. Throws InputError where a value is impossible.
-model::LoadedCase read_sample(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+input::LoadedCase read_sample(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                               const SampledNumbers& sampled, const std::vector<double>& values);
 
 }  // namespace talus::study

@@ -42,8 +42,8 @@ std::vector<double> SampleSet::get_sample(std::size_t i) const {
   return sample;
 }
 
-SampleSet draw_samples(const model::LoadedCase& base) {
-  const model::Sampling& sampling = base.data.study.sampling;
+SampleSet draw_samples(const input::LoadedCase& base) {
+  const input::Sampling& sampling = base.data.study.sampling;
   SampleSet set;
   set.sampled = read_sampled_numbers(base);
   set.notes = set.sampled.notes;
@@ -51,7 +51,7 @@ SampleSet draw_samples(const model::LoadedCase& base) {
   set.plan.samples = sampling.samples;
   set.plan.numbers = static_cast<int>(set.sampled.numbers.size());
   set.plan.seed = sampling.seed;
-  set.plan.latin = sampling.plan == model::SamplePlan::latin_hypercube;
+  set.plan.latin = sampling.plan == input::SamplePlan::latin_hypercube;
   set.plan.replicates = set.plan.latin && sampling.samples >= enough_samples ? hypercubes : 1;
   set.plan.correlation = set.sampled.correlation;
   set.scores = draw_scores(set.plan);
@@ -62,7 +62,7 @@ SampleSet draw_samples(const model::LoadedCase& base) {
   return set;
 }
 
-SamplingResult run_sampling(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                             const StudyOptions& options) {
   SampleSet set = draw_samples(base);
   check_folder(options);
@@ -82,7 +82,7 @@ SamplingResult run_sampling(const model::LoadedCase& base, const std::vector<mod
                 {"project", analysis::describe_project(base.data)},
                 {"provenance", analysis::describe_provenance(base, analysis::hash_input(base.echo), options.threads)},
                 {"input", base.echo}};
-  if (set.method == model::SampledMethod::lem) {
+  if (set.method == input::SampledMethod::lem) {
     calculate_slices(base, overrides, options, set);
   } else {
     study = calculate_runs(base, overrides, options, set, result.failure);

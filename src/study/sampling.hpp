@@ -28,7 +28,7 @@ struct SampleSet {
   std::vector<double> factor;  ///< per sample; NaN where there is none; empty where none is asked for
   std::vector<double> runout;  ///< per sample [m], NaN where there is none; empty without material points
 
-  model::SampledMethod method = model::SampledMethod::lem;
+  input::SampledMethod method = input::SampledMethod::lem;
   std::string method_title;  ///< "Spencer's method on 214 surfaces"
   std::string runout_name;   ///< of [[compare]], "runout.toe_distance"
   std::optional<FirstOrder> first_order;
@@ -43,16 +43,16 @@ struct SampleSet {
 };
 
 /// Draws the samples of [study].
-SampleSet draw_samples(const model::LoadedCase& base);
+SampleSet draw_samples(const input::LoadedCase& base);
 
 /// Calculates them by slices: `set.factor` and what is said about the surfaces. Throws what lem::search() does at the
 /// means, Error (interrupted).
-void calculate_slices(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+void calculate_slices(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                       const StudyOptions& options, SampleSet& set);
 
 /// Calculates them by runs of the case, each in its folder, as a study of any other kind. Returns the study's own
 /// table.
-nlohmann::json calculate_runs(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+nlohmann::json calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                               const StudyOptions& options, SampleSet& set, std::optional<Error>& failure);
 
 /// What `talus study` does: draws, calculates, writes study.json, study.md and samples.csv into the folder. Errors as
@@ -62,7 +62,7 @@ struct SamplingResult {
   nlohmann::json study;
   std::optional<Error> failure;
 };
-SamplingResult run_sampling(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                             const StudyOptions& options);
 
 }  // namespace talus::study

@@ -21,8 +21,8 @@ using nlohmann::json;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A variant for every sample, each read and checked as a case of its own; before them the case at the means.
-StudyPlan plan_samples(const model::LoadedCase& base, std::vector<model::Override> overrides, const SampleSet& set) {
-  overrides.push_back({"analysis.methods", set.method == model::SampledMethod::fem ? R"(["fem"])" : R"(["mpm"])"});
+StudyPlan plan_samples(const input::LoadedCase& base, std::vector<input::Override> overrides, const SampleSet& set) {
+  overrides.push_back({"analysis.methods", set.method == input::SampledMethod::fem ? R"(["fem"])" : R"(["mpm"])"});
   StudyPlan plan;
   plan.title = base.data.title;
   plan.mode = "sample";
@@ -73,13 +73,13 @@ std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& n
 
 }  // namespace
 
-json calculate_runs(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+json calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                     const StudyOptions& options, SampleSet& set, std::optional<Error>& failure) {
   const auto start = std::chrono::steady_clock::now();
   const StudyPlan plan = plan_samples(base, overrides, set);
   const std::vector<StudyRow> rows = run_study(plan, options);
   failure = find_failure(plan, rows);
-  const bool by_elements = set.method == model::SampledMethod::fem;
+  const bool by_elements = set.method == input::SampledMethod::fem;
   const std::string factor =
       find_name(rows, by_elements ? std::vector<std::string>{"fem.factor", "fem.associated.factor"}
                                   : std::vector<std::string>{"factor_of_safety.frozen", "factor_of_safety.bilinear",

@@ -128,7 +128,7 @@ std::string list_keys(const std::vector<std::string>& keys) {
 
 }  // namespace
 
-void calculate_slices(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+void calculate_slices(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                       const StudyOptions& options, SampleSet& set) {
   const auto start = std::chrono::steady_clock::now();
   if (options.progress != nullptr) options.progress->show("searching for the critical surfaces");
@@ -146,7 +146,7 @@ void calculate_slices(const model::LoadedCase& base, const std::vector<model::Ov
   }
   SliceSampling sampling(slices, options, set);
   sampling.calculate();
-  const bool is_checked = !slices.is_full() && base.data.lem.search != model::SurfaceSearch::none;
+  const bool is_checked = !slices.is_full() && base.data.lem.search != input::SurfaceSearch::none;
   if (is_checked) sampling.check();
   set.surfaces = slices.count_surfaces();
   const std::string title = lem::title_method(slices.method());

@@ -101,7 +101,7 @@ json describe_values(const std::vector<double>& all) {
 }
 
 /// P(F < 1), its interval, its standard error, and how it settled.
-json describe_failure(const model::Sampling& asked, const SampleSet& set) {
+json describe_failure(const input::Sampling& asked, const SampleSet& set) {
   const Present there(set.factor);
   std::vector<double> failed;
   for (const double f : there.values) failed.push_back(f < 1 ? 1 : 0);
@@ -223,7 +223,7 @@ json describe_ranks(const SampleSet& set, const std::vector<double>& result) {
 }
 
 /// How probable it is that the soil comes farther than a distance.
-json describe_runout(const model::Sampling& asked, const SampleSet& set) {
+json describe_runout(const input::Sampling& asked, const SampleSet& set) {
   if (set.runout.empty()) return nullptr;
   const Present there(set.runout);
   const auto exceed = [&](double distance) {
@@ -257,7 +257,7 @@ json describe_runout(const model::Sampling& asked, const SampleSet& set) {
 
 }  // namespace
 
-json describe_sampling(const model::Sampling& asked, const SampleSet& set) {
+json describe_sampling(const input::Sampling& asked, const SampleSet& set) {
   const char* const methods[] = {"lem", "fem", "mpm"};
   json block = {{"samples", set.plan.samples},
                 {"seed", set.plan.seed},

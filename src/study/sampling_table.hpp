@@ -9,7 +9,7 @@
 namespace talus::study {
 
 /// The block "sampling" of study.json.
-nlohmann::json describe_sampling(const model::Sampling& asked, const SampleSet& set);
+nlohmann::json describe_sampling(const input::Sampling& asked, const SampleSet& set);
 
 /// study.md of such a block.
 std::string write_sampling_markdown(const std::string& title, const nlohmann::json& block);

@@ -16,7 +16,7 @@ constexpr double corner_score = 2;
 
 }  // namespace
 
-SliceFactor::SliceFactor(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+SliceFactor::SliceFactor(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                          const SampledNumbers& sampled, int threads)
     : base_(base),
       overrides_(overrides),
@@ -27,7 +27,7 @@ SliceFactor::SliceFactor(const model::LoadedCase& base, const std::vector<model:
   if (is_full()) return;
   slope_ = std::make_unique<lem::Slope>(numbers_.middle());
   std::vector<lem::Surface> given;
-  for (const model::SlipSurface& s : base.data.lem.surfaces) given.push_back(methods::make_surface(*slope_, s));
+  for (const input::SlipSurface& s : base.data.lem.surfaces) given.push_back(methods::make_surface(*slope_, s));
   if (searches()) {
     const std::vector<lem::Section> corners = make_corners(sampled.list_means());
     corners_ = static_cast<int>(corners.size());
@@ -80,7 +80,7 @@ std::optional<SliceFactor::Searched> SliceFactor::search(const std::vector<doubl
                              ? methods::make_section(read_sample(base_, overrides_, sampled_, values).data).section
                              : numbers_.make_section(values));
   lem::Evaluator evaluate(slope, method(), options.checks, options.slices);
-  for (const model::SlipSurface& given : base_.data.lem.surfaces) {
+  for (const input::SlipSurface& given : base_.data.lem.surfaces) {
     const double factor = evaluate(methods::make_surface(slope, given));
     if (factor < lem::Evaluator::refused) take(factor);
   }

@@ -17,7 +17,7 @@ class SliceFactor {
  public:
   /// Searches at the means and at corners of the distributions, and keeps the surfaces that may be critical. Throws
   /// what methods::make_section() and lem::search() do at the means.
-  SliceFactor(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+  SliceFactor(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
               const SampledNumbers& sampled, int threads);
 
   /// Whether every sample needs its own section and search.
@@ -47,11 +47,11 @@ class SliceFactor {
   void add(const std::vector<lem::Surface>& surfaces);
 
  private:
-  bool searches() const { return base_.data.lem.search != model::SurfaceSearch::none; }
+  bool searches() const { return base_.data.lem.search != input::SurfaceSearch::none; }
   std::vector<lem::Section> make_corners(const std::vector<double>& means) const;
 
-  const model::LoadedCase& base_;
-  const std::vector<model::Override>& overrides_;
+  const input::LoadedCase& base_;
+  const std::vector<input::Override>& overrides_;
   const SampledNumbers& sampled_;
   SliceNumbers numbers_;
   lem::SearchOptions options_;

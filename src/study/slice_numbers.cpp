@@ -27,7 +27,7 @@ std::pair<std::string, std::string> split_material_key(const std::string& key) {
 
 }  // namespace
 
-SliceNumbers::SliceNumbers(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+SliceNumbers::SliceNumbers(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                            const SampledNumbers& sampled, const std::vector<double>& middle)
     : middle_values_(middle) {
   static const std::map<std::string, Part> parts{

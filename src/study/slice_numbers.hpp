@@ -13,7 +13,7 @@ namespace talus::study {
 class SliceNumbers {
  public:
   /// `middle` is the case at the distributions' means.
-  SliceNumbers(const model::LoadedCase& base, const std::vector<model::Override>& overrides,
+  SliceNumbers(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                const SampledNumbers& sampled, const std::vector<double>& middle);
 
   /// Whether some number changes more than soils and accelerations, so that every sample needs its own section.

@@ -88,9 +88,9 @@ json strip_given(const json& echo) {
 /// A combination of values: for every key the number of its value, or nothing for that of the base case.
 using Choice = std::vector<std::optional<std::size_t>>;
 
-std::vector<Choice> list_choices(const model::Study& study) {
+std::vector<Choice> list_choices(const input::Study& study) {
   std::vector<Choice> choices{Choice(study.vary.size())};
-  if (study.mode == model::StudyMode::one_at_a_time) {
+  if (study.mode == input::StudyMode::one_at_a_time) {
     for (std::size_t k = 0; k < study.vary.size(); ++k)
       for (std::size_t j = 0; j < study.vary[k].values.size(); ++j) {
         choices.emplace_back(study.vary.size());
@@ -98,7 +98,7 @@ std::vector<Choice> list_choices(const model::Study& study) {
       }
     return choices;
   }
-  if (study.mode == model::StudyMode::together) {
+  if (study.mode == input::StudyMode::together) {
     for (std::size_t j = 0; j < study.vary.front().values.size(); ++j) choices.emplace_back(study.vary.size(), j);
     return choices;
   }
@@ -116,11 +116,11 @@ std::vector<Choice> list_choices(const model::Study& study) {
   return choices;
 }
 
-const char* find_mode_word(model::StudyMode mode) {
+const char* find_mode_word(input::StudyMode mode) {
   switch (mode) {
-    case model::StudyMode::grid:
+    case input::StudyMode::grid:
       return "grid";
-    case model::StudyMode::together:
+    case input::StudyMode::together:
       return "together";
     default:
       return "one_at_a_time";
@@ -128,34 +128,34 @@ const char* find_mode_word(model::StudyMode mode) {
 }
 
 /// With mode = "together", names of one key's values can stand for those of all.
-bool is_unnamed(const model::Study& study, std::size_t key) {
-  const auto has_names = [](const model::Vary& v) { return !v.names.empty(); };
-  return study.mode == model::StudyMode::together && study.vary[key].names.empty() &&
+bool is_unnamed(const input::Study& study, std::size_t key) {
+  const auto has_names = [](const input::Vary& v) { return !v.names.empty(); };
+  return study.mode == input::StudyMode::together && study.vary[key].names.empty() &&
          std::any_of(study.vary.begin(), study.vary.end(), has_names);
 }
 
-void check_study(const model::LoadedCase& base) {
-  const model::Study& study = base.data.study;
+void check_study(const input::LoadedCase& base) {
+  const input::Study& study = base.data.study;
   const auto fail = [&](const std::string& path, const std::string& sentence) {
-    const model::Place place = base.places.find(path);
+    const input::Place place = base.places.find(path);
     throw InputError({{place.file, place.line, place.column, sentence}});
   };
   if (study.vary.empty()) fail("study", "there is nothing to vary: add a [[study.vary]] with a key and its values");
-  const auto is_extrapolated = [&](const model::Vary& v) { return v.key == study.extrapolate; };
+  const auto is_extrapolated = [&](const input::Vary& v) { return v.key == study.extrapolate; };
   if (!study.extrapolate.empty() && std::none_of(study.vary.begin(), study.vary.end(), is_extrapolated))
     fail("study.extrapolate",
          fmt::format("'{}' is not varied; 'extrapolate' names one of the keys of [[study.vary]]", study.extrapolate));
   std::size_t count = 1;
   for (std::size_t k = 0; k < study.vary.size(); ++k) {
-    const model::Vary& v = study.vary[k];
+    const input::Vary& v = study.vary[k];
     if (!v.names.empty() && v.names.size() != v.values.size())
       fail(fmt::format("study.vary.{}.names", k),
            fmt::format("there are {} names for {} values", v.names.size(), v.values.size()));
-    if (study.mode == model::StudyMode::together && v.values.size() != study.vary.front().values.size())
+    if (study.mode == input::StudyMode::together && v.values.size() != study.vary.front().values.size())
       fail(fmt::format("study.vary.{}.values", k),
            fmt::format("'{}' has {} values and '{}' has {}; with mode = \"together\" all keys have as many", v.key,
                        v.values.size(), study.vary.front().key, study.vary.front().values.size()));
-    if (study.mode != model::StudyMode::grid) continue;
+    if (study.mode != input::StudyMode::grid) continue;
     count *= v.values.size();
     if (count > most_variants)
       fail("study.mode", fmt::format("the grid has more than {} variants; vary fewer keys or values", most_variants));
@@ -164,9 +164,9 @@ void check_study(const model::LoadedCase& base) {
 
 }  // namespace
 
-StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Override>& overrides) {
+StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Override>& overrides) {
   check_study(base);
-  const model::Study& study = base.data.study;
+  const input::Study& study = base.data.study;
   StudyPlan plan;
   plan.title = base.data.title;
   plan.mode = find_mode_word(study.mode);
@@ -175,20 +175,20 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
   plan.extrapolate = study.extrapolate;
   plan.displacement_unit = base.data.output.displacement_unit;
   plan.length_unit = base.data.output.length_unit;
-  if (base.data.analysis == model::AnalysisKind::run)
-    for (const model::Monitor& m : base.data.output.monitors) plan.monitors.push_back(m.name);
+  if (base.data.analysis == input::AnalysisKind::run)
+    for (const input::Monitor& m : base.data.output.monitors) plan.monitors.push_back(m.name);
   std::vector<std::string> paths;
-  for (const model::Vary& v : study.vary) paths.push_back(v.key);
+  for (const input::Vary& v : study.vary) paths.push_back(v.key);
   for (const std::string& path : paths) plan.keys.push_back({path, shorten_path(path, paths), ""});
 
-  const model::Place place = base.places.find("study.vary.0");
+  const input::Place place = base.places.find("study.vary.0");
   std::vector<Diagnostic> faults;
   std::set<std::string> known_faults, names;
   std::map<std::string, std::string> known_cases;  // what a case calculates → label
   std::map<std::string, std::size_t> numbers;      // label or folder → number of the variant
   for (const Choice& choice : list_choices(study)) {
     Variant variant;
-    std::vector<model::Override> changes = overrides;
+    std::vector<input::Override> changes = overrides;
     changes.push_back({"study", "{}"});
     for (std::size_t k = 0; k < study.vary.size(); ++k) {
       if (!choice[k]) continue;
@@ -208,7 +208,7 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
       variant.label = study.base_name;
     }
     try {
-      variant.loaded = model::read_case_text(base.text, base.file, changes);
+      variant.loaded = input::read_case_text(base.text, base.file, changes);
     } catch (const InputError& error) {
       for (const Diagnostic& d : error.diagnostics())
         if (known_faults.insert(to_string(d)).second)
@@ -235,18 +235,18 @@ StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Ove
     plan.variants.push_back(std::move(variant));
   }
   const auto has_curve = [](const Variant& v) {
-    const model::Case& data = v.loaded.data;
-    return data.analysis == model::AnalysisKind::strength_reduction && data.strength_reduction.curve.enabled;
+    const input::Case& data = v.loaded.data;
+    return data.analysis == input::AnalysisKind::strength_reduction && data.strength_reduction.curve.enabled;
   };
   if (faults.empty() && !study.factors.empty() && std::none_of(plan.variants.begin(), plan.variants.end(), has_curve)) {
-    const model::Place at = base.places.find("study.factors");
+    const input::Place at = base.places.find("study.factors");
     faults.push_back(
         {at.file, at.line, at.column, "'factors' needs a displacement curve, and no variant calculates one"});
   }
   if (const auto found = numbers.find(study.reference); found != numbers.end()) {
     plan.reference = found->second;
   } else if (faults.empty()) {
-    const model::Place at = base.places.find("study.reference");
+    const input::Place at = base.places.find("study.reference");
     std::string labels;
     for (const Variant& v : plan.variants) labels += (labels.empty() ? "'" : ", '") + v.label + "'";
     faults.push_back({at.file, at.line, at.column,

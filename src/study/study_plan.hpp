@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/read.hpp"
+#include "input/read.hpp"
 
 namespace talus::study {
 
@@ -20,7 +20,7 @@ struct Variant {
   std::string name;                 ///< of its folder, `damping_0.01`; the base case is `base`
   std::string label;                ///< for people, `damping = 0.01`
   std::vector<std::string> values;  ///< of every varied key, in its unit
-  model::LoadedCase loaded;         ///< without its [study], so that a longer study keeps what was calculated
+  input::LoadedCase loaded;         ///< without its [study], so that a longer study keeps what was calculated
   std::string input_hash;           ///< as the run's summary records it
 };
 
@@ -40,6 +40,6 @@ struct StudyPlan {
 /// Reads every variant of the study in `base`, which was read with `overrides`. Variants that equal an earlier one are
 /// left out with a note. Throws InputError with the faults of all variants, each fault once, or when there is nothing
 /// to vary.
-StudyPlan plan_study(const model::LoadedCase& base, const std::vector<model::Override>& overrides);
+StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Override>& overrides);
 
 }  // namespace talus::study

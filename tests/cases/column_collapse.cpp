@@ -9,8 +9,8 @@
 #include "analysis/prepare.hpp"
 #include "analysis/runout.hpp"
 #include "analysis/stage.hpp"
+#include "input/read.hpp"
 #include "mesh/generate.hpp"
-#include "model/read.hpp"
 #include "mpm/observe.hpp"
 
 namespace talus {
@@ -28,17 +28,17 @@ struct Collapse {
 Collapse run_example(double aspect) {
   const std::string path = std::string(TALUS_SOURCE_DIR) + "/examples/column_collapse/case.toml";
   const std::string a = std::to_string(aspect);
-  const model::LoadedCase loaded =
-      model::read_case(path, {{"geometry.polygon.column.points", "[[0, 0], [1, 0], [1, " + a + "], [0, " + a + "]]"},
+  const input::LoadedCase loaded =
+      input::read_case(path, {{"geometry.polygon.column.points", "[[0, 0], [1, 0], [1, " + a + "], [0, " + a + "]]"},
                               {"stage.collapse.duration", "2"}});
-  const model::Case& data = loaded.data;
+  const input::Case& data = loaded.data;
   mpm::Body<2> body = analysis::prepare<2>(data, mesh::generate<2>(data.mesh));
   const double height = analysis::find_soil_height(body, data.gravity);
   const Vec<2> gravity = analysis::find_gravity<2>(data.gravity);
   const analysis::Profile initial = analysis::find_profile(body, data.mesh.size);
   Collapse c;
   c.before = mpm::sum_points(body, gravity);
-  for (const model::Stage& stage : data.stages) {
+  for (const input::Stage& stage : data.stages) {
     analysis::StageState state;
     EXPECT_EQ(analysis::run_stage(body, analysis::make_plan<2>(data, stage, height, 1), state),
               analysis::StageEnd::time);

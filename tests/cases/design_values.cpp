@@ -8,16 +8,16 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "input/read.hpp"
 #include "lem/search.hpp"
 #include "methods/run_lem.hpp"
-#include "model/read.hpp"
 
 namespace talus::methods {
 namespace {
 
 /// The dry homogeneous slope of the source: 10 m at 2:1, c = 2 kPa, φ = 30°.
-model::Case read(const std::string& more, const std::vector<model::Override>& changes = {}) {
-  return model::read_case_text(R"(
+input::Case read(const std::string& more, const std::vector<input::Override>& changes = {}) {
+  return input::read_case_text(R"(
 [[geometry.polygon]]
 name = "soil"
 points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
@@ -38,7 +38,7 @@ noncircular = false
       .data;
 }
 
-std::map<lem::Method, lem::Critical> search(const model::Case& data) {
+std::map<lem::Method, lem::Critical> search(const input::Case& data) {
   const PreparedSlope prepared = prepare_slope(data);
   std::map<lem::Method, lem::Critical> found;
   for (lem::Critical& c : lem::search(*prepared.slope, make_search_options(data.lem, 1)).circular) {
@@ -71,7 +71,7 @@ TEST(DesignValues, DrainedSlopeHasItsFactorOver125) {
 /// γ_G on all weight and c/γ_G are the same slope: the factor with DA1-1 is that of a slope 1.35 times as heavy.
 TEST(DesignValues, PermanentActionsAreTheWeightOfTheSoil) {
   const DesignValues design = apply_partial_factors(read("[partial_factors]\nset = \"DA1-1\"\n"));
-  model::Case heavy = read("");
+  input::Case heavy = read("");
   heavy.materials.at("soil").grain_density *= 1.35;
   const auto a = search(design.data), b = search(heavy);
   for (const auto& [method, critical] : a)
@@ -107,7 +107,7 @@ set = ")";
   const double tan_30 = std::tan(std::numbers::pi / 6);
   {
     const DesignValues d = apply("DA1-2");
-    const model::Material &sand = d.data.materials.at("soil"), &clay = d.data.materials.at("clay");
+    const input::Material &sand = d.data.materials.at("soil"), &clay = d.data.materials.at("clay");
     EXPECT_NEAR(sand.cohesion, 1600, 1e-9);
     EXPECT_NEAR(std::tan(sand.friction_angle), tan_30 / 1.25, 1e-12);
     EXPECT_NEAR(clay.cohesion, 30e3, 1e-9);
@@ -153,8 +153,8 @@ TEST(DesignValues, StatementSaysWhatWasChanged) {
 }
 
 TEST(DesignValues, ASoilWithoutFrictionAngleIsRefusedByName) {
-  model::Case data = read("[partial_factors]\nset = \"DA3\"\n");
-  data.materials.at("soil").model = model::MaterialModel::modified_cam_clay;
+  input::Case data = read("[partial_factors]\nset = \"DA3\"\n");
+  data.materials.at("soil").model = input::MaterialModel::modified_cam_clay;
   try {
     apply_partial_factors(data);
     FAIL() << "was taken";

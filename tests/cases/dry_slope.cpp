@@ -24,14 +24,14 @@ std::string read_text(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-json run(const std::string& file, const std::vector<model::Override>& overrides) {
+json run(const std::string& file, const std::vector<input::Override>& overrides) {
   const fs::path folder = fs::temp_directory_path() / ("talus_dry_slope_" + std::to_string(getpid()));
   analysis::RunOptions options;
   options.folder = folder;
   options.threads = default_threads();
   options.overwrite = true;
   json summary =
-      analysis::run_case(model::read_case(std::string(TALUS_SOURCE_DIR) + "/examples/" + file, overrides), options);
+      analysis::run_case(input::read_case(std::string(TALUS_SOURCE_DIR) + "/examples/" + file, overrides), options);
   fs::remove_all(folder);
   return summary;
 }

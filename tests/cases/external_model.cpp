@@ -16,8 +16,8 @@
 #include "analysis/prepare.hpp"
 #include "analysis/stage.hpp"
 #include "base/error.hpp"
+#include "input/read.hpp"
 #include "mesh/generate.hpp"
-#include "model/read.hpp"
 #include "mpm/observe.hpp"
 #include "support/external_model.hpp"
 
@@ -93,10 +93,10 @@ std::string name_umat(const std::string& umat, const std::string& rest) {
 }
 
 mpm::Body<2> run(const std::string& text, int threads) {
-  const model::LoadedCase loaded = model::read_case_text(text, "slope.toml", {});
+  const input::LoadedCase loaded = input::read_case_text(text, "slope.toml", {});
   mpm::Body<2> body = analysis::prepare<2>(loaded.data, mesh::generate<2>(loaded.data.mesh));
   const double height = analysis::find_soil_height(body, loaded.data.gravity);
-  for (const model::Stage& stage : loaded.data.stages) {
+  for (const input::Stage& stage : loaded.data.stages) {
     analysis::StageState state;
     analysis::run_stage(body, analysis::make_plan<2>(loaded.data, stage, height, threads), state);
   }

@@ -19,8 +19,8 @@ namespace {
 
 using nlohmann::json;
 
-model::Case read(const std::string& text) {
-  return model::read_case_text(text, "slope.toml", {}).data;
+input::Case read(const std::string& text) {
+  return input::read_case_text(text, "slope.toml", {}).data;
 }
 
 /// Unit weights instead of grains and pores.
@@ -143,7 +143,7 @@ TEST(MethodsGround, APondWithoutAShoreIsNoted) {
                                    "[materials.sand.water]\nretention = \"saturated\"\nconductivity = 1e-5\n");
     const std::string from = "points = [[32, 5], [44, 5]]";
     text.replace(text.find(from), from.size(), points);
-    const model::Case data = read(text);
+    const input::Case data = read(text);
     const auto ground = methods::find_ground(data.mesh);
     return methods::find_open_ends(methods::find_ponds(data, ground), ground);
   };
@@ -154,7 +154,7 @@ TEST(MethodsGround, APondWithoutAShoreIsNoted) {
 
 TEST(MethodsGround, SurchargesKeepForceAndMomentWhereverTheyEnd) {
   // A load that ends inside the sides of the mesh, falling from 20 to 5 kPa.
-  const model::Case data =
+  const input::Case data =
       read(write_slope("\"fem\"", "[[surcharge]]\nname = \"load\"\nx = [3.3, 10.1]\nload = [\"20 kPa\", \"5 kPa\"]\n"));
   const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
   const auto loads = methods::make_surface_loads<2>(data, mesh, {}, {}, methods::find_ground(data.mesh));
@@ -173,7 +173,7 @@ TEST(MethodsGround, SurchargesKeepForceAndMomentWhereverTheyEnd) {
 }
 
 TEST(MethodsGround, ACircleMadeIntoASlipLineKeepsItsFactor) {
-  const model::Case data = read(write_slope("\"lem\"", few_circles));
+  const input::Case data = read(write_slope("\"lem\"", few_circles));
   const methods::PreparedSlope prepared = methods::prepare_slope(data);
   lem::SearchOptions options = methods::make_search_options(data.lem, 1);
   lem::Surface circle;

@@ -62,12 +62,12 @@ class MethodsTest : public ::testing::Test {
  protected:
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  nlohmann::json run(const std::string& text, const std::vector<model::Override>& overrides = {}, bool resume = false) {
+  nlohmann::json run(const std::string& text, const std::vector<input::Override>& overrides = {}, bool resume = false) {
     analysis::RunOptions options;
     options.folder = folder_;
     options.overwrite = !resume;
     options.resume = resume;
-    return methods::run_case(model::read_case_text(text, "slope.toml", overrides), options);
+    return methods::run_case(input::read_case_text(text, "slope.toml", overrides), options);
   }
 
   /// The sentence that the case ends with.

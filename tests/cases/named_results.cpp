@@ -42,9 +42,9 @@ TEST(NamedResults, AreInterpolatedBetweenTrials) {
 }
 
 TEST(Comparison, PassesWithinItsToleranceAndNotBeyond) {
-  model::Case data;
-  data.analysis = model::AnalysisKind::strength_reduction;
-  const auto add = [&](const char* name, model::Amount value, model::Amount tolerance) {
+  input::Case data;
+  data.analysis = input::AnalysisKind::strength_reduction;
+  const auto add = [&](const char* name, input::Amount value, input::Amount tolerance) {
     data.compare.push_back({name, value, tolerance, "by hand"});
   };
   add("factor_of_safety", {1.36, "", "1.36"}, {0.03, "", "0.03"});

@@ -96,7 +96,7 @@ class PreconsolidationOfARun : public testing::Test {
     options.folder = folder_ / name;
     options.threads = default_threads();
     options.resume = resume;
-    return analysis::run_case(model::read_case_text(head + text, (folder_ / "case.toml").string(), {}), options);
+    return analysis::run_case(input::read_case_text(head + text, (folder_ / "case.toml").string(), {}), options);
   }
   const fs::path folder_ = fs::temp_directory_path() / ("talus_preconsolidation_" + std::to_string(getpid()));
 };

@@ -57,12 +57,12 @@ lowest = "20 deg"
 highest = "45 deg"
 )";
 
-SamplingResult run(const model::LoadedCase& base, const StudyOptions& options) {
+SamplingResult run(const input::LoadedCase& base, const StudyOptions& options) {
   return run_sampling(base, {}, options);
 }
 
 TEST(SamplingRuns, RunoutIsExceededLessOftenTheFartherItIs) {
-  const model::LoadedCase base = model::read_case_text(column, "column.toml");
+  const input::LoadedCase base = input::read_case_text(column, "column.toml");
   StudyOptions options;
   options.folder = sampling_slope::make_folder("column");
   options.threads = 2;
@@ -110,7 +110,7 @@ samples = 3
 key = "materials.soil.cohesion"
 deviation = "5 kPa"
 )");
-  const std::vector<model::Override> changes{{"analysis.methods", R"(["lem", "fem"])"},
+  const std::vector<input::Override> changes{{"analysis.methods", R"(["lem", "fem"])"},
                                              {"materials.soil.young_modulus", "\"20 MPa\""},
                                              {"materials.soil.poisson_ratio", "0.3"},
                                              {"materials.soil.dilatancy_angle", "0"},
@@ -119,7 +119,7 @@ deviation = "5 kPa"
                                              {"fem.size", "2.5"},
                                              {"fem.flow", "associated"},
                                              {"fem.resolution", "0.02"}};
-  const model::LoadedCase base = model::read_case_text(text, "li_lumb.toml", changes);
+  const input::LoadedCase base = input::read_case_text(text, "li_lumb.toml", changes);
   StudyOptions options;
   options.folder = sampling_slope::make_folder("elements");
   const SamplingResult result = run_sampling(base, changes, options);

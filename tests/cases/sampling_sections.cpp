@@ -59,7 +59,7 @@ TEST(SamplingSections, AreThoseOfTheCaseWithTheseValues) {
       "materials.fill.grain_density",     "materials.fill.cohesion", "materials.fill.friction_angle",
       "materials.clay.unit_weight",       "materials.clay.cohesion", "materials.clay.saturated_unit_weight",
       "materials.clay.cohesion_gradient", "earthquake.horizontal",   "materials.clay.cohesion_level"};
-  const model::LoadedCase base = model::read_case_text(text + list_numbers(keys), "two_soils.toml");
+  const input::LoadedCase base = input::read_case_text(text + list_numbers(keys), "two_soils.toml");
   const SampleSet set = draw_samples(base);
   const SliceNumbers numbers(base, {}, set.sampled, set.sampled.list_means());
   EXPECT_FALSE(numbers.changes_section());
@@ -83,7 +83,7 @@ TEST(SamplingSections, AreThoseOfTheCaseWithTheseValues) {
 
 TEST(SamplingSections, KnowWhichKeysChangeMoreThanSoils) {
   const auto sort = [](const std::vector<std::string>& keys) {
-    const model::LoadedCase base = model::read_case_text(text + list_numbers(keys), "two_soils.toml");
+    const input::LoadedCase base = input::read_case_text(text + list_numbers(keys), "two_soils.toml");
     const SampledNumbers sampled = read_sampled_numbers(base);
     const SliceNumbers numbers(base, {}, sampled, sampled.list_means());
     return numbers.section_keys();

@@ -19,7 +19,7 @@ using sampling_slope::deviations;
 const std::string sample = "[study]\nmode = \"sample\"\n";
 
 json run(const std::string& study, const std::string& name, int threads = 1,
-         const std::vector<model::Override>& changes = {}) {
+         const std::vector<input::Override>& changes = {}) {
   StudyOptions options;
   options.folder = sampling_slope::make_folder(name);
   options.threads = threads;
@@ -118,7 +118,7 @@ TEST(SamplingSlices, SaysWhatItCannotDo) {
   const std::string study = sample + "samples = 20\n" + deviations;
   StudyOptions options;
   options.folder = sampling_slope::make_folder("refused");
-  const auto refuse = [&](const model::LoadedCase& loaded) {
+  const auto refuse = [&](const input::LoadedCase& loaded) {
     try {
       run_sampling(loaded, {}, options);
     } catch (const Error& error) {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "model/read.hpp"
+#include "input/read.hpp"
 
 namespace talus::sampling_slope {
 
@@ -51,8 +51,8 @@ key = "materials.soil.pore_pressure_ratio"
 deviation = 0.02
 )";
 
-inline model::LoadedCase read(const std::string& study, const std::vector<model::Override>& changes = {}) {
-  return model::read_case_text(write_case(study), "li_lumb.toml", changes);
+inline input::LoadedCase read(const std::string& study, const std::vector<input::Override>& changes = {}) {
+  return input::read_case_text(write_case(study), "li_lumb.toml", changes);
 }
 
 inline std::filesystem::path make_folder(const std::string& name) {

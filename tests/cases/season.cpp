@@ -14,7 +14,7 @@ double find_largest_start(const WaterRun& run) {
   return -1e-3 * *std::min_element(pressure.begin(), pressure.end());
 }
 
-std::vector<model::Override> shorten(const std::string& season) {
+std::vector<input::Override> shorten(const std::string& season) {
   return {{"mesh.size", "0.5"},
           {"initial.season", season},
           {"stage.before the storm.duration", "0.01"},

@@ -9,8 +9,8 @@
 
 #include "analysis/prepare.hpp"
 #include "analysis/stage.hpp"
+#include "input/read.hpp"
 #include "mesh/generate.hpp"
-#include "model/read.hpp"
 #include "mpm/observe.hpp"
 
 namespace talus {
@@ -29,8 +29,8 @@ struct Slide {
 Slide run_example(const std::string& file, const std::string& plane, double friction,
                   const std::array<double, 2>& along) {
   const std::string path = std::string(TALUS_SOURCE_DIR) + "/examples/sliding_block/" + file;
-  const model::LoadedCase loaded =
-      model::read_case(path, {{"boundary." + plane + ".friction", std::to_string(friction)}});
+  const input::LoadedCase loaded =
+      input::read_case(path, {{"boundary." + plane + ".friction", std::to_string(friction)}});
   mpm::Body<2> body = analysis::prepare<2>(loaded.data, mesh::generate<2>(loaded.data.mesh));
   const double height = analysis::find_soil_height(body, loaded.data.gravity);
   const auto project = [&](const Vec<2>& v) { return v[0] * along[0] + v[1] * along[1]; };
@@ -38,7 +38,7 @@ Slide run_example(const std::string& file, const std::string& plane, double fric
   Slide slide;
   mpm::Totals<2> before;
   double start = 0;
-  for (const model::Stage& stage : loaded.data.stages) {
+  for (const input::Stage& stage : loaded.data.stages) {
     before = mpm::sum_points<2>(body, {});
     start = body.time;
     analysis::StageState state;

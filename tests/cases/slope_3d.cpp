@@ -7,24 +7,24 @@
 
 #include "analysis/frozen_factor.hpp"
 #include "analysis/prepare.hpp"
+#include "input/read.hpp"
 #include "mesh/generate.hpp"
-#include "model/read.hpp"
 
 namespace talus {
 namespace {
 
 /// The frozen factor of an example file, from the state at rest after its stages.
 template <int D>
-double find_factor(const std::string& file, std::vector<model::Override> overrides) {
+double find_factor(const std::string& file, std::vector<input::Override> overrides) {
   const std::string path = std::string(TALUS_SOURCE_DIR) + "/examples/slope_3d/" + file;
   overrides.push_back({"mesh.size", "2.5"});
   overrides.push_back({"strength_reduction.frozen.resolution", "0.03"});
-  const model::LoadedCase loaded = model::read_case(path, overrides);
-  const model::Case& data = loaded.data;
+  const input::LoadedCase loaded = input::read_case(path, overrides);
+  const input::Case& data = loaded.data;
   mpm::Body<D> body = analysis::prepare<D>(data, mesh::generate<D>(data.mesh));
   const double height = analysis::find_soil_height(body, data.gravity);
-  for (model::Stage stage : data.stages) {
-    stage.step.geometry = model::Geometry::frozen;
+  for (input::Stage stage : data.stages) {
+    stage.step.geometry = input::Geometry::frozen;
     stage.step.smoothing = data.strength_reduction.frozen.step_settings.smoothing;
     analysis::set_strength(body, data, stage.cohesion, 1);
     analysis::StageState state;
@@ -37,7 +37,7 @@ double find_factor(const std::string& file, std::vector<model::Override> overrid
   return factor.factor();
 }
 
-std::vector<model::Override> make_slab(double width, bool rough) {
+std::vector<input::Override> make_slab(double width, bool rough) {
   const std::string fix = rough ? "full" : "normal";
   return {{"geometry.thickness", std::to_string(width)}, {"boundary.front.fix", fix}, {"boundary.back.fix", fix}};
 }

@@ -57,7 +57,7 @@ TEST(StudyOfRuns, RefusesAReferenceThatIsNoVariant) {
 TEST(Sections, HoldTheStressUnderTheWeightOfTheSoil) {
   analysis::RunOptions options;
   options.folder = make_test_folder();
-  const json summary = analysis::run_case(model::read_case_text(sliding_bank, "bank.toml", {}), options);
+  const json summary = analysis::run_case(input::read_case_text(sliding_bank, "bank.toml", {}), options);
   EXPECT_EQ(summary.at("sections")[0].at("width"), 1.0);
   const auto table = output::read_history(options.folder / "sections" / "A.csv");
   const auto get = [&](const char* name) {
@@ -79,7 +79,7 @@ TEST(Sections, HoldTheStressUnderTheWeightOfTheSoil) {
   options.resume = true;
   const auto time = fs::last_write_time(options.folder / "monitors.csv");
   const json again =
-      analysis::run_case(model::read_case_text(sliding_bank, "bank.toml",
+      analysis::run_case(input::read_case_text(sliding_bank, "bank.toml",
                                                {{"output.section.0.name", "B"}, {"output.onset_displacement", "1 m"}}),
                          options);
   EXPECT_TRUE(fs::exists(options.folder / "sections" / "B.csv"));

@@ -41,7 +41,7 @@ TEST(Study, TableHoldsWhatEachVariantAloneGives) {
     alone.folder = folder.string() + "_alone_" + cohesions[i];
     alone.threads = 2;
     fs::remove_all(alone.folder);
-    analysis::run_case(model::read_case_text(coarse_slope, "slope.toml", {{"materials.sand.cohesion", cohesions[i]}}),
+    analysis::run_case(input::read_case_text(coarse_slope, "slope.toml", {{"materials.sand.cohesion", cohesions[i]}}),
                        alone);
     EXPECT_EQ(std::stod(small.cells[i].full), read_displacement(alone.folder / "curve.csv", "1.4") / 0.001);
     EXPECT_EQ(std::stod(large.cells[i].full), read_displacement(alone.folder / "curve.csv", "2") / 0.001);

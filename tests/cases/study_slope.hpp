@@ -86,8 +86,8 @@ key = "materials.sand.cohesion"
 values = ["4 kPa", 8]
 )";
 
-inline StudyPlan plan_text(const std::string& text, const std::vector<model::Override>& overrides = {}) {
-  return plan_study(model::read_case_text(text, "slope.toml", overrides), overrides);
+inline StudyPlan plan_text(const std::string& text, const std::vector<input::Override>& overrides = {}) {
+  return plan_study(input::read_case_text(text, "slope.toml", overrides), overrides);
 }
 
 /// An empty folder of this test.

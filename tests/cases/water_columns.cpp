@@ -83,8 +83,8 @@ TEST(WaterColumns, WaterAtRestStaysAtRest) {
 
 // Real water in soil whose points change their elements: pores of a full element that grow by more or less than the
 // volume its forces act over feed a flutter that no time step cures.
-void expect_rest_after_settling(const std::vector<model::Override>& changes) {
-  std::vector<model::Override> overrides = {{"stage.settling.duration", "40"}};
+void expect_rest_after_settling(const std::vector<input::Override>& changes) {
+  std::vector<input::Override> overrides = {{"stage.settling.duration", "40"}};
   overrides.insert(overrides.end(), changes.begin(), changes.end());
   const WaterRun run("hydrostatic/settling.toml", overrides);
   const output::Frame frame = run.frame(40);

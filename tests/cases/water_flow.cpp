@@ -89,8 +89,8 @@ TEST(WaterFlow, FlowRoundACornerApproachesItsExactDischarge) {
 
 TEST(WaterFlow, DamHasDupuitsDischarge) {
   const double dupuit = 1e-4 * (10 * 10 - 2 * 2) / 20;
-  const std::vector<model::Override> steady = {{"mesh.size", "1"}, {"stage.flow.duration", "\"3 h\""}};
-  std::vector<model::Override> low = steady;  // dry elements must fill
+  const std::vector<input::Override> steady = {{"mesh.size", "1"}, {"stage.flow.duration", "\"3 h\""}};
+  std::vector<input::Override> low = steady;  // dry elements must fill
   low.push_back({"initial.pore_pressure", "\"water_table\""});
   low.push_back({"initial.water_table", "[[0, 10], [10, 4]]"});
   for (const auto& start : {steady, low}) {

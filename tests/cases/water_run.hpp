@@ -12,7 +12,7 @@
 
 #include "analysis/run_case.hpp"
 #include "base/parallel.hpp"
-#include "model/read.hpp"
+#include "input/read.hpp"
 #include "output/history.hpp"
 #include "output/results.hpp"
 
@@ -21,14 +21,14 @@ namespace talus {
 /// A finished run, whose folder goes with it.
 class WaterRun {
  public:
-  WaterRun(const std::string& file, const std::vector<model::Override>& overrides)
+  WaterRun(const std::string& file, const std::vector<input::Override>& overrides)
       : folder_(std::filesystem::temp_directory_path() / ("talus_water_" + std::to_string(getpid()))) {
     analysis::RunOptions options;
     options.folder = folder_;
     options.threads = 1;
     options.overwrite = true;
     const std::string path = std::string(TALUS_SOURCE_DIR) + "/examples/verification/" + file;
-    summary = analysis::run_case(model::read_case(path, overrides), options);
+    summary = analysis::run_case(input::read_case(path, overrides), options);
     // Water is never made or destroyed, whatever the problem; in frozen geometry pores do not count as they are
     // strained.
     budget_error = summary.at("water").at("error").get<double>();

@@ -103,13 +103,13 @@ at = [7, 1]
 
 class WetBank : public testing::Test {
  protected:
-  json run(const std::vector<model::Override>& overrides) {
+  json run(const std::vector<input::Override>& overrides) {
     folder_ = fs::temp_directory_path() / ("talus_wet_bank_" + std::to_string(getpid()));
     analysis::RunOptions options;
     options.folder = folder_;
     options.threads = default_threads();
     options.overwrite = true;
-    return analysis::run_case(model::read_case_text(bank, "bank.toml", overrides), options);
+    return analysis::run_case(input::read_case_text(bank, "bank.toml", overrides), options);
   }
   void TearDown() override { fs::remove_all(folder_); }
   fs::path folder_;

@@ -103,16 +103,16 @@ struct Variant {
   double mass_scaling;
 };
 
-model::Smoothing translate(reference::Smoothing s) {
+input::Smoothing translate(reference::Smoothing s) {
   switch (s) {
     case reference::Smoothing::none:
-      return model::Smoothing::none;
+      return input::Smoothing::none;
     case reference::Smoothing::strain:
-      return model::Smoothing::strain;
+      return input::Smoothing::strain;
     case reference::Smoothing::stable:
-      return model::Smoothing::stable;
+      return input::Smoothing::stable;
   }
-  return model::Smoothing::none;
+  return input::Smoothing::none;
 }
 
 /// Steps both bodies and asks for the same to 1e-10 of the largest value of each field.

@@ -35,10 +35,10 @@ class StartFromResult : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  model::LoadedCase read(const Bank& bank, const std::vector<model::Override>& changes = {}) const {
-    return model::read_case_text(golden::write_bank(bank), (folder_ / "case.toml").string(), changes);
+  input::LoadedCase read(const Bank& bank, const std::vector<input::Override>& changes = {}) const {
+    return input::read_case_text(golden::write_bank(bank), (folder_ / "case.toml").string(), changes);
   }
-  json run(const Bank& bank, const std::string& result, const std::vector<model::Override>& changes = {}) const {
+  json run(const Bank& bank, const std::string& result, const std::vector<input::Override>& changes = {}) const {
     analysis::RunOptions options;
     options.folder = folder_ / result;
     return analysis::run_case(read(bank, changes), options);
@@ -49,8 +49,8 @@ class StartFromResult : public testing::Test {
   }
 
   template <int D>
-  static void run_stage(const model::LoadedCase& loaded, int number, mpm::Body<D>& body) {
-    const model::Stage& stage = loaded.data.stages[0];
+  static void run_stage(const input::LoadedCase& loaded, int number, mpm::Body<D>& body) {
+    const input::Stage& stage = loaded.data.stages[0];
     analysis::set_strength(body, loaded.data, stage.cohesion, 1);
     analysis::StageState state;
     state.gravity_share = number > 0 ? 1 : 0;
@@ -60,7 +60,7 @@ class StartFromResult : public testing::Test {
   /// Both stages on one body, and the second one on the body that starts from the end of the first: the same bits.
   template <int D>
   void expect_same_bits(Bank bank) {
-    const model::LoadedCase one = read(bank);
+    const input::LoadedCase one = read(bank);
     mpm::Body<D> whole = analysis::prepare<D>(one.data, mesh::generate<D>(one.data.mesh));
     run_stage<D>(one, 0, whole);
     fs::create_directories(folder_ / "one");
@@ -70,14 +70,14 @@ class StartFromResult : public testing::Test {
     bank.base = "silt";  // the same soils, in the other order of the alphabet
     bank.bank = "clay";
     bank.stages = golden::slide;
-    const model::LoadedCase two = read(bank, {{"initial.result", "one"}});
+    const input::LoadedCase two = read(bank, {{"initial.result", "one"}});
     mpm::Body<D> started = analysis::prepare<D>(two.data, {});
     EXPECT_EQ(started.time, 0);
     EXPECT_EQ(mpm::find_largest_displacement(started).value, 0);
     whole.time = 0;        // the last step of a stage takes what is left, to the round-off of the time,
     whole.step_count = 0;  // and elements exchange water in every fourth step of a run
     whole.water.budgets = started.water.budgets;
-    model::LoadedCase slide = one;
+    input::LoadedCase slide = one;
     slide.data.stages = two.data.stages;
     run_stage<D>(slide, 1, whole);
     run_stage<D>(two, 1, started);
@@ -207,7 +207,7 @@ TEST_F(StartFromResult, TakesAnotherLaw) {
   text.replace(text.find("mohr_coulomb"), 12, "linear_elastic");
   analysis::RunOptions options;
   options.folder = folder_ / "one";
-  analysis::run_case(model::read_case_text(text, (folder_ / "one.toml").string()), options);
+  analysis::run_case(input::read_case_text(text, (folder_ / "one.toml").string()), options);
   const mpm::Body<2> body =
       analysis::prepare<2>(read(bank, {{"initial.result", "one"}, {"materials.b.porosity", "0.4"}}).data, {});
   const output::Frame end = last_frame("one");
@@ -230,7 +230,7 @@ TEST_F(StartFromResult, KeepsThePressuresOfAnotherRetentionCurve) {
   Bank bank{.wet_base = true, .wet_bank = true};
   const json first = run(bank, "one");
   bank.stages = golden::slide;
-  const std::vector<model::Override> changes = {{"initial.result", "one"},
+  const std::vector<input::Override> changes = {{"initial.result", "one"},
                                                 {"materials.b.water.reference_pressure", "2"}};
   const mpm::Body<2> same = analysis::prepare<2>(read(bank, {changes[0]}).data, {}),
                      other = analysis::prepare<2>(read(bank, changes).data, {});
@@ -292,7 +292,7 @@ TEST_F(StartFromResult, ResumesAndRefusesAResultThatHasChanged) {
   run(bank, "one");
   Bank next = bank;
   next.stages = golden::slide;
-  const std::vector<model::Override> from_one = {{"initial.result", "one"}};
+  const std::vector<input::Override> from_one = {{"initial.result", "one"}};
   const json whole = run(next, "whole", from_one);
   request_interrupt();
   for (const char* result : {"parts", "late"}) EXPECT_THROW(run(next, result, from_one), Error);
@@ -322,7 +322,7 @@ TEST_F(StartFromResult, ResumesAndRefusesAResultThatHasChanged) {
 TEST_F(StartFromResult, SaysWhatDoesNotFit) {
   const Bank dry;
   run(dry, "one");
-  const auto expect = [&](const Bank& bank, std::vector<model::Override> changes, const std::string& part) {
+  const auto expect = [&](const Bank& bank, std::vector<input::Override> changes, const std::string& part) {
     changes.push_back({"initial.result", "one"});
     try {
       run(bank, "two", changes);

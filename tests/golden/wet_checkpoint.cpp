@@ -14,28 +14,28 @@ namespace talus {
 namespace {
 
 using namespace support;
-using model::WaterCondition;
+using input::WaterCondition;
 
 template <int D>
-model::Case make_rained_step() {
-  model::Case data = make_box_case<D>(make_wet_soil(5e6));
-  model::PoreWater& water = data.materials["soil"].water;
-  water.retention = model::RetentionCurve::exponential;
+input::Case make_rained_step() {
+  input::Case data = make_box_case<D>(make_wet_soil(5e6));
+  input::PoreWater& water = data.materials["soil"].water;
+  water.retention = input::RetentionCurve::exponential;
   water.minimum_saturation = 0.1;
   water.decay = 1 / 15e3;
   data.water.bulk_modulus = 2e8;
   data.hydraulics = {make_hydraulic("crest", WaterCondition::rain, 2e-4),
                      make_hydraulic("foot", WaterCondition::total_head, 1.3)};
-  data.initial.stress = model::InitialStress::k0;
-  data.initial.water = {model::InitialPressure::water_table, {{0, 1.3}}};
+  data.initial.stress = input::InitialStress::k0;
+  data.initial.water = {input::InitialPressure::water_table, {{0, 1.3}}};
   return data;
 }
 
 /// Runs a stage, and the same interrupted and resumed by way of a file.
 template <int D>
-void compare(model::StepSettings step, double duration) {
+void compare(input::StepSettings step, double duration) {
   constexpr std::int64_t steps = 2 * analysis::look_interval;
-  const model::Case data = make_rained_step<D>();
+  const input::Case data = make_rained_step<D>();
   const mesh::Mesh<D> mesh = make_step_mesh<D>();
   mpm::Body<D> whole = analysis::prepare<D>(data, mesh);
   const analysis::StagePlan<D> plan = make_stage<D>(data, whole, duration, step);
@@ -85,16 +85,16 @@ void compare(model::StepSettings step, double duration) {
 }
 
 TEST(WetCheckpoint, MovingSoilGoesOnBitForBit) {
-  compare<2>({.damping = 0.05, .smoothing = model::Smoothing::strain, .pressure_smoothing = true}, 0.15);
+  compare<2>({.damping = 0.05, .smoothing = input::Smoothing::strain, .pressure_smoothing = true}, 0.15);
   compare<3>({.damping = 0.05}, 0.1);
 }
 
 TEST(WetCheckpoint, HeldWaterGoesOnBitForBit) {
   compare<2>({.damping = 0.2,
-              .smoothing = model::Smoothing::stable,
-              .geometry = model::Geometry::frozen,
+              .smoothing = input::Smoothing::stable,
+              .geometry = input::Geometry::frozen,
               .courant = 0.2,
-              .water = model::WaterMotion::held},
+              .water = input::WaterMotion::held},
              0.5);
 }
 

@@ -160,9 +160,9 @@ mpm::StepOptions<D> translate(const reference::WetSettings& s, const reference::
   o.net_damping = s.damped_force == reference::DampedForce::net;
   o.mass_scaling = s.mass_scaling;
   o.mixed = s.mixed;
-  o.smoothing = s.smoothing == reference::Smoothing::none     ? model::Smoothing::none
-                : s.smoothing == reference::Smoothing::strain ? model::Smoothing::strain
-                                                              : model::Smoothing::stable;
+  o.smoothing = s.smoothing == reference::Smoothing::none     ? input::Smoothing::none
+                : s.smoothing == reference::Smoothing::strain ? input::Smoothing::strain
+                                                              : input::Smoothing::stable;
   o.moving = !s.frozen;
   o.objective = s.objective;
   o.implicit_drag = s.drag == reference::Drag::implicit_at_nodes;

@@ -7,9 +7,9 @@
 
 #include "slope.hpp"
 
-#include "model/number_keys.hpp"
+#include "input/case/number_keys.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 const std::string triaxial = R"(
@@ -190,4 +190,4 @@ TEST(NumberKeys, AreThoseOfTheMaterialsModel) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

@@ -5,7 +5,7 @@
 
 #include "rooted_slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 namespace fs = std::filesystem;
@@ -169,4 +169,4 @@ TEST_F(ExternalSoil, HasNoStrengthToReduce) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

@@ -2,7 +2,7 @@
 
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 TEST(Regions, NeedAMaterialThatExists) {
@@ -166,4 +166,4 @@ TEST(ReadyMesh, ExcludesPolygonsAndMustExist) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

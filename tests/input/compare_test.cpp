@@ -1,9 +1,9 @@
 // [[compare]]: names, units and tolerances of the values that results are held against.
 
-#include "model/result_names.hpp"
+#include "input/case/result_names.hpp"
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 std::string compare(const std::string& name, const std::string& value, const std::string& tolerance) {
@@ -47,4 +47,4 @@ TEST(Compare, TolerancesArePerCentOfTheValueOrInItsUnit) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

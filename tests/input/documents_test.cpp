@@ -7,7 +7,7 @@
 
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 using nlohmann::json;
@@ -151,4 +151,4 @@ TEST(Echo, SaysValueUnitAndWhetherItWasGiven) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

@@ -3,7 +3,7 @@
 
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 
 /// ACADS 1(a) of Giam and Donald.
 inline const std::string slices_alone = R"(title = "Slices alone"
@@ -53,4 +53,4 @@ inline void expect_one_fault(const std::string& text, const std::string& part) {
   EXPECT_NE(faults[0].sentence.find(part), std::string::npos) << faults[0].sentence << "\nexpected: " << part;
 }
 
-}  // namespace talus::model
+}  // namespace talus::input

@@ -2,9 +2,9 @@
 
 #include "methods_slope.hpp"
 
-#include "model/result_names.hpp"
+#include "input/case/result_names.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 TEST(Methods, SlicesAloneNeedGeometryWeightAndStrength) {
@@ -213,4 +213,4 @@ TEST(Compare, KnowsWhatEachMethodYields) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

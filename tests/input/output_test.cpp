@@ -2,7 +2,7 @@
 
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 TEST(Output, KnowsTheStageOfItsClock) {
@@ -23,4 +23,4 @@ TEST(Output, AnOnsetIsALengthOrAShare) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

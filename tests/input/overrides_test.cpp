@@ -1,6 +1,6 @@
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 Case read_with(const std::vector<Override>& overrides) {
@@ -73,4 +73,4 @@ TEST(Override, IsWrittenAsKeyAndValue) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

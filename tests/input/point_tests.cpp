@@ -4,7 +4,7 @@
 
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 const std::string triaxial = R"(
@@ -133,4 +133,4 @@ TEST(PointTestInput, ResultsOfTestsMayBeCompared) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

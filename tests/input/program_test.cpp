@@ -9,7 +9,7 @@
 
 #include "methods_slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 struct Outcome {
@@ -103,4 +103,4 @@ TEST(Program, PrintsASchemaThatIsJson) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

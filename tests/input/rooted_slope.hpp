@@ -3,7 +3,7 @@
 
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 
 inline const std::string rooted_slope = R"(title = "Vegetated slope under rain"
 
@@ -103,4 +103,4 @@ tensile_strength = 0
   return change(change(text, "content = 0.94\n", roots), "equilibrium = \"gravity\"\n", "");
 }
 
-}  // namespace talus::model
+}  // namespace talus::input

@@ -2,7 +2,7 @@
 
 #include "rooted_slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 const std::string bundle = R"([roots.bundle]
@@ -126,4 +126,4 @@ TEST(Season, BeginsFromAKnownPressure) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

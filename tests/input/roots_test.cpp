@@ -4,7 +4,7 @@
 
 #include "rooted_slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 constexpr double year = 31556925.9747;  // the tropical year of UDUNITS [s]
@@ -148,4 +148,4 @@ TEST(Echo, OfRootsGivesTheCaseBack) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

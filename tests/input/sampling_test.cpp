@@ -2,9 +2,9 @@
 
 #include "methods_slope.hpp"
 
-#include "model/uncertain_number.hpp"
+#include "input/case/uncertain_number.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 const std::string sample = slices_alone + "[study]\nmode = \"sample\"\n";
@@ -117,4 +117,4 @@ TEST(Study, ExtrapolatesAKeyThatItVaries) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

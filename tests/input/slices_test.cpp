@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "model/partial_factors.hpp"
+#include "input/case/partial_factors.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 const std::string circle = "[[lem.surface]]\nname = \"A\"\ncentre = [30, 55]\nradius = 30.5\n";
@@ -148,4 +148,4 @@ TEST(PartialFactors, ByHandNeedOne) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

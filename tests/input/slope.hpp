@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "model/read.hpp"
+#include "input/read.hpp"
 
-namespace talus::model {
+namespace talus::input {
 
 inline const std::string slope = R"(title = "Dry homogeneous slope"
 
@@ -116,4 +116,4 @@ inline void expect_fault(const std::string& old_part, const std::string& new_par
   expect_fault(change(slope, old_part, new_part), part);
 }
 
-}  // namespace talus::model
+}  // namespace talus::input

@@ -6,7 +6,7 @@
 #include "slope.hpp"
 #include "wet_slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,4 +69,4 @@ TEST_F(StartFromAResult, IsCheckedForEveryVariantOfAStudy) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

@@ -2,7 +2,7 @@
 
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 TEST(UnknownKey, IsReportedWithTheNearestKnownOne) {
@@ -108,4 +108,4 @@ TEST(Faults, OfAFileComeTogetherInItsOrder) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

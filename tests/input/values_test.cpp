@@ -5,7 +5,7 @@
 
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
@@ -129,4 +129,4 @@ TEST(Value, OfATimeTableMustIncreaseAndHavePairs) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

@@ -2,7 +2,7 @@
 
 #include "wet_slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 const std::string crest = "on = \"crest\"\ncondition = \"seepage_face\"";
@@ -226,4 +226,4 @@ TEST(Faults, OfWaterComeTogether) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "model/soil_water_law.hpp"
+#include "input/case/soil_water_law.hpp"
 #include "wet_slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -249,4 +249,4 @@ TEST(Documents, HaveTheBlockWithinAMaterial) {
 }
 
 }  // namespace
-}  // namespace talus::model
+}  // namespace talus::input

@@ -3,7 +3,7 @@
 
 #include "slope.hpp"
 
-namespace talus::model {
+namespace talus::input {
 
 inline const std::string wet_slope = R"(title = "Unsaturated slope with steady seepage"
 
@@ -106,4 +106,4 @@ inline void expect_wet_fault(const std::string& old_part, const std::string& new
   expect_fault(change(wet_slope, old_part, new_part), part);
 }
 
-}  // namespace talus::model
+}  // namespace talus::input

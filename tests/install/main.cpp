@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
-#include "model/read.hpp"
+#include "input/read.hpp"
 
 int main(int count, char** arguments) {
   if (count != 2) return 1;
-  std::puts(talus::model::read_case(arguments[1]).data.title.c_str());
+  std::puts(talus::input::read_case(arguments[1]).data.title.c_str());
   return 0;
 }

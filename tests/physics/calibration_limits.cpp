@@ -213,14 +213,14 @@ TEST(CalibrationLimits, TheBestOfTheSearchesCounts) {
 
 TEST(MeasuredLegs, PointsOfUnloadingAreReadOnUnloading) {
   Laboratory lab(support::loess + support::isotropic);
-  const model::PointTest& test = lab.data().tests[0];
+  const input::PointTest& test = lab.data().tests[0];
   const std::vector<std::array<double, 2>> points{{60e3, 0},  {200e3, 0}, {190e3, 0}, {400e3, 0}, {200e3, 0},
                                                   {205e3, 0}, {110e3, 0}, {200e3, 0}, {700e3, 0}};
   // A slip backwards is not a turn. A point at a turn belongs to either leg.
   const std::vector<std::size_t> legs = find_legs(test, points);
   EXPECT_EQ((std::vector<std::size_t>{legs[0], legs[1], legs[2], legs[4], legs[5], legs[7], legs[8]}),
             (std::vector<std::size_t>{0, 0, 0, 1, 1, 2, 2}));
-  model::PointTest fine = test;
+  input::PointTest fine = test;
   fine.steps = 4000;
   const PointCurve curve = run_point_test(lab.data().test_soils[0], fine);
   // Slopes of Cam-clay: e falls by λ ln(400/125) beyond the preconsolidation and comes back by κ.

@@ -11,22 +11,22 @@ namespace talus {
 namespace {
 
 using namespace support;
-using model::WaterCondition;
+using input::WaterCondition;
 
 constexpr double g = 9.81, water_weight = 1000 * g, soil_weight = (0.6 * 2650 + 0.4 * 1000) * g;
 
 template <int D>
-model::StepSettings hold_water() {
+input::StepSettings hold_water() {
   return {.damping = 0.5,
-          .smoothing = model::Smoothing::stable,
-          .geometry = model::Geometry::frozen,
-          .water = model::WaterMotion::held};
+          .smoothing = input::Smoothing::stable,
+          .geometry = input::Geometry::frozen,
+          .water = input::WaterMotion::held};
 }
 
 /// A column of 3 m with the water at `level` [m].
-model::Case make_column_case(double level) {
-  model::Case data = make_box_case<2>(make_wet_soil());
-  data.initial.water = {model::InitialPressure::water_table, {{0, level}}};
+input::Case make_column_case(double level) {
+  input::Case data = make_box_case<2>(make_wet_soil());
+  data.initial.water = {input::InitialPressure::water_table, {{0, level}}};
   data.hydraulics = {make_hydraulic("top", WaterCondition::total_head, level)};
   return data;
 }
@@ -38,7 +38,7 @@ mesh::Mesh<2> make_column_mesh() {
 
 TEST(DrainedStage, EffectiveStressIsTheBuoyantWeight) {
   for (const double level : {2.0, 4.0}) {  // capillary water above the level; a metre of water on the ground
-    const model::Case data = make_column_case(level);
+    const input::Case data = make_column_case(level);
     auto body = analysis::prepare<2>(data, make_column_mesh());
     EXPECT_EQ(run(body, make_rest_stage(data, body, 20, hold_water<2>())), analysis::StageEnd::rest);
     for_each_point(body, [&](int, const mpm::PointView<2>& p) {
@@ -55,11 +55,11 @@ TEST(DrainedStage, EffectiveStressIsTheBuoyantWeight) {
 }
 
 template <int D>
-void expect_rest_when_let_go(const model::Case& data, const mesh::Mesh<D>& mesh) {
+void expect_rest_when_let_go(const input::Case& data, const mesh::Mesh<D>& mesh) {
   auto body = analysis::prepare<D>(data, mesh);
   ASSERT_EQ(run(body, make_rest_stage<D>(data, body, 20, hold_water<D>())), analysis::StageEnd::rest);
-  model::StepSettings free = hold_water<D>();
-  free.water = model::WaterMotion::flows;
+  input::StepSettings free = hold_water<D>();
+  free.water = input::WaterMotion::flows;
   mpm::StepOptions<D> options = analysis::make_options(make_stage<D>(data, body, 1, free));
   options.gravity = analysis::find_gravity<D>(data.gravity);
   options.monitor = true;
@@ -74,10 +74,10 @@ void expect_rest_when_let_go(const model::Case& data, const mesh::Mesh<D>& mesh)
 TEST(DrainedStage, NothingMovesWhenTheWaterIsLetGo) {
   expect_rest_when_let_go<2>(make_column_case(2), make_column_mesh());
   expect_rest_when_let_go<2>(make_column_case(4), make_column_mesh());
-  model::Case step2 = make_box_case<2>(make_wet_soil()), step3 = make_box_case<3>(make_wet_soil());
-  for (model::Case* data : {&step2, &step3}) {
+  input::Case step2 = make_box_case<2>(make_wet_soil()), step3 = make_box_case<3>(make_wet_soil());
+  for (input::Case* data : {&step2, &step3}) {
     data->hydraulics = {make_hydraulic("foot", WaterCondition::total_head, 1.5)};
-    data->initial.water = {model::InitialPressure::water_table, {{0, 1.5}}};
+    data->initial.water = {input::InitialPressure::water_table, {{0, 1.5}}};
   }
   expect_rest_when_let_go<2>(step2, make_step_mesh<2>());
   expect_rest_when_let_go<3>(step3, make_step_mesh<3>());
@@ -85,7 +85,7 @@ TEST(DrainedStage, NothingMovesWhenTheWaterIsLetGo) {
 
 TEST(DrainedStage, WaterGrowsWithTheWeightOnARamp) {
   // Half of both on the way is half of the stress: nothing is pushed up first.
-  const model::Case data = make_column_case(4);
+  const input::Case data = make_column_case(4);
   auto body = analysis::prepare<2>(data, make_column_mesh());
   auto plan = make_stage(data, body, 4, hold_water<2>());
   plan.gravity_ramp = 4;
@@ -107,10 +107,10 @@ TEST(DrainedStage, WaterGrowsWithTheWeightOnARamp) {
 }
 
 TEST(DrainedStage, NeedsFrozenGeometry) {
-  const model::Case data = make_column_case(2);
+  const input::Case data = make_column_case(2);
   auto body = analysis::prepare<2>(data, make_column_mesh());
-  model::StepSettings moving = hold_water<2>();
-  moving.geometry = model::Geometry::moving;
+  input::StepSettings moving = hold_water<2>();
+  moving.geometry = input::Geometry::moving;
   EXPECT_THROW(run(body, make_stage(data, body, 1, moving)), Error);
 }
 

@@ -123,8 +123,8 @@ TYPED_TEST(EngineEquilibrium, K0ColumnIsExactAndStaysAtRest) {
   const double height = 3;
   const auto mesh =
       support::make_box_mesh<D>(cut<D>(3, 9, 2), extent<D>(1, height, 0.7), {"soil"}, [](const Vec<D>&) { return 0; });
-  model::Case data = support::make_box_case<D>(support::make_elastic());
-  data.initial.stress = model::InitialStress::k0;
+  input::Case data = support::make_box_case<D>(support::make_elastic());
+  data.initial.stress = input::InitialStress::k0;
   for (const double k0 : {0.3 / 0.7, 1.2}) {
     data.initial.k0 = k0;
     mpm::Body<D> body = analysis::prepare<D>(data, mesh);
@@ -135,10 +135,10 @@ TYPED_TEST(EngineEquilibrium, K0ColumnIsExactAndStaysAtRest) {
       EXPECT_NEAR(p.stress[2], k0 * vertical, 1e-9 * 1800 * 9.81 * height);
     });
     // Linear stresses have their element mean in the middle, so both integrations are exact.
-    for (const auto integration : {model::Integration::mixed, model::Integration::points}) {
+    for (const auto integration : {input::Integration::mixed, input::Integration::points}) {
       mpm::Body<D> resting = body;
       const auto plan = support::make_stage(
-          data, resting, 0.2, {.damping = 0, .integration = integration, .smoothing = model::Smoothing::none});
+          data, resting, 0.2, {.damping = 0, .integration = integration, .smoothing = input::Smoothing::none});
       EXPECT_EQ(support::run(resting, plan), StageEnd::time);
       EXPECT_LT(resting.monitor.out_of_balance, 1e-9 * resting.monitor.external);
       EXPECT_LT(resting.monitor.speed, 1e-9);
@@ -149,7 +149,7 @@ TYPED_TEST(EngineEquilibrium, K0ColumnIsExactAndStaysAtRest) {
 
 /// A column that settles under its weight, from no stress.
 template <int D>
-mpm::Body<D> settle(const model::Case& data, const mesh::Mesh<D>& mesh, model::StepSettings step, double longest = 5,
+mpm::Body<D> settle(const input::Case& data, const mesh::Mesh<D>& mesh, input::StepSettings step, double longest = 5,
                     double force_ratio = 1e-6) {
   mpm::Body<D> body = analysis::prepare<D>(data, mesh);
   EXPECT_EQ(support::run(body, support::make_rest_stage(data, body, longest, step, force_ratio)), StageEnd::rest);
@@ -161,11 +161,11 @@ TYPED_TEST(EngineEquilibrium, ColumnSettlesToTheWeightAboveEachPoint) {
   const double height = 2, rho = 1800, g = 9.81;
   const auto mesh = support::make_box_mesh<D>(cut<D>(2, 8, 2), extent<D>(0.5, height, 0.5), {"soil"},
                                               [](const Vec<D>&) { return 0; });
-  const model::Case data = support::make_box_case<D>(support::make_elastic(50e6));
+  const input::Case data = support::make_box_case<D>(support::make_elastic(50e6));
   for (const Mode& mode : support::all_modes()) {
     const auto body = settle<D>(data, mesh,
                                 {.damping = 0.75,
-                                 .integration = mode.mixed ? model::Integration::mixed : model::Integration::points,
+                                 .integration = mode.mixed ? input::Integration::mixed : input::Integration::points,
                                  .smoothing = mode.smoothing});
     double rms = 0;
     int n = 0;
@@ -185,23 +185,23 @@ TYPED_TEST(EngineEquilibrium, TractionsOnSidesAndOnPointsCompressAColumnByTheApp
   const double height = 1, q = 20e3, e = 20e6, nu = 0.25;
   const auto mesh = support::make_box_mesh<D>(cut<D>(3, 10, 2), extent<D>(0.3, height, 0.2), {"soil"},
                                               [](const Vec<D>&) { return 0; });
-  model::Case data = support::make_box_case<D>(support::make_elastic(e, nu));
+  input::Case data = support::make_box_case<D>(support::make_elastic(e, nu));
   data.gravity.acceleration = 1e-6;  // the rest criterion compares with √(gH)
-  for (const auto carrier : {model::Carrier::sides, model::Carrier::points}) {
+  for (const auto carrier : {input::Carrier::sides, input::Carrier::points}) {
     data.tractions = {{.on = "top", .carrier = carrier, .traction = {0, -q, 0}, .factor = {{0, 0.05}, {0, 1}}}};
     mpm::Body<D> body = analysis::prepare<D>(data, mesh);
-    auto plan = support::make_rest_stage(data, body, 5, {.damping = 0.75, .smoothing = model::Smoothing::none});
+    auto plan = support::make_rest_stage(data, body, 5, {.damping = 0.75, .smoothing = input::Smoothing::none});
     plan.rest.speed_ratio = 1e-2;
     plan.rest.hold = 0.06;
     EXPECT_EQ(support::run(body, plan), StageEnd::rest);
     const double constrained = e * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
     // Forces on points act below the surface; a few elements deeper the stress is uniform (Saint-Venant).
-    const double loaded = carrier == model::Carrier::sides ? height : 0.5 * height;
+    const double loaded = carrier == input::Carrier::sides ? height : 0.5 * height;
     double mean = 0, volume = 0;
     support::for_each_point(body, [&](int, const mpm::PointView<D>& p) {
       if (p.position[1] > loaded) return;
-      EXPECT_NEAR(p.stress[1], -q, (carrier == model::Carrier::sides ? 1e-4 : 0.01) * q);
-      EXPECT_NEAR(p.strain[1], -q / constrained, (carrier == model::Carrier::sides ? 1e-3 : 0.01) * q / constrained);
+      EXPECT_NEAR(p.stress[1], -q, (carrier == input::Carrier::sides ? 1e-4 : 0.01) * q);
+      EXPECT_NEAR(p.strain[1], -q / constrained, (carrier == input::Carrier::sides ? 1e-3 : 0.01) * q / constrained);
       mean += p.volume * p.stress[1];
       volume += p.volume;
     });
@@ -212,10 +212,10 @@ TYPED_TEST(EngineEquilibrium, TractionsOnSidesAndOnPointsCompressAColumnByTheApp
 TEST(EngineEquilibriumPlane, LayersOfTwoMaterialsCarryTheirWeights) {
   const auto mesh = support::make_box_mesh<2>(
       {3, 10}, {0.6, 2}, {"lower", "upper"}, [](const Vec<2>& x) { return x[1] < 1 ? 0 : 1; }, 0);
-  model::Case data = support::make_box_case<2>(support::make_elastic());
+  input::Case data = support::make_box_case<2>(support::make_elastic());
   data.materials = {{"clay", support::make_elastic(40e6, 0.3, 1600)}, {"sand", support::make_elastic(20e6, 0.2, 2000)}};
   data.regions = {{"lower", "clay"}, {"upper", "sand"}};
-  data.initial.stress = model::InitialStress::k0;
+  data.initial.stress = input::InitialStress::k0;
   mpm::Body<2> body = analysis::prepare<2>(data, mesh);
   const auto expect_stress = [&](double tolerance) {
     support::for_each_point(body, [&](int, const mpm::PointView<2>& p) {
@@ -227,7 +227,7 @@ TEST(EngineEquilibriumPlane, LayersOfTwoMaterialsCarryTheirWeights) {
     });
   };
   expect_stress(1e-9);
-  EXPECT_EQ(support::run(body, support::make_stage(data, body, 0.1, {.integration = model::Integration::points})),
+  EXPECT_EQ(support::run(body, support::make_stage(data, body, 0.1, {.integration = input::Integration::points})),
             StageEnd::time);
   expect_stress(1e-8);
   EXPECT_LT(body.monitor.out_of_balance, 1e-9 * body.monitor.external);
@@ -236,7 +236,7 @@ TEST(EngineEquilibriumPlane, LayersOfTwoMaterialsCarryTheirWeights) {
 TEST(EngineEquilibriumPlane, LocalDampingHasNoEffectOnTheStateOfRest) {
   const auto mesh = support::make_box_mesh<2>({6, 6}, {2, 1.5}, {"soil"},
                                               [](const Vec<2>& x) { return x[1] < 1.5 - 0.4 * x[0] ? 0 : -1; });
-  const model::Case data = support::make_box_case<2>(support::make_elastic(20e6));
+  const input::Case data = support::make_box_case<2>(support::make_elastic(20e6));
   const auto weak = settle<2>(data, mesh, {.damping = 0.3}, 20, 1e-7),
              strong = settle<2>(data, mesh, {.damping = 0.8}, 20, 1e-7);
   for (int id = 0; id < weak.points.size(); ++id) {
@@ -248,7 +248,7 @@ TEST(EngineEquilibriumPlane, LocalDampingHasNoEffectOnTheStateOfRest) {
 
 TEST(EngineEquilibriumPlane, MassScalingGivesTheSameStateOfRestInLargerSteps) {
   const auto mesh = support::make_box_mesh<2>({4, 6}, {1, 1.5}, {"soil"}, [](const Vec<2>&) { return 0; });
-  const model::Case data = support::make_box_case<2>(support::make_elastic(20e6));
+  const input::Case data = support::make_box_case<2>(support::make_elastic(20e6));
   const auto light = settle<2>(data, mesh, {.damping = 0.75, .mass_scaling = 1}, 20, 1e-8);
   const auto heavy = settle<2>(data, mesh, {.damping = 0.75, .mass_scaling = 16}, 20, 1e-8);
   EXPECT_NEAR(mpm::find_critical_step(heavy, 16).dt / mpm::find_critical_step(heavy, 1).dt, 4, 1e-12);

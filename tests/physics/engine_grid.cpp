@@ -32,7 +32,7 @@ TYPED_TEST(EngineGrid, PointsThatLeaveAreRecordedOnceWithTheirMassAndMomentum) {
   set_box<D>(cells, size, 10, 5, 0.2);
   auto mesh = support::make_box_mesh<D>(
       cells, size, {"soil"}, [](const Vec<D>& x) { return x[0] > 1.2 && x[1] > 0.2 && x[1] < 0.8 ? 0 : -1; });
-  model::Case data = support::make_box_case<D>(support::make_elastic(1e6));
+  input::Case data = support::make_box_case<D>(support::make_elastic(1e6));
   data.boundaries.clear();
   data.gravity.acceleration = 0;
   data.initial.velocity["soil"] = {2, 0.3, 0};
@@ -71,7 +71,7 @@ TYPED_TEST(EngineGrid, RunGoesOnWhenEverythingHasLeft) {
   Vec<D> size;
   set_box<D>(cells, size, 4, 2, 0.2);
   auto mesh = support::make_box_mesh<D>(cells, size, {"soil"}, [](const Vec<D>& x) { return x[0] > 0.4 ? 0 : -1; });
-  model::Case data = support::make_box_case<D>(support::make_elastic(1e6));
+  input::Case data = support::make_box_case<D>(support::make_elastic(1e6));
   data.boundaries.clear();
   data.initial.velocity["soil"] = {5, 0, 0};
   mpm::Body<D> body = analysis::prepare<D>(data, mesh);
@@ -178,9 +178,9 @@ TYPED_TEST(EngineGrid, TooLargeAStepIsFoundAndSaidWithStageTimeAndPlace) {
   Vec<D> size;
   set_box<D>(cells, size, 6, 6, 0.2);
   auto mesh = support::make_box_mesh<D>(cells, size, {"soil"}, [](const Vec<D>& x) { return x[1] < 0.8 ? 0 : -1; });
-  const model::Case data = support::make_box_case<D>(support::make_elastic(10e6));
+  const input::Case data = support::make_box_case<D>(support::make_elastic(10e6));
   mpm::Body<D> body = analysis::prepare<D>(data, mesh);
-  auto plan = support::make_stage(data, body, 5, {.geometry = model::Geometry::frozen, .courant = 4});
+  auto plan = support::make_stage(data, body, 5, {.geometry = input::Geometry::frozen, .courant = 4});
   plan.name = "shaking";
   analysis::StageState state;
   analysis::StageHooks<D> hooks;

@@ -143,10 +143,10 @@ TEST(EngineWallsPlane, RollersOnAnInclinedPlaneLetABlockSlideWithTheSlopesShareO
     x = {x[0] * std::cos(theta) - x[1] * std::sin(theta), x[0] * std::sin(theta) + x[1] * std::cos(theta)};
   mesh::finish(mesh, mesh::Order::as_given);
   for (const bool by_plane : {true, false}) {  // a stated plane, or the normals of the side
-    model::Case data;
+    input::Case data;
     data.materials["soil"] = support::make_elastic(5e6, 0.3, density);
     data.regions["soil"] = "soil";
-    data.boundaries = {support::make_boundary("bottom", by_plane ? model::Fix::plane : model::Fix::normal)};
+    data.boundaries = {support::make_boundary("bottom", by_plane ? input::Fix::plane : input::Fix::normal)};
     data.boundaries[0].normal = {std::sin(theta), -std::cos(theta), 0};
     mpm::Body<2> body = analysis::prepare<2>(data, mesh);
     const auto plan = support::make_stage(data, body, 0.5, {.damping = 0});
@@ -169,10 +169,10 @@ TYPED_TEST(EngineWalls, PrescribedVelocityFollowsItsTable) {
   size.fill(1);
   // Every node is on the boundary, so the soil moves as told.
   auto mesh = support::make_box_mesh<D>(cells, size, {"soil"}, [](const Vec<D>&) { return 0; });
-  model::Case data = support::make_box_case<D>(support::make_elastic());
+  input::Case data = support::make_box_case<D>(support::make_elastic());
   data.boundaries.clear();
   for (const auto& [name, sides] : mesh.sides) {
-    data.boundaries.push_back(support::make_boundary(name, model::Fix::velocity));
+    data.boundaries.push_back(support::make_boundary(name, input::Fix::velocity));
     data.boundaries.back().velocity = {0.02, -0.01, 0.005};
     data.boundaries.back().factor = {{0.1, 0.3, 0.4}, {0, 1, -1}};
   }

@@ -18,7 +18,7 @@ struct Bar {
   double length = 5, width = 0.2, poisson = 0.25;
   int cells = 50;
   bool mixed = true;
-  model::Smoothing smoothing = model::Smoothing::none;
+  input::Smoothing smoothing = input::Smoothing::none;
   double damping = 0, courant = 0.5;
   double modulus() const { return young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)); }
   double wave_speed() const { return std::sqrt(modulus() / density); }

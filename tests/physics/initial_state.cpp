@@ -15,13 +15,13 @@ namespace talus {
 namespace {
 
 using analysis::set_preconsolidation;
+using input::MaterialModel;
 using material::ModifiedCamClay;
 using material::RootedCamClay;
-using model::MaterialModel;
 
 /// Dry soil of 3/5 · 2650 kg/m³ with K0 = 0.5.
-model::Material make_clay(MaterialModel kind = MaterialModel::modified_cam_clay) {
-  model::Material soil = support::make_elastic(1, 1.0 / 3, 2650);
+input::Material make_clay(MaterialModel kind = MaterialModel::modified_cam_clay) {
+  input::Material soil = support::make_elastic(1, 1.0 / 3, 2650);
   soil.model = kind;
   soil.porosity = 0.4;
   soil.cam_clay.compression = 0.089;
@@ -47,14 +47,14 @@ mesh::Mesh<D> make_column() {
 }
 
 template <int D>
-mpm::Body<D> fill(const model::Case& data) {
+mpm::Body<D> fill(const input::Case& data) {
   return analysis::prepare<D>(data, make_column<D>());
 }
 
 template <int D>
 void expect_the_ratio_of_the_weight() {
-  model::Case data = support::make_box_case<D>(make_clay());
-  data.initial.stress = model::InitialStress::k0;
+  input::Case data = support::make_box_case<D>(make_clay());
+  data.initial.stress = input::InitialStress::k0;
   data.stages.resize(2);
   data.materials.at("soil").cam_clay.preconsolidation_ratio = 2.5;
   mpm::Body<D> body = fill<D>(data);
@@ -88,8 +88,8 @@ TEST(Preconsolidation, IsTheRatioTimesTheStressOfTheColumn) {
 }
 
 TEST(Preconsolidation, SaysHowManyStressesLieBeyondTheYieldSurface) {
-  model::Case data = support::make_box_case<2>(make_clay());
-  data.initial.stress = model::InitialStress::k0;
+  input::Case data = support::make_box_case<2>(make_clay());
+  data.initial.stress = input::InitialStress::k0;
   data.stages.resize(1);
   // q²/M² = (0.75/1.2)² p'² = 0.39 p'² and p'(R_0 - 1)p': the border is at R_0 = 1.39.
   for (const double ratio : {1.38, 1.40}) {
@@ -106,25 +106,25 @@ TEST(Preconsolidation, SaysHowManyStressesLieBeyondTheYieldSurface) {
 }
 
 /// Unsaturated rooted soil above a water table at the foot of the column.
-model::Case make_suction_case() {
-  model::Material soil = make_clay(MaterialModel::rooted_cam_clay);
+input::Case make_suction_case() {
+  input::Material soil = make_clay(MaterialModel::rooted_cam_clay);
   soil.cam_clay.suction_hardening = 2;
   soil.roots.content = 0.88;
-  soil.water.retention = model::RetentionCurve::van_genuchten;
+  soil.water.retention = input::RetentionCurve::van_genuchten;
   soil.water.minimum_saturation = 0.2;
   soil.water.reference_pressure = 10e3;
   soil.water.lambda = 0.4;
   soil.water.conductivity = 1e-5;
-  model::Case data = support::make_box_case<2>(soil);
-  data.initial.stress = model::InitialStress::k0;
-  data.initial.water.pressure = model::InitialPressure::water_table;
+  input::Case data = support::make_box_case<2>(soil);
+  data.initial.stress = input::InitialStress::k0;
+  data.initial.water.pressure = input::InitialPressure::water_table;
   data.initial.water.water_table = {{0, 0}, {1, 0}};
   data.stages.resize(1);
   return data;
 }
 
 TEST(Preconsolidation, HardensWithTheSuctionAndTheRootsOfTheStart) {
-  model::Case data = make_suction_case();
+  input::Case data = make_suction_case();
   data.materials.at("soil").cam_clay.preconsolidation = 12e3;
   const mpm::Body<2> body = fill<2>(data);
   const auto& law = std::get<RootedCamClay>(body.laws[0]);
@@ -145,7 +145,7 @@ TEST(Preconsolidation, HardensWithTheSuctionAndTheRootsOfTheStart) {
 }
 
 TEST(Preconsolidation, OfTheRatioIsThatOfTheSaturatedSoilWithoutRoots) {
-  model::Case data = make_suction_case();
+  input::Case data = make_suction_case();
   data.materials.at("soil").cam_clay.preconsolidation_ratio = 2;
   mpm::Body<2> body = fill<2>(data);
   const auto done = set_preconsolidation(body, data);
@@ -160,7 +160,7 @@ TEST(Preconsolidation, OfTheRatioIsThatOfTheSaturatedSoilWithoutRoots) {
 }
 
 TEST(InitialState, FollowsTheEquilibriumStageOfTheCase) {
-  model::Case data;
+  input::Case data;
   data.stages.resize(3);
   data.stages[0].name = "weight";
   data.stages[1].name = "seepage";
@@ -173,7 +173,7 @@ TEST(InitialState, FollowsTheEquilibriumStageOfTheCase) {
 }
 
 /// What another run left: stress, plastic strain and state of its own.
-mpm::Body<2> leave(const model::Case& data) {
+mpm::Body<2> leave(const input::Case& data) {
   mpm::Body<2> body = fill<2>(data);
   for (int id = 0; id < body.points.size(); ++id) {
     auto state = mpm::view_point(body, id).state;
@@ -190,7 +190,7 @@ mpm::Body<2> leave(const model::Case& data) {
 }
 
 /// Takes the points of the old body as EndState does, and fits them.
-mpm::Body<2> adopt(const model::Case& data, const mpm::Body<2>& old, MaterialModel before, bool same_roots) {
+mpm::Body<2> adopt(const input::Case& data, const mpm::Body<2>& old, MaterialModel before, bool same_roots) {
   const mpm::Body<2> fresh = fill<2>(data);
   mpm::Body<2> body = fresh;
   for (int id = 0; id < body.points.size(); ++id) mpm::write_state(body, id, mpm::view_point(old, id).state.data());
@@ -199,8 +199,8 @@ mpm::Body<2> adopt(const model::Case& data, const mpm::Body<2>& old, MaterialMod
 }
 
 TEST(InitialState, KeepsTheStateOfTheSameSoilAndRenewsOtherRoots) {
-  model::Case data = support::make_box_case<2>(make_clay(MaterialModel::rooted_cam_clay));
-  data.initial.stress = model::InitialStress::k0;
+  input::Case data = support::make_box_case<2>(make_clay(MaterialModel::rooted_cam_clay));
+  data.initial.stress = input::InitialStress::k0;
   data.stages.resize(1);
   data.materials.at("soil").cam_clay.preconsolidation_ratio = 2;
   data.materials.at("soil").roots.content = 0.44;
@@ -222,8 +222,8 @@ TEST(InitialState, KeepsTheStateOfTheSameSoilAndRenewsOtherRoots) {
 }
 
 TEST(InitialState, TakesAGivenPreconsolidationWhereTheOtherRunHadNotSetOne) {
-  model::Case data = support::make_box_case<2>(make_clay());
-  data.initial.stress = model::InitialStress::k0;
+  input::Case data = support::make_box_case<2>(make_clay());
+  data.initial.stress = input::InitialStress::k0;
   data.stages.resize(1);
   data.materials.at("soil").cam_clay.preconsolidation_ratio = 2;
   const mpm::Body<2> old = fill<2>(data);
@@ -238,10 +238,10 @@ TEST(InitialState, TakesAGivenPreconsolidationWhereTheOtherRunHadNotSetOne) {
 }
 
 TEST(InitialState, OfSoilThatWasMohrCoulombStartsFromItsStress) {
-  model::Case before = support::make_box_case<2>(make_clay(MaterialModel::mohr_coulomb));
-  before.initial.stress = model::InitialStress::k0;
+  input::Case before = support::make_box_case<2>(make_clay(MaterialModel::mohr_coulomb));
+  before.initial.stress = input::InitialStress::k0;
   before.materials.at("soil").cohesion = 5e3;
-  model::Case data = before;
+  input::Case data = before;
   data.stages.resize(1);
   data.materials.at("soil").model = MaterialModel::modified_cam_clay;
   data.materials.at("soil").cam_clay.preconsolidation_ratio = 2;
@@ -262,14 +262,14 @@ TEST(InitialState, OfSoilThatWasMohrCoulombStartsFromItsStress) {
 }
 
 TEST(InitialState, GivesEachPointTheRootCohesionOfItsPlace) {
-  model::Material soil = support::make_elastic(10e6, 0.3, 2000);
+  input::Material soil = support::make_elastic(10e6, 0.3, 2000);
   soil.model = MaterialModel::rooted_mohr_coulomb;
   soil.cohesion = 2e3;
-  model::Case data = support::make_box_case<3>(soil);
-  model::Roots roots;
+  input::Case data = support::make_box_case<3>(soil);
+  input::Roots roots;
   roots.ground = "top";
   roots.depth = 1.5;
-  roots.profile = model::RootProfile::exponential;
+  roots.profile = input::RootProfile::exponential;
   roots.decay_depth = 0.5;
   roots.cohesion = 8e3;
   data.roots = {roots};

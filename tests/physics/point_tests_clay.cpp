@@ -6,8 +6,8 @@
 namespace talus::laboratory {
 namespace {
 
-using model::PointControl;
-using model::PointTestKind;
+using input::PointControl;
+using input::PointTestKind;
 using support::make_cell_test;
 using support::make_clay;
 
@@ -15,7 +15,7 @@ constexpr double lambda = 0.089, kappa = 0.022, slope = 1.42;
 
 TEST(PointClay, IsotropicCompressionFollowsTheSwellingAndTheNormalLine) {
   const double p0 = 50e3, pc = 125e3, e0 = 0.86;
-  model::PointTest test = make_cell_test(PointTestKind::isotropic_compression, p0);
+  input::PointTest test = make_cell_test(PointTestKind::isotropic_compression, p0);
   test.control = PointControl::stress;
   test.axial_stress = {800e3, 100e3, 1600e3};
   test.steps = 4000;
@@ -37,7 +37,7 @@ TEST(PointClay, UndrainedStrengthIsThatOfTheCriticalState) {
   // p' at failure = p'_0 (R/2)^Λ with Λ = (λ - κ)/λ, q = M p' (Wood 1990, section 7.2); both sides of R = 2.
   const double p0 = 100e3, exponent = (lambda - kappa) / lambda;
   for (const double ratio : {1.0, 1.5, 2.0, 4.0, 8.0}) {
-    model::PointTest test = make_cell_test(PointTestKind::undrained_triaxial, p0);
+    input::PointTest test = make_cell_test(PointTestKind::undrained_triaxial, p0);
     test.axial_strain = {0.4};
     test.steps = 8000;
     const PointCurve curve = run_point_test(make_clay(ratio * p0), test);
@@ -54,7 +54,7 @@ TEST(PointClay, UndrainedStrengthIsThatOfTheCriticalState) {
 
 TEST(PointClay, DrainedCompressionAndExtensionEndAtTheCriticalState) {
   const double cell = 200e3;
-  model::PointTest test = make_cell_test(PointTestKind::drained_triaxial, cell);
+  input::PointTest test = make_cell_test(PointTestKind::drained_triaxial, cell);
   test.axial_strain = {0.9};
   test.steps = 9000;
   PointRow end = run_point_test(make_clay(cell), test).rows.back();
@@ -70,12 +70,12 @@ TEST(PointClay, DrainedCompressionAndExtensionEndAtTheCriticalState) {
 TEST(PointClay, WettingCollapsesBySaturationAlone) {
   // Isotropic, on the normal line: p'_c = p_b exp(b(1 - S)) = p' all the way, so
   // Δe = -λ Δln p' - (λ - κ)(b ΔS) with p' = p_net + S s.
-  model::Material soil = make_clay(50e3);
+  input::Material soil = make_clay(50e3);
   soil.cam_clay.suction_hardening = 1.5;
-  soil.water.retention = model::RetentionCurve::van_genuchten;
+  soil.water.retention = input::RetentionCurve::van_genuchten;
   soil.water.reference_pressure = 30e3;
   soil.water.lambda = 0.4;
-  model::PointTest test = make_cell_test(PointTestKind::wetting, 400e3);
+  input::PointTest test = make_cell_test(PointTestKind::wetting, 400e3);
   test.suction = {100e3, 0};
   test.steps = 2000;
   const PointCurve curve = run_point_test(soil, test);
@@ -102,7 +102,7 @@ TEST(PointClay, WettingCollapsesBySaturationAlone) {
 }
 
 TEST(PointClay, NormalK0CompressionIsParallelToTheNormalLine) {
-  model::PointTest test = support::make_ring_test(PointTestKind::oedometer, 100e3, 0.5);
+  input::PointTest test = support::make_ring_test(PointTestKind::oedometer, 100e3, 0.5);
   test.control = PointControl::stress;
   test.axial_stress = {3200e3};
   test.steps = 4000;

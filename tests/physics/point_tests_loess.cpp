@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
+#include "input/read.hpp"
 #include "laboratory/point_results.hpp"
-#include "model/read.hpp"
 #include "support/point_soils.hpp"
 
 namespace talus::laboratory {
@@ -25,15 +25,15 @@ const std::array<Published, 7> table{{{"100 kPa, bare", {165.1, 226.2, 252.7, 26
                                       {"300 kPa, 0.88 % roots", {545.9, 807.0, 927.8, 977.6, 996.9}, 5.99}}};
 
 TEST(TriaxialLoess, AgreesWithAnIndependentIntegration) {
-  const model::LoadedCase loaded =
-      model::read_case(TALUS_SOURCE_DIR "/examples/triaxial_loess/case.toml", {}, model::CaseScope::whole_or_tests);
+  const input::LoadedCase loaded =
+      input::read_case(TALUS_SOURCE_DIR "/examples/triaxial_loess/case.toml", {}, input::CaseScope::whole_or_tests);
   EXPECT_FALSE(loaded.is_whole);
   ASSERT_EQ(loaded.data.tests.size(), 12u);
   for (const Published& published : table) {
     std::size_t i = 0;
     while (i < 12 && loaded.data.tests[i].name != published.test) ++i;
     ASSERT_LT(i, 12u) << published.test;
-    const model::PointTest& test = loaded.data.tests[i];
+    const input::PointTest& test = loaded.data.tests[i];
     const PointCurve curve = run_point_test(loaded.data.test_soils[i], test);
     for (std::size_t k = 0; k < 5; ++k) {
       const auto q = find_point_result(curve, test, {test.name, "q", 0.05 * static_cast<double>(k + 1)});
@@ -47,8 +47,8 @@ TEST(TriaxialLoess, AgreesWithAnIndependentIntegration) {
 }
 
 TEST(TriaxialLoess, RootsStrengthenAtEveryPressure) {
-  const model::LoadedCase loaded =
-      model::read_case(TALUS_SOURCE_DIR "/examples/triaxial_loess/case.toml", {}, model::CaseScope::whole_or_tests);
+  const input::LoadedCase loaded =
+      input::read_case(TALUS_SOURCE_DIR "/examples/triaxial_loess/case.toml", {}, input::CaseScope::whole_or_tests);
   for (std::size_t i = 0; i < loaded.data.tests.size(); ++i) {
     if (i % 4 == 0) continue;
     const double q = run_point_test(loaded.data.test_soils[i], loaded.data.tests[i]).rows.back().q;

@@ -6,8 +6,8 @@
 namespace talus::laboratory {
 namespace {
 
-using model::PointControl;
-using model::PointTestKind;
+using input::PointControl;
+using input::PointTestKind;
 using support::make_cell_test;
 using support::make_elastic;
 using support::make_frictional;
@@ -23,8 +23,8 @@ double find_stress_ratio(double friction) {
 TEST(PointStrength, TriaxialCompressionAndExtensionEndOnMohrsCircle) {
   for (const double friction : {20 * degree, 35 * degree}) {
     const double c = 8e3, cell = 100e3, n = find_stress_ratio(friction);
-    const model::Material soil = make_frictional(c, friction, 5 * degree);
-    model::PointTest test = make_cell_test(PointTestKind::drained_triaxial, cell);
+    const input::Material soil = make_frictional(c, friction, 5 * degree);
+    input::PointTest test = make_cell_test(PointTestKind::drained_triaxial, cell);
     test.axial_strain = {0.06};
     test.steps = 300;
     PointCurve curve = run_point_test(soil, test);
@@ -48,7 +48,7 @@ TEST(PointStrength, SimpleShearFailsAsDavisSays) {
   // With σ_v and ε_h held: τ = (c cosφ + σ_v sinφ) cosψ/(1 - sinφ sinψ) (Davis 1968), which is c + σ_v tanφ for ψ = φ.
   const double c = 5e3, vertical = 100e3, friction = 30 * degree;
   for (const double dilatancy : {0.0, 10 * degree, friction}) {
-    model::PointTest test = make_ring_test(PointTestKind::simple_shear, vertical, 0.6);
+    input::PointTest test = make_ring_test(PointTestKind::simple_shear, vertical, 0.6);
     test.shear_strain = {0.3};
     test.steps = 3000;
     const PointCurve curve = run_point_test(make_frictional(c, friction, dilatancy), test);
@@ -62,8 +62,8 @@ TEST(PointStrength, SimpleShearFailsAsDavisSays) {
 
 TEST(PointStrength, StressControlEndsAtTheStrength) {
   const double c = 8e3, cell = 100e3, n = find_stress_ratio(30 * degree), strength = n * cell + 2 * c * std::sqrt(n);
-  const model::Material soil = make_frictional(c, 30 * degree, 0);
-  model::PointTest test = make_cell_test(PointTestKind::drained_triaxial, cell);
+  const input::Material soil = make_frictional(c, 30 * degree, 0);
+  input::PointTest test = make_cell_test(PointTestKind::drained_triaxial, cell);
   test.control = PointControl::stress;
   test.steps = 100;
   test.axial_stress = {0.99 * strength};
@@ -77,7 +77,7 @@ TEST(PointStrength, StressControlEndsAtTheStrength) {
 }
 
 TEST(PointStrength, AStartBeyondTheStrengthIsRefused) {
-  model::PointTest test = make_cell_test(PointTestKind::drained_triaxial, 100e3);
+  input::PointTest test = make_cell_test(PointTestKind::drained_triaxial, 100e3);
   test.k0 = 0.2;
   test.axial_strain = {0.01};
   try {
@@ -93,8 +93,8 @@ TEST(PointStrength, AStartBeyondTheStrengthIsRefused) {
 
 TEST(PointStiffness, EachApparatusMeasuresItsModulus) {
   const double young = 30e6, nu = 0.25;
-  const model::Material soil = make_elastic(young, nu);
-  const auto find_slope = [&](model::PointTest test, double PointRow::*y, double PointRow::*x) {
+  const input::Material soil = make_elastic(young, nu);
+  const auto find_slope = [&](input::PointTest test, double PointRow::*y, double PointRow::*x) {
     test.steps = 7;
     const PointCurve curve = run_point_test(soil, test);
     const PointRow &a = curve.rows.front(), &b = curve.rows.back();
@@ -102,7 +102,7 @@ TEST(PointStiffness, EachApparatusMeasuresItsModulus) {
   };
   const double oedometric = young * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), bulk = young / (3 * (1 - 2 * nu));
   for (const PointControl control : {PointControl::strain, PointControl::stress}) {
-    const auto control_axially = [&](model::PointTest test) {
+    const auto control_axially = [&](input::PointTest test) {
       test.control = control;
       if (control == PointControl::strain)
         test.axial_strain = {0.01};
@@ -125,14 +125,14 @@ TEST(PointStiffness, EachApparatusMeasuresItsModulus) {
     EXPECT_NEAR(find_slope(undrained, &PointRow::q, &PointRow::axial_strain), modulus, 1e-6 * modulus);
     EXPECT_NEAR(find_slope(undrained, &PointRow::pore_pressure, &PointRow::q), 1.0 / 3, 1e-6) << "Skempton's A";
   }
-  model::PointTest shear = make_ring_test(PointTestKind::simple_shear, 50e3, 0.5);
+  input::PointTest shear = make_ring_test(PointTestKind::simple_shear, 50e3, 0.5);
   shear.shear_strain = {0.01};
   const double g = young / (2 * (1 + nu));
   EXPECT_NEAR(find_slope(shear, &PointRow::shear_stress, &PointRow::shear_strain), g, 1e-6 * g);
 }
 
 TEST(PointStiffness, TurningPointsAreReachedAndElasticSoilComesBack) {
-  model::PointTest test = make_ring_test(PointTestKind::oedometer, 50e3, 0.5);
+  input::PointTest test = make_ring_test(PointTestKind::oedometer, 50e3, 0.5);
   test.control = PointControl::stress;
   test.axial_stress = {400e3, 100e3, 800e3, 50e3};
   test.steps = 100;

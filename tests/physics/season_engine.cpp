@@ -20,34 +20,34 @@ namespace {
 
 using namespace support;
 
-model::Material make_silt() {
-  model::Material soil = make_wet_soil(50e6);
-  soil.water.retention = model::RetentionCurve::van_genuchten;
+input::Material make_silt() {
+  input::Material soil = make_wet_soil(50e6);
+  soil.water.retention = input::RetentionCurve::van_genuchten;
   soil.water.minimum_saturation = 0.1;
   soil.water.reference_pressure = 8e3;
   soil.water.lambda = 0.4;
   soil.water.conductivity = 1e-3;
-  soil.water.relative_conductivity = model::ConductivityCurve::hillel;
+  soil.water.relative_conductivity = input::ConductivityCurve::hillel;
   soil.water.exponent = 3;
   return soil;
 }
 
-model::Roots make_plants(const std::string& ground, double depth, double rate, std::array<double, 4> suctions) {
-  model::Roots roots;
+input::Roots make_plants(const std::string& ground, double depth, double rate, std::array<double, 4> suctions) {
+  input::Roots roots;
   roots.ground = ground;
   roots.depth = depth;
-  roots.transpiration = model::Transpiration{make_constant(rate), model::SeriesShape::linear, suctions};
+  roots.transpiration = input::Transpiration{make_constant(rate), input::SeriesShape::linear, suctions};
   return roots;
 }
 
 template <int D>
-model::Case make_planted_case(double rate, double level) {
-  model::Case data = make_box_case<D>(make_silt());
+input::Case make_planted_case(double rate, double level) {
+  input::Case data = make_box_case<D>(make_silt());
   data.water.bulk_modulus = 200e6;
-  data.initial.stress = model::InitialStress::k0;
-  data.initial.water = {model::InitialPressure::water_table, {{0, level}}};
+  data.initial.stress = input::InitialStress::k0;
+  data.initial.water = {input::InitialPressure::water_table, {{0, level}}};
   data.roots = {make_plants("top", 0.5, rate, {0, 0, 12e3, 22e3})};
-  data.roots[0].profile = model::RootProfile::exponential;
+  data.roots[0].profile = input::RootProfile::exponential;
   data.roots[0].decay_depth = 0.3;
   return data;
 }
@@ -59,15 +59,15 @@ mesh::Mesh<2> make_column_mesh() {
 
 /// A body at rest under its weight and its pore pressures.
 template <int D>
-mpm::Body<D> make_still_body(const model::Case& data, const mesh::Mesh<D>& mesh) {
+mpm::Body<D> make_still_body(const input::Case& data, const mesh::Mesh<D>& mesh) {
   mpm::Body<D> body = analysis::prepare<D>(data, mesh);
   run(body,
       make_rest_stage<D>(data, body, 5,
-                         {.damping = 0.5, .geometry = model::Geometry::frozen, .water = model::WaterMotion::held}));
+                         {.damping = 0.5, .geometry = input::Geometry::frozen, .water = input::WaterMotion::held}));
   return body;
 }
 
-const model::StepSettings flowing{.damping = 0.2, .integration = model::Integration::mixed};
+const input::StepSettings flowing{.damping = 0.2, .integration = input::Integration::mixed};
 
 template <int D>
 double find_drawn_volume(const mpm::Body<D>& body) {
@@ -76,7 +76,7 @@ double find_drawn_volume(const mpm::Body<D>& body) {
 
 TEST(SeasonEngine, ColumnDriesAsInSeepage) {
   const double rate = 3e-3, duration = 20;
-  const model::Case data = make_planted_case<2>(rate, -0.4);
+  const input::Case data = make_planted_case<2>(rate, -0.4);
   const mesh::Mesh<2> mesh = make_column_mesh();
   auto body = make_still_body<2>(data, mesh);
   EXPECT_EQ(body.water.transpired, 0) << "held water";
@@ -118,7 +118,7 @@ TEST(SeasonEngine, UnreducedUptakeIsTheRateTimesTheGroundIn2DAnd3D) {
     data.roots[0].transpiration->suctions = {0, 0, 1e6, 2e6};
     for (const bool exchange : {true, false}) {
       auto body = analysis::prepare<D>(data, mesh);
-      model::StepSettings settings = flowing;
+      input::StepSettings settings = flowing;
       settings.water_exchange = exchange;
       auto plan = make_stage<D>(data, body, 0.05, settings);
       const double before = analysis::find_water_state(body).mass;
@@ -135,7 +135,7 @@ TEST(SeasonEngine, UnreducedUptakeIsTheRateTimesTheGroundIn2DAnd3D) {
 }
 
 TEST(SeasonEngine, ThreadsAndCheckpointsChangeNothing) {
-  const model::Case data = make_planted_case<2>(3e-3, -0.4);
+  const input::Case data = make_planted_case<2>(3e-3, -0.4);
   const auto start = analysis::prepare<2>(
       data,
       make_box_mesh<2>({8, 10}, {2, 1}, {"soil"}, [](const Vec<2>& x) { return x[1] < 0.6 || x[0] < 1.2 ? 0 : -1; }),
@@ -173,11 +173,11 @@ TEST(SeasonEngine, ThreadsAndCheckpointsChangeNothing) {
 }
 
 TEST(RootSink, CoversTheGroundAndFollowsTheRoots) {
-  model::Case data = make_planted_case<2>(1e-8, 0);
+  input::Case data = make_planted_case<2>(1e-8, 0);
   // Elements of 0.25 m, wider than the last tenth of the roots
   const auto mesh = make_box_mesh<2>({8, 8}, {2, 2}, {"soil"}, [](const Vec<2>&) { return 0; });
   data.roots = {make_plants("top", 0.6, 1e-8, {0, 0, 1e5, 2e5})};
-  const auto find_sums = [&](const model::Roots& roots) {
+  const auto find_sums = [&](const input::Roots& roots) {
     const auto d = analysis::find_root_distribution<2>(data, roots, mesh);
     std::array<double, 3> sums{};  // all, its moment about the ground, what is right of the middle
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -194,8 +194,8 @@ TEST(RootSink, CoversTheGroundAndFollowsTheRoots) {
   const auto even = find_sums(data.roots[0]);
   EXPECT_NEAR(even[0], 2, 1e-12);
   EXPECT_NEAR(even[1] / even[0], 0.3, 0.01) << "mean depth";
-  model::Roots other = data.roots[0];
-  other.profile = model::RootProfile::table;
+  input::Roots other = data.roots[0];
+  other.profile = input::RootProfile::table;
   other.depth_table = {{0, 1}, {0.6, 0}};
   EXPECT_NEAR(find_sums(other)[1] / 2, 0.2, 0.01);
   other = data.roots[0];
@@ -217,7 +217,7 @@ TEST(RootSink, SlopeAndCrestDrinkAlikePerHorizontalMetre) {
       {80, 20}, {4, 1}, {"soil"}, [](const Vec<2>&) { return 0; }, 0);
   for (auto& x : mesh.nodes) x[1] -= std::max(0.0, x[0] - 2);
   mesh::finish(mesh, mesh::Order::as_given);
-  model::Case data = make_planted_case<2>(1e-8, -9);
+  input::Case data = make_planted_case<2>(1e-8, -9);
   data.roots = {make_plants("top", 0.3, 1e-8, {0, 0, 1e5, 2e5})};
   const auto d = analysis::find_root_distribution<2>(data, data.roots[0], mesh);
   EXPECT_NEAR(d.covered, 4, 1e-12);

@@ -75,9 +75,9 @@ TEST(OtherFolders, AStudyShowsItsTableAndItsCurves) {
   const std::string text = small_case +
                            "[study]\nmode = \"one_at_a_time\"\n[[study.vary]]\n"
                            "key = \"strength_reduction.curve.damping\"\nvalues = [0.01, 0.2]\n";
-  const std::vector<model::Override> overrides{{"strength_reduction.frozen.enabled", "false"},
+  const std::vector<input::Override> overrides{{"strength_reduction.frozen.enabled", "false"},
                                                {"strength_reduction.curve.runout", "[]"}};
-  const study::StudyPlan plan = study::plan_study(model::read_case_text(text, "small.toml", overrides), overrides);
+  const study::StudyPlan plan = study::plan_study(input::read_case_text(text, "small.toml", overrides), overrides);
   study::StudyOptions options;
   options.folder = folder / "results";
   options.threads = 2;

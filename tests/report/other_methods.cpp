@@ -1,7 +1,7 @@
 // Reports of slices and finite elements, with and without material points, against the results that they come from.
 
+#include "input/read.hpp"
 #include "methods/run_case.hpp"
-#include "model/read.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
@@ -94,11 +94,11 @@ radius = 23
 resolution = 0.1
 )";
 
-json run(const fs::path& folder, const std::vector<model::Override>& overrides = {}) {
+json run(const fs::path& folder, const std::vector<input::Override>& overrides = {}) {
   analysis::RunOptions options;
   options.folder = folder;
   options.overwrite = true;
-  return methods::run_case(model::read_case_text(layered_case, "layered.toml", overrides), options);
+  return methods::run_case(input::read_case_text(layered_case, "layered.toml", overrides), options);
 }
 
 class OtherMethods : public ::testing::Test {

@@ -51,7 +51,7 @@ axial_strain = 0.01
 )";
 
 json make_tests(const fs::path& folder) {
-  const auto loaded = model::read_case_text(soil, "soil.toml", {}, model::CaseScope::whole_or_tests);
+  const auto loaded = input::read_case_text(soil, "soil.toml", {}, input::CaseScope::whole_or_tests);
   return laboratory::run_point_tests(loaded, {folder, {}, "svg"});
 }
 

@@ -11,11 +11,11 @@
 namespace talus::report {
 namespace {
 
-using model::change;
+using input::change;
 using nlohmann::json;
 
 json summarise(const std::string& text) {
-  return {{"input", model::read_case_text(text, "slope.toml").echo}, {"mesh", {{"dimension", 2}}}};
+  return {{"input", input::read_case_text(text, "slope.toml").echo}, {"mesh", {{"dimension", 2}}}};
 }
 
 /// The one material of a case; `factor`: of safety.
@@ -50,7 +50,7 @@ double find_tangent(double slope) {
 }
 
 TEST(CamClayRows, AreThoseOfTable42) {
-  const json soil = read_soil(model::rooted_slope);
+  const json soil = read_soil(input::rooted_slope);
   EXPECT_EQ(soil.at("model"), "rooted Cam-clay");
   const std::vector<std::tuple<const char*, const char*, double>> rows{{"lambda", "λ", 0.155},
                                                                        {"kappa", "κ", 0.04},
@@ -79,7 +79,7 @@ TEST(CamClayRows, AreThoseOfTable42) {
 }
 
 TEST(CamClayRows, OfTheReducedStrengthDivideTheTangent) {
-  const std::string reduced = change(model::rooted_slope, "duration = 560", "duration = 560\nstrength_factor = 1.25");
+  const std::string reduced = change(input::rooted_slope, "duration = 560", "duration = 560\nstrength_factor = 1.25");
   const json soil = read_soil(reduced, 1.4);
   for (const char* key : {"critical_state_slope", "critical_state_slope_rooted"}) {
     const json row = find_row(soil, key);
@@ -93,7 +93,7 @@ TEST(CamClayRows, OfTheReducedStrengthDivideTheTangent) {
 TEST(RootCohesionRows, FollowFromTheBundleAndAreDivided) {
   const std::string bundle =
       "[roots.bundle]\nmodel = \"wu_waldron\"\narea_ratios = [1e-3, 2e-4]\nstrengths = [10, 20]\norientation = 1.0\n";
-  const json soil = read_soil(model::with_cohesion(bundle), 2.0);
+  const json soil = read_soil(input::with_cohesion(bundle), 2.0);
   EXPECT_EQ(soil.at("model"), "Mohr–Coulomb with the cohesion of roots");
   const json row = find_row(soil, "roots_0");
   EXPECT_NEAR(row.at("characteristic").get<double>(), 14, 1e-9) << "10 MPa · 10⁻³ + 20 MPa · 2·10⁻⁴, in kPa";
@@ -102,7 +102,7 @@ TEST(RootCohesionRows, FollowFromTheBundleAndAreDivided) {
 }
 
 TEST(RootRows, CountWhatIsThereAtTheirAge) {
-  const json soil = read_soil(model::with_roots("age = 2.5\ngrowth = [[0, 0], [5, 1]]\n"));
+  const json soil = read_soil(input::with_roots("age = 2.5\ngrowth = [[0, 0], [5, 1]]\n"));
   EXPECT_NEAR(find_row(soil, "roots_0").at("characteristic").get<double>(), 0.47, 1e-12);
   EXPECT_NEAR(find_row(soil, "critical_state_slope_rooted").at("characteristic").get<double>(), 0.827 + 0.18 * 0.47,
               1e-9);
@@ -112,19 +112,19 @@ TEST(RootRows, CountWhatIsThereAtTheirAge) {
 #define EXPECT_SILENT(text, part) EXPECT_EQ((text).find(part), std::string::npos) << (text)
 
 TEST(RootedAssumptions, SayWhereTheRootsAreAndThatTheyNeverBreak) {
-  const std::string text = tell(model::with_roots("age = 2.5\ngrowth = [[0, 0], [5, 1]]\n"));
+  const std::string text = tell(input::with_roots("age = 2.5\ngrowth = [[0, 0], [5, 1]]\n"));
   EXPECT_SAYS(text, "Roots under 'face': 0.94 % of the dry mass at the ground, the same down to 0.5 m. 50 % of that");
   EXPECT_SAYS(text, "one material in loess, and the roots never break");
   EXPECT_SAYS(text, "loess: modified Cam-clay");
   for (const char* of_another_soil : {"perfectly plastic", "no tensile strength", "linear elastic", "divides"})
     EXPECT_SILENT(text, of_another_soil);
   EXPECT_SAYS(
-      tell(change(model::rooted_slope, "root_strength = 0.18", "root_strength = 0.18\nroot_breaking_strain = 0.3")),
+      tell(change(input::rooted_slope, "root_strength = 0.18", "root_strength = 0.18\nroot_breaking_strain = 0.3")),
       "roots break as the activation strain grows");
 }
 
 TEST(RootedAssumptions, OfACohesionNameItsBundle) {
-  const std::string text = tell(model::with_cohesion(
+  const std::string text = tell(input::with_cohesion(
       "profile = \"exponential\"\ndecay_depth = 0.2\n[roots.bundle]\nmodel = \"wu_waldron\"\narea_ratios = "
       "[1e-3]\nstrengths = [10]\norientation = 1.0\n"));
   EXPECT_SAYS(text,
@@ -135,17 +135,17 @@ TEST(RootedAssumptions, OfACohesionNameItsBundle) {
 }
 
 TEST(RootedAssumptions, DoNotSayOfSoftWaterWhatTheStressDecides) {
-  const std::string text = tell(model::rooted_slope);
+  const std::string text = tell(input::rooted_slope);
   EXPECT_SAYS(text, "times less than that of water");
   EXPECT_SILENT(text, "instead of");
-  EXPECT_SAYS(tell(model::with_cohesion("cohesion = 5\n")), " % instead of ");
+  EXPECT_SAYS(tell(input::with_cohesion("cohesion = 5\n")), " % instead of ");
 }
 
 TEST(RootedMethods, NameTheModelsInUse) {
-  const auto clay = name_methods(model::rooted_slope);
+  const auto clay = name_methods(input::rooted_slope);
   EXPECT_TRUE(holds(clay, "modified_cam_clay") && holds(clay, "rooted_cam_clay"));
   EXPECT_FALSE(holds(clay, "mohr_coulomb") || holds(clay, "root_cohesion"));
-  const auto cohesion = name_methods(model::with_cohesion("cohesion = 5\n"));
+  const auto cohesion = name_methods(input::with_cohesion("cohesion = 5\n"));
   EXPECT_TRUE(holds(cohesion, "mohr_coulomb") && holds(cohesion, "root_cohesion"));
   EXPECT_FALSE(holds(cohesion, "modified_cam_clay"));
 }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "analysis/run_case.hpp"
-#include "model/read.hpp"
+#include "input/read.hpp"
 
 namespace talus::report {
 
@@ -107,11 +107,11 @@ at = [12, 15]
 )";
 
 inline nlohmann::json run_small_case(const std::filesystem::path& folder,
-                                     const std::vector<model::Override>& overrides = {}) {
+                                     const std::vector<input::Override>& overrides = {}) {
   analysis::RunOptions options;
   options.folder = folder;
   options.overwrite = true;
-  return analysis::run_case(model::read_case_text(small_case, "small.toml", overrides), options);
+  return analysis::run_case(input::read_case_text(small_case, "small.toml", overrides), options);
 }
 
 }  // namespace talus::report

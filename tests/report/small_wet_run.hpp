@@ -6,7 +6,7 @@
 #include <string>
 
 #include "analysis/run_case.hpp"
-#include "model/read.hpp"
+#include "input/read.hpp"
 
 namespace talus::report {
 
@@ -126,11 +126,11 @@ at = [7, 1]
 )";
 
 inline nlohmann::json run_wet_case(const std::filesystem::path& folder,
-                                   const std::vector<model::Override>& overrides = {}) {
+                                   const std::vector<input::Override>& overrides = {}) {
   analysis::RunOptions options;
   options.folder = folder;
   options.overwrite = true;
-  return analysis::run_case(model::read_case_text(wet_case, "wet.toml", overrides), options);
+  return analysis::run_case(input::read_case_text(wet_case, "wet.toml", overrides), options);
 }
 
 }  // namespace talus::report

@@ -20,7 +20,7 @@ class ReportOfRuns : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = make_test_folder("study_of_runs");
-    const study::StudyPlan plan = study::plan_study(model::read_case_text(sliding_banks, "bank.toml", {}), {});
+    const study::StudyPlan plan = study::plan_study(input::read_case_text(sliding_banks, "bank.toml", {}), {});
     study::StudyOptions options;
     options.folder = folder_ / "results";
     options.threads = 2;

@@ -50,16 +50,16 @@ mesh::Mesh<D> make_box_mesh(const std::array<int, D>& cells, const std::type_ide
   return mesh;
 }
 
-inline model::Material make_elastic(double young_modulus = 10e6, double poisson_ratio = 0.3, double density = 1800) {
-  model::Material m;
+inline input::Material make_elastic(double young_modulus = 10e6, double poisson_ratio = 0.3, double density = 1800) {
+  input::Material m;
   m.grain_density = density;
   m.young_modulus = young_modulus;
   m.poisson_ratio = poisson_ratio;
   return m;
 }
 
-inline model::Boundary make_boundary(const std::string& on, model::Fix fix) {
-  model::Boundary b;
+inline input::Boundary make_boundary(const std::string& on, input::Fix fix) {
+  input::Boundary b;
   b.on = on;
   b.fix = fix;
   return b;
@@ -67,23 +67,23 @@ inline model::Boundary make_boundary(const std::string& on, model::Fix fix) {
 
 /// One material "soil" in the region "soil"; rollers on every face but the top.
 template <int D>
-model::Case make_box_case(const model::Material& soil) {
-  model::Case data;
+input::Case make_box_case(const input::Material& soil) {
+  input::Case data;
   data.points_per_element = D == 2 ? 3 : 4;
   data.materials["soil"] = soil;
   data.regions["soil"] = "soil";
   for (const char* name : {"left", "right", "bottom", "front", "back"}) {
     if (D == 2 && std::string(name).ends_with("k")) continue;
     if (D == 2 && std::string(name) == "front") continue;
-    data.boundaries.push_back(make_boundary(name, model::Fix::normal));
+    data.boundaries.push_back(make_boundary(name, input::Fix::normal));
   }
   return data;
 }
 
 /// A plan that runs `duration` seconds under the case's gravity.
 template <int D>
-analysis::StagePlan<D> make_stage(const model::Case& data, const mpm::Body<D>& body, double duration,
-                                  model::StepSettings step) {
+analysis::StagePlan<D> make_stage(const input::Case& data, const mpm::Body<D>& body, double duration,
+                                  input::StepSettings step) {
   analysis::StagePlan<D> plan;
   plan.name = "test";
   plan.duration = duration;
@@ -95,8 +95,8 @@ analysis::StagePlan<D> make_stage(const model::Case& data, const mpm::Body<D>& b
 
 /// The same until rest, with a strict criterion.
 template <int D>
-analysis::StagePlan<D> make_rest_stage(const model::Case& data, const mpm::Body<D>& body, double longest,
-                                       model::StepSettings step, double force_ratio = 1e-6) {
+analysis::StagePlan<D> make_rest_stage(const input::Case& data, const mpm::Body<D>& body, double longest,
+                                       input::StepSettings step, double force_ratio = 1e-6) {
   analysis::StagePlan<D> plan = make_stage(data, body, longest, step);
   plan.until_rest = true;
   plan.rest = {.force_ratio = force_ratio, .speed_ratio = force_ratio, .energy_ratio = 1, .hold = 0.01};

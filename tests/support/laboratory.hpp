@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
+#include "input/read.hpp"
 #include "laboratory/calibration.hpp"
 #include "laboratory/measured_match.hpp"
-#include "model/read.hpp"
 
 namespace talus::support {
 
@@ -57,7 +57,7 @@ class Laboratory {
  public:
   explicit Laboratory(const std::string& text)
       : data_(
-            model::read_case_text("title = \"Laboratory\"\n" + text, "case.toml", {}, model::CaseScope::whole_or_tests)
+            input::read_case_text("title = \"Laboratory\"\n" + text, "case.toml", {}, input::CaseScope::whole_or_tests)
                 .data) {
     data_.calibration.emplace();
     data_.calibration->starts = 1;
@@ -65,9 +65,9 @@ class Laboratory {
 
   /// `key` is "loess.kappa"; numbers are SI.
   void fit(const std::string& key, double first, double low, double high,
-           model::CalibrationScale scale = model::CalibrationScale::linear) {
+           input::CalibrationScale scale = input::CalibrationScale::linear) {
     const auto dot = key.find('.');
-    model::CalibrationParameter p;
+    input::CalibrationParameter p;
     p.key = "materials." + key, p.material = key.substr(0, dot), p.path = key.substr(dot + 1);
     p.first = first, p.low = low, p.high = high, p.scale = scale;
     data_.calibration->parameters.push_back(p);
@@ -75,10 +75,10 @@ class Laboratory {
 
   /// Measures y at the abscissae, without error; errors of 2 % of its largest value are stated.
   void measure(const std::string& test, const std::string& x, const std::string& y, const std::vector<double>& at) {
-    model::MeasuredCurve c;
+    input::MeasuredCurve c;
     c.test = test, c.x = x, c.y = y;
     while (data_.tests.at(c.test_number).name != test) ++c.test_number;
-    const model::PointTest& which = data_.tests[c.test_number];
+    const input::PointTest& which = data_.tests[c.test_number];
     const laboratory::PointCurve curve = laboratory::run_point_test(data_.test_soils[c.test_number], which);
     for (const double value : at) c.points.push_back({value, 0});
     const std::vector<std::size_t> legs = laboratory::find_legs(which, c.points);
@@ -98,17 +98,17 @@ class Laboratory {
   void disturb(std::mt19937_64& engine) {
     std::normal_distribution<double> normal;
     for (std::size_t k = 0; k < true_.size(); ++k) {
-      model::MeasuredCurve& c = data_.calibration->curves[k];
+      input::MeasuredCurve& c = data_.calibration->curves[k];
       for (std::size_t i = 0; i < c.points.size(); ++i) c.points[i][1] = true_[k][i][1] + c.deviation * normal(engine);
     }
   }
 
-  model::Case& data() { return data_; }
-  model::Calibration& calibration() { return *data_.calibration; }
+  input::Case& data() { return data_; }
+  input::Calibration& calibration() { return *data_.calibration; }
   laboratory::CalibrationResult calibrate(int threads = 2) { return laboratory::calibrate(data_, {threads, nullptr}); }
 
  private:
-  model::Case data_;
+  input::Case data_;
   std::vector<std::vector<std::array<double, 2>>> true_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace talus::support {
 
-inline model::Material make_elastic(double young_modulus, double poisson_ratio) {
-  model::Material soil;
+inline input::Material make_elastic(double young_modulus, double poisson_ratio) {
+  input::Material soil;
   soil.grain_density = 2700;
   soil.porosity = 0.4;
   soil.young_modulus = young_modulus;
@@ -19,9 +19,9 @@ inline model::Material make_elastic(double young_modulus, double poisson_ratio) 
 }
 
 /// Angles [rad]; tension is cut off at the apex.
-inline model::Material make_frictional(double cohesion, double friction, double dilatancy) {
-  model::Material soil = make_elastic(20e6, 0.3);
-  soil.model = model::MaterialModel::mohr_coulomb;
+inline input::Material make_frictional(double cohesion, double friction, double dilatancy) {
+  input::Material soil = make_elastic(20e6, 0.3);
+  soil.model = input::MaterialModel::mohr_coulomb;
   soil.cohesion = cohesion;
   soil.friction_angle = friction;
   soil.dilatancy_angle = dilatancy;
@@ -30,9 +30,9 @@ inline model::Material make_frictional(double cohesion, double friction, double 
 }
 
 /// Loess of Table 4.1 of the source without roots, with a preconsolidation pressure [Pa].
-inline model::Material make_clay(double preconsolidation) {
-  model::Material soil = make_elastic(0, 0.3);
-  soil.model = model::MaterialModel::modified_cam_clay;
+inline input::Material make_clay(double preconsolidation) {
+  input::Material soil = make_elastic(0, 0.3);
+  soil.model = input::MaterialModel::modified_cam_clay;
   soil.porosity = 0.86 / 1.86;
   soil.cam_clay.compression = 0.089;
   soil.cam_clay.swelling = 0.022;
@@ -42,8 +42,8 @@ inline model::Material make_clay(double preconsolidation) {
 }
 
 /// A test from a cell pressure [Pa].
-inline model::PointTest make_cell_test(model::PointTestKind kind, double pressure) {
-  model::PointTest test;
+inline input::PointTest make_cell_test(input::PointTestKind kind, double pressure) {
+  input::PointTest test;
   test.name = "cell";
   test.kind = kind;
   test.confining_pressure = pressure;
@@ -51,8 +51,8 @@ inline model::PointTest make_cell_test(model::PointTestKind kind, double pressur
 }
 
 /// A test from a vertical stress [Pa] and K0.
-inline model::PointTest make_ring_test(model::PointTestKind kind, double vertical, double k0) {
-  model::PointTest test;
+inline input::PointTest make_ring_test(input::PointTestKind kind, double vertical, double k0) {
+  input::PointTest test;
   test.name = "ring";
   test.kind = kind;
   test.vertical_stress = vertical;

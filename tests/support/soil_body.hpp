@@ -116,10 +116,10 @@ void for_each_point(const mpm::Body<D>& body, Work&& work) {
 struct Mode {
   std::string name;
   bool mixed;
-  model::Smoothing smoothing;
+  input::Smoothing smoothing;
 };
 inline std::vector<Mode> all_modes() {
-  using enum model::Smoothing;
+  using enum input::Smoothing;
   return {{"points", false, none},          {"mixed", true, none},
           {"points strain", false, strain}, {"mixed strain", true, strain},
           {"points stable", false, stable}, {"mixed stable", true, stable}};

@@ -6,20 +6,20 @@
 namespace talus::support {
 
 /// Elastic, saturated, n = 0.4.
-inline model::Material make_wet_soil(double young_modulus = 10e6) {
-  model::Material soil = make_elastic(young_modulus, 0.3, 2650);
+inline input::Material make_wet_soil(double young_modulus = 10e6) {
+  input::Material soil = make_elastic(young_modulus, 0.3, 2650);
   soil.porosity = 0.4;
-  soil.water.retention = model::RetentionCurve::saturated;
+  soil.water.retention = input::RetentionCurve::saturated;
   soil.water.conductivity = 1e-4;
   return soil;
 }
 
-inline model::TimeTable make_constant(double value) {
+inline input::TimeTable make_constant(double value) {
   return {{0.0}, {value}};
 }
 
-inline model::Hydraulic make_hydraulic(const std::string& on, model::WaterCondition condition, double value = 0) {
-  model::Hydraulic h;
+inline input::Hydraulic make_hydraulic(const std::string& on, input::WaterCondition condition, double value = 0) {
+  input::Hydraulic h;
   h.on = on;
   h.condition = condition;
   h.head = h.pressure = h.rate = make_constant(value);

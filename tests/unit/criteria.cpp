@@ -111,7 +111,7 @@ struct IdealSlope {
 };
 
 TEST(FrozenSearch, BracketsTheFactorToTheResolution) {
-  model::FrozenFactor settings;
+  input::FrozenFactor settings;
   for (const double critical : {1.0001, 1.3, 1.4444, 1.77, 1.9999}) {
     IdealSlope slope{critical};
     const MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
@@ -124,7 +124,7 @@ TEST(FrozenSearch, BracketsTheFactorToTheResolution) {
 }
 
 TEST(FrozenSearch, LeavesTheFirstBracketWhenTheFactorIsOutside) {
-  model::FrozenFactor settings;
+  input::FrozenFactor settings;
   for (const double critical : {0.4, 0.95, 2.05, 5.0}) {
     IdealSlope slope{critical};
     const MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));

@@ -11,7 +11,7 @@ namespace talus {
 namespace {
 
 using namespace support;
-using model::WaterCondition;
+using input::WaterCondition;
 
 constexpr double g = 9.81, water_weight = 1000 * g, soil_weight = (0.6 * 2650 + 0.4 * 1000) * g;
 
@@ -28,8 +28,8 @@ mesh::Mesh<2> make_full_box() {
 }
 
 TEST(InitialWater, WaterTableIsAPolylineAndSuctionIsCapped) {
-  model::Case data = make_box_case<2>(make_wet_soil());
-  data.initial.water = {model::InitialPressure::water_table, {{0.5, 1.0}, {1.5, 2.0}}, 12e3};
+  input::Case data = make_box_case<2>(make_wet_soil());
+  data.initial.water = {input::InitialPressure::water_table, {{0.5, 1.0}, {1.5, 2.0}}, 12e3};
   const auto body = analysis::prepare<2>(data, make_full_box());
   for_each_point(body, [&](int, const mpm::PointView<2>& p) {
     const Vec<2> x = find_middle(body.mesh(), p.element);
@@ -39,10 +39,10 @@ TEST(InitialWater, WaterTableIsAPolylineAndSuctionIsCapped) {
 }
 
 TEST(InitialWater, MassOfTheWaterIsThatInThePores) {
-  model::Case data = make_box_case<2>(make_wet_soil());
-  data.materials["soil"].water.retention = model::RetentionCurve::linear;
+  input::Case data = make_box_case<2>(make_wet_soil());
+  data.materials["soil"].water.retention = input::RetentionCurve::linear;
   data.materials["soil"].water.dry_suction = 40e3;
-  data.initial.water = {model::InitialPressure::water_table, {{0, -1.0}}, 20e3};
+  data.initial.water = {input::InitialPressure::water_table, {{0, -1.0}}, 20e3};
   const auto body = analysis::prepare<2>(data, make_full_box());
   for_each_point(body, [&](int, const mpm::PointView<2>& p) {
     const double saturation = 1 - p.pressure / 40e3;
@@ -54,14 +54,14 @@ TEST(InitialWater, MassOfTheWaterIsThatInThePores) {
 
 TEST(InitialWater, SteadySeepageOfStillWaterIsHydrostatic) {
   // By a level over the ground, and by the pressure that it makes below, positive in compression.
-  const std::vector<std::vector<model::Hydraulic>> same{
+  const std::vector<std::vector<input::Hydraulic>> same{
       {make_hydraulic("top", WaterCondition::total_head, 4)},
       {make_hydraulic("top", WaterCondition::no_flow),
        make_hydraulic("bottom", WaterCondition::pressure, 4 * water_weight)}};
   for (const auto& hydraulics : same) {
-    model::Case data = make_box_case<2>(make_wet_soil());
+    input::Case data = make_box_case<2>(make_wet_soil());
     data.hydraulics = hydraulics;
-    data.initial.water.pressure = model::InitialPressure::seepage;
+    data.initial.water.pressure = input::InitialPressure::seepage;
     std::optional<fem::SeepageResult<2>> seepage;
     const auto body = analysis::prepare<2>(data, make_full_box(), 0, &seepage);
     ASSERT_TRUE(seepage);
@@ -74,11 +74,11 @@ TEST(InitialWater, SteadySeepageOfStillWaterIsHydrostatic) {
 
 TEST(InitialWater, SteadySeepageMovesAsDarcySaysAlsoUnderManyG) {
   for (const double times : {1.0, 10.0}) {
-    model::Case data = make_box_case<2>(make_wet_soil());
+    input::Case data = make_box_case<2>(make_wet_soil());
     data.gravity.acceleration = times * g;
     data.hydraulics = {make_hydraulic("top", WaterCondition::total_head, 3),
                        make_hydraulic("bottom", WaterCondition::pressure, 0)};
-    data.initial.water.pressure = model::InitialPressure::seepage;
+    data.initial.water.pressure = input::InitialPressure::seepage;
     const auto body = analysis::prepare<2>(data, make_full_box());
     for_each_point(body, [&](int, const mpm::PointView<2>& p) {
       EXPECT_NEAR(p.pressure, 0, 1e-3) << "a unit gradient of the head";
@@ -88,12 +88,12 @@ TEST(InitialWater, SteadySeepageMovesAsDarcySaysAlsoUnderManyG) {
 }
 
 TEST(InitialWater, DrySoilTakesNoPart) {
-  model::Case data = make_box_case<2>(make_wet_soil());
+  input::Case data = make_box_case<2>(make_wet_soil());
   data.materials["dry"] = make_elastic();
   data.materials["dry"].porosity = 0.3;
   data.regions["berm"] = "dry";
   data.hydraulics = {make_hydraulic("left", WaterCondition::total_head, 1.5)};
-  data.initial.water.pressure = model::InitialPressure::seepage;
+  data.initial.water.pressure = input::InitialPressure::seepage;
   const auto mesh = make_box_mesh<2>(
       {4, 6}, {2, 3}, {"soil", "berm"}, [](const Vec<2>& x) { return x[1] > 2; }, 0);
   const auto body = analysis::prepare<2>(data, mesh);
@@ -112,10 +112,10 @@ TEST(InitialWater, DrySoilTakesNoPart) {
 /// Effective stress under level ground: the weight of soil and water above, less the pressure.
 TEST(InitialStress, IsTheWeightAboveLessThePorePressure) {
   for (const double level : {2.0, 4.0}) {  // in the ground, and one metre of water over it
-    model::Case data = make_box_case<2>(make_wet_soil());
-    data.initial.stress = model::InitialStress::k0;
+    input::Case data = make_box_case<2>(make_wet_soil());
+    data.initial.stress = input::InitialStress::k0;
     data.initial.k0 = 0.5;
-    data.initial.water = {model::InitialPressure::water_table, {{0, level}}};
+    data.initial.water = {input::InitialPressure::water_table, {{0, level}}};
     data.hydraulics = {make_hydraulic("top", WaterCondition::total_head, level)};
     const auto body = analysis::prepare<2>(data, make_full_box());
     for_each_point(body, [&](int, const mpm::PointView<2>& p) {
@@ -129,8 +129,8 @@ TEST(InitialStress, IsTheWeightAboveLessThePorePressure) {
 }
 
 TEST(InitialStress, CarriesPondedWaterInThreeDimensions) {
-  model::Case data = make_box_case<3>(make_wet_soil());
-  data.initial.stress = model::InitialStress::k0;
+  input::Case data = make_box_case<3>(make_wet_soil());
+  data.initial.stress = input::InitialStress::k0;
   data.hydraulics = {make_hydraulic("foot", WaterCondition::total_head, 1.75)};
   const auto body = analysis::prepare<3>(data, make_step_mesh<3>());
   for_each_point(body, [&](int, const mpm::PointView<3>& p) {
@@ -142,9 +142,9 @@ TEST(InitialStress, CarriesPondedWaterInThreeDimensions) {
 }
 
 TEST(InitialWater, LevelsNeedUprightGravity) {
-  model::Case data = make_box_case<2>(make_wet_soil());
+  input::Case data = make_box_case<2>(make_wet_soil());
   data.gravity.direction = {std::sqrt(0.5), -std::sqrt(0.5), 0};
-  data.initial.water = {model::InitialPressure::water_table, {{0, 1}}};
+  data.initial.water = {input::InitialPressure::water_table, {{0, 1}}};
   EXPECT_THROW((void)analysis::prepare<2>(data, make_full_box()), Error);
 }
 

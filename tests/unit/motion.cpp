@@ -9,7 +9,7 @@
 
 #include "analysis/motion.hpp"
 #include "analysis/named_results.hpp"
-#include "model/result_names.hpp"
+#include "input/case/result_names.hpp"
 
 namespace talus::analysis {
 namespace {
@@ -62,7 +62,7 @@ class Motion : public testing::Test {
   json describe() const { return describe_motion(data_, stages_, 4, folder_); }
 
   fs::path folder_;
-  model::Case data_;
+  input::Case data_;
   json stages_ = json::array(
       {{{"name", "weight"}, {"start", 0.0}, {"time", 5.0}}, {{"name", "rain"}, {"start", 5.0}, {"time", 7.0}}});
 };
@@ -103,8 +103,8 @@ TEST_F(Motion, CanBeComparedUnderItsNames) {
   EXPECT_DOUBLE_EQ(*find_result(summary, "onset[toe]"), 0.8);
   EXPECT_FALSE(find_result(summary, "onset[crest]"));
   EXPECT_DOUBLE_EQ(*find_result(summary, "displacement[crest]"), 0.01);
-  for (const char* name : {"onset[toe]", "displacement[crest]"}) EXPECT_TRUE(model::find_result_name(data_, name));
-  EXPECT_FALSE(model::find_result_name(data_, "onset[middle]"));
+  for (const char* name : {"onset[toe]", "displacement[crest]"}) EXPECT_TRUE(input::find_result_name(data_, name));
+  EXPECT_FALSE(input::find_result_name(data_, "onset[middle]"));
 }
 
 }  // namespace

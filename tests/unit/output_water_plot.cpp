@@ -17,21 +17,21 @@ namespace {
 namespace fs = std::filesystem;
 using namespace talus;
 
-model::Material make_loam() {
-  model::Material loam;
-  loam.water.retention = model::RetentionCurve::van_genuchten;
+input::Material make_loam() {
+  input::Material loam;
+  loam.water.retention = input::RetentionCurve::van_genuchten;
   loam.water.minimum_saturation = 0.1;
   loam.water.maximum_saturation = 1;
   loam.water.reference_pressure = 5e3;
   loam.water.lambda = 0.5;
   loam.water.conductivity = 2e-6;
-  loam.water.relative_conductivity = model::ConductivityCurve::mualem;
-  loam.water.measure = model::SaturationShare::effective;
+  loam.water.relative_conductivity = input::ConductivityCurve::mualem;
+  loam.water.measure = input::SaturationShare::effective;
   return loam;
 }
 
-model::Case make_case(const model::Material& material) {
-  model::Case data;
+input::Case make_case(const input::Material& material) {
+  input::Case data;
   data.title = "A slope_with 'odd' {name}";
   data.materials["loam"] = material;
   data.materials["bedrock"] = {};  // dry: not drawn
@@ -70,7 +70,7 @@ TEST(SoilWaterCurves, AreVanGenuchtensOwnFormInSuction) {
 }
 
 TEST(SoilWaterCurves, OfAPermeabilityHaveTheConductivityOfTheWater) {
-  model::Material loam = make_loam();
+  input::Material loam = make_loam();
   loam.water.conductivity.reset();
   loam.water.permeability = 1e-12;
   const output::WaterCurves soil = output::sample_water_curves(make_case(loam)).at(0);
@@ -78,8 +78,8 @@ TEST(SoilWaterCurves, OfAPermeabilityHaveTheConductivityOfTheWater) {
 }
 
 TEST(SoilWaterCurves, HaveAnAxisWithAllPairsOfTheTables) {
-  model::Material loam = make_loam();
-  loam.water.retention = model::RetentionCurve::table;
+  input::Material loam = make_loam();
+  loam.water.retention = input::RetentionCurve::table;
   loam.water.retention_table = {{0, 1}, {3, 0.9}, {2e4, 0.5}, {6e7, 0.1}};
   const output::WaterCurves soil = output::sample_water_curves(make_case(loam)).at(0);
   EXPECT_NEAR(soil.suction.front(), 1, 1e-12);
@@ -87,10 +87,10 @@ TEST(SoilWaterCurves, HaveAnAxisWithAllPairsOfTheTables) {
 }
 
 TEST(SoilWaterCurves, LeaveOutDecadesInWhichNothingHappens) {
-  model::Material loam = make_loam();
-  loam.water.retention = model::RetentionCurve::linear;
+  input::Material loam = make_loam();
+  loam.water.retention = input::RetentionCurve::linear;
   loam.water.dry_suction = 50e3;  // S falls by 0.9/50 per kPa: visible from 1 kPa on, and dry at 50 kPa
-  loam.water.relative_conductivity = model::ConductivityCurve::constant;
+  loam.water.relative_conductivity = input::ConductivityCurve::constant;
   const output::WaterCurves soil = output::sample_water_curves(make_case(loam)).at(0);
   EXPECT_NEAR(soil.suction.front() / 1e2, 1, 1e-12);
   EXPECT_NEAR(soil.suction.back() / 1e5, 1, 1e-12);
@@ -98,10 +98,10 @@ TEST(SoilWaterCurves, LeaveOutDecadesInWhichNothingHappens) {
 }
 
 TEST(SoilWaterCurves, AreTabledInEngineeringUnits) {
-  model::Material loam = make_loam();
-  loam.water.chi = model::BishopChi::khalili_khabbaz;
+  input::Material loam = make_loam();
+  loam.water.chi = input::BishopChi::khalili_khabbaz;
   loam.water.chi_air_entry = 2e3;
-  model::Case data = make_case(loam);
+  input::Case data = make_case(loam);
   data.materials["silt, grey"] = data.materials.at("loam");
   std::istringstream text(output::make_water_table(output::sample_water_curves(data)));
   std::string line;
@@ -144,11 +144,11 @@ class WaterPictures : public testing::Test {
 };
 
 TEST_F(WaterPictures, ShowEverySoilWithItsLaws) {
-  model::Case data = make_case(make_loam());
-  model::Material sand = make_loam();
-  sand.water.retention = model::RetentionCurve::table;
+  input::Case data = make_case(make_loam());
+  input::Material sand = make_loam();
+  sand.water.retention = input::RetentionCurve::table;
   sand.water.retention_table = {{0, 1}, {1e3, 0.9}, {2e4, 0.1}};
-  sand.water.relative_conductivity = model::ConductivityCurve::hillel;
+  sand.water.relative_conductivity = input::ConductivityCurve::hillel;
   sand.water.exponent = 3;
   data.materials["sand_2"] = sand;
   output::draw(output::WaterPlot{data.title, output::sample_water_curves(data)}, folder_ / "water.svg");
@@ -164,9 +164,9 @@ TEST_F(WaterPictures, ShowEverySoilWithItsLaws) {
 
 TEST_F(WaterPictures, HaveAxesThatHoldTheConductivityCurve) {
   for (const double k : {1e-9, 3e-4, 1.0}) {
-    model::Material loam = make_loam();
+    input::Material loam = make_loam();
     loam.water.conductivity = k;
-    loam.water.relative_conductivity = model::ConductivityCurve::hillel;  // falls to S_e^3 of S_e = 5e-4 at 10 MPa
+    loam.water.relative_conductivity = input::ConductivityCurve::hillel;  // falls to S_e^3 of S_e = 5e-4 at 10 MPa
     loam.water.exponent = 3;
     const std::vector<output::WaterCurves> soils = output::sample_water_curves(make_case(loam));
     output::draw(output::WaterPlot{"", soils}, folder_ / "water.svg");

@@ -16,7 +16,7 @@ using analysis::find_depths;
 using analysis::find_ground_cohesion;
 using analysis::find_root_share;
 using analysis::find_roots;
-using model::Roots;
+using input::Roots;
 
 /// Ground of the vegetated slope: crest at y = 5 to x = 3, face down to (7, 1), foot to x = 11; sides of 0.25 m.
 mesh::Mesh<2> make_ground() {
@@ -101,11 +101,11 @@ TEST(RootShare, FollowsTheProfileDownToTheDepth) {
   roots.depth = 0.5;
   for (const double z : {0.0, 0.3, 0.5}) EXPECT_EQ(find_root_share(roots, z, 0), 1);
   EXPECT_EQ(find_root_share(roots, 0.5001, 0), 0);
-  roots.profile = model::RootProfile::exponential;
+  roots.profile = input::RootProfile::exponential;
   roots.decay_depth = 0.2;
   EXPECT_NEAR(find_root_share(roots, 0.4, 0), std::exp(-2.0), 1e-15);
   EXPECT_EQ(find_root_share(roots, 0.6, 0), 0);
-  roots.profile = model::RootProfile::table;
+  roots.profile = input::RootProfile::table;
   roots.depth_table = {{0.1, 1}, {0.3, 0.4}, {0.4, 0.1}};
   EXPECT_NEAR(find_root_share(roots, 0, 0), 1, 1e-15);
   EXPECT_NEAR(find_root_share(roots, 0.25, 0), 0.55, 1e-12);
@@ -141,16 +141,16 @@ TEST(RootAge, GrowsAndDecays) {
 TEST(RootCohesion, OfTheGroundIsGivenOrFromTheBundle) {
   Roots roots;
   EXPECT_FALSE(find_ground_cohesion(roots));
-  roots.bundle = model::RootBundle{model::RootBundleModel::wu_waldron, {1e-3, 5e-3}, {1e-4, 4e-4}, {40e6, 15e6}, 1.2};
+  roots.bundle = input::RootBundle{input::RootBundleModel::wu_waldron, {1e-3, 5e-3}, {1e-4, 4e-4}, {40e6, 15e6}, 1.2};
   EXPECT_NEAR(*find_ground_cohesion(roots), 12e3, 1e-9);
-  roots.bundle->model = model::RootBundleModel::fibre_bundle;
+  roots.bundle->model = input::RootBundleModel::fibre_bundle;
   EXPECT_NEAR(*find_ground_cohesion(roots), 7.2e3, 1e-9);
   roots.cohesion = 5e3;
   EXPECT_EQ(*find_ground_cohesion(roots), 5e3);
 }
 
-model::Material make_soil(model::MaterialModel kind, double content = 0, double cohesion = 0) {
-  model::Material soil;
+input::Material make_soil(input::MaterialModel kind, double content = 0, double cohesion = 0) {
+  input::Material soil;
   soil.model = kind;
   soil.roots.content = content;
   soil.roots.cohesion = cohesion;
@@ -158,13 +158,13 @@ model::Material make_soil(model::MaterialModel kind, double content = 0, double 
 }
 
 TEST(RootsAtPlaces, AddUpWhereBlocksReachAndAreTheMaterialsElsewhere) {
-  model::Case data;
+  input::Case data;
   Roots grass, shrubs, cuttings;
   grass.ground = shrubs.ground = cuttings.ground = "ground";
   grass.depth = 0.3;
   grass.content = 0.5;
   shrubs.depth = 1;
-  shrubs.profile = model::RootProfile::exponential;
+  shrubs.profile = input::RootProfile::exponential;
   shrubs.decay_depth = 0.5;
   shrubs.content = 0.2;
   shrubs.age = 1;
@@ -172,12 +172,12 @@ TEST(RootsAtPlaces, AddUpWhereBlocksReachAndAreTheMaterialsElsewhere) {
   cuttings.depth = 0.6;
   cuttings.cohesion = 4e3;
   data.roots = {grass, shrubs, cuttings};
-  const auto clay = make_soil(model::MaterialModel::rooted_cam_clay, 0.05),
-             sand = make_soil(model::MaterialModel::rooted_mohr_coulomb, 0, 700),
-             bare = make_soil(model::MaterialModel::modified_cam_clay, 0.3),
-             plain = make_soil(model::MaterialModel::mohr_coulomb, 0, 900);
+  const auto clay = make_soil(input::MaterialModel::rooted_cam_clay, 0.05),
+             sand = make_soil(input::MaterialModel::rooted_mohr_coulomb, 0, 700),
+             bare = make_soil(input::MaterialModel::modified_cam_clay, 0.3),
+             plain = make_soil(input::MaterialModel::mohr_coulomb, 0, 900);
   const std::vector<Vec<2>> places{{1, 4.8}, {1, 4.5}, {1, 3.5}, {1, 4.8}, {1, 4.3}, {1, 4.8}, {1, 4.8}, {1, 4.5}};
-  const std::vector<const model::Material*> soils{&clay, &clay, &clay, &sand, &sand, &bare, &plain, &sand};
+  const std::vector<const input::Material*> soils{&clay, &clay, &clay, &sand, &sand, &bare, &plain, &sand};
   const auto roots = find_roots<2>(data, make_ground(), places, soils);
   EXPECT_NEAR(roots[0].content, 0.5 + 0.1 * std::exp(-0.4), 1e-12);  // grass and shrubs of half their age
   EXPECT_NEAR(roots[1].content, 0.1 * std::exp(-1.0), 1e-12);
@@ -191,13 +191,13 @@ TEST(RootsAtPlaces, AddUpWhereBlocksReachAndAreTheMaterialsElsewhere) {
 }
 
 TEST(RootsAtPlaces, LeaveABlockThatOnlyDrinksAside) {
-  model::Case data;
+  input::Case data;
   Roots thirst;
   thirst.ground = "ground";
   thirst.depth = 1;
-  thirst.transpiration = model::Transpiration{};
+  thirst.transpiration = input::Transpiration{};
   data.roots = {thirst};
-  const auto clay = make_soil(model::MaterialModel::rooted_cam_clay, 0.4);
+  const auto clay = make_soil(input::MaterialModel::rooted_cam_clay, 0.4);
   EXPECT_EQ(find_roots<2>(data, make_ground(), {{1, 4.8}}, {&clay})[0].content, 0.4);
 }
 

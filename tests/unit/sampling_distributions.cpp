@@ -12,7 +12,7 @@
 namespace talus::study {
 namespace {
 
-using model::Distribution;
+using input::Distribution;
 using Words = std::array<std::uint32_t, 4>;
 
 Marginal make(Distribution kind, double mean, double deviation) {

@@ -13,7 +13,7 @@
 namespace talus::study {
 namespace {
 
-using model::Distribution;
+using input::Distribution;
 
 Marginal make(Distribution kind, double mean, double deviation) {
   Marginal m;

@@ -9,7 +9,7 @@ namespace talus {
 namespace {
 
 using namespace support;
-using model::WaterCondition;
+using input::WaterCondition;
 
 template <int D>
 const mpm::SurfaceCondition& get_surface(const mpm::Body<D>& body, const std::type_identity_t<Vec<D>>& x) {
@@ -35,15 +35,15 @@ void expect_held(const mpm::Body<2>& body, const Vec<2>& x, const Vec<2>& wanted
   for (std::size_t d = 0; d < 2; ++d) EXPECT_NEAR(held[d], wanted[d], 1e-9) << x[0] << ", " << x[1];
 }
 
-mpm::Body<2> prepare_step(const std::vector<model::Hydraulic>& hydraulics) {
-  model::Case data = make_box_case<2>(make_wet_soil());
+mpm::Body<2> prepare_step(const std::vector<input::Hydraulic>& hydraulics) {
+  input::Case data = make_box_case<2>(make_wet_soil());
   data.hydraulics = hydraulics;
   return analysis::prepare<2>(data, make_step_mesh<2>());
 }
 
 TEST(WaterConditions, RollersHoldTheWaterAndFixedSoilHoldsItAlongTheNormalOnly) {
-  model::Case data = make_box_case<2>(make_wet_soil());
-  for (model::Boundary& b : data.boundaries) b.fix = b.on == "bottom" ? model::Fix::full : b.fix;
+  input::Case data = make_box_case<2>(make_wet_soil());
+  for (input::Boundary& b : data.boundaries) b.fix = b.on == "bottom" ? input::Fix::full : b.fix;
   const auto body = analysis::prepare<2>(data, make_step_mesh<2>());
   expect_held(body, {0, 1}, {1, 0});
   expect_held(body, {2, 0}, {0, 1});
@@ -89,7 +89,7 @@ TEST(WaterConditions, FollowTheNearestGround) {
 }
 
 TEST(WaterConditions, FollowTheNearestGroundInThreeDimensions) {
-  model::Case data = make_box_case<3>(make_wet_soil());
+  input::Case data = make_box_case<3>(make_wet_soil());
   data.hydraulics = {make_hydraulic("crest", WaterCondition::rain, 1e-6),
                      make_hydraulic("foot", WaterCondition::total_head, 1.4)};
   const auto body = analysis::prepare<3>(data, make_step_mesh<3>());
@@ -110,7 +110,7 @@ TEST(WaterConditions, AnInclinedImpermeableLineHoldsTheWaterAcrossIt) {
   const bool rising = !mesh.sides["clay"].empty();
   if (!rising) name_line<2>(mesh, "clay", other);
   ASSERT_FALSE(mesh.sides["clay"].empty());
-  model::Case data = make_box_case<2>(make_wet_soil());
+  input::Case data = make_box_case<2>(make_wet_soil());
   data.hydraulics = {make_hydraulic("clay", WaterCondition::no_flow)};
   const auto body = analysis::prepare<2>(data, mesh);
   expect_held(body, rising ? Vec<2>{1, 1} : Vec<2>{1, 0.5}, {std::sqrt(0.5), std::sqrt(0.5)});
@@ -125,7 +125,7 @@ TEST(WaterConditions, PressuresChangeTheirSign) {
 TEST(WaterConditions, RainThatMeetsNoWaterIsAFault) {
   mesh::Mesh<2> mesh = make_step_mesh<2>();
   name_line<2>(mesh, "inside", [](const Vec<2>& x) { return std::abs(x[1] - 0.5) < 1e-9; });
-  model::Case data = make_box_case<2>(make_wet_soil());
+  input::Case data = make_box_case<2>(make_wet_soil());
   data.hydraulics = {make_hydraulic("inside", WaterCondition::rain, 1e-6)};
   try {
     (void)analysis::prepare<2>(data, mesh);

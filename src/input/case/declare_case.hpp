@@ -1,0 +1,70 @@
+#pragma once
+// The whole case file: the blocks in the order of the manual.
+
+#include "input/case/declare_analysis.hpp"
+#include "input/case/declare_boundary.hpp"
+#include "input/case/declare_calibration.hpp"
+#include "input/case/declare_finite_elements.hpp"
+#include "input/case/declare_geometry.hpp"
+#include "input/case/declare_limit_equilibrium.hpp"
+#include "input/case/declare_material.hpp"
+#include "input/case/declare_mesh.hpp"
+#include "input/case/declare_output.hpp"
+#include "input/case/declare_point_test.hpp"
+#include "input/case/declare_report.hpp"
+#include "input/case/declare_roots.hpp"
+#include "input/case/declare_stage.hpp"
+#include "input/case/declare_start.hpp"
+#include "input/case/declare_water.hpp"
+
+namespace talus::input {
+
+/// What a visitor offers: `key` for one value, `table` for a block, `tables` for a list of blocks (and how many of them
+/// the template shows), `named` for blocks with names of the user's choice, `entries` for single values with such
+/// names (both with a sample name). Within a block, keys come before blocks, and a key that a condition names comes
+/// before the key with the condition.
+template <class Visitor>
+void describe(Visitor& v, Case& c) {
+  v.key("title", c.title, plain().example(R"("Dry homogeneous slope")"), "Title of the case in reports and plots.");
+  v.table("project", c.project, "The title block of the report.");
+  v.table("geometry", GeometryBlock{c.mesh}, "The section: regions of soil in a background box.");
+  v.table("mesh", MeshBlock{c}, "The background mesh and the material points in it.");
+  v.named("materials", c.materials, "sand", "A material, under a name of your choice.");
+  v.entries("regions", c.regions, "soil", 1, plain().required().example(R"("sand")"), "Material of a region.");
+  v.tables("boundary", c.boundaries, 3, "What holds or moves a side or a line. Sides without one are free.");
+  v.tables("traction", c.tractions, 0, "A load on a side or a line.");
+  v.table("water", c.water, "The pore water, for soils that have any.");
+  v.tables(
+      "hydraulic", c.hydraulics, 0,
+      "What pore water meets on a side or a line. Without one, sides that a [[boundary]] holds let no water pass, and "
+      "the rest of the surface is a seepage face.");
+  v.tables("roots", c.roots, 0,
+           "Roots under a named line of the ground, as a function of depth. Several blocks add up. Where none reaches, "
+           "the content or cohesion of the material counts.");
+  v.table("gravity", c.gravity, "Gravity.");
+  v.table("initial", c.initial, "The state at the start.");
+  v.tables("stage", c.stages, 1, "A stretch of time. Stages follow one another; at least one is needed.");
+  v.table("rest", c.rest, "When the soil counts as being at rest, for stages with until = \"rest\".");
+  v.table("analysis", AnalysisBlock{c.analysis, c.methods}, "What is calculated.");
+  v.table("strength_reduction", c.strength_reduction, "How the material point method finds the factor of safety.");
+  v.table("lem", c.lem, "Limit equilibrium: the methods of slices, and the search for the critical slip surface.");
+  v.table("fem", c.fem,
+          "Strength reduction by quadratic finite elements at small strain. Where there is no [[boundary]] (and no "
+          "\"mpm\" among the methods), the bottom of the section is held, and its other sides slide along themselves.");
+  v.tables("surcharge", c.surcharges, 0,
+           "A vertical load on the ground, for slices and finite elements. A vertical [[traction]] on a line of the "
+           "ground is taken by all methods.");
+  v.table("earthquake", c.earthquake, "A pseudo-static acceleration, for slices and finite elements.");
+  v.table("partial_factors", c.partial_factors,
+          "Partial factors of Eurocode 7: the factor of safety becomes the degree of over-design, which is to be at "
+          "least 1.");
+  v.table("output", c.output, "What is stored, and the units of tables and plots.");
+  v.tables("compare", c.compare, 0, "A published or measured value that a result is held against in the report.");
+  v.tables("test", c.tests, 0, "An element test: one point of soil without a mesh, for `talus point`.");
+  v.optional_table("calibration", c.calibration,
+                   "What `talus calibrate` fits: numbers of the materials, and the measured curves that the element "
+                   "tests are to meet.");
+  v.table("study", c.study, "What `talus study` varies.");
+}
+
+}  // namespace talus::input

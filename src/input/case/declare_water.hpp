@@ -1,0 +1,187 @@
+#pragma once
+// [water], [materials.NAME.water] and [[hydraulic]]: pore water, what soils do with it, and what it meets at the
+// border.
+
+#include "input/case/case.hpp"
+#include "input/language/codec_series.hpp"
+
+namespace talus::input {
+
+template <>
+inline constexpr auto choices<RetentionCurve> = std::array{
+    Choice{RetentionCurve::dry, "dry", "the soil has no pore water"},
+    Choice{RetentionCurve::saturated, "saturated", "it stays saturated whatever the suction"},
+    Choice{RetentionCurve::van_genuchten, "van_genuchten", "S_min + (S_max - S_min)[1 + (s/p_ref)^(1/(1-λ))]^(-λ)"},
+    Choice{RetentionCurve::linear, "linear", "a straight line from S_max to S_min"},
+    Choice{RetentionCurve::exponential, "exponential", "S_min + (S_max - S_min)exp(-αs), after Gardner"},
+    Choice{RetentionCurve::table, "table", "measured pairs, joined by monotone cubics"},
+};
+template <>
+inline constexpr auto choices<ConductivityCurve> = std::array{
+    Choice{ConductivityCurve::constant, "constant", "that of the saturated soil at any suction"},
+    Choice{ConductivityCurve::mualem, "mualem", "√X[1 - (1 - X^(1/λ))^λ]² of it"},
+    Choice{ConductivityCurve::hillel, "hillel", "X^r of it"},
+    Choice{ConductivityCurve::exponential, "exponential", "exp(-αs) of it, after Gardner"},
+    Choice{ConductivityCurve::table, "table", "measured pairs, their logarithms joined by monotone cubics"},
+};
+template <>
+inline constexpr auto choices<SaturationShare> = std::array{
+    Choice{SaturationShare::total, "total", "the degree of saturation S"},
+    Choice{SaturationShare::effective, "effective", "the effective one, (S - S_min)/(S_max - S_min)"},
+};
+template <>
+inline constexpr auto choices<BishopChi> = std::array{
+    Choice{BishopChi::saturation, "saturation", "χ = S"},
+    Choice{BishopChi::khalili_khabbaz, "khalili_khabbaz", "χ = (s/s_e)^(-0.55) above the air entry s_e, 1 below"},
+};
+template <>
+inline constexpr auto choices<WaterCondition> = std::array{
+    Choice{WaterCondition::total_head, "total_head", "standing water up to a level, and a seepage face above it"},
+    Choice{WaterCondition::pressure, "pressure", "the pore pressure is given"},
+    Choice{WaterCondition::seepage_face, "seepage_face", "water may leave at zero pressure, none enters"},
+    Choice{WaterCondition::rain, "rain", "this much is offered; what does not enter runs off. Negative: evaporation"},
+    Choice{WaterCondition::flux, "flux", "this much enters whatever the pressure. Negative: it is pumped out"},
+    Choice{WaterCondition::no_flow, "no_flow", "no water passes"},
+};
+template <>
+inline constexpr auto choices<SeriesShape> = std::array{
+    Choice{SeriesShape::linear, "linear", "straight lines between the rows; two rows at one time are a jump"},
+    Choice{SeriesShape::steps, "steps", "each value holds until the time of the next row, as in a hyetograph"},
+};
+template <>
+inline constexpr auto choices<RainDirection> = std::array{
+    Choice{RainDirection::vertical, "vertical", "an intensity on the horizontal, as rain gauges measure it"},
+    Choice{RainDirection::normal, "normal", "an intensity on the inclined surface itself"},
+};
+
+template <class Visitor>
+void describe(Visitor& v, Water& w) {
+  v.key("density", w.density, quantity("kg/m3").above(0), "Density of the water at zero pressure.");
+  v.key("bulk_modulus", w.bulk_modulus, quantity("kPa").above(0).or_infinite(),
+        "Bulk modulus of the water. A softer one makes the time step longer; the undrained response suffers.");
+  v.key("viscosity", w.viscosity, quantity("Pa.s").above(0),
+        "Dynamic viscosity; it turns a permeability into a conductivity.");
+  v.key("drag_gravity", w.drag_gravity, quantity("m/s2").above(0),
+        "Acceleration of gravity at which conductivities were measured. In a centrifuge model it stays 9.81 when they "
+        "were measured at rest.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, PoreWater& w) {
+  using R = RetentionCurve;
+  using K = ConductivityCurve;
+  v.key("retention", w.retention, plain().example(R"("van_genuchten")"), "How the saturation follows the suction s.");
+  v.key("relative_conductivity", w.relative_conductivity,
+        plain().allowed_unless("retention", w.retention, R::dry).example(R"("mualem")"),
+        "How the conductivity follows the suction s or the saturation X.");
+  v.key("minimum_saturation", w.minimum_saturation,
+        plain()
+            .at_least(0)
+            .below(1)
+            .allowed_with("retention", w.retention, R::van_genuchten)
+            .or_with("retention", w.retention, R::linear)
+            .or_with("retention", w.retention, R::exponential)
+            .example("0.15"),
+        "Saturation S_min of the driest soil. A table has its own.");
+  v.key("maximum_saturation", w.maximum_saturation,
+        plain()
+            .above(0)
+            .at_most(1)
+            .allowed_with("retention", w.retention, R::saturated)
+            .or_with("retention", w.retention, R::van_genuchten)
+            .or_with("retention", w.retention, R::linear)
+            .or_with("retention", w.retention, R::exponential),
+        "Saturation S_max below the water table. A table has its own.");
+  v.key("reference_pressure", w.reference_pressure,
+        quantity("kPa").above(0).needed_with("retention", w.retention, R::van_genuchten).example("6.13"),
+        "p_ref of van Genuchten's curve.");
+  v.key("lambda", w.lambda,
+        plain()
+            .above(0)
+            .below(1)
+            .needed_with("retention", w.retention, R::van_genuchten)
+            .or_with("relative_conductivity", w.relative_conductivity, K::mualem)
+            .example("0.27"),
+        "λ of van Genuchten's curve (called m by others) and of Mualem's conductivity.");
+  v.key("dry_suction", w.dry_suction,
+        quantity("kPa").above(0).needed_with("retention", w.retention, R::linear).example("100"),
+        "Suction at which the straight line reaches S_min.");
+  v.key(
+      "decay", w.decay,
+      quantity("kPa-1")
+          .above(0)
+          .needed_with("retention", w.retention, R::exponential)
+          .or_with("relative_conductivity", w.relative_conductivity, K::exponential)
+          .example("0.1"),
+      "α of the exponential laws: one over the suction at which they have fallen to 37 %. Tables of others give it per "
+      "metre of head; divide that by the unit weight of water.");
+  SuctionCurve retention{w.retention_table}, conductivity{w.conductivity_table};
+  v.key("retention_table", retention,
+        quantity("kPa")
+            .at_least(0)
+            .needed_with("retention", w.retention, R::table)
+            .example(R"([[0, 1], ["10 kPa", 0.8], [100, 0.3]])"),
+        "Suctions and saturations; constant beyond the ends.");
+  v.key("conductivity", w.conductivity,
+        quantity("m/s").above(0).allowed_unless("retention", w.retention, R::dry).example("1e-5"),
+        "Conductivity of the saturated soil. Either this or `permeability` is needed.");
+  v.key("permeability", w.permeability,
+        quantity("m2").above(0).allowed_unless("retention", w.retention, R::dry).example("6e-11"),
+        "Intrinsic permeability instead; the conductivity is density · gravity · permeability/viscosity.");
+  v.key("measure", w.measure,
+        plain()
+            .allowed_with("relative_conductivity", w.relative_conductivity, K::mualem)
+            .or_with("relative_conductivity", w.relative_conductivity, K::hillel),
+        "The saturation X of the relative conductivity.");
+  v.key("exponent", w.exponent,
+        plain().at_least(0).needed_with("relative_conductivity", w.relative_conductivity, K::hillel).example("3"),
+        "r of Hillel's conductivity.");
+  v.key("air_entry", w.air_entry,
+        quantity("kPa").above(0).allowed_with("relative_conductivity", w.relative_conductivity, K::mualem).example("2"),
+        "Mualem's conductivity falls from this suction on only; without it, it falls with infinite slope for λ < 1/2.");
+  v.key("conductivity_table", conductivity,
+        quantity("kPa")
+            .at_least(0)
+            .needed_with("relative_conductivity", w.relative_conductivity, K::table)
+            .example(R"([[0, 1], ["10 kPa", 0.1], [100, 1e-4]])"),
+        "Suctions and relative conductivities, which lie above 0; constant beyond the ends.");
+  v.key("chi", w.chi, plain().allowed_unless("retention", w.retention, R::dry),
+        "χ of Bishop's effective stress: this share of the pore pressure acts between the grains.");
+  v.key("chi_air_entry", w.chi_air_entry,
+        quantity("kPa").above(0).needed_with("chi", w.chi, BishopChi::khalili_khabbaz).example("5"),
+        "Air entry s_e of Khalili and Khabbaz.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Hydraulic& h) {
+  using C = WaterCondition;
+  v.key("on", h.on, plain().required().example(R"("crest")"),
+        "A side of the box or a named line, as in [[boundary]]. One on the surface of the soil goes with it.");
+  v.key("condition", h.condition, plain().required().example(R"("rain")"), "What water meets there.");
+  Series head{h.head}, pressure{h.pressure}, rate{h.rate};
+  v.key("head", head, quantity("m").needed_with("condition", h.condition, C::total_head).example("10"),
+        "Level of the water, or rows of time and level.");
+  v.key("pressure", pressure, quantity("kPa").needed_with("condition", h.condition, C::pressure).example("-20"),
+        "Pore pressure, positive in compression: suction is negative. Or rows of time and pressure.");
+  v.key("rate", rate,
+        quantity("mm/h")
+            .needed_with("condition", h.condition, C::rain)
+            .or_with("condition", h.condition, C::flux)
+            .example(R"([[0, "20 mm/h"], ["6 h", 5], ["12 h", 0]])"),
+        "Water that is offered or enters, per area, or rows of time and rate. A plain number is in mm/h for a flux as "
+        "well; write \"1e-6 m/s\" where that is handier.");
+  v.key("series", h.series,
+        plain()
+            .allowed_with("condition", h.condition, C::total_head)
+            .or_with("condition", h.condition, C::pressure)
+            .or_with("condition", h.condition, C::rain)
+            .or_with("condition", h.condition, C::flux)
+            .example(R"("steps")"),
+        "How rows of time are joined. The value is constant before the first and after the last.");
+  v.key("rain", h.rain, plain().allowed_with("condition", h.condition, C::rain), "How the rate is measured.");
+  v.key("suction_limit", h.suction_limit,
+        quantity("kPa").above(0).or_infinite().allowed_with("condition", h.condition, C::rain),
+        "Suction at the surface where evaporation ends.");
+}
+
+}  // namespace talus::input

@@ -1,0 +1,54 @@
+#pragma once
+// Names of the numbers that a case yields: what [[compare]] may name, and how `results` of summary.json is labelled.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/case/case.hpp"
+
+namespace talus::input {
+
+/// A result before it is known.
+struct ResultName {
+  std::string name;   ///< "runout[1.75].moved_volume"
+  std::string title;  ///< "moved volume, runout at SRF 1.75"
+  std::string unit;   ///< SI, as UDUNITS writes it; empty for a plain number
+};
+
+/// The stage at whose start the clock of onset and sections is zero; nullptr for a case without stages.
+const Stage* find_clock_stage(const Case& data);
+
+/// All results that the case yields, in the order of the report, without those of single trials of the curve.
+std::vector<ResultName> list_result_names(const Case& data);
+
+/// The factor of "curve.displacement[1.45]"; nothing for another name.
+std::optional<double> find_trial_factor(const std::string& name);
+
+/// A result of an element test: "test[cell 100].q[0.1]", of the row at axial strain 0.1 (of simple shear: shear
+/// strain), "test[cell 100].q" of the last row, "test[cell 100].peak_q".
+struct PointResultName {
+  std::string test, quantity;
+  std::optional<double> strain;
+};
+
+/// Nothing for another name.
+std::optional<PointResultName> find_point_result_name(const std::string& name);
+
+/// The result called `name`, also of a trial of the curve; nothing when the case does not yield it.
+std::optional<ResultName> find_result_name(const Case& data, const std::string& name);
+
+/// The result called `name` of the same case when it is asked for more: a [[compare]] stays right when --set or a study
+/// leaves a calculation out. Nothing when no such case yields it.
+std::optional<ResultName> find_possible_name(const Case& data, const std::string& name);
+
+/// `amount` in SI. A plain number is SI already.
+double to_si(const Amount& amount);
+
+/// Whether a tolerance is in per cent of the value.
+bool is_relative(const Amount& tolerance);
+
+/// Largest difference [SI] that `compare` lets pass: per cent are those of its value, a plain number is in its unit.
+double find_tolerance(const Compare& compare);
+
+}  // namespace talus::input

@@ -1,0 +1,156 @@
+#include "input/case/uncertain_number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/units.hpp"
+#include "input/case/number_keys.hpp"
+
+namespace talus::input {
+namespace {
+
+using nlohmann::json;
+
+[[noreturn]] void fail(const std::string& sentence) {
+  throw Error(ExitCode::wrong_input, sentence);
+}
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> steps(1);
+  for (const char c : path) {
+    if (c == '.')
+      steps.emplace_back();
+    else
+      steps.back() += c;
+  }
+  return steps;
+}
+
+std::optional<std::size_t> read_index(const std::string& step, std::size_t size) {
+  std::size_t number = 0;
+  const auto [end, failure] = std::from_chars(step.data(), step.data() + step.size(), number);
+  const bool is_number = failure == std::errc{} && end == step.data() + step.size();
+  return is_number && number < size ? std::optional(number) : std::nullopt;
+}
+
+/// The entry of a list of blocks that --set would mean by `step`; nullptr when there is none.
+const json* find_block(const json& list, const std::string& step) {
+  if (const auto index = read_index(step, list.size())) return &list[*index];
+  for (const json& block : list)
+    for (const char* label : {"name", "on", "ground"})
+      if (block.contains(label) && block[label].value("value", json()) == step) return &block;
+  return nullptr;
+}
+
+/// A TOML text in `unit`.
+double read_value(const std::string& text, const std::string& unit, const std::string& key, const char* what) {
+  const json value = json::parse(text, nullptr, false);
+  if (value.is_number()) return value.get<double>();
+  if (!value.is_string()) fail(fmt::format("'{}' of '{}' is no number: {}", what, key, text));
+  const double si = units::parse_as_si(value.get<std::string>(), unit, what);
+  return si / (unit.empty() ? 1.0 : units::get_si_factor(unit));
+}
+
+/// What the range of a material's key allows; a sample beyond it would be no case.
+void cut_at_range(UncertainNumber& u, const Case& data) {
+  const std::vector<std::string> steps = split(u.key);
+  if (steps.size() < 3 || steps[0] != "materials" || data.materials.count(steps[1]) == 0) return;
+  const auto key = find_number_key(data.materials.at(steps[1]), u.key.substr(steps[0].size() + steps[1].size() + 2));
+  if (!key) return;
+  if (key->spec.low) u.lowest = std::max(u.lowest, key->spec.low->value);
+  if (key->spec.high) u.highest = std::min(u.highest, key->spec.high->value);
+}
+
+void check(const UncertainNumber& u) {
+  switch (u.distribution) {
+    case Distribution::lognormal:
+      if (u.mean <= 0)
+        fail(fmt::format("the mean of '{}' is {:g}; a lognormal number has a mean above 0", u.key, u.mean));
+      [[fallthrough]];
+    case Distribution::normal:
+      if (!(u.deviation > 0))
+        fail(fmt::format("the deviation of '{}' is {:g}; an uncertain number has one above 0", u.key, u.deviation));
+      if (u.mean < u.lowest || u.mean > u.highest)
+        fail(fmt::format("the mean of '{}' is {:g}, which is not between its limits {:g} and {:g}", u.key, u.mean,
+                         u.lowest, u.highest));
+      break;
+    case Distribution::triangular:
+      if (u.mode < u.lowest || u.mode > u.highest)
+        fail(fmt::format("the mode of '{}' is {:g}, which is not between lowest and highest, {:g} and {:g}", u.key,
+                         u.mode, u.lowest, u.highest));
+      break;
+    case Distribution::uniform:
+      break;
+  }
+  if (!(u.lowest < u.highest))
+    fail(fmt::format("'lowest' of '{}' is {:g} and 'highest' is {:g}; the lowest value is the smaller one", u.key,
+                     u.lowest, u.highest));
+}
+
+}  // namespace
+
+EchoedNumber find_number(const json& echo, const std::string& key) {
+  const json* at = &echo;
+  std::string unit;
+  for (const std::string& step : split(key)) {
+    const json* next = nullptr;
+    if (at->is_object() && at->contains("given") && at->contains("value")) {
+      unit = at->value("unit", "");
+      at = &(*at)["value"];
+    }
+    if (at->is_object() && at->contains(step))
+      next = &(*at)[step];
+    else if (at->is_array())
+      next = find_block(*at, step);
+    if (next == nullptr) fail(fmt::format("the case has no number '{}'", key));
+    at = next;
+  }
+  if (at->is_object() && at->contains("given") && at->contains("value")) {
+    unit = at->value("unit", "");
+    at = &(*at)["value"];
+  }
+  if (!at->is_number() && !at->is_null()) fail(fmt::format("'{}' holds no number that could be uncertain", key));
+  return {unit, at->is_number() ? std::optional(at->get<double>()) : std::nullopt};
+}
+
+UncertainNumber resolve(const RandomNumber& number, const Case& data, const json& echo) {
+  const EchoedNumber own = find_number(echo, number.key);
+  UncertainNumber u;
+  u.key = number.key;
+  u.unit = own.unit;
+  u.distribution = number.distribution;
+  const auto read = [&](const std::string& text, const char* what) {
+    return read_value(text, own.unit, number.key, what);
+  };
+  const auto take = [&](const std::string& text, const char* what) {
+    if (!text.empty()) return read(text, what);
+    if (!own.value) fail(fmt::format("'{}' has no value in the case; give its '{}'", number.key, what));
+    return *own.value;
+  };
+  const bool is_bounded =
+      number.distribution == Distribution::triangular || number.distribution == Distribution::uniform;
+  if (is_bounded && (number.lowest.empty() || number.highest.empty()))
+    fail(fmt::format("'{}' has no '{}', which this distribution needs", number.key,
+                     number.lowest.empty() ? "lowest" : "highest"));
+  if (!number.lowest.empty()) u.lowest = read(number.lowest, "lowest");
+  if (!number.highest.empty()) u.highest = read(number.highest, "highest");
+  if (is_bounded) {
+    if (number.distribution == Distribution::triangular) u.mode = take(number.mode, "mode");
+  } else {
+    u.mean = take(number.mean, "mean");
+    if (number.deviation.empty() == !number.variation)
+      fail(fmt::format("'{}' has {}; give one of 'deviation' and 'variation'", number.key,
+                       number.variation ? "a deviation and a variation" : "no deviation"));
+    u.deviation = number.variation ? *number.variation * std::abs(u.mean) : read(number.deviation, "deviation");
+    cut_at_range(u, data);
+  }
+  check(u);
+  return u;
+}
+
+}  // namespace talus::input

@@ -1,0 +1,37 @@
+#pragma once
+// The uncertain numbers of a study in figures: a [[study.random]] held against the case that it is of.
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "input/case/case.hpp"
+
+namespace talus::input {
+
+/// A number of the case file.
+struct EchoedNumber {
+  std::string unit;             ///< of the manual; empty: dimensionless
+  std::optional<double> value;  ///< in that unit; nothing where the key is not given and has no default
+};
+
+/// The number that a dotted path names in the echo of a case; list entries by their name, side or number from 0. Throws
+/// Error (wrong_input) with one sentence when there is no such key, or it holds no number.
+EchoedNumber find_number(const nlohmann::json& echo, const std::string& key);
+
+/// A [[study.random]] in figures, all in `unit`. What it does not give is that of the case, or infinite.
+struct UncertainNumber {
+  std::string key, unit;
+  Distribution distribution = Distribution::normal;
+  double mean = 0, deviation = 0;                            ///< normal and lognormal
+  double mode = 0;                                           ///< triangular
+  double lowest = -std::numeric_limits<double>::infinity();  ///< also where the range of a material's key ends
+  double highest = std::numeric_limits<double>::infinity();
+};
+
+/// Throws Error (wrong_input) with one sentence when a value is missing, has another dimension, or does not fit the
+/// distribution.
+UncertainNumber resolve(const RandomNumber& number, const Case& data, const nlohmann::json& echo);
+
+}  // namespace talus::input

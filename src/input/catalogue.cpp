@@ -1,0 +1,109 @@
+#include "input/catalogue.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+
+#include "input/case/declare_case.hpp"
+#include "input/language/codec_list.hpp"
+
+namespace talus::input {
+namespace {
+
+constexpr std::string_view within_name = ".NAME.";  ///< in the name of a block within a block of the user's name
+
+/// The visitor that collects the declarations; defaults are what a default-constructed struct holds.
+class Collector {
+ public:
+  explicit Collector(BlockEntry& block) : block_(block) {}
+
+  template <class T>
+  void key(const std::string& name, T&& member, const Spec& spec, const char* meaning) {
+    using Value = std::remove_cvref_t<T>;
+    KeyEntry entry{name, spec, Codec<Value>::name(spec), meaning, "", {}, Codec<Value>::schema(spec)};
+    const bool must_be_given = spec.may_be_required();
+    const nlohmann::json value = Codec<Value>::encode(member, spec);
+    if (!must_be_given && !value.is_null()) entry.default_text = write_toml(value);
+    if constexpr (std::is_enum_v<WordOf<Value>>)
+      for (const auto& choice : choices<WordOf<Value>>) entry.words.emplace_back(choice.word, choice.meaning);
+    block_.keys.push_back(std::move(entry));
+  }
+
+  template <class T>
+  void table(const std::string& name, T&& block, const char* meaning) {
+    collect(add(BlockKind::table, name, "", 1, meaning), block);
+  }
+
+  template <class T>
+  void optional_table(const std::string& name, std::optional<T>&, const char* meaning) {
+    T block{};
+    collect(add(BlockKind::table, name, "", 0, meaning), block);
+  }
+
+  template <class T>
+  void tables(const std::string& name, std::vector<T>&, int samples, const char* meaning) {
+    T block{};
+    collect(add(BlockKind::list, name, "", samples, meaning), block);
+  }
+
+  template <class T>
+  void named(const std::string& name, std::map<std::string, T>&, const char* sample, const char* meaning) {
+    T block{};
+    collect(add(BlockKind::named, name, sample, 1, meaning), block);
+  }
+
+  template <class T>
+  void entries(const std::string& name, std::map<std::string, T>&, const char* sample, int samples, const Spec& spec,
+               const char* meaning) {
+    T value{};
+    BlockEntry entry = add(BlockKind::entries, name, sample, samples, meaning);
+    Collector(entry).key("NAME", value, spec, meaning);
+    block_.blocks.push_back(std::move(entry));
+  }
+
+ private:
+  BlockEntry add(BlockKind kind, const std::string& name, const char* sample, int samples, const char* meaning) const {
+    const std::string within = block_.kind == BlockKind::named ? block_.name + ".NAME" : block_.name;
+    // The name of the user's choice goes on into the blocks within.
+    const bool goes_on = block_.name.find(".NAME") != std::string::npos || block_.kind == BlockKind::named;
+    return {kind, name, within.empty() ? name : within + "." + name, goes_on ? block_.sample : sample, samples, meaning,
+            {},   {}};
+  }
+
+  template <class T>
+  void collect(BlockEntry entry, T& block) {
+    Collector inner(entry);
+    describe(inner, block);
+    block_.blocks.push_back(std::move(entry));
+  }
+
+  BlockEntry& block_;
+};
+
+}  // namespace
+
+const std::string& KeyEntry::get_example(std::size_t i) const {
+  return spec.examples.empty() ? default_text : spec.examples[std::min(i, spec.examples.size() - 1)];
+}
+
+std::string BlockEntry::write_header(const std::string& chosen_name) const {
+  if (const auto at = name.find(within_name); at != std::string::npos) {
+    std::string chosen = name;
+    return "[" + chosen.replace(at + 1, within_name.size() - 2, chosen_name) + "]";
+  }
+  if (kind == BlockKind::list) return "[[" + name + "]]";
+  if (kind == BlockKind::named) return "[" + name + "." + chosen_name + "]";
+  return "[" + name + "]";
+}
+
+BlockEntry collect_catalogue() {
+  BlockEntry root;
+  Case data;
+  Collector visitor(root);
+  describe(visitor, data);
+  return root;
+}
+
+}  // namespace talus::input

@@ -1,0 +1,386 @@
+#include "input/language/codec.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "base/nearest.hpp"
+#include "base/units.hpp"
+
+namespace talus::input {
+namespace {
+
+using nlohmann::json;
+
+std::string name_type(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "a truth value";
+    default:
+      return "a date or time";
+  }
+}
+
+std::string write_item_path(const std::string& path, std::size_t i) {
+  return path + "." + std::to_string(i);
+}
+
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string write_unit(const Spec& spec) {
+  return spec.unit.empty() ? "" : " [" + spec.unit + "]";
+}
+
+/// A list that must have from `least` to `most` entries; nullptr and a finding when it has not.
+const toml::array* find_list(const Decoding& in, const toml::node& node, const std::string& path, std::size_t least,
+                             std::size_t most, const std::string& wanted) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->size() < least || list->size() > most) {
+    in.fail_type(node, path, wanted);
+    return nullptr;
+  }
+  return list;
+}
+
+bool decode_point(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 2>& out) {
+  std::vector<double> xy;
+  if (!decode_numbers(in, node, path, 2, 2, "points [x, y]", xy)) return false;
+  in.record(node, path);
+  out = {xy[0], xy[1]};
+  return true;
+}
+
+}  // namespace
+
+bool Decoding::fail(const toml::node& node, const std::string& path, const std::string& sentence) const {
+  const toml::source_position at = node.source().begin;
+  findings.add_at(findings.places.locate(path, static_cast<int>(at.line), static_cast<int>(at.column)), path, sentence);
+  return false;
+}
+
+bool Decoding::fail_type(const toml::node& node, const std::string& path, const std::string& wanted) const {
+  const toml::array* list = node.as_array();
+  const std::string given = list == nullptr ? name_type(node) : fmt::format("a list of {}", list->size());
+  return fail(node, path, fmt::format("'{}' must be {}, not {}", key, wanted, given));
+}
+
+void Decoding::record(const toml::node& node, const std::string& path) const {
+  const toml::source_position at = node.source().begin;
+  findings.places.record(path, static_cast<int>(at.line), static_cast<int>(at.column));
+}
+
+std::string write_toml(const json& value) {
+  if (value.is_number_float()) return fmt::format("{:.15g}", value.get<double>());
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const json& item : value) text += (text.empty() ? "" : ", ") + write_toml(item);
+  return "[" + text + "]";
+}
+
+std::string write_toml(const toml::node& node) {
+  if (const auto* text = node.as_string()) return json(text->get()).dump();
+  if (const auto* number = node.as_floating_point()) {
+    std::string text = fmt::format("{}", number->get());
+    return text.find_first_of(".einf") == std::string::npos ? text + ".0" : text;
+  }
+  if (const auto* list = node.as_array()) {
+    std::string text;
+    for (const toml::node& item : *list) text += (text.empty() ? "" : ", ") + write_toml(item);
+    return "[" + text + "]";
+  }
+  if (const auto* table = node.as_table()) {
+    std::string text;
+    for (const auto& [key, item] : *table)
+      text += (text.empty() ? "" : ", ") + json(std::string(key.str())).dump() + " = " + write_toml(item);
+    return "{ " + text + " }";
+  }
+  if (const auto* number = node.as_integer()) return std::to_string(number->get());
+  if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
+  return "";
+}
+
+bool decode_number(const Decoding& in, const toml::node& node, const std::string& path, double& out) {
+  const std::string& unit = in.spec.unit;
+  double value = 0;
+  double shown = 0;  // in the unit of the manual, as the range
+  if (const auto number = node.value<double>(); number && !node.is_boolean()) {
+    shown = *number;
+    if (std::isnan(shown) || (std::isinf(shown) && !in.spec.allows_infinity))
+      return in.fail(node, path, fmt::format("'{}' must be a finite number", in.key));
+    value = unit.empty() ? shown : shown * units::get_si_factor(unit);
+  } else if (const auto* text = node.as_string(); text != nullptr && !unit.empty()) {
+    try {
+      value = units::parse_as_si(text->get(), unit, in.key);
+    } catch (const Error& error) {
+      return in.fail(node, path, error.what());
+    }
+    shown = encode_number(value, in.spec).get<double>();
+  } else {
+    return in.fail_type(node, path,
+                        unit.empty()
+                            ? "a number"
+                            : fmt::format("{} (a number in {} or a text such as \"{}\")",
+                                          units::get_dimension_name(unit), unit, units::get_dimension_example(unit)));
+  }
+  if (!in.spec.allows(shown))
+    return in.fail(node, path,
+                   fmt::format("'{}' is {:.15g}{}; it must be {}", in.key, shown, unit.empty() ? "" : " " + unit,
+                               in.spec.write_range()));
+  out = value;
+  return true;
+}
+
+bool decode_numbers(const Decoding& in, const toml::node& node, const std::string& path, std::size_t least,
+                    std::size_t most, const std::string& wanted, std::vector<double>& out) {
+  const toml::array* list = find_list(in, node, path, least, most, wanted);
+  if (list == nullptr) return false;
+  out.assign(list->size(), 0.0);
+  bool is_good = true;
+  for (std::size_t i = 0; i < list->size(); ++i)
+    is_good = decode_number(in, *list->get(i), write_item_path(path, i), out[i]) && is_good;
+  return is_good;
+}
+
+bool decode_points(const Decoding& in, const toml::node& node, const std::string& path,
+                   std::vector<std::array<double, 2>>& out) {
+  const toml::array* list = find_list(in, node, path, 0, std::size_t(-1), "a list of points [x, y]");
+  if (list == nullptr) return false;
+  out.assign(list->size(), {});
+  bool is_good = true;
+  for (std::size_t i = 0; i < list->size(); ++i)
+    is_good = decode_point(in, *list->get(i), write_item_path(path, i), out[i]) && is_good;
+  return is_good;
+}
+
+bool decode_word(const Decoding& in, const toml::node& node, const std::string& path,
+                 const std::vector<std::string>& words, std::size_t& out) {
+  const auto* text = node.as_string();
+  if (text == nullptr) return in.fail_type(node, path, "one of the words " + join(words));
+  for (out = 0; out < words.size(); ++out)
+    if (words[out] == text->get()) return true;
+  const std::string near = find_nearest(text->get(), words);
+  return in.fail(node, path,
+                 fmt::format("'{}' is no choice for '{}'; {}choose one of {}", text->get(), in.key,
+                             near.empty() ? "" : fmt::format("did you mean '{}'? ", near), join(words)));
+}
+
+json encode_number(double si, const Spec& spec) {
+  if (spec.unit.empty()) return si;
+  // 35° is 0.6108… rad and comes back as 35.00000000000001: fifteen digits are what the conversions keep.
+  return std::strtod(fmt::format("{:.15g}", si / units::get_si_factor(spec.unit)).c_str(), nullptr);
+}
+
+json write_number_schema(const Spec& spec) {
+  json number = {{"type", "number"}};
+  if (spec.low) number[spec.low->open ? "exclusiveMinimum" : "minimum"] = spec.low->value;
+  if (spec.high) number[spec.high->open ? "exclusiveMaximum" : "maximum"] = spec.high->value;
+  if (spec.unit.empty()) return number;
+  const json text = {{"type", "string"},
+                     {"pattern", R"(^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?\s*[^\s0-9+.-].*$)"}};
+  return {{"anyOf", json::array({number, text})}};
+}
+
+json write_array_schema(const json& items, int least, int most) {
+  json schema = {{"type", "array"}, {"items", items}};
+  if (least > 0) schema["minItems"] = least;
+  if (most > 0) schema["maxItems"] = most;
+  return schema;
+}
+
+std::string Codec<double>::name(const Spec& spec) {
+  return "number" + write_unit(spec);
+}
+
+bool Codec<int>::decode(const Decoding& in, const toml::node& node, const std::string& path, int& out) {
+  const auto* number = node.as_integer();
+  if (number == nullptr) return in.fail_type(node, path, "a whole number");
+  const auto value = static_cast<double>(number->get());
+  if (!in.spec.allows(value) || std::abs(value) > 1e9)
+    return in.fail(node, path, fmt::format("'{}' is {}; it must be {}", in.key, number->get(), in.spec.write_range()));
+  out = static_cast<int>(number->get());
+  return true;
+}
+
+json Codec<int>::schema(const Spec& spec) {
+  json schema = write_number_schema(spec);
+  schema["type"] = "integer";
+  return schema;
+}
+
+bool Codec<bool>::decode(const Decoding& in, const toml::node& node, const std::string& path, bool& out) {
+  const auto* truth = node.as_boolean();
+  if (truth == nullptr) return in.fail_type(node, path, "true or false");
+  out = truth->get();
+  return true;
+}
+
+bool Codec<std::string>::decode(const Decoding& in, const toml::node& node, const std::string& path, std::string& out) {
+  const auto* text = node.as_string();
+  if (text == nullptr) return in.fail_type(node, path, "a text in quotation marks");
+  if (text->get().empty() && in.spec.is_required)
+    return in.fail(node, path, fmt::format("'{}' must not be empty", in.key));
+  out = text->get();
+  return true;
+}
+
+bool Codec<std::array<double, 3>>::decode(const Decoding& in, const toml::node& node, const std::string& path,
+                                          std::array<double, 3>& out) {
+  std::vector<double> parts;
+  if (!decode_numbers(in, node, path, 2, 3, "a vector [x, y] or [x, y, z]", parts)) return false;
+  out = {parts[0], parts[1], parts.size() == 3 ? parts[2] : 0.0};
+  return true;
+}
+
+json Codec<std::array<double, 3>>::encode(const std::array<double, 3>& value, const Spec& spec) {
+  json list = json::array({encode_number(value[0], spec), encode_number(value[1], spec)});
+  if (value[2] != 0) list.push_back(encode_number(value[2], spec));
+  return list;
+}
+
+std::string Codec<std::array<double, 3>>::name(const Spec& spec) {
+  return "[x, y] or [x, y, z]" + write_unit(spec);
+}
+
+json Codec<std::vector<double>>::encode(const std::vector<double>& value, const Spec& spec) {
+  json list = json::array();
+  for (const double x : value) list.push_back(encode_number(x, spec));
+  return list;
+}
+
+std::string Codec<std::vector<double>>::name(const Spec& spec) {
+  return "list of numbers" + write_unit(spec);
+}
+
+json Codec<std::vector<std::array<double, 2>>>::encode(const Points& value, const Spec& spec) {
+  json list = json::array();
+  for (const auto& p : value) list.push_back(json::array({encode_number(p[0], spec), encode_number(p[1], spec)}));
+  return list;
+}
+
+std::string Codec<std::vector<std::array<double, 2>>>::name(const Spec& spec) {
+  return "[[x, y], ...]" + write_unit(spec);
+}
+
+json Codec<std::vector<std::array<double, 2>>>::schema(const Spec& spec) {
+  return write_array_schema(write_array_schema(write_number_schema(spec), 2, 2), 1, -1);
+}
+
+bool Codec<Corners>::decode(const Decoding& in, const toml::node& node, const std::string& path, Corners& out) {
+  const std::string wanted = "two corners [[x_min, y_min], [x_max, y_max]]";
+  const toml::array* list = find_list(in, node, path, 2, 2, wanted);
+  if (list == nullptr) return false;
+  std::vector<std::array<double, 2>> corners;
+  if (!decode_points(in, node, path, corners)) return false;
+  if (!(corners[0][0] < corners[1][0] && corners[0][1] < corners[1][1]))
+    return in.fail(node, path, fmt::format("'{}' is empty: it must be {}, the smaller corner first", in.key, wanted));
+  out.min = corners[0];
+  out.max = corners[1];
+  return true;
+}
+
+json Codec<Corners>::encode(const Corners& value, const Spec& spec) {
+  return Codec<std::vector<std::array<double, 2>>>::encode({value.min, value.max}, spec);
+}
+
+std::string Codec<Corners>::name(const Spec& spec) {
+  return "[[x_min, y_min], [x_max, y_max]]" + write_unit(spec);
+}
+
+json Codec<Corners>::schema(const Spec& spec) {
+  return write_array_schema(write_array_schema(write_number_schema(spec), 2, 2), 2, 2);
+}
+
+bool Codec<TimeTable>::decode(const Decoding& in, const toml::node& node, const std::string& path, TimeTable& out) {
+  const std::string wanted = "a table of rows [time, factor]";
+  const toml::array* rows = find_list(in, node, path, 0, std::size_t(-1), wanted);
+  if (rows == nullptr) return false;
+  const Spec no_unit;
+  const Decoding factor{no_unit, in.key, in.findings};
+  bool is_good = true;
+  out = {};
+  for (std::size_t i = 0; i < rows->size(); ++i) {
+    const std::string row_path = write_item_path(path, i);
+    const toml::array* row = find_list(in, *rows->get(i), row_path, 2, 2, wanted);
+    double t = 0, f = 0;
+    if (row == nullptr || !decode_number(in, *row->get(0), row_path + ".0", t) ||
+        !decode_number(factor, *row->get(1), row_path + ".1", f)) {
+      is_good = false;
+      continue;
+    }
+    if (!out.time.empty() && t <= out.time.back())
+      is_good = in.fail(*row, row_path, fmt::format("the times of '{}' must increase from row to row", in.key));
+    out.time.push_back(t);
+    out.value.push_back(f);
+  }
+  return is_good;
+}
+
+json Codec<TimeTable>::encode(const TimeTable& value, const Spec& spec) {
+  json list = json::array();
+  for (std::size_t i = 0; i < value.time.size(); ++i)
+    list.push_back(json::array({encode_number(value.time[i], spec), value.value[i]}));
+  return list;
+}
+
+std::string Codec<TimeTable>::name(const Spec& spec) {
+  return fmt::format("[[time, factor], ...] [{}, -]", spec.unit);
+}
+
+json Codec<TimeTable>::schema(const Spec& spec) {
+  json row = {{"type", "array"}, {"minItems", 2}, {"maxItems", 2}};
+  row["prefixItems"] = json::array({write_number_schema(spec), json{{"type", "number"}}});
+  return write_array_schema(row, 1, -1);
+}
+
+bool Codec<Amount>::decode(const Decoding& in, const toml::node& node, const std::string& path, Amount& out) {
+  if (const auto number = node.value<double>(); number && !node.is_boolean()) {
+    if (!std::isfinite(*number)) return in.fail(node, path, fmt::format("'{}' must be a finite number", in.key));
+    out = {*number, "", fmt::format("{:.15g}", *number)};
+  } else if (const auto* text = node.as_string()) {
+    try {
+      const units::Quantity quantity = units::parse_quantity(text->get());
+      units::get_si_factor(quantity.unit);
+      out = {quantity.value, quantity.unit, text->get()};
+    } catch (const Error& error) {
+      return in.fail(node, path, error.what());
+    }
+  } else {
+    return in.fail_type(node, path, "a number or a text with a unit, such as \"212 mm\"");
+  }
+  if (!in.spec.allows(out.number))
+    return in.fail(node, path, fmt::format("'{}' is {}; it must be {}", in.key, out.text, in.spec.write_range()));
+  in.record(node, path);
+  return true;
+}
+
+nlohmann::json Codec<Amount>::encode(const Amount& value, const Spec&) {
+  return value.unit.empty() ? json(value.number) : json(value.text);
+}
+
+bool Codec<TomlTexts>::decode(const Decoding& in, const toml::node& node, const std::string& path, TomlTexts& out) {
+  const toml::array* list = find_list(in, node, path, 1, std::size_t(-1), "a list of at least one value");
+  if (list == nullptr) return false;
+  out.texts.clear();
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    in.record(*list->get(i), write_item_path(path, i));
+    out.texts.push_back(write_toml(*list->get(i)));
+  }
+  return true;
+}
+
+}  // namespace talus::input

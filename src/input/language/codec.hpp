@@ -1,0 +1,201 @@
+#pragma once
+// How each C++ type of a key is written in TOML, JSON and JSON Schema. One specialisation of Codec for each type:
+//   decode  reads a TOML node into the value (SI units, radians); false and a finding when it cannot
+//   encode  writes the value as JSON in the unit of the manual
+//   name    says in words what to write: "number", "number [kPa] or text with unit"
+//   schema  is the JSON Schema of what may be written
+
+#include <toml++/toml.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/case/case.hpp"
+#include "input/language/findings.hpp"
+#include "input/language/spec.hpp"
+
+namespace talus::input {
+
+/// The key that is being decoded.
+struct Decoding {
+  const Spec& spec;
+  std::string key;
+  Findings& findings;
+
+  /// Reports `sentence` at the node and returns false.
+  bool fail(const toml::node& node, const std::string& path, const std::string& sentence) const;
+  /// Reports that the node is not what `wanted` says ("must be a number").
+  bool fail_type(const toml::node& node, const std::string& path, const std::string& wanted) const;
+  void record(const toml::node& node, const std::string& path) const;
+};
+
+/// The TOML text of a JSON value: 44, "frontal", [0, -1].
+std::string write_toml(const nlohmann::json& value);
+/// The TOML text of a TOML node.
+std::string write_toml(const toml::node& node);
+
+bool decode_number(const Decoding& in, const toml::node& node, const std::string& path, double& out);
+bool decode_numbers(const Decoding& in, const toml::node& node, const std::string& path, std::size_t least,
+                    std::size_t most, const std::string& wanted, std::vector<double>& out);
+bool decode_points(const Decoding& in, const toml::node& node, const std::string& path,
+                   std::vector<std::array<double, 2>>& out);
+bool decode_word(const Decoding& in, const toml::node& node, const std::string& path,
+                 const std::vector<std::string>& words, std::size_t& out);
+/// `si` in the unit of `spec`, without the rounding errors of the conversion.
+nlohmann::json encode_number(double si, const Spec& spec);
+nlohmann::json write_number_schema(const Spec& spec);
+nlohmann::json write_array_schema(const nlohmann::json& items, int least, int most);
+
+template <class T>
+struct Codec;
+
+template <>
+struct Codec<double> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, double& out) {
+    return decode_number(in, node, path, out);
+  }
+  static nlohmann::json encode(double value, const Spec& spec) { return encode_number(value, spec); }
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec) { return write_number_schema(spec); }
+};
+
+template <class T>
+struct Codec<std::optional<T>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::optional<T>& out) {
+    return Codec<T>::decode(in, node, path, out.emplace());
+  }
+  static nlohmann::json encode(const std::optional<T>& value, const Spec& spec) {
+    return value ? Codec<T>::encode(*value, spec) : nlohmann::json();
+  }
+  static std::string name(const Spec& spec) { return Codec<T>::name(spec); }
+  static nlohmann::json schema(const Spec& spec) { return Codec<T>::schema(spec); }
+};
+
+template <>
+struct Codec<int> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, int& out);
+  static nlohmann::json encode(int value, const Spec&) { return value; }
+  static std::string name(const Spec&) { return "whole number"; }
+  static nlohmann::json schema(const Spec& spec);
+};
+
+template <>
+struct Codec<bool> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, bool& out);
+  static nlohmann::json encode(bool value, const Spec&) { return value; }
+  static std::string name(const Spec&) { return "true or false"; }
+  static nlohmann::json schema(const Spec&) { return {{"type", "boolean"}}; }
+};
+
+template <>
+struct Codec<std::string> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::string& out);
+  static nlohmann::json encode(const std::string& value, const Spec&) { return value; }
+  static std::string name(const Spec&) { return "text"; }
+  static nlohmann::json schema(const Spec&) { return {{"type", "string"}}; }
+};
+
+/// An enumeration: one of its words.
+template <class E>
+struct Codec {
+  static_assert(std::is_enum_v<E>, "a type that can be read needs a specialisation of Codec");
+  static std::vector<std::string> words() {
+    std::vector<std::string> list;
+    for (const auto& choice : choices<E>) list.emplace_back(choice.word);
+    return list;
+  }
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, E& out) {
+    std::size_t index = 0;
+    if (!decode_word(in, node, path, words(), index)) return false;
+    out = choices<E>[index].value;
+    return true;
+  }
+  static nlohmann::json encode(E value, const Spec&) {
+    for (const auto& choice : choices<E>)
+      if (choice.value == value) return choice.word;
+    return nullptr;
+  }
+  static std::string name(const Spec&) { return "word"; }
+  static nlohmann::json schema(const Spec&) { return {{"enum", words()}}; }
+};
+
+/// A vector: two components (the third is zero) or three.
+template <>
+struct Codec<std::array<double, 3>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 3>& out);
+  static nlohmann::json encode(const std::array<double, 3>& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 2, 3); }
+};
+
+template <>
+struct Codec<std::vector<double>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::vector<double>& out) {
+    return decode_numbers(in, node, path, 0, std::size_t(-1), "a list of numbers", out);
+  }
+  static nlohmann::json encode(const std::vector<double>& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 0, -1); }
+};
+
+/// Points of the plane: [[x, y], ...].
+template <>
+struct Codec<std::vector<std::array<double, 2>>> {
+  using Points = std::vector<std::array<double, 2>>;
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Points& out) {
+    return decode_points(in, node, path, out);
+  }
+  static nlohmann::json encode(const Points& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec);
+};
+
+/// Two opposite corners of a box: [[x_min, y_min], [x_max, y_max]].
+struct Corners {
+  std::array<double, 2>& min;
+  std::array<double, 2>& max;
+};
+
+template <>
+struct Codec<Corners> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Corners& out);
+  static nlohmann::json encode(const Corners& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec);
+};
+
+/// A factor over time: [[time, factor], ...]; the unit of the key is that of the times.
+template <>
+struct Codec<TimeTable> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, TimeTable& out);
+  static nlohmann::json encode(const TimeTable& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec);
+};
+
+/// A number, or a text with a number and a unit of any dimension.
+template <>
+struct Codec<Amount> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Amount& out);
+  static nlohmann::json encode(const Amount& value, const Spec& spec);
+  static std::string name(const Spec&) { return "number or text with unit"; }
+  static nlohmann::json schema(const Spec&) { return {{"type", {"number", "string"}}}; }
+};
+
+/// Any TOML values, kept as TOML texts.
+struct TomlTexts {
+  std::vector<std::string>& texts;
+};
+
+template <>
+struct Codec<TomlTexts> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, TomlTexts& out);
+  static nlohmann::json encode(const TomlTexts& value, const Spec&) { return value.texts; }
+  static std::string name(const Spec&) { return "list of values"; }
+  static nlohmann::json schema(const Spec&) { return {{"type", "array"}, {"minItems", 1}}; }
+};
+
+}  // namespace talus::input

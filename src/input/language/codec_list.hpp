@@ -1,0 +1,84 @@
+#pragma once
+// How lists of words and of texts, a point, a large whole number and a single value of any unit are written in TOML.
+
+#include <cstdint>
+
+#include "input/language/codec.hpp"
+
+namespace talus::input {
+
+bool decode_words(const Decoding& in, const toml::node& node, const std::string& path,
+                  const std::vector<std::string>& words, std::vector<std::size_t>& out);
+
+/// Words of an enumeration.
+template <class E>
+requires std::is_enum_v<E>
+struct Codec<std::vector<E>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::vector<E>& out) {
+    std::vector<std::size_t> indices;
+    if (!decode_words(in, node, path, Codec<E>::words(), indices)) return false;
+    out.clear();
+    for (const std::size_t i : indices) out.push_back(choices<E>[i].value);
+    return true;
+  }
+  static nlohmann::json encode(const std::vector<E>& value, const Spec& spec) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const E word : value) list.push_back(Codec<E>::encode(word, spec));
+    return list;
+  }
+  static std::string name(const Spec&) { return "list of words"; }
+  static nlohmann::json schema(const Spec& spec) { return write_array_schema(Codec<E>::schema(spec), 0, -1); }
+};
+
+/// The enumeration whose words a key of type T takes: T itself, or what a list T is of.
+template <class T>
+struct WordType {
+  using Type = T;
+};
+template <class E>
+struct WordType<std::vector<E>> {
+  using Type = E;
+};
+template <class T>
+using WordOf = typename WordType<T>::Type;
+
+template <>
+struct Codec<std::vector<std::string>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path,
+                     std::vector<std::string>& out);
+  static nlohmann::json encode(const std::vector<std::string>& value, const Spec&) { return value; }
+  static std::string name(const Spec&) { return "list of texts"; }
+  static nlohmann::json schema(const Spec&) { return write_array_schema({{"type", "string"}}, 0, -1); }
+};
+
+/// A point of the plane: [x, y].
+template <>
+struct Codec<std::array<double, 2>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 2>& out);
+  static nlohmann::json encode(const std::array<double, 2>& value, const Spec& spec);
+  static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec) { return write_array_schema(write_number_schema(spec), 2, 2); }
+};
+
+template <>
+struct Codec<std::uint64_t> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::uint64_t& out);
+  static nlohmann::json encode(std::uint64_t value, const Spec&) { return value; }
+  static std::string name(const Spec&) { return "whole number"; }
+  static nlohmann::json schema(const Spec&) { return {{"type", "integer"}, {"minimum", 0}}; }
+};
+
+/// A number, or a text with a number and a unit, kept as TOML text: what another key would be set to.
+struct TomlText {
+  std::string& text;
+};
+
+template <>
+struct Codec<TomlText> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, TomlText& out);
+  static nlohmann::json encode(const TomlText& value, const Spec&);
+  static std::string name(const Spec&) { return "number or text with unit"; }
+  static nlohmann::json schema(const Spec&) { return {{"type", {"number", "string"}}}; }
+};
+
+}  // namespace talus::input

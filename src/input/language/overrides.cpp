@@ -1,0 +1,116 @@
+#include "input/language/overrides.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace talus::input {
+namespace {
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> steps(1);
+  for (const char c : path) {
+    if (c == '.')
+      steps.emplace_back();
+    else
+      steps.back() += c;
+  }
+  return steps;
+}
+
+/// The value as a table with the one key "v".
+toml::table parse_value(const std::string& text) {
+  try {
+    toml::table table = toml::parse("v = " + text);
+    if (table.size() == 1) return table;
+  } catch (const toml::parse_error&) {
+    // A bare word, or a quantity without quotation marks: the shell took them away.
+  }
+  toml::table table;
+  table.insert("v", text);
+  return table;
+}
+
+/// The entry of a list that `step` names: by number from 0, or by its `name`, `on` or `ground`.
+std::optional<std::size_t> find_entry(const toml::array& list, const std::string& step) {
+  std::size_t number = 0;
+  const auto [end, failure] = std::from_chars(step.data(), step.data() + step.size(), number);
+  if (failure == std::errc{} && end == step.data() + step.size())
+    return number < list.size() ? std::optional(number) : std::nullopt;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const toml::table* table = list[i].as_table();
+    if (table == nullptr) continue;
+    for (const char* label : {"name", "on", "ground"})
+      if ((*table)[label].value<std::string>() == step) return i;
+  }
+  return std::nullopt;
+}
+
+void apply(toml::table& root, const Override& change, Findings& findings) {
+  const std::vector<std::string> steps = split(change.key);
+  const Place place{"--set " + change.key, 0, 0};
+  toml::node* at = &root;
+  std::string path;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const bool is_last = i + 1 == steps.size();
+    std::string step = steps[i];
+    if (step.empty()) return findings.add_at(place, change.key, "the key has an empty part between its dots");
+    if (toml::array* list = at->as_array()) {
+      const auto entry = find_entry(*list, step);
+      if (!entry)
+        return findings.add_at(place, change.key,
+                               fmt::format("'{}' has no entry '{}' (entries are named by their name, their side, or "
+                                           "their number from 0)",
+                                           path, step));
+      step = std::to_string(*entry);
+      path += "." + step;
+      toml::node& child = (*list)[*entry];
+      if (!is_last) {
+        at = &child;
+        continue;
+      }
+      toml::table value = parse_value(change.value);
+      value.get("v")->visit([&](auto& v) { list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(*entry), v); });
+    } else if (toml::table* table = at->as_table()) {
+      path += (path.empty() ? "" : ".") + step;
+      if (!is_last) {
+        if (table->get(step) == nullptr) {
+          table->insert(step, toml::table{});
+          findings.places.mark_override(path, change.key);
+        }
+        at = table->get(step);
+        continue;
+      }
+      toml::table value = parse_value(change.value);
+      value.get("v")->visit([&](auto& v) { table->insert_or_assign(step, v); });
+    } else {
+      return findings.add_at(place, change.key, fmt::format("'{}' is a value and has no key '{}'", path, step));
+    }
+  }
+  findings.places.mark_override(path, change.key);
+}
+
+}  // namespace
+
+Override parse_override(const std::string& text) {
+  const auto equals = text.find('=');
+  const auto trim = [](std::string part) {
+    const auto first = part.find_first_not_of(" \t");
+    return first == std::string::npos ? "" : part.substr(first, part.find_last_not_of(" \t") - first + 1);
+  };
+  Override change;
+  if (equals != std::string::npos) change = {trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
+  if (change.key.empty())
+    throw Error(ExitCode::wrong_input, fmt::format("--set '{}' must be written key=value, for example "
+                                                   "--set materials.sand.cohesion=5",
+                                                   text));
+  return change;
+}
+
+void apply_overrides(toml::table& root, const std::vector<Override>& overrides, Findings& findings) {
+  for (const Override& change : overrides) apply(root, change, findings);
+}
+
+}  // namespace talus::input

@@ -1,0 +1,26 @@
+#pragma once
+// --set key=value: changes of a case file that are made on the command line.
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <vector>
+
+#include "input/language/findings.hpp"
+
+namespace talus::input {
+
+/// One --set. `key` is a dotted path; an entry of a list of tables is named by its `name` or `on`, or by its number
+/// from 0 ("stage.gravity.duration", "boundary.0.fix"). `value` is TOML text; a bare word is a text.
+struct Override {
+  std::string key;
+  std::string value;
+};
+
+/// Splits "key=value". Throws Error (wrong_input) when there is no "=" or no key.
+Override parse_override(const std::string& text);
+
+/// Writes the overrides into the table, and tells `findings` where they went and which of them are impossible.
+void apply_overrides(toml::table& root, const std::vector<Override>& overrides, Findings& findings);
+
+}  // namespace talus::input

@@ -1,0 +1,157 @@
+#include "input/language/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/nearest.hpp"
+
+namespace talus::input {
+namespace {
+
+const toml::table empty_table;
+
+std::string join_quoted(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "'" : ", '") + word + "'";
+  return text;
+}
+
+std::string write_place(const std::string& header) {
+  return header.empty() ? "at the top of the file" : "in " + header;
+}
+
+}  // namespace
+
+Reader::Reader(const toml::table& root, Findings& findings) : findings_(findings) {
+  scopes_.push_back({&root, "", "", "", false, {}});
+}
+
+std::string Reader::write_path(const std::string& name) const {
+  return scopes_.back().path.empty() ? name : scopes_.back().path + "." + name;
+}
+
+std::string Reader::write_name(const std::string& name) const {
+  return scopes_.back().name.empty() ? name : scopes_.back().name + "." + name;
+}
+
+void Reader::record(const toml::node& node, const std::string& path) {
+  const toml::source_position at = node.source().begin;
+  findings_.places.record(path, static_cast<int>(at.line), static_cast<int>(at.column));
+}
+
+const toml::node* Reader::find_key(const std::string& name, const Spec& spec) {
+  Scope& scope = scopes_.back();
+  if (scope.is_broken) return nullptr;
+  scope.known.push_back(name);
+  const std::string path = write_path(name);
+  const toml::node* node = scope.table->get(name);
+  if (node != nullptr) record(*node, path);
+  bool is_required = spec.is_required;
+  std::string reason;
+  if (spec.condition) {
+    const Condition& condition = *spec.condition;
+    // Where the other key is wrong or missing, nobody knows whether this one belongs here.
+    for (const Alternative& other : condition.any)
+      if (!findings_.is_sound(other.key.find('.') == std::string::npos ? write_path(other.key) : other.key))
+        return node;
+    if (!condition.holds() && node != nullptr) {
+      findings_.add(path, condition.is_absence() ? fmt::format("'{}' {} has no meaning where '{}' is given", name,
+                                                               write_place(scope.header), condition.any.front().key)
+                                                 : fmt::format("'{}' {} has a meaning only with {}", name,
+                                                               write_place(scope.header), write_condition(condition)));
+      return nullptr;
+    }
+    is_required = condition.required && condition.holds();
+    Condition reasons;
+    for (const Alternative& other : condition.any)
+      if (other.holds) reasons.any.push_back(other);
+    if (is_required)
+      reason = condition.is_absence() ? fmt::format(", or give '{}'", condition.any.front().key)
+                                      : fmt::format("; {} needs it", write_condition(reasons));
+  }
+  if (reason.empty() && spec.instead) reason = fmt::format(", or give '{}'", spec.instead->key);
+  if (node == nullptr && is_required && !spec.is_waived(methods_)) {
+    const std::string example =
+        spec.examples.empty() ? "" : fmt::format(", for example {} = {}", name, spec.examples[0]);
+    findings_.add(path, fmt::format("missing key '{}' {}{}{}", name, write_place(scope.header), example, reason));
+  }
+  return node;
+}
+
+bool Reader::is_given(const std::string& name) {
+  Scope& scope = scopes_.back();
+  scope.known.push_back(name);
+  return !scope.is_broken && scope.table->contains(name);
+}
+
+const toml::table* Reader::find_table(const std::string& name) {
+  Scope& scope = scopes_.back();
+  if (scope.is_broken) return nullptr;
+  scope.known.push_back(name);
+  const toml::node* node = scope.table->get(name);
+  if (node == nullptr) return &empty_table;
+  record(*node, write_path(name));
+  if (const toml::table* table = node->as_table()) return table;
+  findings_.add(
+      write_path(name),
+      node->is_array()
+          ? fmt::format("'{0}' is one table, not a list of tables; write [{0}] instead of [[{0}]]", write_name(name))
+          : fmt::format("'{0}' must be a table; write [{0}]", write_name(name)));
+  return nullptr;
+}
+
+std::vector<const toml::table*> Reader::find_tables(const std::string& name) {
+  Scope& scope = scopes_.back();
+  scope.known.push_back(name);
+  const toml::node* node = scope.table->get(name);
+  if (node == nullptr) return {};
+  const std::string path = write_path(name);
+  record(*node, path);
+  const std::string advice = fmt::format("'{0}' is a list of tables; write [[{0}]]", write_name(name));
+  std::vector<const toml::table*> list;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    findings_.add(path, advice + (node->is_table() ? fmt::format(" instead of [{}]", write_name(name)) : ""));
+    return {};
+  }
+  for (const toml::node& item : *array) {
+    const std::string item_path = path + "." + std::to_string(list.size());
+    record(item, item_path);
+    list.push_back(item.as_table());
+    if (list.back() == nullptr) findings_.add(item_path, advice);
+  }
+  return list;
+}
+
+std::vector<std::string> Reader::enter_names(const std::string& name) {
+  const toml::table* table = find_table(name);
+  enter(name, table, write_name(name), false);
+  if (table == nullptr) return {};
+  std::vector<std::string> names;
+  for (const auto& [key, node] : *table) names.emplace_back(key.str());
+  return names;
+}
+
+void Reader::enter(const std::string& step, const toml::table* table, const std::string& name, bool is_list) {
+  const std::string header = is_list ? "[[" + name + "]]" : "[" + name + "]";
+  scopes_.push_back({table == nullptr ? &empty_table : table, write_path(step), name, header, table == nullptr, {}});
+}
+
+void Reader::leave() {
+  const Scope scope = std::move(scopes_.back());
+  scopes_.pop_back();
+  for (const auto& [key, node] : *scope.table) {
+    const std::string name(key.str());
+    if (std::find(scope.known.begin(), scope.known.end(), name) != scope.known.end()) continue;
+    const std::string near = find_nearest(name, scope.known);
+    const std::string path = scope.path.empty() ? name : scope.path + "." + name;
+    const toml::source_position at = key.source().begin;
+    findings_.add_at(
+        findings_.places.locate(path, static_cast<int>(at.line), static_cast<int>(at.column)), path,
+        fmt::format("unknown key '{}' {}; {}", name, write_place(scope.header),
+                    near.empty() ? "known are " + join_quoted(scope.known) : fmt::format("did you mean '{}'?", near)));
+  }
+}
+
+}  // namespace talus::input

@@ -1,0 +1,122 @@
+#pragma once
+// The visitor that reads a TOML table into the structs, and finds what is unknown, missing or wrong.
+
+#include <toml++/toml.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "input/language/codec.hpp"
+#include "input/language/findings.hpp"
+
+namespace talus::input {
+
+class Reader {
+ public:
+  Reader(const toml::table& root, Findings& findings);
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  template <class T>
+  void key(const char* name, T&& member, const Spec& spec, const char* /*meaning*/) {
+    if (const toml::node* node = find_key(name, spec))
+      Codec<std::remove_cvref_t<T>>::decode({spec, name, findings_}, *node, write_path(name), member);
+  }
+
+  /// Blocks at the top of the file whose absence is no fault.
+  void leave_out(const std::set<std::string>& blocks) { left_out_ = blocks; }
+
+  /// Methods that answer: what none of them needs is not required.
+  void ask_methods(const std::set<std::string>& words) { methods_ = words; }
+
+  template <class T>
+  void table(const char* name, T&& block, const char* /*meaning*/) {
+    if (is_left_out(name)) return;
+    enter(name, find_table(name), write_name(name), false);
+    describe(*this, block);
+    leave();
+  }
+
+  template <class T>
+  void optional_table(const char* name, std::optional<T>& block, const char* /*meaning*/) {
+    if (!is_given(name)) return;
+    enter(name, find_table(name), write_name(name), false);
+    describe(*this, block.emplace());
+    leave();
+  }
+
+  template <class T>
+  void tables(const char* name, std::vector<T>& blocks, int /*samples*/, const char* /*meaning*/) {
+    const std::vector<const toml::table*> list = find_tables(name);
+    blocks.resize(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      enter(std::string(name) + "." + std::to_string(i), list[i], write_name(name), true);
+      describe(*this, blocks[i]);
+      leave();
+    }
+  }
+
+  template <class T>
+  void named(const char* name, std::map<std::string, T>& blocks, const char* /*sample*/, const char* /*meaning*/) {
+    for (const std::string& label : enter_names(name)) {
+      enter(label, find_table(label), write_name(label), false);
+      describe(*this, blocks[label]);
+      leave();
+    }
+    scopes_.pop_back();
+  }
+
+  template <class T>
+  void entries(const char* name, std::map<std::string, T>& values, const char* /*sample*/, int /*samples*/,
+               const Spec& spec, const char* /*meaning*/) {
+    for (const std::string& label : enter_names(name)) {
+      T value{};
+      const toml::node* node = find_key(label, spec);
+      if (node != nullptr && Codec<T>::decode({spec, label, findings_}, *node, write_path(label), value))
+        values[label] = value;
+    }
+    scopes_.pop_back();
+  }
+
+  /// Reports what the top of the file holds beyond the declared keys.
+  void finish() { leave(); }
+
+ private:
+  struct Scope {
+    const toml::table* table;
+    std::string path;    ///< with numbers of list entries: stage.0
+    std::string name;    ///< as the file writes it: materials.sand
+    std::string header;  ///< as messages name it: [materials.sand], [[stage]]
+    bool is_broken;      ///< it is no table: that fault is reported, and must not bring a dozen more
+    std::vector<std::string> known;
+  };
+
+  bool is_left_out(const std::string& name) const {
+    return scopes_.size() == 1 && left_out_.count(name) != 0 && !scopes_.back().table->contains(name);
+  }
+  std::string write_path(const std::string& name) const;
+  std::string write_name(const std::string& name) const;
+  /// The node of a key of the current table, or nullptr when it is not given or refused.
+  const toml::node* find_key(const std::string& name, const Spec& spec);
+  /// Whether the current table has a key of that name; it counts as known from here on.
+  bool is_given(const std::string& name);
+  /// The table of that name; an empty one when it is not given, nullptr when it is no table.
+  const toml::table* find_table(const std::string& name);
+  std::vector<const toml::table*> find_tables(const std::string& name);
+  /// Enters a table whose keys are names of the user's choice, and returns them in the order of the file.
+  std::vector<std::string> enter_names(const std::string& name);
+  /// `step` is what the block adds to the path; `name` is its whole name.
+  void enter(const std::string& step, const toml::table* table, const std::string& name, bool is_list);
+  void leave();
+  void record(const toml::node& node, const std::string& path);
+
+  Findings& findings_;
+  std::vector<Scope> scopes_;
+  std::set<std::string> left_out_;
+  std::set<std::string> methods_{"mpm"};
+};
+
+}  // namespace talus::input

@@ -1,0 +1,161 @@
+#pragma once
+// What a declaration says about a key besides its name, place and meaning.
+
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace talus::input {
+
+/// One word of a choice and what it means.
+template <class E>
+struct Choice {
+  E value;
+  const char* word;
+  const char* meaning;
+};
+
+template <class E>
+Choice(E, const char*, const char*) -> Choice<E>;  // clang 14 does not deduce it for an aggregate
+
+/// The words of the enumeration E, in the order of the manual; specialised beside the block that uses E.
+template <class E>
+inline constexpr auto choices = nullptr;
+
+/// A limit of a range, in the unit of the manual.
+struct Limit {
+  double value = 0;
+  bool open = false;  ///< the limit itself is not allowed
+};
+
+/// What another key must be for a key to have a meaning.
+struct Alternative {
+  std::string key;       ///< the other key; with a dot: a path from the top of the file
+  std::string value;     ///< the TOML text it must have; empty: the other key must not be given
+  bool holds = true;     ///< in the case that is being visited
+  bool differs = false;  ///< anything but `value`
+};
+
+/// A key that has a meaning only with (or without) another key of the same table.
+struct Condition {
+  std::vector<Alternative> any;  ///< one of them is enough
+  bool required = false;         ///< the key must be given where the condition holds
+
+  bool holds() const;
+  /// Whether it asks that another key is not given.
+  bool is_absence() const { return any.front().value.empty(); }
+};
+
+/// "; with the methods fem or mpm, unless unit_weight is given": what else a required key depends on; empty for most.
+struct Spec;
+std::string write_waivers(const Spec& spec);
+
+/// Writes `fix = "plane"`, `curve = "a" or "b" or law = "c"`, `retention other than "dry"` or `file is not given`.
+std::string write_condition(const Condition& condition);
+
+/// Unit, range, presence and examples of a key. Built as a sentence: quantity("kPa").at_least(0).required().
+struct Spec {
+  std::string unit;  ///< unit of plain numbers in the file, as UDUNITS writes it; empty: dimensionless, or no number
+  std::optional<Limit> low, high;
+  bool is_required = false;
+  bool allows_infinity = false;
+  std::optional<Condition> condition;
+  std::vector<std::string> methods;    ///< of [analysis]: only with one of these is the key required; empty: with any
+  std::optional<Alternative> instead;  ///< where this other key is given, the key is not required
+  std::vector<std::string> examples;   ///< TOML texts; one for each sample of a list, the last one for the rest
+
+  Spec at_least(double value) && { return low = Limit{value, false}, std::move(*this); }
+  Spec above(double value) && { return low = Limit{value, true}, std::move(*this); }
+  Spec at_most(double value) && { return high = Limit{value, false}, std::move(*this); }
+  Spec below(double value) && { return high = Limit{value, true}, std::move(*this); }
+  /// `inf` may be given.
+  Spec or_infinite() && { return allows_infinity = true, std::move(*this); }
+  Spec required() && { return is_required = true, std::move(*this); }
+  Spec example(std::string text) && { return examples = {std::move(text)}, std::move(*this); }
+  /// One example for each sample of a list (see tables() of the visitors).
+  Spec example_each(std::vector<std::string> texts) && { return examples = std::move(texts), std::move(*this); }
+  /// The key is required where `other` has `value`, and has no meaning elsewhere.
+  template <class T>
+  Spec needed_with(const char* key, const T& other, const T& value) && {
+    return condition = Condition{{{key, write_value(value), other == value}}, true}, std::move(*this);
+  }
+  /// The key may be given where `other` has `value`, and has no meaning elsewhere.
+  template <class T>
+  Spec allowed_with(const char* key, const T& other, const T& value) && {
+    return condition = Condition{{{key, write_value(value), other == value}}, false}, std::move(*this);
+  }
+  /// The same for each of several values.
+  template <class T>
+  Spec needed_with(const char* key, const T& other, std::initializer_list<T> values) && {
+    return condition = Condition{list_values(key, other, values), true}, std::move(*this);
+  }
+  template <class T>
+  Spec allowed_with(const char* key, const T& other, std::initializer_list<T> values) && {
+    return condition = Condition{list_values(key, other, values), false}, std::move(*this);
+  }
+  /// Or where `other` has `value`; after one of those above.
+  template <class T>
+  Spec or_with(const char* key, const T& other, const T& value) && {
+    return condition->any.push_back({key, write_value(value), other == value}), std::move(*this);
+  }
+  /// The key may be given where `other` has another value than `value`, and has no meaning elsewhere.
+  template <class T>
+  Spec allowed_unless(const char* key, const T& other, const T& value) && {
+    return condition = Condition{{{key, write_value(value), other != value, true}}, false}, std::move(*this);
+  }
+  /// The key is required where `key` is not given, and has no meaning elsewhere.
+  Spec needed_without(const char* key, bool other_is_given) && {
+    return condition = Condition{{{key, "", !other_is_given}}, true}, std::move(*this);
+  }
+  /// Nor required where none of these methods is asked for; it may be given all the same.
+  Spec by_methods(std::vector<std::string> words) && { return methods = std::move(words), std::move(*this); }
+  /// Nor required where `key` is given; it may be given all the same.
+  Spec unless_given(const char* key, bool other_is_given) && {
+    return instead = Alternative{key, "", other_is_given}, std::move(*this);
+  }
+  /// The key may be given where `key` is not given, and has no meaning elsewhere.
+  Spec allowed_without(const char* key, bool other_is_given) && {
+    return condition = Condition{{{key, "", !other_is_given}}, false}, std::move(*this);
+  }
+
+  /// Whether the key must be given somewhere.
+  bool may_be_required() const { return is_required || (condition && condition->required); }
+  /// Whether nothing asks for the key where these methods answer, or another key stands in its place.
+  bool is_waived(const std::set<std::string>& asked_methods) const;
+  /// "at least 0", "above -1 and below 0.5"; empty without limits.
+  std::string write_range() const;
+  /// Whether `value`, in the unit of the manual, is within the limits.
+  bool allows(double value) const;
+
+ private:
+  static std::string write_value(int value) { return std::to_string(value); }
+  template <class E>
+  static std::string write_value(E value) {
+    for (const auto& choice : choices<E>)
+      if (choice.value == value) return '"' + std::string(choice.word) + '"';
+    return "";
+  }
+  template <class T>
+  static std::vector<Alternative> list_values(const char* key, const T& other, std::initializer_list<T> values) {
+    std::vector<Alternative> any;
+    for (const T& value : values) any.push_back({key, write_value(value), other == value});
+    return any;
+  }
+};
+
+/// A number in `unit`, or a text with a unit.
+inline Spec quantity(const char* unit) {
+  Spec spec;
+  spec.unit = unit;
+  return spec;
+}
+
+/// A dimensionless number, a text, a word or a truth value: whatever has no unit.
+inline Spec plain() {
+  return {};
+}
+
+}  // namespace talus::input

@@ -1,0 +1,220 @@
+#include "input/read.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "input/case/complete.hpp"
+#include "input/case/declare_case.hpp"
+#include "input/case/uncertain_number.hpp"
+#include "input/checks/checks.hpp"
+#include "input/echo.hpp"
+#include "input/language/reader.hpp"
+
+namespace talus::input {
+namespace {
+
+std::string read_text(const std::string& path) {
+  if (std::filesystem::is_directory(path)) throw InputError({{path, 0, 0, "this is a folder; a case is a TOML file"}});
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  if (!file) throw InputError({{path, 0, 0, fmt::format("the case file cannot be opened: {}", std::strerror(errno))}});
+  return text.str();
+}
+
+toml::table parse(const std::string& text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw InputError({{name, static_cast<int>(at.line), static_cast<int>(at.column),
+                       fmt::format("this is not TOML: {}", error.description())}});
+  }
+}
+
+void normalise(std::array<double, 3>& v) {
+  const double length = std::hypot(v[0], v[1], v[2]);
+  if (length > 0)
+    for (double& component : v) component /= length;
+}
+
+/// The methods that [analysis] names: what the other blocks must hold depends on them.
+std::set<std::string> find_methods(const toml::table& root) {
+  std::set<std::string> asked;
+  const toml::array* list = root["analysis"]["methods"].as_array();
+  if (list == nullptr) return {"mpm"};
+  for (const toml::node& word : *list) asked.insert(word.value_or(std::string()));
+  return asked;
+}
+
+/// Units of length for what was given as a direction; after the checks, which look for directions without length.
+void normalise_directions(Case& data) {
+  normalise(data.gravity.direction);
+  for (Boundary& boundary : data.boundaries)
+    if (boundary.fix == Fix::plane) normalise(boundary.normal);
+}
+
+/// Blocks of which a slope has at least one, and a file of element tests alone has none.
+const std::set<std::string> slope_blocks{"geometry", "mesh", "regions", "stage"};
+
+bool has_tests_alone(const toml::table& root) {
+  return root.contains("test") && std::none_of(slope_blocks.begin(), slope_blocks.end(),
+                                               [&](const std::string& name) { return root.contains(name); });
+}
+
+/// Of element tests alone the echo names what the file gives, and not the defaults of a slope.
+void drop_absent_blocks(nlohmann::json& echo, const Places& places) {
+  for (auto block = echo.begin(); block != echo.end();)
+    block = places.is_given(block.key()) ? std::next(block) : echo.erase(block);
+}
+
+/// The case without what needs several readings of it: values of a study, soils of element tests.
+std::optional<LoadedCase> read_once(const std::string& text, const std::string& name,
+                                    const std::vector<Override>& overrides, CaseScope scope, Findings& findings) {
+  toml::table root = parse(text, name);
+  apply_overrides(root, overrides, findings);
+  LoadedCase loaded;
+  loaded.is_whole = scope == CaseScope::whole || !has_tests_alone(root);
+  // [geometry] comes first in the file, and has to know whether [mesh] names a ready mesh.
+  loaded.data.mesh.file = root["mesh"]["file"].value_or(std::string());
+  Reader reader(root, findings);
+  if (!loaded.is_whole) reader.leave_out(slope_blocks);
+  std::set<std::string> asked = find_methods(root);
+  // An element test needs the whole law, as finite elements do.
+  if (root.contains("test")) asked.insert("fem");
+  reader.ask_methods(asked);
+  describe(reader, loaded.data);
+  reader.finish();
+  complete(loaded.data, name, findings.places);
+  if (loaded.is_whole) check_geometry(loaded.data, findings);
+  check_materials(loaded.data, findings);
+  check_roots(loaded.data, findings);
+  check_conditions(loaded.data, findings);
+  check_water(loaded.data, findings);
+  check_hydraulics(loaded.data, findings);
+  check_result(loaded.data, findings);
+  if (loaded.is_whole) check_analysis(loaded.data, findings);
+  if (loaded.is_whole) check_methods(loaded.data, findings);
+  if (loaded.is_whole) check_slices(loaded.data, findings);
+  check_sampling(loaded.data, findings);
+  check_output(loaded.data, findings);
+  check_point_tests(loaded.data, findings);
+  complete_calibration(loaded.data, name, findings);
+  check_compare(loaded.data, findings);
+  if (!findings.empty()) return std::nullopt;
+  loaded.echo = echo(loaded.data, findings.places);
+  if (!loaded.is_whole) drop_absent_blocks(loaded.echo, findings.places);
+  normalise_directions(loaded.data);
+  loaded.text = text;
+  loaded.file = name;
+  return loaded;
+}
+
+/// A value of a study is right when the case that it makes is right.
+void check_study(const LoadedCase& loaded, const std::vector<Override>& overrides, Findings& findings) {
+  const std::vector<Vary>& vary = loaded.data.study.vary;
+  for (std::size_t i = 0; i < vary.size(); ++i) {
+    for (std::size_t j = 0; j < vary[i].values.size(); ++j) {
+      std::vector<Override> changes = overrides;
+      changes.push_back({vary[i].key, vary[i].values[j]});
+      Places trial_places(loaded.file);
+      Findings trial(trial_places);
+      if (read_once(loaded.text, loaded.file, changes, CaseScope::whole_or_tests, trial)) continue;
+      findings.add(fmt::format("study.vary.{}.values.{}", i, j),
+                   fmt::format("the study cannot set {} = {}: {}", vary[i].key, vary[i].values[j],
+                               trial.sort().front().sentence));
+      // A key that does not exist is wrong once, not once for each of its values.
+      if (trial.sort().front().sentence.rfind("unknown key", 0) == 0) break;
+    }
+  }
+}
+
+/// An uncertain number is right when the case is right at its mean and its limits.
+void check_uncertain_numbers(const LoadedCase& loaded, const std::vector<Override>& overrides, Findings& findings) {
+  const std::vector<RandomNumber>& numbers = loaded.data.study.sampling.numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const RandomNumber& number = numbers[i];
+    const std::string path = fmt::format("study.random.{}", i);
+    bool is_good = true;
+    for (const auto& [key, value] : {std::pair{"mean", &number.mean},
+                                     {"lowest", &number.lowest},
+                                     {"mode", &number.mode},
+                                     {"highest", &number.highest}}) {
+      if (value->empty() || !is_good) continue;
+      std::vector<Override> changes = overrides;
+      changes.push_back({number.key, *value});
+      Places trial_places(loaded.file);
+      Findings trial(trial_places);
+      if (read_once(loaded.text, loaded.file, changes, CaseScope::whole_or_tests, trial)) continue;
+      findings.add(path + "." + key,
+                   fmt::format("the study cannot set {} = {}: {}", number.key, *value, trial.sort().front().sentence));
+      is_good = false;
+    }
+    if (!is_good) continue;
+    try {
+      resolve(number, loaded.data, loaded.echo);
+    } catch (const Error& error) {
+      findings.add(path, error.what());
+    }
+  }
+}
+
+/// The soil of each test: what the test sets is right when the case with it is right.
+void read_test_soils(LoadedCase& loaded, const std::vector<Override>& overrides, Findings& findings) {
+  for (std::size_t i = 0; i < loaded.data.tests.size(); ++i) {
+    const PointTest& test = loaded.data.tests[i];
+    std::vector<Override> changes = overrides;
+    for (const PointSetting& s : test.set)
+      changes.push_back({fmt::format("materials.{}.{}", test.material, s.key), s.value});
+    Places trial_places(loaded.file);
+    Findings trial(trial_places);
+    const auto changed = test.set.empty()
+                             ? std::nullopt
+                             : read_once(loaded.text, loaded.file, changes, CaseScope::whole_or_tests, trial);
+    if (changed || test.set.empty())
+      loaded.data.test_soils.push_back((changed ? *changed : loaded).data.materials.at(test.material));
+    else
+      findings.add(fmt::format("test.{}.set", i), fmt::format("the test '{}' cannot change material '{}' so: {}",
+                                                              test.name, test.material, trial.sort().front().sentence));
+  }
+}
+
+}  // namespace
+
+LoadedCase read_case_text(const std::string& text, const std::string& name, const std::vector<Override>& overrides,
+                          CaseScope scope) {
+  Places places(name);
+  Findings findings(places);
+  std::optional<LoadedCase> loaded = read_once(text, name, overrides, scope, findings);
+  if (loaded) check_study(*loaded, overrides, findings);
+  if (loaded) check_uncertain_numbers(*loaded, overrides, findings);
+  if (loaded) read_test_soils(*loaded, overrides, findings);
+  if (!findings.empty()) throw InputError(findings.sort());
+  loaded->places = std::move(places);
+  return std::move(*loaded);
+}
+
+LoadedCase read_case(const std::string& path, const std::vector<Override>& overrides, CaseScope scope) {
+  return read_case_text(read_text(path), path, overrides, scope);
+}
+
+void check_against_mesh(const LoadedCase& loaded, const std::set<std::string>& sides,
+                        const std::set<std::string>& regions) {
+  Places places = loaded.places;
+  Findings findings(places);
+  check_sides(loaded.data, sides, findings);
+  check_regions(loaded.data, regions, findings);
+  if (!findings.empty()) throw InputError(findings.sort());
+}
+
+}  // namespace talus::input
