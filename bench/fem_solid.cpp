@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "fem/solid.hpp"
+#include "fem/solid/solid.hpp"
 #include "mesh/generate.hpp"
 
 using namespace talus;

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
-#include "lem/search.hpp"
+#include "lem/search/search.hpp"
 
 namespace {
 

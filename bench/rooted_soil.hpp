@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "mpm/build.hpp"
+#include "mpm/body/build.hpp"
 
 namespace talus::bench {
 

@@ -13,7 +13,7 @@
 #include <set>
 #include <string>
 
-#include "mpm/observe.hpp"
+#include "mpm/body/observe.hpp"
 #include "wet_yardstick.hpp"
 
 namespace {

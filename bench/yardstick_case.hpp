@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mpm/build.hpp"
+#include "mpm/body/build.hpp"
 #include "rooted_soil.hpp"
 #include "yardstick_mesh.hpp"
 

@@ -1,7 +1,7 @@
 # The page that `talus report` fills, as bytes inside the library. It is built from web/ with Node where there is one;
 # Node is needed by this build only, never by the program.
 #
-#   TALUS_REPORT_PAGE=FILE   a page that was built elsewhere (web/dist/index.html), or src/report/plain_page.html
+#   TALUS_REPORT_PAGE=FILE   a page that was built elsewhere (web/dist/index.html), or src/report/pack/plain_page.html
 set(TALUS_REPORT_PAGE "" CACHE FILEPATH "A ready page for reports; empty: built from web/ when Node and npm are there")
 
 set(web ${PROJECT_SOURCE_DIR}/web)
@@ -29,14 +29,14 @@ else()
       COMMENT "Building the page of the reports"
       VERBATIM)
   else()
-    set(TALUS_PAGE_FILE ${PROJECT_SOURCE_DIR}/src/report/plain_page.html)
+    set(TALUS_PAGE_FILE ${PROJECT_SOURCE_DIR}/src/report/pack/plain_page.html)
     message(WARNING "There is no Node 20 with npm here: `talus report` will write a plain page, with the answer in words "
       "and without viewer and curves. Install Node, or name a page that was built elsewhere with -DTALUS_REPORT_PAGE=FILE.")
   endif()
 endif()
 
 set(TALUS_PAGE_DATA ${PROJECT_BINARY_DIR}/generated/report_page.S)
-configure_file(${PROJECT_SOURCE_DIR}/src/report/page_data.S.in ${TALUS_PAGE_DATA} @ONLY)
+configure_file(${PROJECT_SOURCE_DIR}/src/report/pack/page_data.S.in ${TALUS_PAGE_DATA} @ONLY)
 # The assembler reads the page itself, so the build must be told.
 set_source_files_properties(${TALUS_PAGE_DATA} PROPERTIES OBJECT_DEPENDS ${TALUS_PAGE_FILE})
 target_sources(talus_lib PRIVATE ${TALUS_PAGE_DATA})

@@ -8,7 +8,7 @@ if(NOT EXISTS ${installed} OR NOT ${installed} IS_NEWER_THAN ${WEB}/package-lock
     message(WARNING "npm could not install the packages of web/package-lock.json: `talus report` will write a plain page, "
       "with the answer in words and without viewer and curves. Build again with a network, or name a page that was built "
       "elsewhere with -DTALUS_REPORT_PAGE=FILE.")
-    file(COPY_FILE ${WEB}/../src/report/plain_page.html ${PAGE_DIR}/index.html)
+    file(COPY_FILE ${WEB}/../src/report/pack/plain_page.html ${PAGE_DIR}/index.html)
     # Older than what it is made of, so that the next build tries again.
     execute_process(COMMAND touch -d 2000-01-01 ${PAGE_DIR}/index.html)
     return()

@@ -1,6 +1,6 @@
-// One thread per element: the point pass of src/mpm/advance_points.cpp with T = double in place of a pack. Compiled only.
+// One thread per element: the point pass of src/mpm/step/advance_points.cpp with T = double in place of a pack. Compiled only.
 
-#include "mpm/kernels.hpp"
+#include "mpm/step/kernels.hpp"
 
 namespace talus::cuda {
 

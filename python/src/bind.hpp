@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "output/hdf5.hpp"
+#include "output/files/hdf5.hpp"
 
 namespace talus::python {
 

@@ -1,6 +1,6 @@
 // Frames and histories, their arrays where the library put them.
 
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
 
 #include <omp.h>
 #include <pybind11/stl.h>
@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "bind.hpp"
-#include "output/history.hpp"
+#include "output/files/history.hpp"
 #include "report/report.hpp"
 
 namespace talus::python {

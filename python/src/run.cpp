@@ -6,7 +6,7 @@
 
 #include "bind.hpp"
 #include "drive.hpp"
-#include "methods/run_case.hpp"
+#include "run/run_case.hpp"
 #include "study/study.hpp"
 
 namespace talus::python {
@@ -24,10 +24,10 @@ Options make_options(const std::filesystem::path& folder, int threads, bool resu
 
 void run(const input::LoadedCase& loaded, const std::filesystem::path& folder, int threads, bool resume, bool overwrite,
          const py::object& callback) {
-  auto options = make_options<analysis::RunOptions>(folder, threads, resume, overwrite);
+  auto options = make_options<run::RunOptions>(folder, threads, resume, overwrite);
   const auto work = [&](Progress& progress) {
     options.progress = &progress;
-    methods::run_case(loaded, options);
+    run::run_case(loaded, options);
   };
   drive(work, callback, Calls::with_news);
 }

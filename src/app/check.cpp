@@ -2,13 +2,13 @@
 
 #include <memory>
 
-#include "analysis/end_state.hpp"
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
 #include "input/case/method_names.hpp"
 #include "input/case/partial_factors.hpp"
 #include "input/read.hpp"
-#include "methods/run_case.hpp"
+#include "run/mpm/start/end_state.hpp"
+#include "run/run_case.hpp"
 
 namespace talus::app {
 namespace {
@@ -92,8 +92,8 @@ void add_check(CLI::App& app) {
     const input::LoadedCase loaded =
         input::read_case(options->file, options->parse_overrides(), input::CaseScope::whole_or_tests);
     if (!loaded.data.initial.result.empty())
-      input::check_against_result(loaded, analysis::EndState(loaded.data.initial).input());
-    if (loaded.is_whole) methods::check_methods(loaded.data);
+      input::check_against_result(loaded, run::EndState(loaded.data.initial).input());
+    if (loaded.is_whole) run::check_methods(loaded.data);
     fmt::print("{}: no errors\n{}", options->file,
                loaded.is_whole ? summarise(loaded.data)
                                : fmt::format("  {} of {}, no slope\n",

@@ -10,7 +10,7 @@
 
 #include "app/commands.hpp"
 #include "base/error.hpp"
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
 
 namespace talus::app {
 namespace {

@@ -16,10 +16,10 @@
 #include "app/plot_soil_water.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
-#include "output/curve_plot.hpp"
-#include "output/field_plot.hpp"
-#include "output/gnuplot.hpp"
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
+#include "output/plots/curve_plot.hpp"
+#include "output/plots/field_plot.hpp"
+#include "output/plots/gnuplot.hpp"
 
 namespace talus::app {
 namespace {

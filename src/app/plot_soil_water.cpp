@@ -4,8 +4,8 @@
 
 #include "base/error.hpp"
 #include "input/read.hpp"
-#include "output/atomic_file.hpp"
-#include "output/water_plot.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/plots/water_plot.hpp"
 
 namespace talus::app {
 

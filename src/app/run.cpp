@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "analysis/summary.hpp"
 #include "app/case_options.hpp"
 #include "app/closing_report.hpp"
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
-#include "methods/run_case.hpp"
+#include "run/run_case.hpp"
+#include "run/summary.hpp"
 
 namespace talus::app {
 namespace {
@@ -27,7 +27,7 @@ void run(const RunCommand& command) {
   const input::LoadedCase loaded = input::read_case(command.input.file, command.input.parse_overrides());
   catch_interrupts();
   Progress progress(!command.quiet);
-  analysis::RunOptions options;
+  run::RunOptions options;
   options.folder =
       command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_results" : command.folder;
   options.threads = command.threads > 0 ? command.threads : default_threads();
@@ -35,9 +35,9 @@ void run(const RunCommand& command) {
   options.overwrite = command.overwrite;
   options.progress = &progress;
   nlohmann::json summary;
-  do_and_report(options.folder, !command.no_report, [&] { summary = methods::run_case(loaded, options); });
+  do_and_report(options.folder, !command.no_report, [&] { summary = run::run_case(loaded, options); });
   if (command.quiet) return;
-  fmt::print("{}Results are in {}{}\n", analysis::write_digest(summary), options.folder.string(),
+  fmt::print("{}Results are in {}{}\n", run::write_digest(summary), options.folder.string(),
              command.no_report ? "" : "; open report.html there in a browser");
 }
 

@@ -6,7 +6,7 @@
 
 #include "base/units.hpp"
 #include "input/case/measured_table.hpp"
-#include "output/history.hpp"
+#include "output/files/history.hpp"
 
 namespace talus::laboratory {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/units.hpp"
 #include "laboratory/point_words.hpp"
-#include "output/history.hpp"
+#include "output/files/history.hpp"
 
 namespace talus::laboratory {
 namespace {

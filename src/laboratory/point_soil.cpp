@@ -7,8 +7,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "analysis/soil_laws.hpp"
 #include "base/error.hpp"
+#include "ground/soil_laws.hpp"
 #include "input/case/soil_water_law.hpp"
 
 namespace talus::laboratory {
@@ -21,7 +21,7 @@ double find_mean_pressure(const Voigt& stress) {
 }  // namespace
 
 PointSoil::PointSoil(const input::Material& material, const Voigt& stress, double suction)
-    : law_(analysis::make_law(material)),
+    : law_(ground::make_law(material)),
       retention_(input::make_retention(material.water)),
       is_wet_(material.water.is_wet()),
       chi_air_entry_(material.water.chi == input::BishopChi::khalili_khabbaz ? material.water.chi_air_entry : 0),

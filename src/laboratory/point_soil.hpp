@@ -6,7 +6,7 @@
 
 #include "input/case/case.hpp"
 #include "material/law.hpp"
-#include "material/retention.hpp"
+#include "material/water/retention.hpp"
 
 namespace talus::laboratory {
 

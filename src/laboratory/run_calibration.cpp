@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "laboratory/calibration_results.hpp"
 #include "laboratory/run_point_tests.hpp"
-#include "output/atomic_file.hpp"
+#include "output/files/atomic_file.hpp"
 
 namespace talus::laboratory {
 

@@ -8,17 +8,17 @@
 #include <ctime>
 #include <set>
 
-#include "analysis/named_results.hpp"
-#include "analysis/recorder.hpp"
-#include "analysis/summary.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/units.hpp"
 #include "laboratory/point_groups.hpp"
 #include "laboratory/point_results.hpp"
-#include "output/atomic_file.hpp"
-#include "output/gnuplot.hpp"
-#include "output/point_plot.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/plots/gnuplot.hpp"
+#include "output/plots/point_plot.hpp"
+#include "run/mpm/record/recorder.hpp"
+#include "run/named_results.hpp"
+#include "run/summary.hpp"
 
 namespace talus::laboratory {
 namespace {
@@ -164,9 +164,9 @@ json run_point_tests(const input::LoadedCase& loaded, const PointOptions& option
   }
   json summary{{"format", 1},
                {"title", loaded.data.title},
-               {"project", analysis::describe_project(loaded.data)},
+               {"project", run::describe_project(loaded.data)},
                {"input", loaded.echo},
-               {"provenance", analysis::describe_provenance(loaded, analysis::hash_text(loaded.echo.dump()), 1)},
+               {"provenance", run::describe_provenance(loaded, run::hash_text(loaded.echo.dump()), 1)},
                {"units",
                 {{"length", loaded.data.output.length_unit},
                  {"displacement", loaded.data.output.displacement_unit},
@@ -175,7 +175,7 @@ json run_point_tests(const input::LoadedCase& loaded, const PointOptions& option
                {"groups", groups},
                {"point_results", find_results(loaded, tests)},
                {"warnings", warnings}};
-  summary["comparisons"] = analysis::compare_results(loaded.data, summary);
+  summary["comparisons"] = run::compare_results(loaded.data, summary);
   summary["timing"] = {{"wall", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
                        {"cpu", static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC}};
   output::write_atomically(folder / "point.json", summary.dump(1) + "\n");

@@ -24,7 +24,7 @@ struct Nodes {
 Nodes get_nodes() {
   std::vector<std::size_t> tags;
   std::vector<double> coordinates, parametric;
-  gmsh::input::mesh::getNodes(tags, coordinates, parametric, -1, -1, false, false);
+  gmsh::model::mesh::getNodes(tags, coordinates, parametric, -1, -1, false, false);
   Nodes nodes;
   nodes.index.reserve(tags.size());
   nodes.places.reserve(tags.size());
@@ -40,14 +40,14 @@ std::vector<std::array<int, N>> get_simplices(int entity, const Nodes& nodes) {
   constexpr int dimension = N - 1;
   std::vector<int> types;
   std::vector<std::vector<std::size_t>> element_tags, node_tags;
-  gmsh::input::mesh::getElements(types, element_tags, node_tags, dimension, entity);
+  gmsh::model::mesh::getElements(types, element_tags, node_tags, dimension, entity);
   std::vector<std::array<int, N>> simplices;
   for (std::size_t t = 0; t < types.size(); ++t) {
     if (types[t] != simplex_type[dimension]) {
       std::string name;
       int dim, order, count, primary;
       std::vector<double> local;
-      gmsh::input::mesh::getElementProperties(types[t], name, dim, order, count, local, primary);
+      gmsh::model::mesh::getElementProperties(types[t], name, dim, order, count, local, primary);
       throw Error(
           ExitCode::wrong_input,
           fmt::format("the mesh holds {} elements of type '{}': only linear {} are understood", element_tags[t].size(),
@@ -123,11 +123,11 @@ std::vector<Freedom<D>> extract_freedoms() {
   std::vector<Freedom<D>> freedoms(nodes.places.size());
   for (int dimension = 1; dimension <= D; ++dimension) {
     gmsh::vectorpair entities;
-    gmsh::input::getEntities(entities, dimension);
+    gmsh::model::getEntities(entities, dimension);
     for (const auto& [dim, entity] : entities) {
       std::vector<std::size_t> tags;
       std::vector<double> coordinates, parametric;
-      gmsh::input::mesh::getNodes(tags, coordinates, parametric, dim, entity, false, false);
+      gmsh::model::mesh::getNodes(tags, coordinates, parametric, dim, entity, false, false);
       if (tags.empty()) continue;
       const auto freedom = find_freedom<D>(dim, entity, nodes);
       for (std::size_t tag : tags) freedoms[nodes.index.at(tag)] = freedom;
@@ -141,7 +141,7 @@ Mesh<D> extract_mesh(const Naming& naming) {
   const Nodes nodes = get_nodes();
   Mesh<D> mesh;
   gmsh::vectorpair entities;
-  gmsh::input::getEntities(entities, D);
+  gmsh::model::getEntities(entities, D);
   for (const auto& [dim, entity] : entities) {
     const auto simplices = get_simplices<D + 1>(entity, nodes);
     if (simplices.empty()) continue;
@@ -153,7 +153,7 @@ Mesh<D> extract_mesh(const Naming& naming) {
     throw Error(ExitCode::wrong_input,
                 fmt::format("the mesh has no {}, which a {}D case needs", D == 2 ? "triangles" : "tetrahedra", D));
   if constexpr (D == 2) check_plane(mesh, nodes);
-  gmsh::input::getEntities(entities, D - 1);
+  gmsh::model::getEntities(entities, D - 1);
   for (const auto& [dim, entity] : entities) {
     const auto simplices = get_simplices<D>(entity, nodes);
     if (simplices.empty()) continue;

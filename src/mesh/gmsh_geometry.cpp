@@ -12,7 +12,7 @@
 namespace talus::mesh {
 namespace {
 
-namespace occ = gmsh::input::occ;
+namespace occ = gmsh::model::occ;
 
 /// A mesh whose number of triangles is this near to the wanted one is not made again.
 constexpr double count_tolerance = 0.01;
@@ -81,10 +81,10 @@ int get_algorithm(Algorithm algorithm) {
 /// elements' length, 15 % with the Delaunay algorithm).
 double measure_surplus(const Plan& plan) {
   std::vector<std::size_t> tags, corners;
-  gmsh::input::mesh::getElementsByType(2, tags, corners);
+  gmsh::model::mesh::getElementsByType(2, tags, corners);
   std::vector<double> places, parametric;
   std::vector<std::size_t> nodes;
-  gmsh::input::mesh::getNodes(nodes, places, parametric, -1, -1, false, false);
+  gmsh::model::mesh::getNodes(nodes, places, parametric, -1, -1, false, false);
   std::unordered_map<std::size_t, Point2> by_tag;
   for (std::size_t i = 0; i < nodes.size(); ++i) by_tag[nodes[i]] = {places[3 * i], places[3 * i + 1]};
   double wanted = 0;
@@ -108,7 +108,7 @@ double compute_size(const Plan& plan, const Point2& x) {
 }
 
 void mesh_with_gmsh(const Plan& plan) {
-  gmsh::input::add("plan");
+  gmsh::model::add("plan");
   build_geometry(plan);
   // The size comes from the plan alone: nothing spreads from short edges or from CAD points.
   gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
@@ -120,18 +120,18 @@ void mesh_with_gmsh(const Plan& plan) {
   const std::function<double(int, int, double, double, double)> get_size = [&](int, int, double x, double y, double) {
     return scale * compute_size(plan, {x, y});
   };
-  if (!uniform) gmsh::input::mesh::setSizeCallback(get_size);
+  if (!uniform) gmsh::model::mesh::setSizeCallback(get_size);
   for (int attempt = 0; attempt < 3; ++attempt) {
     gmsh::option::setNumber("Mesh.MeshSizeMax", scale * plan.size);
-    gmsh::input::mesh::generate(plan.dimension);
+    gmsh::model::mesh::generate(plan.dimension);
     if (plan.dimension == 3) break;
     const double surplus = measure_surplus(plan);
     if (std::abs(surplus - 1) < count_tolerance) break;
     if (attempt == 2) break;
     scale *= std::sqrt(surplus);
-    gmsh::input::mesh::clear();
+    gmsh::model::mesh::clear();
   }
-  if (!uniform) gmsh::input::mesh::removeSizeCallback();
+  if (!uniform) gmsh::model::mesh::removeSizeCallback();
 }
 
 }  // namespace talus::mesh

@@ -20,7 +20,7 @@ GmshSession::GmshSession() : lock_(gmsh_mutex), threads_(omp_get_max_threads()) 
 
 GmshSession::~GmshSession() {
   try {
-    gmsh::input::mesh::removeSizeCallback();
+    gmsh::model::mesh::removeSizeCallback();
     gmsh::finalize();
   } catch (...) {  // nothing to save and nobody to tell
   }

@@ -31,11 +31,11 @@ void check_header(const std::string& path) {
 /// Names of the physical groups that an entity is part of. A group without a name is called by its number.
 std::vector<std::string> get_group_names(int dimension, int entity) {
   std::vector<int> tags;
-  gmsh::input::getPhysicalGroupsForEntity(dimension, entity, tags);
+  gmsh::model::getPhysicalGroupsForEntity(dimension, entity, tags);
   std::vector<std::string> names;
   for (int tag : tags) {
     std::string name;
-    gmsh::input::getPhysicalName(dimension, tag, name);
+    gmsh::model::getPhysicalName(dimension, tag, name);
     names.push_back(name.empty() ? std::to_string(tag) : name);
   }
   return names;
@@ -44,11 +44,11 @@ std::vector<std::string> get_group_names(int dimension, int entity) {
 /// Region names in the order of the groups' numbers; "empty" is none.
 std::vector<std::string> get_region_names(int dimension) {
   gmsh::vectorpair groups;
-  gmsh::input::getPhysicalGroups(groups, dimension);
+  gmsh::model::getPhysicalGroups(groups, dimension);
   std::vector<std::string> names;
   for (const auto& [dim, tag] : groups) {
     std::string name;
-    gmsh::input::getPhysicalName(dim, tag, name);
+    gmsh::model::getPhysicalName(dim, tag, name);
     if (name.empty()) name = std::to_string(tag);
     if (name != "empty" && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
 
 namespace talus::report {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "report/pack.hpp"
+#include "report/pack/pack.hpp"
 
 namespace talus::report {
 

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "analysis/run_case.hpp"
-#include "analysis/summary.hpp"
 #include "base/error.hpp"
-#include "output/atomic_file.hpp"
+#include "output/files/atomic_file.hpp"
+#include "run/run_case.hpp"
+#include "run/summary.hpp"
 #include "study/sampling_table.hpp"
 
 namespace talus::study {
@@ -79,8 +79,8 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
                  {{"displacement", base.data.output.displacement_unit},
                   {"length", base.data.output.length_unit},
                   {"stress", base.data.output.stress_unit}}},
-                {"project", analysis::describe_project(base.data)},
-                {"provenance", analysis::describe_provenance(base, analysis::hash_input(base.echo), options.threads)},
+                {"project", run::describe_project(base.data)},
+                {"provenance", run::describe_provenance(base, run::hash_input(base.echo), options.threads)},
                 {"input", base.echo}};
   if (set.method == input::SampledMethod::lem) {
     calculate_slices(base, overrides, options, set);

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/named_results.hpp"
-#include "analysis/run_case.hpp"
+#include "run/named_results.hpp"
+#include "run/run_case.hpp"
 #include "study/key_paths.hpp"
 #include "study/sampling.hpp"
 #include "study/study_table.hpp"
@@ -44,7 +44,7 @@ StudyPlan plan_samples(const input::LoadedCase& base, std::vector<input::Overrid
           fmt::format("{} is no possible case: {}; cut or correlate the distributions so that it cannot come up", label,
                       error.diagnostics().front().sentence));
     }
-    variant.input_hash = analysis::hash_input(variant.loaded.echo);
+    variant.input_hash = run::hash_input(variant.loaded.echo);
     plan.variants.push_back(std::move(variant));
   };
   add("means", "at the means", set.sampled.list_means());
@@ -57,7 +57,7 @@ StudyPlan plan_samples(const input::LoadedCase& base, std::vector<input::Overrid
 std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::string>& names) {
   for (const std::string& name : names)
     for (const StudyRow& row : rows)
-      if (row.summary.is_object() && analysis::find_result(row.summary, name)) return name;
+      if (row.summary.is_object() && run::find_result(row.summary, name)) return name;
   return "";
 }
 
@@ -66,7 +66,7 @@ std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& n
   std::vector<double> values;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const bool ended = rows[i].status == "finished" && rows[i].summary.is_object();
-    values.push_back(ended ? analysis::find_result(rows[i].summary, name).value_or(none) : none);
+    values.push_back(ended ? run::find_result(rows[i].summary, name).value_or(none) : none);
   }
   return values;
 }

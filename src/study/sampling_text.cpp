@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "output/gnuplot.hpp"
-#include "output/history.hpp"
+#include "output/files/history.hpp"
+#include "output/plots/gnuplot.hpp"
 #include "study/sampling_table.hpp"
 
 namespace talus::study {

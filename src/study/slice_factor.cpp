@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "lem/evaluator.hpp"
-#include "methods/lem_section.hpp"
-#include "methods/run_lem.hpp"
+#include "lem/search/evaluator.hpp"
+#include "run/lem/run_lem.hpp"
+#include "run/lem/section_of_case.hpp"
 
 namespace talus::study {
 namespace {
@@ -22,12 +22,12 @@ SliceFactor::SliceFactor(const input::LoadedCase& base, const std::vector<input:
       overrides_(overrides),
       sampled_(sampled),
       numbers_(base, overrides, sampled, sampled.list_means()),
-      options_(methods::make_search_options(base.data.lem, threads)) {
+      options_(run::make_search_options(base.data.lem, threads)) {
   options_.methods.resize(1);
   if (is_full()) return;
   slope_ = std::make_unique<lem::Slope>(numbers_.middle());
   std::vector<lem::Surface> given;
-  for (const input::SlipSurface& s : base.data.lem.surfaces) given.push_back(methods::make_surface(*slope_, s));
+  for (const input::SlipSurface& s : base.data.lem.surfaces) given.push_back(run::make_surface(*slope_, s));
   if (searches()) {
     const std::vector<lem::Section> corners = make_corners(sampled.list_means());
     corners_ = static_cast<int>(corners.size());
@@ -76,12 +76,11 @@ std::optional<SliceFactor::Searched> SliceFactor::search(const std::vector<doubl
   const auto take = [&](double factor) {
     if (factor > 0 && (result.factor == 0 || factor < result.factor)) result.factor = factor;
   };
-  const lem::Slope slope(is_full()
-                             ? methods::make_section(read_sample(base_, overrides_, sampled_, values).data).section
-                             : numbers_.make_section(values));
+  const lem::Slope slope(is_full() ? run::make_section(read_sample(base_, overrides_, sampled_, values).data).section
+                                   : numbers_.make_section(values));
   lem::Evaluator evaluate(slope, method(), options.checks, options.slices);
   for (const input::SlipSurface& given : base_.data.lem.surfaces) {
-    const double factor = evaluate(methods::make_surface(slope, given));
+    const double factor = evaluate(run::make_surface(slope, given));
     if (factor < lem::Evaluator::refused) take(factor);
   }
   if (searches()) {

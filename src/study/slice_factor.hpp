@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lem/candidates.hpp"
-#include "lem/search.hpp"
+#include "lem/search/candidates.hpp"
+#include "lem/search/search.hpp"
 #include "study/slice_numbers.hpp"
 
 namespace talus::study {
@@ -16,7 +16,7 @@ namespace talus::study {
 class SliceFactor {
  public:
   /// Searches at the means and at corners of the distributions, and keeps the surfaces that may be critical. Throws
-  /// what methods::make_section() and lem::search() do at the means.
+  /// what run::make_section() and lem::search() do at the means.
   SliceFactor(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
               const SampledNumbers& sampled, int threads);
 

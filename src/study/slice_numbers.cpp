@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/units.hpp"
-#include "methods/lem_section.hpp"
+#include "run/lem/section_of_case.hpp"
 #include "study/key_paths.hpp"
 
 namespace talus::study {
@@ -34,9 +34,9 @@ SliceNumbers::SliceNumbers(const input::LoadedCase& base, const std::vector<inpu
       {"cohesion", Part::cohesion},    {"friction_angle", Part::friction},   {"cohesion_gradient", Part::gradient},
       {"cohesion_level", Part::level}, {"pore_pressure_ratio", Part::ratio}, {"phi_b", Part::phi_b}};
   const auto make = [&](const std::vector<double>& values) {
-    return methods::make_section(read_sample(base, overrides, sampled, values).data);
+    return run::make_section(read_sample(base, overrides, sampled, values).data);
   };
-  methods::SectionOfCase made = make(middle);
+  run::SectionOfCase made = make(middle);
   middle_ = std::move(made.section);
   notes_ = std::move(made.notes);
   std::set<std::string> porous;  // materials whose porosity varies: there weights are not linear in the grains' density

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lem/section.hpp"
+#include "lem/section/section.hpp"
 #include "study/sampled_numbers.hpp"
 
 namespace talus::study {

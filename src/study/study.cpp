@@ -9,8 +9,8 @@
 
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
-#include "methods/run_case.hpp"
-#include "output/atomic_file.hpp"
+#include "output/files/atomic_file.hpp"
+#include "run/run_case.hpp"
 #include "study/study_table.hpp"
 
 namespace talus::study {
@@ -91,13 +91,13 @@ class StudyRun {
   }
 
   StudyRow calculate(const Variant& variant, const fs::path& folder) const {
-    analysis::RunOptions run;
+    run::RunOptions run;
     run.folder = folder;
     run.resume = options_.resume;
     run.overwrite = options_.overwrite;
     StudyRow row;
     try {
-      row.summary = methods::run_case(variant.loaded, run);
+      row.summary = run::run_case(variant.loaded, run);
       row.status = "finished";
       return row;
     } catch (const Error& error) {

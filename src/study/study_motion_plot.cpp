@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "analysis/motion.hpp"
 #include "base/units.hpp"
-#include "output/curve_plot.hpp"
-#include "output/gnuplot.hpp"
+#include "output/plots/curve_plot.hpp"
+#include "output/plots/gnuplot.hpp"
+#include "run/mpm/record/motion.hpp"
 #include "study/study_table.hpp"
 
 namespace talus::study {
@@ -39,8 +39,8 @@ void draw_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, const
       const json& summary = rows[i].summary;
       if (!summary.is_object() || !summary.contains("clock") || !fs::exists(file)) continue;
       const json& clock = summary.at("clock");
-      const analysis::MonitorPath path = analysis::read_monitor_path(
-          output::read_history(file), monitor, {clock.at("stage"), clock.at("start"), clock.at("resets")});
+      const run::MonitorPath path = run::read_monitor_path(output::read_history(file), monitor,
+                                                           {clock.at("stage"), clock.at("start"), clock.at("resets")});
       output::PlotSeries series{plan.variants[i].label, path.time, path.displacement};
       for (double& u : series.y) u /= unit;
       plot.series.push_back(std::move(series));

@@ -9,8 +9,8 @@
 #include <optional>
 #include <set>
 
-#include "analysis/run_case.hpp"
-#include "output/history.hpp"
+#include "output/files/history.hpp"
+#include "run/run_case.hpp"
 #include "study/key_paths.hpp"
 
 namespace talus::study {
@@ -230,7 +230,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
       const std::string text = choice[k] ? strip_quotes(study.vary[k].values[*choice[k]]) : "";
       variant.values.push_back(entry != nullptr ? write_value(entry->at("value")) : text);
     }
-    variant.input_hash = analysis::hash_input(variant.loaded.echo);
+    variant.input_hash = run::hash_input(variant.loaded.echo);
     numbers[variant.label] = numbers[variant.name] = plan.variants.size();
     plan.variants.push_back(std::move(variant));
   }

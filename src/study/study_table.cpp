@@ -8,12 +8,12 @@
 #include <map>
 #include <set>
 
-#include "analysis/named_results.hpp"
 #include "base/units.hpp"
-#include "output/atomic_file.hpp"
-#include "output/curve_plot.hpp"
-#include "output/gnuplot.hpp"
-#include "output/history.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/files/history.hpp"
+#include "output/plots/curve_plot.hpp"
+#include "output/plots/gnuplot.hpp"
+#include "run/named_results.hpp"
 #include "study/extrapolation.hpp"
 
 namespace talus::study {
@@ -138,12 +138,12 @@ std::string write_cell(const std::string& text) {
 void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Columns& columns) {
   for (const std::string& name : plan.monitors)
     columns.add("onset of " + name, "s", "{:.4g}", false,
-                [&](const json& s) { return analysis::find_result(s, fmt::format("onset[{}]", name)); });
+                [&](const json& s) { return run::find_result(s, fmt::format("onset[{}]", name)); });
   for (const std::string& name : plan.monitors) {
-    const auto get = [&](const json& s) { return analysis::find_result(s, fmt::format("displacement[{}]", name)); };
+    const auto get = [&](const json& s) { return run::find_result(s, fmt::format("displacement[{}]", name)); };
     columns.add("displacement of " + name, plan.displacement_unit, "{:.4g}", false, get);
     const json& base = rows[plan.reference].summary;
-    const bool moves = base.is_object() && analysis::find_result(base, fmt::format("onset[{}]", name));
+    const bool moves = base.is_object() && run::find_result(base, fmt::format("onset[{}]", name));
     const std::optional<double> reference = moves ? get(base) : std::nullopt;
     columns.add(fmt::format("displacement of {} over that of {}", name, plan.variants[plan.reference].label), "",
                 "{:.3f}", false, [&](const json& s) {
@@ -180,7 +180,7 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
                 [f](const json& s) { return get_displacement(s, f); });
   for (const char* criterion : {"frozen", "bilinear", "displacement", "jump"})
     columns.add(fmt::format("FoS, {}", criterion), "", "{:.3f}", false, [criterion](const json& s) {
-      return analysis::find_result(s, std::string("factor_of_safety.") + criterion);
+      return run::find_result(s, std::string("factor_of_safety.") + criterion);
     });
   for (const auto& [name, title] : std::initializer_list<std::pair<const char*, const char*>>{
            {"lem.fellenius", "Fellenius"},
@@ -196,7 +196,7 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
            {"fem.by_displacement", "finite elements, displacement"},
            {"fem.associated.factor", "finite elements, ψ = φ"}})
     columns.add(fmt::format("FoS, {}", title), "", "{:.3f}", false,
-                [n = std::string(name)](const json& s) { return analysis::find_result(s, n); });
+                [n = std::string(name)](const json& s) { return run::find_result(s, n); });
   for (const double f : list_runout_factors(rows))
     columns.add(fmt::format("front advance at SRF {:g}", f), plan.length_unit, "{:.3g}", false, [f](const json& s) {
       const json* trial = find_trial(find(s, {"runouts"}), f);

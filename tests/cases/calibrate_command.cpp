@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace talus::analysis {
+namespace talus::laboratory {
 namespace {
 
 namespace fs = std::filesystem;
@@ -197,4 +197,4 @@ TEST_F(CalibrateCommand, TheExampleComesBackToTable4_1) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::laboratory

@@ -6,20 +6,20 @@
 #include <cmath>
 #include <string>
 
-#include "analysis/prepare.hpp"
-#include "analysis/runout.hpp"
-#include "analysis/stage.hpp"
 #include "input/read.hpp"
 #include "mesh/generate.hpp"
-#include "mpm/observe.hpp"
+#include "mpm/body/observe.hpp"
+#include "run/mpm/record/runout.hpp"
+#include "run/mpm/stage.hpp"
+#include "run/mpm/start/prepare.hpp"
 
 namespace talus {
 namespace {
 
 struct Collapse {
   mpm::Totals<2> before, after;
-  analysis::Runout runout;
-  analysis::Profile profile;
+  run::Runout runout;
+  run::Profile profile;
   double external_work = 0;  ///< [J]
   std::size_t lost = 0;
 };
@@ -32,20 +32,19 @@ Collapse run_example(double aspect) {
       input::read_case(path, {{"geometry.polygon.column.points", "[[0, 0], [1, 0], [1, " + a + "], [0, " + a + "]]"},
                               {"stage.collapse.duration", "2"}});
   const input::Case& data = loaded.data;
-  mpm::Body<2> body = analysis::prepare<2>(data, mesh::generate<2>(data.mesh));
-  const double height = analysis::find_soil_height(body, data.gravity);
-  const Vec<2> gravity = analysis::find_gravity<2>(data.gravity);
-  const analysis::Profile initial = analysis::find_profile(body, data.mesh.size);
+  mpm::Body<2> body = run::prepare<2>(data, mesh::generate<2>(data.mesh));
+  const double height = run::find_soil_height(body, data.gravity);
+  const Vec<2> gravity = run::find_gravity<2>(data.gravity);
+  const run::Profile initial = run::find_profile(body, data.mesh.size);
   Collapse c;
   c.before = mpm::sum_points(body, gravity);
   for (const input::Stage& stage : data.stages) {
-    analysis::StageState state;
-    EXPECT_EQ(analysis::run_stage(body, analysis::make_plan<2>(data, stage, height, 1), state),
-              analysis::StageEnd::time);
+    run::StageState state;
+    EXPECT_EQ(run::run_stage(body, run::make_plan<2>(data, stage, height, 1), state), run::StageEnd::time);
   }
   c.after = mpm::sum_points(body, gravity);
-  c.runout = analysis::find_runout(body, initial, 0.01 * height);
-  c.profile = analysis::find_profile(body, data.mesh.size);
+  c.runout = run::find_runout(body, initial, 0.01 * height);
+  c.profile = run::find_profile(body, data.mesh.size);
   c.external_work = body.work.external;
   c.lost = body.lost.size();
   return c;

@@ -1,6 +1,6 @@
 // Partial factors: exact answers where there are some, and what is divided and what is not.
 
-#include "methods/design_values.hpp"
+#include "ground/design_values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 
 #include "base/error.hpp"
 #include "input/read.hpp"
-#include "lem/search.hpp"
-#include "methods/run_lem.hpp"
+#include "lem/search/search.hpp"
+#include "run/lem/run_lem.hpp"
 
-namespace talus::methods {
+namespace talus::ground {
 namespace {
 
 /// The dry homogeneous slope of the source: 10 m at 2:1, c = 2 kPa, φ = 30°.
@@ -39,9 +39,9 @@ noncircular = false
 }
 
 std::map<lem::Method, lem::Critical> search(const input::Case& data) {
-  const PreparedSlope prepared = prepare_slope(data);
+  const run::PreparedSlope prepared = run::prepare_slope(data);
   std::map<lem::Method, lem::Critical> found;
-  for (lem::Critical& c : lem::search(*prepared.slope, make_search_options(data.lem, 1)).circular) {
+  for (lem::Critical& c : lem::search(*prepared.slope, run::make_search_options(data.lem, 1)).circular) {
     const lem::Method method = c.method;
     found.emplace(method, std::move(c));
   }
@@ -55,7 +55,7 @@ TEST(DesignValues, DrainedSlopeHasItsFactorOver125) {
   const auto plain = search(read("")), factored = search(design.data);
   ASSERT_EQ(plain.size(), factored.size());
   ASSERT_GE(plain.size(), 3u);
-  const PreparedSlope slope = prepare_slope(design.data);
+  const run::PreparedSlope slope = run::prepare_slope(design.data);
   for (const auto& [method, critical] : plain) {
     lem::Checks checks;
     checks.reject = false;
@@ -164,4 +164,4 @@ TEST(DesignValues, ASoilWithoutFrictionAngleIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace talus::methods
+}  // namespace talus::ground

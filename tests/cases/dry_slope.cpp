@@ -9,9 +9,9 @@
 #include <fstream>
 #include <numbers>
 
-#include "analysis/run_case.hpp"
-#include "analysis/trial.hpp"
 #include "base/parallel.hpp"
+#include "run/mpm/reduction/trial.hpp"
+#include "run/run_case.hpp"
 
 namespace talus {
 namespace {
@@ -26,12 +26,12 @@ std::string read_text(const fs::path& path) {
 
 json run(const std::string& file, const std::vector<input::Override>& overrides) {
   const fs::path folder = fs::temp_directory_path() / ("talus_dry_slope_" + std::to_string(getpid()));
-  analysis::RunOptions options;
+  run::RunOptions options;
   options.folder = folder;
   options.threads = default_threads();
   options.overwrite = true;
   json summary =
-      analysis::run_case(input::read_case(std::string(TALUS_SOURCE_DIR) + "/examples/" + file, overrides), options);
+      run::run_case(input::read_case(std::string(TALUS_SOURCE_DIR) + "/examples/" + file, overrides), options);
   fs::remove_all(folder);
   return summary;
 }

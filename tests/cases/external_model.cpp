@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/prepare.hpp"
-#include "analysis/stage.hpp"
 #include "base/error.hpp"
 #include "input/read.hpp"
 #include "mesh/generate.hpp"
-#include "mpm/observe.hpp"
+#include "mpm/body/observe.hpp"
+#include "run/mpm/stage.hpp"
+#include "run/mpm/start/prepare.hpp"
 #include "support/external_model.hpp"
 
 namespace talus {
@@ -94,11 +94,11 @@ std::string name_umat(const std::string& umat, const std::string& rest) {
 
 mpm::Body<2> run(const std::string& text, int threads) {
   const input::LoadedCase loaded = input::read_case_text(text, "slope.toml", {});
-  mpm::Body<2> body = analysis::prepare<2>(loaded.data, mesh::generate<2>(loaded.data.mesh));
-  const double height = analysis::find_soil_height(body, loaded.data.gravity);
+  mpm::Body<2> body = run::prepare<2>(loaded.data, mesh::generate<2>(loaded.data.mesh));
+  const double height = run::find_soil_height(body, loaded.data.gravity);
   for (const input::Stage& stage : loaded.data.stages) {
-    analysis::StageState state;
-    analysis::run_stage(body, analysis::make_plan<2>(loaded.data, stage, height, threads), state);
+    run::StageState state;
+    run::run_stage(body, run::make_plan<2>(loaded.data, stage, height, threads), state);
   }
   return body;
 }

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "output/archive.hpp"
-#include "output/results.hpp"
+#include "output/files/archive.hpp"
+#include "output/files/frames_reader.hpp"
 
 namespace talus {
 namespace {

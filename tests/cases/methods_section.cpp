@@ -6,13 +6,13 @@
 #include <numbers>
 
 #include "cases/methods_slope.hpp"
+#include "ground/ground_line.hpp"
+#include "ground/ground_load.hpp"
+#include "ground/plane_water.hpp"
 #include "mesh/generate.hpp"
-#include "methods/ground_line.hpp"
-#include "methods/ground_load.hpp"
-#include "methods/lem_section.hpp"
-#include "methods/plane_water.hpp"
-#include "methods/run_lem.hpp"
-#include "methods/slip_line.hpp"
+#include "run/compare/slip_line.hpp"
+#include "run/lem/run_lem.hpp"
+#include "run/lem/section_of_case.hpp"
 
 namespace talus {
 namespace {
@@ -124,15 +124,15 @@ name = "plane"
 TEST(MethodsGround, UpperLimitOfPolygonsThatCrossAndHaveSteps) {
   mesh::Plan plan;
   plan.polygons = {{"a", {{0, 0}, {10, 0}, {10, 2}, {0, 6}}}, {"b", {{2, 0}, {8, 0}, {8, 7}, {2, 1}}}};
-  const auto ground = methods::find_ground(plan);
+  const auto ground = ground::find_ground(plan);
   for (double x = 0.05; x < 10; x += 0.1) {
     double top = 6 - 0.4 * x;
     if (x > 2 && x < 8) top = std::max(top, 1 + (x - 2));
-    EXPECT_NEAR(methods::find_level(ground, x), top, 1e-9) << x;
+    EXPECT_NEAR(ground::find_level(ground, x), top, 1e-9) << x;
   }
   EXPECT_EQ(ground.front()[0], 0);
   EXPECT_EQ(ground.back()[0], 10);
-  EXPECT_DOUBLE_EQ(methods::find_slope_height(plan, ground), 7 - 2);
+  EXPECT_DOUBLE_EQ(ground::find_slope_height(plan, ground), 7 - 2);
 }
 
 TEST(MethodsGround, APondWithoutAShoreIsNoted) {
@@ -144,8 +144,8 @@ TEST(MethodsGround, APondWithoutAShoreIsNoted) {
     const std::string from = "points = [[32, 5], [44, 5]]";
     text.replace(text.find(from), from.size(), points);
     const input::Case data = read(text);
-    const auto ground = methods::find_ground(data.mesh);
-    return methods::find_open_ends(methods::find_ponds(data, ground), ground);
+    const auto ground = ground::find_ground(data.mesh);
+    return ground::find_open_ends(ground::find_ponds(data, ground), ground);
   };
   ASSERT_EQ(find_notes("points = [[32, 5], [44, 5]]").size(), 1u);
   EXPECT_NE(find_notes("points = [[32, 5], [44, 5]]").front().find("x = 32 m"), std::string::npos);
@@ -157,7 +157,7 @@ TEST(MethodsGround, SurchargesKeepForceAndMomentWhereverTheyEnd) {
   const input::Case data =
       read(write_slope("\"fem\"", "[[surcharge]]\nname = \"load\"\nx = [3.3, 10.1]\nload = [\"20 kPa\", \"5 kPa\"]\n"));
   const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
-  const auto loads = methods::make_surface_loads<2>(data, mesh, {}, {}, methods::find_ground(data.mesh));
+  const auto loads = ground::make_surface_loads<2>(data, mesh, {}, {}, ground::find_ground(data.mesh));
   ASSERT_EQ(loads.size(), 1u);
   double force = 0, moment = 0;
   for (std::size_t s = 0; s < loads[0].sides.size(); ++s) {
@@ -174,27 +174,27 @@ TEST(MethodsGround, SurchargesKeepForceAndMomentWhereverTheyEnd) {
 
 TEST(MethodsGround, ACircleMadeIntoASlipLineKeepsItsFactor) {
   const input::Case data = read(write_slope("\"lem\"", few_circles));
-  const methods::PreparedSlope prepared = methods::prepare_slope(data);
-  lem::SearchOptions options = methods::make_search_options(data.lem, 1);
+  const run::PreparedSlope prepared = run::prepare_slope(data);
+  lem::SearchOptions options = run::make_search_options(data.lem, 1);
   lem::Surface circle;
   circle.circle = lem::Circle{{30, 35}, 30};
   const auto arcs = lem::find_arcs(*prepared.slope, *circle.circle);
   ASSERT_FALSE(arcs.empty());
   circle.from = arcs.front()[0];
   circle.to = arcs.front()[1];
-  const double factor = methods::solve_surface(*prepared.slope, circle, lem::Method::spencer, options).solution.factor;
+  const double factor = run::solve_surface(*prepared.slope, circle, lem::Method::spencer, options).solution.factor;
   // Points along the arc that stop short of the ground, from right to left, with noise of a millimetre.
-  methods::Polyline line;
+  ground::Polyline line;
   for (int i = 1; i < 60; ++i) {
     const double x = circle.to - (circle.to - circle.from) * i / 60;
     line.push_back({x, 35 - std::sqrt(900 - (x - 30) * (x - 30)) + 1e-3 * (i % 2)});
   }
-  const auto surface = methods::make_surface(*prepared.slope, line);
+  const auto surface = run::make_surface(*prepared.slope, line);
   ASSERT_TRUE(surface.has_value());
   EXPECT_LT(surface->line.size(), 25u);
-  EXPECT_NEAR(methods::solve_surface(*prepared.slope, *surface, lem::Method::spencer, options).solution.factor, factor,
+  EXPECT_NEAR(run::solve_surface(*prepared.slope, *surface, lem::Method::spencer, options).solution.factor, factor,
               0.01 * factor);
-  EXPECT_LT(methods::find_mean_distance(line, surface->line), 0.1);
+  EXPECT_LT(run::find_mean_distance(line, surface->line), 0.1);
 }
 
 }  // namespace

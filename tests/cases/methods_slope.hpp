@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "methods/run_case.hpp"
+#include "run/run_case.hpp"
 
 namespace talus {
 
@@ -63,11 +63,11 @@ class MethodsTest : public ::testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   nlohmann::json run(const std::string& text, const std::vector<input::Override>& overrides = {}, bool resume = false) {
-    analysis::RunOptions options;
+    run::RunOptions options;
     options.folder = folder_;
     options.overwrite = !resume;
     options.resume = resume;
-    return methods::run_case(input::read_case_text(text, "slope.toml", overrides), options);
+    return run::run_case(input::read_case_text(text, "slope.toml", overrides), options);
   }
 
   /// The sentence that the case ends with.

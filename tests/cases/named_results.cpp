@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "analysis/named_results.hpp"
-#include "analysis/onset.hpp"
+#include "run/mpm/record/onset.hpp"
+#include "run/named_results.hpp"
 
-namespace talus::analysis {
+namespace talus::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ TEST(FailureTime, IsTheLastCrossingOfTheLimit) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::run

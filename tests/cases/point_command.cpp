@@ -12,9 +12,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "output/history.hpp"
+#include "output/files/history.hpp"
 
-namespace talus::analysis {
+namespace talus::laboratory {
 namespace {
 
 namespace fs = std::filesystem;
@@ -170,4 +170,4 @@ TEST_F(PointCommand, AFileOfTestsIsCheckedAndNotRun) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::laboratory

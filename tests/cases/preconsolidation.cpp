@@ -9,11 +9,11 @@
 #include <filesystem>
 #include <thread>
 
-#include "analysis/run_case.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
+#include "run/run_case.hpp"
 
 namespace talus {
 namespace {
@@ -92,11 +92,11 @@ class PreconsolidationOfARun : public testing::Test {
     fs::remove_all(folder_);
   }
   json run(const std::string& text, const std::string& name, bool resume = false) const {
-    analysis::RunOptions options;
+    run::RunOptions options;
     options.folder = folder_ / name;
     options.threads = default_threads();
     options.resume = resume;
-    return analysis::run_case(input::read_case_text(head + text, (folder_ / "case.toml").string(), {}), options);
+    return run::run_case(input::read_case_text(head + text, (folder_ / "case.toml").string(), {}), options);
   }
   const fs::path folder_ = fs::temp_directory_path() / ("talus_preconsolidation_" + std::to_string(getpid()));
 };

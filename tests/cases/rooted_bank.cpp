@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
-#include "analysis/run_case.hpp"
 #include "base/parallel.hpp"
+#include "run/run_case.hpp"
 
 namespace talus {
 namespace {
@@ -66,11 +66,11 @@ tensile_strength = "4 kPa"
 class RootedBank : public testing::Test {
  protected:
   double find_factor(const std::string& soil) {
-    analysis::RunOptions options;
+    run::RunOptions options;
     options.folder = folder_;
     options.threads = default_threads();
     options.overwrite = true;
-    const json summary = analysis::run_case(input::read_case_text(head + soil, "bank.toml", {}), options);
+    const json summary = run::run_case(input::read_case_text(head + soil, "bank.toml", {}), options);
     EXPECT_EQ(summary.at("stages")[0].at("end"), "rest");
     return summary.at("factor_of_safety").at("frozen").at("factor");
   }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/sampling_slope.hpp"
-#include "methods/lem_section.hpp"
+#include "run/lem/section_of_case.hpp"
 #include "study/sampling.hpp"
 #include "study/slice_numbers.hpp"
 
@@ -66,7 +66,7 @@ TEST(SamplingSections, AreThoseOfTheCaseWithTheseValues) {
   for (std::size_t i = 0; i < set.size(); ++i) {
     const std::vector<double> values = set.get_sample(i);
     const lem::Section quick = numbers.make_section(values);
-    const lem::Section read = methods::make_section(read_sample(base, {}, set.sampled, values).data).section;
+    const lem::Section read = run::make_section(read_sample(base, {}, set.sampled, values).data).section;
     ASSERT_EQ(quick.soils.size(), read.soils.size());
     EXPECT_NEAR(quick.horizontal_acceleration, read.horizontal_acceleration, 1e-15);
     for (std::size_t s = 0; s < quick.soils.size(); ++s) {

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/prepare.hpp"
-#include "analysis/stage.hpp"
 #include "input/read.hpp"
 #include "mesh/generate.hpp"
-#include "mpm/observe.hpp"
+#include "mpm/body/observe.hpp"
+#include "run/mpm/stage.hpp"
+#include "run/mpm/start/prepare.hpp"
 
 namespace talus {
 namespace {
@@ -31,8 +31,8 @@ Slide run_example(const std::string& file, const std::string& plane, double fric
   const std::string path = std::string(TALUS_SOURCE_DIR) + "/examples/sliding_block/" + file;
   const input::LoadedCase loaded =
       input::read_case(path, {{"boundary." + plane + ".friction", std::to_string(friction)}});
-  mpm::Body<2> body = analysis::prepare<2>(loaded.data, mesh::generate<2>(loaded.data.mesh));
-  const double height = analysis::find_soil_height(body, loaded.data.gravity);
+  mpm::Body<2> body = run::prepare<2>(loaded.data, mesh::generate<2>(loaded.data.mesh));
+  const double height = run::find_soil_height(body, loaded.data.gravity);
   const auto project = [&](const Vec<2>& v) { return v[0] * along[0] + v[1] * along[1]; };
   const auto project_off = [&](const Vec<2>& v) { return -v[0] * along[1] + v[1] * along[0]; };
   Slide slide;
@@ -41,9 +41,8 @@ Slide run_example(const std::string& file, const std::string& plane, double fric
   for (const input::Stage& stage : loaded.data.stages) {
     before = mpm::sum_points<2>(body, {});
     start = body.time;
-    analysis::StageState state;
-    EXPECT_EQ(analysis::run_stage(body, analysis::make_plan<2>(loaded.data, stage, height, 1), state),
-              analysis::StageEnd::time);
+    run::StageState state;
+    EXPECT_EQ(run::run_stage(body, run::make_plan<2>(loaded.data, stage, height, 1), state), run::StageEnd::time);
   }
   const mpm::Totals<2> after = mpm::sum_points<2>(body, {});
   EXPECT_TRUE(body.lost.empty());

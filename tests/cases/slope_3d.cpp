@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/frozen_factor.hpp"
-#include "analysis/prepare.hpp"
 #include "input/read.hpp"
 #include "mesh/generate.hpp"
+#include "run/mpm/reduction/frozen_factor.hpp"
+#include "run/mpm/start/prepare.hpp"
 
 namespace talus {
 namespace {
@@ -21,18 +21,16 @@ double find_factor(const std::string& file, std::vector<input::Override> overrid
   overrides.push_back({"strength_reduction.frozen.resolution", "0.03"});
   const input::LoadedCase loaded = input::read_case(path, overrides);
   const input::Case& data = loaded.data;
-  mpm::Body<D> body = analysis::prepare<D>(data, mesh::generate<D>(data.mesh));
-  const double height = analysis::find_soil_height(body, data.gravity);
+  mpm::Body<D> body = run::prepare<D>(data, mesh::generate<D>(data.mesh));
+  const double height = run::find_soil_height(body, data.gravity);
   for (input::Stage stage : data.stages) {
     stage.step.geometry = input::Geometry::frozen;
     stage.step.smoothing = data.strength_reduction.frozen.step_settings.smoothing;
-    analysis::set_strength(body, data, stage.cohesion, 1);
-    analysis::StageState state;
-    EXPECT_EQ(analysis::run_stage(body, analysis::make_plan<D>(data, stage, height, 1), state),
-              analysis::StageEnd::rest);
+    run::set_strength(body, data, stage.cohesion, 1);
+    run::StageState state;
+    EXPECT_EQ(run::run_stage(body, run::make_plan<D>(data, stage, height, 1), state), run::StageEnd::rest);
   }
-  const analysis::MeshFactor factor =
-      analysis::find_frozen_factor(body, data, data.strength_reduction.frozen, height, 1);
+  const run::MeshFactor factor = run::find_frozen_factor(body, data, data.strength_reduction.frozen, height, 1);
   EXPECT_FALSE(factor.undecided);
   return factor.factor();
 }

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "analysis/motion.hpp"
-#include "analysis/run_case.hpp"
-#include "output/history.hpp"
+#include "output/files/history.hpp"
+#include "run/mpm/record/motion.hpp"
+#include "run/run_case.hpp"
 #include "study_slope.hpp"
 #include "support/sliding_bank.hpp"
 
@@ -55,9 +55,9 @@ TEST(StudyOfRuns, RefusesAReferenceThatIsNoVariant) {
 }
 
 TEST(Sections, HoldTheStressUnderTheWeightOfTheSoil) {
-  analysis::RunOptions options;
+  run::RunOptions options;
   options.folder = make_test_folder();
-  const json summary = analysis::run_case(input::read_case_text(sliding_bank, "bank.toml", {}), options);
+  const json summary = run::run_case(input::read_case_text(sliding_bank, "bank.toml", {}), options);
   EXPECT_EQ(summary.at("sections")[0].at("width"), 1.0);
   const auto table = output::read_history(options.folder / "sections" / "A.csv");
   const auto get = [&](const char* name) {
@@ -79,9 +79,9 @@ TEST(Sections, HoldTheStressUnderTheWeightOfTheSoil) {
   options.resume = true;
   const auto time = fs::last_write_time(options.folder / "monitors.csv");
   const json again =
-      analysis::run_case(input::read_case_text(sliding_bank, "bank.toml",
-                                               {{"output.section.0.name", "B"}, {"output.onset_displacement", "1 m"}}),
-                         options);
+      run::run_case(input::read_case_text(sliding_bank, "bank.toml",
+                                          {{"output.section.0.name", "B"}, {"output.onset_displacement", "1 m"}}),
+                    options);
   EXPECT_TRUE(fs::exists(options.folder / "sections" / "B.csv"));
   EXPECT_GT(again.at("motion").at("threshold").get<double>(), summary.at("motion").at("threshold").get<double>());
   EXPECT_EQ(fs::last_write_time(options.folder / "monitors.csv"), time);

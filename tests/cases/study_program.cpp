@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdio>
 
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
 #include "study_slope.hpp"
 
 namespace talus::study {

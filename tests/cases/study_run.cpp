@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "analysis/run_case.hpp"
 #include "base/interrupt.hpp"
+#include "run/run_case.hpp"
 #include "study_slope.hpp"
 
 namespace talus::study {
@@ -37,12 +37,12 @@ TEST(Study, TableHoldsWhatEachVariantAloneGives) {
     EXPECT_EQ(cohesion.cells[i].full, cohesions[i]);
     EXPECT_EQ(get_column(table, "result").cells[i].full, "finished");
     // The case calculated alone, by several threads, is the same bit for bit.
-    analysis::RunOptions alone;
+    run::RunOptions alone;
     alone.folder = folder.string() + "_alone_" + cohesions[i];
     alone.threads = 2;
     fs::remove_all(alone.folder);
-    analysis::run_case(input::read_case_text(coarse_slope, "slope.toml", {{"materials.sand.cohesion", cohesions[i]}}),
-                       alone);
+    run::run_case(input::read_case_text(coarse_slope, "slope.toml", {{"materials.sand.cohesion", cohesions[i]}}),
+                  alone);
     EXPECT_EQ(std::stod(small.cells[i].full), read_displacement(alone.folder / "curve.csv", "1.4") / 0.001);
     EXPECT_EQ(std::stod(large.cells[i].full), read_displacement(alone.folder / "curve.csv", "2") / 0.001);
   }

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/run_case.hpp"
 #include "base/parallel.hpp"
 #include "input/read.hpp"
-#include "output/history.hpp"
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
+#include "output/files/history.hpp"
+#include "run/run_case.hpp"
 
 namespace talus {
 
@@ -23,12 +23,12 @@ class WaterRun {
  public:
   WaterRun(const std::string& file, const std::vector<input::Override>& overrides)
       : folder_(std::filesystem::temp_directory_path() / ("talus_water_" + std::to_string(getpid()))) {
-    analysis::RunOptions options;
+    run::RunOptions options;
     options.folder = folder_;
     options.threads = 1;
     options.overwrite = true;
     const std::string path = std::string(TALUS_SOURCE_DIR) + "/examples/verification/" + file;
-    summary = analysis::run_case(input::read_case(path, overrides), options);
+    summary = run::run_case(input::read_case(path, overrides), options);
     // Water is never made or destroyed, whatever the problem; in frozen geometry pores do not count as they are
     // strained.
     budget_error = summary.at("water").at("error").get<double>();

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "analysis/run_case.hpp"
 #include "base/parallel.hpp"
-#include "output/history.hpp"
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
+#include "output/files/history.hpp"
+#include "run/run_case.hpp"
 
 namespace talus {
 namespace {
@@ -105,11 +105,11 @@ class WetBank : public testing::Test {
  protected:
   json run(const std::vector<input::Override>& overrides) {
     folder_ = fs::temp_directory_path() / ("talus_wet_bank_" + std::to_string(getpid()));
-    analysis::RunOptions options;
+    run::RunOptions options;
     options.folder = folder_;
     options.threads = default_threads();
     options.overwrite = true;
-    return analysis::run_case(input::read_case_text(bank, "bank.toml", overrides), options);
+    return run::run_case(input::read_case_text(bank, "bank.toml", overrides), options);
   }
   void TearDown() override { fs::remove_all(folder_); }
   fs::path folder_;

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "mpm/build.hpp"
-#include "mpm/observe.hpp"
+#include "mpm/body/build.hpp"
+#include "mpm/body/observe.hpp"
 #include "reference/cases.hpp"
 #include "reference/plain_mpm.hpp"
 

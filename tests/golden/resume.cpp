@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
 
 namespace talus {
 namespace {

@@ -7,17 +7,17 @@
 #include <filesystem>
 #include <fstream>
 
-#include "analysis/end_state.hpp"
-#include "analysis/prepare.hpp"
-#include "analysis/run_case.hpp"
-#include "analysis/stage.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "golden/loaded_bank.hpp"
 #include "mesh/generate.hpp"
-#include "mpm/observe.hpp"
-#include "output/history.hpp"
-#include "output/results.hpp"
+#include "mpm/body/observe.hpp"
+#include "output/files/frames_reader.hpp"
+#include "output/files/history.hpp"
+#include "run/mpm/stage.hpp"
+#include "run/mpm/start/end_state.hpp"
+#include "run/mpm/start/prepare.hpp"
+#include "run/run_case.hpp"
 
 namespace talus {
 namespace {
@@ -39,9 +39,9 @@ class StartFromResult : public testing::Test {
     return input::read_case_text(golden::write_bank(bank), (folder_ / "case.toml").string(), changes);
   }
   json run(const Bank& bank, const std::string& result, const std::vector<input::Override>& changes = {}) const {
-    analysis::RunOptions options;
+    run::RunOptions options;
     options.folder = folder_ / result;
-    return analysis::run_case(read(bank, changes), options);
+    return run::run_case(read(bank, changes), options);
   }
   output::Frame last_frame(const std::string& result) const {
     const output::ResultsReader reader(folder_ / result);
@@ -51,27 +51,27 @@ class StartFromResult : public testing::Test {
   template <int D>
   static void run_stage(const input::LoadedCase& loaded, int number, mpm::Body<D>& body) {
     const input::Stage& stage = loaded.data.stages[0];
-    analysis::set_strength(body, loaded.data, stage.cohesion, 1);
-    analysis::StageState state;
+    run::set_strength(body, loaded.data, stage.cohesion, 1);
+    run::StageState state;
     state.gravity_share = number > 0 ? 1 : 0;
-    analysis::run_stage(body, analysis::make_plan<D>(loaded.data, stage, 2.5, 1), state);
+    run::run_stage(body, run::make_plan<D>(loaded.data, stage, 2.5, 1), state);
   }
 
   /// Both stages on one body, and the second one on the body that starts from the end of the first: the same bits.
   template <int D>
   void expect_same_bits(Bank bank) {
     const input::LoadedCase one = read(bank);
-    mpm::Body<D> whole = analysis::prepare<D>(one.data, mesh::generate<D>(one.data.mesh));
+    mpm::Body<D> whole = run::prepare<D>(one.data, mesh::generate<D>(one.data.mesh));
     run_stage<D>(one, 0, whole);
     fs::create_directories(folder_ / "one");
-    analysis::save_end_state<D>(folder_ / "one", one.echo, one.echo, "", whole);
+    run::save_end_state<D>(folder_ / "one", one.echo, one.echo, "", whole);
     const std::vector<int> element = whole.points.element;
 
     bank.base = "silt";  // the same soils, in the other order of the alphabet
     bank.bank = "clay";
     bank.stages = golden::slide;
     const input::LoadedCase two = read(bank, {{"initial.result", "one"}});
-    mpm::Body<D> started = analysis::prepare<D>(two.data, {});
+    mpm::Body<D> started = run::prepare<D>(two.data, {});
     EXPECT_EQ(started.time, 0);
     EXPECT_EQ(mpm::find_largest_displacement(started).value, 0);
     whole.time = 0;        // the last step of a stage takes what is left, to the round-off of the time,
@@ -205,11 +205,11 @@ TEST_F(StartFromResult, TakesAnotherLaw) {
     text.erase(at, text.find('\n', at) - at);
   }
   text.replace(text.find("mohr_coulomb"), 12, "linear_elastic");
-  analysis::RunOptions options;
+  run::RunOptions options;
   options.folder = folder_ / "one";
-  analysis::run_case(input::read_case_text(text, (folder_ / "one.toml").string()), options);
+  run::run_case(input::read_case_text(text, (folder_ / "one.toml").string()), options);
   const mpm::Body<2> body =
-      analysis::prepare<2>(read(bank, {{"initial.result", "one"}, {"materials.b.porosity", "0.4"}}).data, {});
+      run::prepare<2>(read(bank, {{"initial.result", "one"}, {"materials.b.porosity", "0.4"}}).data, {});
   const output::Frame end = last_frame("one");
   const std::vector<double>& pressure = output::find(end.point_fields, "pore_pressure")->values;
   const std::vector<double>& stress = output::find(end.point_fields, "stress")->values;
@@ -232,8 +232,8 @@ TEST_F(StartFromResult, KeepsThePressuresOfAnotherRetentionCurve) {
   bank.stages = golden::slide;
   const std::vector<input::Override> changes = {{"initial.result", "one"},
                                                 {"materials.b.water.reference_pressure", "2"}};
-  const mpm::Body<2> same = analysis::prepare<2>(read(bank, {changes[0]}).data, {}),
-                     other = analysis::prepare<2>(read(bank, changes).data, {});
+  const mpm::Body<2> same = run::prepare<2>(read(bank, {changes[0]}).data, {}),
+                     other = run::prepare<2>(read(bank, changes).data, {});
   double less = 0;
   for (int id = 0; id < same.points.size(); ++id) {
     const auto p = mpm::view_point(same, id), q = mpm::view_point(other, id);
@@ -297,10 +297,10 @@ TEST_F(StartFromResult, ResumesAndRefusesAResultThatHasChanged) {
   request_interrupt();
   for (const char* result : {"parts", "late"}) EXPECT_THROW(run(next, result, from_one), Error);
   request_interrupt(false);
-  analysis::RunOptions options;
+  run::RunOptions options;
   options.resume = true;
   options.folder = folder_ / "parts";
-  const json parts = analysis::run_case(read(next, from_one), options);
+  const json parts = run::run_case(read(next, from_one), options);
   EXPECT_EQ(parts.at("budgets"), whole.at("budgets"));
   EXPECT_EQ(parts.at("water"), whole.at("water"));
   EXPECT_EQ(parts.at("start"), whole.at("start"));
@@ -312,7 +312,7 @@ TEST_F(StartFromResult, ResumesAndRefusesAResultThatHasChanged) {
   run(bank, "one");
   options.folder = folder_ / "late";
   try {
-    analysis::run_case(read(next, from_one), options);
+    run::run_case(read(next, from_one), options);
     ADD_FAILURE() << "it would go on from another state than it began with";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("belongs to another case"), std::string::npos) << error.what();
@@ -354,7 +354,7 @@ TEST_F(StartFromResult, SaysWhatDoesNotFit) {
 
 TEST_F(StartFromResult, RefusesTheStateOfAnotherBuild) {
   run({}, "one");
-  const fs::path file = folder_ / "one" / analysis::end_state_file;
+  const fs::path file = folder_ / "one" / run::end_state_file;
   const output::ArchiveReader whole(file);
   output::ArchiveWriter changed;
   const std::vector<std::int64_t> counts{1, lane_width + 1, 0};

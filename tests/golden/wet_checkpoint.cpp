@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
-#include "analysis/checkpoint.hpp"
-#include "output/archive.hpp"
+#include "output/files/archive.hpp"
+#include "run/mpm/record/checkpoint.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {
@@ -34,33 +34,33 @@ input::Case make_rained_step() {
 /// Runs a stage, and the same interrupted and resumed by way of a file.
 template <int D>
 void compare(input::StepSettings step, double duration) {
-  constexpr std::int64_t steps = 2 * analysis::look_interval;
+  constexpr std::int64_t steps = 2 * run::look_interval;
   const input::Case data = make_rained_step<D>();
   const mesh::Mesh<D> mesh = make_step_mesh<D>();
-  mpm::Body<D> whole = analysis::prepare<D>(data, mesh);
-  const analysis::StagePlan<D> plan = make_stage<D>(data, whole, duration, step);
+  mpm::Body<D> whole = run::prepare<D>(data, mesh);
+  const run::StagePlan<D> plan = make_stage<D>(data, whole, duration, step);
   run(whole, plan);
   struct Interruption {};
   const auto file = std::filesystem::temp_directory_path() / ("talus_wet_" + std::to_string(getpid()) + ".h5");
   {
-    mpm::Body<D> body = analysis::prepare<D>(data, mesh);
-    analysis::StageState state;
-    analysis::StageHooks<D> hooks;
-    hooks.look = [&](const mpm::Body<D>& b, const analysis::StageState& s) {
+    mpm::Body<D> body = run::prepare<D>(data, mesh);
+    run::StageState state;
+    run::StageHooks<D> hooks;
+    hooks.look = [&](const mpm::Body<D>& b, const run::StageState& s) {
       if (s.steps < steps) return;
       output::ArchiveWriter archive;
-      analysis::put_body(archive, b);
-      analysis::put_stage(archive, s);
+      run::put_body(archive, b);
+      run::put_stage(archive, s);
       archive.write(file);
       throw Interruption();
     };
-    EXPECT_THROW(analysis::run_stage(body, plan, state, hooks), Interruption) << "the stage must be longer";
+    EXPECT_THROW(run::run_stage(body, plan, state, hooks), Interruption) << "the stage must be longer";
   }
-  mpm::Body<D> resumed = analysis::prepare<D>(data, mesh);
+  mpm::Body<D> resumed = run::prepare<D>(data, mesh);
   const output::ArchiveReader archive(file);
-  analysis::get_body(archive, resumed);
-  analysis::StageState state = analysis::get_stage(archive);
-  analysis::run_stage(resumed, plan, state);
+  run::get_body(archive, resumed);
+  run::StageState state = run::get_stage(archive);
+  run::run_stage(resumed, plan, state);
   std::filesystem::remove(file);
 
   EXPECT_EQ(whole.step_count, resumed.step_count);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mpm/observe.hpp"
+#include "mpm/body/observe.hpp"
 #include "reference/plain_two_phase.hpp"
 
 namespace talus::golden {

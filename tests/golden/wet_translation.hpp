@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mpm/build.hpp"
+#include "mpm/body/build.hpp"
 #include "reference/two_phase_cases.hpp"
 
 namespace talus::golden {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/drained.hpp"
 #include "base/error.hpp"
+#include "run/mpm/start/drained.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {
@@ -39,8 +39,8 @@ mesh::Mesh<2> make_column_mesh() {
 TEST(DrainedStage, EffectiveStressIsTheBuoyantWeight) {
   for (const double level : {2.0, 4.0}) {  // capillary water above the level; a metre of water on the ground
     const input::Case data = make_column_case(level);
-    auto body = analysis::prepare<2>(data, make_column_mesh());
-    EXPECT_EQ(run(body, make_rest_stage(data, body, 20, hold_water<2>())), analysis::StageEnd::rest);
+    auto body = run::prepare<2>(data, make_column_mesh());
+    EXPECT_EQ(run(body, make_rest_stage(data, body, 20, hold_water<2>())), run::StageEnd::rest);
     for_each_point(body, [&](int, const mpm::PointView<2>& p) {
       Vec<2> xi;
       xi.fill(1.0 / 3);
@@ -56,12 +56,12 @@ TEST(DrainedStage, EffectiveStressIsTheBuoyantWeight) {
 
 template <int D>
 void expect_rest_when_let_go(const input::Case& data, const mesh::Mesh<D>& mesh) {
-  auto body = analysis::prepare<D>(data, mesh);
-  ASSERT_EQ(run(body, make_rest_stage<D>(data, body, 20, hold_water<D>())), analysis::StageEnd::rest);
+  auto body = run::prepare<D>(data, mesh);
+  ASSERT_EQ(run(body, make_rest_stage<D>(data, body, 20, hold_water<D>())), run::StageEnd::rest);
   input::StepSettings free = hold_water<D>();
   free.water = input::WaterMotion::flows;
-  mpm::StepOptions<D> options = analysis::make_options(make_stage<D>(data, body, 1, free));
-  options.gravity = analysis::find_gravity<D>(data.gravity);
+  mpm::StepOptions<D> options = run::make_options(make_stage<D>(data, body, 1, free));
+  options.gravity = run::find_gravity<D>(data.gravity);
   options.monitor = true;
   options.dt = 1e-6;
   mpm::gather_nodal_sums(body, options);
@@ -86,13 +86,13 @@ TEST(DrainedStage, NothingMovesWhenTheWaterIsLetGo) {
 TEST(DrainedStage, WaterGrowsWithTheWeightOnARamp) {
   // Half of both on the way is half of the stress: nothing is pushed up first.
   const input::Case data = make_column_case(4);
-  auto body = analysis::prepare<2>(data, make_column_mesh());
+  auto body = run::prepare<2>(data, make_column_mesh());
   auto plan = make_stage(data, body, 4, hold_water<2>());
   plan.gravity_ramp = 4;
-  analysis::StageState state;
+  run::StageState state;
   double highest = 0, halfway = 0;
-  analysis::StageHooks<2> hooks;
-  hooks.look = [&](const mpm::Body<2>& b, const analysis::StageState&) {
+  run::StageHooks<2> hooks;
+  hooks.look = [&](const mpm::Body<2>& b, const run::StageState&) {
     double lowest = 0;
     for_each_point(b, [&](int, const mpm::PointView<2>& p) {
       highest = std::max(highest, p.displacement[1]);
@@ -100,7 +100,7 @@ TEST(DrainedStage, WaterGrowsWithTheWeightOnARamp) {
     });
     if (b.time < 2) halfway = lowest;
   };
-  analysis::run_stage(body, plan, state, hooks);
+  run::run_stage(body, plan, state, hooks);
   const double end = -mpm::find_largest_displacement(body).value;
   EXPECT_LT(highest, 1e-2 * std::abs(end));
   EXPECT_NEAR(halfway, 0.5 * end, 0.1 * std::abs(end));
@@ -108,7 +108,7 @@ TEST(DrainedStage, WaterGrowsWithTheWeightOnARamp) {
 
 TEST(DrainedStage, NeedsFrozenGeometry) {
   const input::Case data = make_column_case(2);
-  auto body = analysis::prepare<2>(data, make_column_mesh());
+  auto body = run::prepare<2>(data, make_column_mesh());
   input::StepSettings moving = hold_water<2>();
   moving.geometry = input::Geometry::moving;
   EXPECT_THROW(run(body, make_stage(data, body, 1, moving)), Error);

@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-using analysis::StageEnd;
+using run::StageEnd;
 using support::Mode;
 
 template <class Dimension>
@@ -127,7 +127,7 @@ TYPED_TEST(EngineEquilibrium, K0ColumnIsExactAndStaysAtRest) {
   data.initial.stress = input::InitialStress::k0;
   for (const double k0 : {0.3 / 0.7, 1.2}) {
     data.initial.k0 = k0;
-    mpm::Body<D> body = analysis::prepare<D>(data, mesh);
+    mpm::Body<D> body = run::prepare<D>(data, mesh);
     support::for_each_point(body, [&](int, const mpm::PointView<D>& p) {
       const double vertical = -1800 * 9.81 * (height - p.position[1]);
       EXPECT_NEAR(p.stress[1], vertical, 1e-9 * 1800 * 9.81 * height);
@@ -151,7 +151,7 @@ TYPED_TEST(EngineEquilibrium, K0ColumnIsExactAndStaysAtRest) {
 template <int D>
 mpm::Body<D> settle(const input::Case& data, const mesh::Mesh<D>& mesh, input::StepSettings step, double longest = 5,
                     double force_ratio = 1e-6) {
-  mpm::Body<D> body = analysis::prepare<D>(data, mesh);
+  mpm::Body<D> body = run::prepare<D>(data, mesh);
   EXPECT_EQ(support::run(body, support::make_rest_stage(data, body, longest, step, force_ratio)), StageEnd::rest);
   return body;
 }
@@ -189,7 +189,7 @@ TYPED_TEST(EngineEquilibrium, TractionsOnSidesAndOnPointsCompressAColumnByTheApp
   data.gravity.acceleration = 1e-6;  // the rest criterion compares with √(gH)
   for (const auto carrier : {input::Carrier::sides, input::Carrier::points}) {
     data.tractions = {{.on = "top", .carrier = carrier, .traction = {0, -q, 0}, .factor = {{0, 0.05}, {0, 1}}}};
-    mpm::Body<D> body = analysis::prepare<D>(data, mesh);
+    mpm::Body<D> body = run::prepare<D>(data, mesh);
     auto plan = support::make_rest_stage(data, body, 5, {.damping = 0.75, .smoothing = input::Smoothing::none});
     plan.rest.speed_ratio = 1e-2;
     plan.rest.hold = 0.06;
@@ -216,7 +216,7 @@ TEST(EngineEquilibriumPlane, LayersOfTwoMaterialsCarryTheirWeights) {
   data.materials = {{"clay", support::make_elastic(40e6, 0.3, 1600)}, {"sand", support::make_elastic(20e6, 0.2, 2000)}};
   data.regions = {{"lower", "clay"}, {"upper", "sand"}};
   data.initial.stress = input::InitialStress::k0;
-  mpm::Body<2> body = analysis::prepare<2>(data, mesh);
+  mpm::Body<2> body = run::prepare<2>(data, mesh);
   const auto expect_stress = [&](double tolerance) {
     support::for_each_point(body, [&](int, const mpm::PointView<2>& p) {
       const double y = p.position[1];

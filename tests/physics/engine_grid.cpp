@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "base/error.hpp"
-#include "mpm/element_force.hpp"
+#include "mpm/step/element_force.hpp"
 #include "support/box_case.hpp"
 
 namespace talus {
@@ -36,11 +36,11 @@ TYPED_TEST(EngineGrid, PointsThatLeaveAreRecordedOnceWithTheirMassAndMomentum) {
   data.boundaries.clear();
   data.gravity.acceleration = 0;
   data.initial.velocity["soil"] = {2, 0.3, 0};
-  mpm::Body<D> body = analysis::prepare<D>(data, mesh, 3);
+  mpm::Body<D> body = run::prepare<D>(data, mesh, 3);
   const auto before = mpm::sum_points(body, {});
   const int count = body.points.size();
   const auto plan = support::make_stage(data, body, 0.25, {});
-  EXPECT_EQ(support::run(body, plan), analysis::StageEnd::time);
+  EXPECT_EQ(support::run(body, plan), run::StageEnd::time);
   EXPECT_NEAR(body.time, 0.25, 1e-12) << "the run goes on without them";
   ASSERT_GT(body.lost.size(), 10u);
   ASSERT_LT(static_cast<int>(body.lost.size()), count);
@@ -74,8 +74,8 @@ TYPED_TEST(EngineGrid, RunGoesOnWhenEverythingHasLeft) {
   input::Case data = support::make_box_case<D>(support::make_elastic(1e6));
   data.boundaries.clear();
   data.initial.velocity["soil"] = {5, 0, 0};
-  mpm::Body<D> body = analysis::prepare<D>(data, mesh);
-  EXPECT_EQ(support::run(body, support::make_stage(data, body, 0.5, {})), analysis::StageEnd::time);
+  mpm::Body<D> body = run::prepare<D>(data, mesh);
+  EXPECT_EQ(support::run(body, support::make_stage(data, body, 0.5, {})), run::StageEnd::time);
   EXPECT_EQ(mpm::sum_points(body, {}).points, 0);
   EXPECT_EQ(static_cast<int>(body.lost.size()), body.points.size());
 }
@@ -179,18 +179,18 @@ TYPED_TEST(EngineGrid, TooLargeAStepIsFoundAndSaidWithStageTimeAndPlace) {
   set_box<D>(cells, size, 6, 6, 0.2);
   auto mesh = support::make_box_mesh<D>(cells, size, {"soil"}, [](const Vec<D>& x) { return x[1] < 0.8 ? 0 : -1; });
   const input::Case data = support::make_box_case<D>(support::make_elastic(10e6));
-  mpm::Body<D> body = analysis::prepare<D>(data, mesh);
+  mpm::Body<D> body = run::prepare<D>(data, mesh);
   auto plan = support::make_stage(data, body, 5, {.geometry = input::Geometry::frozen, .courant = 4});
   plan.name = "shaking";
-  analysis::StageState state;
-  analysis::StageHooks<D> hooks;
+  run::StageState state;
+  run::StageHooks<D> hooks;
   bool saved = false;
-  hooks.save_last_good = [&](const mpm::Body<D>& last, const analysis::StageState&) {
+  hooks.save_last_good = [&](const mpm::Body<D>& last, const run::StageState&) {
     saved = std::isfinite(mpm::sum_points(last, {}).kinetic);
     return std::string("checkpoint.h5");
   };
   try {
-    analysis::run_stage(body, plan, state, hooks);
+    run::run_stage(body, plan, state, hooks);
     FAIL() << "a step far too large must not pass";
   } catch (const Error& error) {
     const std::string sentence = error.what();

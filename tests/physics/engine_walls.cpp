@@ -102,15 +102,15 @@ TEST(EngineWallsPlane, StickingBlockComesToRest) {
     c.wall_normal[1] = -1;
     c.friction = 0.6;
   }
-  analysis::StagePlan<2> plan;
+  run::StagePlan<2> plan;
   plan.name = "lying";
   plan.duration = 20;
   plan.until_rest = true;
   plan.step.damping = 0.7;
   plan.gravity = {gravity * std::sin(theta), -gravity * std::cos(theta)};
   plan.soil_height = 0.2;
-  analysis::StageState state;
-  EXPECT_EQ(analysis::run_stage(body, plan, state), analysis::StageEnd::rest);
+  run::StageState state;
+  EXPECT_EQ(run::run_stage(body, plan, state), run::StageEnd::rest);
   EXPECT_LT(body.time, 20);
 }
 
@@ -148,9 +148,9 @@ TEST(EngineWallsPlane, RollersOnAnInclinedPlaneLetABlockSlideWithTheSlopesShareO
     data.regions["soil"] = "soil";
     data.boundaries = {support::make_boundary("bottom", by_plane ? input::Fix::plane : input::Fix::normal)};
     data.boundaries[0].normal = {std::sin(theta), -std::cos(theta), 0};
-    mpm::Body<2> body = analysis::prepare<2>(data, mesh);
+    mpm::Body<2> body = run::prepare<2>(data, mesh);
     const auto plan = support::make_stage(data, body, 0.5, {.damping = 0});
-    EXPECT_EQ(support::run(body, plan), analysis::StageEnd::time);
+    EXPECT_EQ(support::run(body, plan), run::StageEnd::time);
     ASSERT_TRUE(body.lost.empty());
     const auto t = mpm::sum_points(body, {});
     // Rollers push along the normal only: the momentum along the slope is that of gravity, whatever the block does.
@@ -177,9 +177,9 @@ TYPED_TEST(EngineWalls, PrescribedVelocityFollowsItsTable) {
     data.boundaries.back().factor = {{0.1, 0.3, 0.4}, {0, 1, -1}};
   }
   data.gravity.acceleration = 0;
-  mpm::Body<D> body = analysis::prepare<D>(data, mesh);
+  mpm::Body<D> body = run::prepare<D>(data, mesh);
   const auto plan = support::make_stage(data, body, 0.5, {});
-  EXPECT_EQ(support::run(body, plan), analysis::StageEnd::time);
+  EXPECT_EQ(support::run(body, plan), run::StageEnd::time);
   // ∫ factor dt = 0.1 on the way up, 0 in the turn, -0.1 after it; the step adds O(Δt)
   const double dt = 0.9 * mpm::find_critical_step(body, 1).dt;
   support::for_each_point(body, [&](int, const mpm::PointView<D>& p) {
@@ -188,8 +188,8 @@ TYPED_TEST(EngineWalls, PrescribedVelocityFollowsItsTable) {
     EXPECT_NEAR(p.velocity[1], -0.01 * -1, 1e-12);
   });
   // half way up: at t = 0.3 the displacement is v·0.1
-  mpm::Body<D> half = analysis::prepare<D>(data, mesh);
-  EXPECT_EQ(support::run(half, support::make_stage(data, half, 0.3, {})), analysis::StageEnd::time);
+  mpm::Body<D> half = run::prepare<D>(data, mesh);
+  EXPECT_EQ(support::run(half, support::make_stage(data, half, 0.3, {})), run::StageEnd::time);
   support::for_each_point(half, [&](int, const mpm::PointView<D>& p) {
     EXPECT_NEAR(p.displacement[0], 0.02 * 0.1, 0.02 * 2 * dt);
     EXPECT_NEAR(p.displacement[1], -0.01 * 0.1, 0.01 * 2 * dt);

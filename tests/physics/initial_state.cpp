@@ -6,18 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/initial_state.hpp"
-#include "mpm/observe.hpp"
-#include "mpm/point_state.hpp"
+#include "mpm/body/observe.hpp"
+#include "mpm/body/point_state.hpp"
+#include "run/mpm/start/initial_state.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {
 namespace {
 
-using analysis::set_preconsolidation;
 using input::MaterialModel;
 using material::ModifiedCamClay;
 using material::RootedCamClay;
+using run::set_preconsolidation;
 
 /// Dry soil of 3/5 · 2650 kg/m³ with K0 = 0.5.
 input::Material make_clay(MaterialModel kind = MaterialModel::modified_cam_clay) {
@@ -48,7 +48,7 @@ mesh::Mesh<D> make_column() {
 
 template <int D>
 mpm::Body<D> fill(const input::Case& data) {
-  return analysis::prepare<D>(data, make_column<D>());
+  return run::prepare<D>(data, make_column<D>());
 }
 
 template <int D>
@@ -165,11 +165,11 @@ TEST(InitialState, FollowsTheEquilibriumStageOfTheCase) {
   data.stages[0].name = "weight";
   data.stages[1].name = "seepage";
   data.stages[2].name = "rain";
-  EXPECT_TRUE(analysis::is_equilibrium_stage(data, 0));
-  EXPECT_FALSE(analysis::is_equilibrium_stage(data, 1));
+  EXPECT_TRUE(run::is_equilibrium_stage(data, 0));
+  EXPECT_FALSE(run::is_equilibrium_stage(data, 1));
   data.initial.equilibrium = "seepage";
-  EXPECT_FALSE(analysis::is_equilibrium_stage(data, 0));
-  EXPECT_TRUE(analysis::is_equilibrium_stage(data, 1));
+  EXPECT_FALSE(run::is_equilibrium_stage(data, 0));
+  EXPECT_TRUE(run::is_equilibrium_stage(data, 1));
 }
 
 /// What another run left: stress, plastic strain and state of its own.
@@ -194,7 +194,7 @@ mpm::Body<2> adopt(const input::Case& data, const mpm::Body<2>& old, MaterialMod
   const mpm::Body<2> fresh = fill<2>(data);
   mpm::Body<2> body = fresh;
   for (int id = 0; id < body.points.size(); ++id) mpm::write_state(body, id, mpm::view_point(old, id).state.data());
-  analysis::adopt_state(body, data, fresh, std::vector<MaterialModel>(body.points.element.size(), before), same_roots);
+  run::adopt_state(body, data, fresh, std::vector<MaterialModel>(body.points.element.size(), before), same_roots);
   return body;
 }
 
@@ -250,8 +250,8 @@ TEST(InitialState, OfSoilThatWasMohrCoulombStartsFromItsStress) {
   mpm::Body<2> body = fresh;
   std::array<double, material::max_state_size> left{0.02};
   for (int id = 0; id < body.points.size(); ++id) mpm::write_state(body, id, left.data());
-  analysis::adopt_state(body, data, fresh,
-                        std::vector<MaterialModel>(body.points.element.size(), MaterialModel::mohr_coulomb), true);
+  run::adopt_state(body, data, fresh,
+                   std::vector<MaterialModel>(body.points.element.size(), MaterialModel::mohr_coulomb), true);
   for (int id = 0; id < body.points.size(); ++id) {
     const auto state = mpm::view_point(body, id).state;
     ASSERT_EQ(state[0], 0.02);

@@ -1,6 +1,6 @@
 // Searched minima against an independent recomputation of published problems (smallest factors of 100 slices).
 
-#include "lem/search.hpp"
+#include "lem/search/search.hpp"
 
 #include <algorithm>
 

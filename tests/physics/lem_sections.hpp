@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lem/methods.hpp"
+#include "lem/slices/methods.hpp"
 
 namespace talus::lem {
 

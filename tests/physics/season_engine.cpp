@@ -7,12 +7,12 @@
 
 #include <filesystem>
 
-#include "analysis/checkpoint.hpp"
-#include "analysis/initial_water.hpp"
-#include "analysis/root_sink.hpp"
-#include "analysis/water_record.hpp"
-#include "analysis/water_summary.hpp"
 #include "base/error.hpp"
+#include "ground/initial_water.hpp"
+#include "ground/root_sink.hpp"
+#include "run/mpm/record/checkpoint.hpp"
+#include "run/mpm/record/water_record.hpp"
+#include "run/mpm/water_summary.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {
@@ -60,7 +60,7 @@ mesh::Mesh<2> make_column_mesh() {
 /// A body at rest under its weight and its pore pressures.
 template <int D>
 mpm::Body<D> make_still_body(const input::Case& data, const mesh::Mesh<D>& mesh) {
-  mpm::Body<D> body = analysis::prepare<D>(data, mesh);
+  mpm::Body<D> body = run::prepare<D>(data, mesh);
   run(body,
       make_rest_stage<D>(data, body, 5,
                          {.damping = 0.5, .geometry = input::Geometry::frozen, .water = input::WaterMotion::held}));
@@ -80,13 +80,13 @@ TEST(SeasonEngine, ColumnDriesAsInSeepage) {
   const mesh::Mesh<2> mesh = make_column_mesh();
   auto body = make_still_body<2>(data, mesh);
   EXPECT_EQ(body.water.transpired, 0) << "held water";
-  const double before = analysis::find_water_state(body).mass;
+  const double before = run::find_water_state(body).mass;
   run(body, make_stage<2>(data, body, duration, flowing));
-  EXPECT_LT(std::abs(analysis::describe_water(data, body, before).at("error").get<double>()), 1e-11) << "65 000 steps";
+  EXPECT_LT(std::abs(run::describe_water(data, body, before).at("error").get<double>()), 1e-11) << "65 000 steps";
 
   mesh::Mesh<2> wet;
-  auto model = analysis::make_seepage_model<2>(data, mesh, wet);
-  model.sinks = analysis::make_root_sinks<2>(data, wet);
+  auto model = ground::make_seepage_model<2>(data, mesh, wet);
+  model.sinks = ground::make_root_sinks<2>(data, wet);
   fem::SeepageSchedule schedule;
   schedule.outputs = {duration};
   schedule.first_step = 1e-3;
@@ -117,16 +117,16 @@ TEST(SeasonEngine, UnreducedUptakeIsTheRateTimesTheGroundIn2DAnd3D) {
     constexpr int D = static_cast<int>(std::tuple_size_v<std::decay_t<decltype(mesh.nodes[0])>>);
     data.roots[0].transpiration->suctions = {0, 0, 1e6, 2e6};
     for (const bool exchange : {true, false}) {
-      auto body = analysis::prepare<D>(data, mesh);
+      auto body = run::prepare<D>(data, mesh);
       input::StepSettings settings = flowing;
       settings.water_exchange = exchange;
       auto plan = make_stage<D>(data, body, 0.05, settings);
-      const double before = analysis::find_water_state(body).mass;
-      analysis::StageState state;
-      analysis::run_stage<D>(body, plan, state);
+      const double before = run::find_water_state(body).mass;
+      run::StageState state;
+      run::run_stage<D>(body, plan, state);
       const double whole = 1e-3 * ground * body.time;
       EXPECT_NEAR(find_drawn_volume(body), whole, 1e-3 * ground * 4 * state.dt) << "to the length of one exchange";
-      EXPECT_LT(std::abs(analysis::describe_water(data, body, before).at("error").template get<double>()), 1e-12);
+      EXPECT_LT(std::abs(run::describe_water(data, body, before).at("error").template get<double>()), 1e-12);
     }
   };
   look(make_planted_case<2>(1e-3, -0.4), make_column_mesh(), 0.2);
@@ -136,13 +136,13 @@ TEST(SeasonEngine, UnreducedUptakeIsTheRateTimesTheGroundIn2DAnd3D) {
 
 TEST(SeasonEngine, ThreadsAndCheckpointsChangeNothing) {
   const input::Case data = make_planted_case<2>(3e-3, -0.4);
-  const auto start = analysis::prepare<2>(
+  const auto start = run::prepare<2>(
       data,
       make_box_mesh<2>({8, 10}, {2, 1}, {"soil"}, [](const Vec<2>& x) { return x[1] < 0.6 || x[0] < 1.2 ? 0 : -1; }),
       5);
   const auto advance = [&](mpm::Body<2> body, int threads, bool interrupted) {
-    auto options = analysis::make_options(make_stage<2>(data, body, 1, flowing));
-    options.gravity = analysis::find_gravity<2>(data.gravity);
+    auto options = run::make_options(make_stage<2>(data, body, 1, flowing));
+    options.gravity = run::find_gravity<2>(data.gravity);
     options.dt = 1e-4;
     options.threads = threads;
     mpm::gather_nodal_sums(body, options);
@@ -150,10 +150,10 @@ TEST(SeasonEngine, ThreadsAndCheckpointsChangeNothing) {
       if (interrupted && i == 101) {
         const auto path = std::filesystem::temp_directory_path() / ("talus_season_" + std::to_string(getpid()) + ".h5");
         output::ArchiveWriter writer;
-        analysis::put_body(writer, body);
+        run::put_body(writer, body);
         writer.write(path);
         mpm::Body<2> fresh = start;
-        analysis::get_body(output::ArchiveReader(path), fresh);
+        run::get_body(output::ArchiveReader(path), fresh);
         std::filesystem::remove(path);
         body = std::move(fresh);
       }
@@ -178,7 +178,7 @@ TEST(RootSink, CoversTheGroundAndFollowsTheRoots) {
   const auto mesh = make_box_mesh<2>({8, 8}, {2, 2}, {"soil"}, [](const Vec<2>&) { return 0; });
   data.roots = {make_plants("top", 0.6, 1e-8, {0, 0, 1e5, 2e5})};
   const auto find_sums = [&](const input::Roots& roots) {
-    const auto d = analysis::find_root_distribution<2>(data, roots, mesh);
+    const auto d = ground::find_root_distribution<2>(data, roots, mesh);
     std::array<double, 3> sums{};  // all, its moment about the ground, what is right of the middle
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -204,11 +204,11 @@ TEST(RootSink, CoversTheGroundAndFollowsTheRoots) {
   EXPECT_NEAR(part[0], 1, 0.01);
   EXPECT_GT(part[2], 0.8 * part[0]);
   other.ground = "nowhere";
-  EXPECT_THROW(analysis::find_root_distribution<2>(data, other, mesh), Error);
+  EXPECT_THROW(ground::find_root_distribution<2>(data, other, mesh), Error);
   other.ground = "left";
-  EXPECT_THROW(analysis::find_root_distribution<2>(data, other, mesh), Error) << "a wall has no horizontal extent";
+  EXPECT_THROW(ground::find_root_distribution<2>(data, other, mesh), Error) << "a wall has no horizontal extent";
   data.roots[0].transpiration->suctions = {0, 0, 2e5, 1e5};
-  EXPECT_THROW(analysis::make_root_sinks<2>(data, mesh), Error) << "suctions that fall";
+  EXPECT_THROW(ground::make_root_sinks<2>(data, mesh), Error) << "suctions that fall";
 }
 
 TEST(RootSink, SlopeAndCrestDrinkAlikePerHorizontalMetre) {
@@ -219,7 +219,7 @@ TEST(RootSink, SlopeAndCrestDrinkAlikePerHorizontalMetre) {
   mesh::finish(mesh, mesh::Order::as_given);
   input::Case data = make_planted_case<2>(1e-8, -9);
   data.roots = {make_plants("top", 0.3, 1e-8, {0, 0, 1e5, 2e5})};
-  const auto d = analysis::find_root_distribution<2>(data, data.roots[0], mesh);
+  const auto d = ground::find_root_distribution<2>(data, data.roots[0], mesh);
   EXPECT_NEAR(d.covered, 4, 1e-12);
   double crest = 0, slope = 0, others = 0;  // away from the bend and the ends
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "fem/seepage.hpp"
+#include "fem/seepage/seepage.hpp"
 #include "support/box_case.hpp"
 
 namespace talus::support {

@@ -1,6 +1,6 @@
 // Laws of relative conductivity against closed values, differences, their limits, and packs against doubles.
 
-#include "material/conductivity.hpp"
+#include "material/water/conductivity.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "mpm/pore_state.hpp"
+#include "mpm/coupled/pore_state.hpp"
 
 namespace talus {
 namespace {

@@ -1,6 +1,6 @@
 // Retention curves against closed values, differences, their limits, and packs against doubles.
 
-#include "material/retention.hpp"
+#include "material/water/retention.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "material/conductivity.hpp"
+#include "material/water/conductivity.hpp"
 #include "reference/cases.hpp"
 #include "reference/plain_two_phase.hpp"
 #include "reference/plain_two_phase_limits.hpp"

@@ -1,6 +1,6 @@
 // Sides of a mesh become the lines that are drawn.
 
-#include "report/boundary_lines.hpp"
+#include "report/content/boundary_lines.hpp"
 
 #include <gtest/gtest.h>
 

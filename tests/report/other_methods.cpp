@@ -1,9 +1,9 @@
 // Reports of slices and finite elements, with and without material points, against the results that they come from.
 
 #include "input/read.hpp"
-#include "methods/run_case.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
+#include "run/run_case.hpp"
 #include "schema.hpp"
 
 namespace talus::report {
@@ -95,10 +95,10 @@ resolution = 0.1
 )";
 
 json run(const fs::path& folder, const std::vector<input::Override>& overrides = {}) {
-  analysis::RunOptions options;
+  run::RunOptions options;
   options.folder = folder;
   options.overwrite = true;
-  return methods::run_case(input::read_case_text(layered_case, "layered.toml", overrides), options);
+  return run::run_case(input::read_case_text(layered_case, "layered.toml", overrides), options);
 }
 
 class OtherMethods : public ::testing::Test {

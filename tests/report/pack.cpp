@@ -1,6 +1,6 @@
 // Arrays survive the way into the page and back.
 
-#include "report/pack.hpp"
+#include "report/pack/pack.hpp"
 
 #include <limits>
 

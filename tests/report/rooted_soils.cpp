@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "input/rooted_slope.hpp"
-#include "report/assumptions.hpp"
-#include "report/materials.hpp"
-#include "report/methods.hpp"
+#include "report/content/materials.hpp"
+#include "report/words/assumptions.hpp"
+#include "report/words/explained_methods.hpp"
 
 namespace talus::report {
 namespace {

@@ -1,10 +1,10 @@
 // Frames in the page are the frames of the results file: every value, the points that left, components, colour scales.
 
-#include "report/sequence.hpp"
+#include "report/content/sequence.hpp"
 
 #include <algorithm>
 
-#include "report/fields.hpp"
+#include "report/content/fields.hpp"
 #include "report_page.hpp"
 #include "support/draw.hpp"
 

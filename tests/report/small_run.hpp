@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "analysis/run_case.hpp"
 #include "input/read.hpp"
+#include "run/run_case.hpp"
 
 namespace talus::report {
 
@@ -108,10 +108,10 @@ at = [12, 15]
 
 inline nlohmann::json run_small_case(const std::filesystem::path& folder,
                                      const std::vector<input::Override>& overrides = {}) {
-  analysis::RunOptions options;
+  run::RunOptions options;
   options.folder = folder;
   options.overwrite = true;
-  return analysis::run_case(input::read_case_text(small_case, "small.toml", overrides), options);
+  return run::run_case(input::read_case_text(small_case, "small.toml", overrides), options);
 }
 
 }  // namespace talus::report

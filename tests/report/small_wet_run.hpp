@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "analysis/run_case.hpp"
 #include "input/read.hpp"
+#include "run/run_case.hpp"
 
 namespace talus::report {
 
@@ -127,10 +127,10 @@ at = [7, 1]
 
 inline nlohmann::json run_wet_case(const std::filesystem::path& folder,
                                    const std::vector<input::Override>& overrides = {}) {
-  analysis::RunOptions options;
+  run::RunOptions options;
   options.folder = folder;
   options.overwrite = true;
-  return analysis::run_case(input::read_case_text(wet_case, "wet.toml", overrides), options);
+  return run::run_case(input::read_case_text(wet_case, "wet.toml", overrides), options);
 }
 
 }  // namespace talus::report

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "output/history.hpp"
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
+#include "output/files/history.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"

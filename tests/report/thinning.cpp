@@ -1,6 +1,6 @@
 // The rule of which frames and points a report shows.
 
-#include "report/thinning.hpp"
+#include "report/content/thinning.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
 #include "report/look_up.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "output/history.hpp"
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
+#include "output/files/history.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
 #include "small_run.hpp"

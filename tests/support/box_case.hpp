@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/prepare.hpp"
-#include "analysis/stage.hpp"
+#include "run/mpm/stage.hpp"
+#include "run/mpm/start/prepare.hpp"
 #include "support/soil_body.hpp"
 
 namespace talus::support {
@@ -82,22 +82,22 @@ input::Case make_box_case(const input::Material& soil) {
 
 /// A plan that runs `duration` seconds under the case's gravity.
 template <int D>
-analysis::StagePlan<D> make_stage(const input::Case& data, const mpm::Body<D>& body, double duration,
-                                  input::StepSettings step) {
-  analysis::StagePlan<D> plan;
+run::StagePlan<D> make_stage(const input::Case& data, const mpm::Body<D>& body, double duration,
+                             input::StepSettings step) {
+  run::StagePlan<D> plan;
   plan.name = "test";
   plan.duration = duration;
   plan.step = step;
-  plan.gravity = analysis::find_gravity<D>(data.gravity);
-  plan.soil_height = analysis::find_soil_height(body, data.gravity);
+  plan.gravity = run::find_gravity<D>(data.gravity);
+  plan.soil_height = run::find_soil_height(body, data.gravity);
   return plan;
 }
 
 /// The same until rest, with a strict criterion.
 template <int D>
-analysis::StagePlan<D> make_rest_stage(const input::Case& data, const mpm::Body<D>& body, double longest,
-                                       input::StepSettings step, double force_ratio = 1e-6) {
-  analysis::StagePlan<D> plan = make_stage(data, body, longest, step);
+run::StagePlan<D> make_rest_stage(const input::Case& data, const mpm::Body<D>& body, double longest,
+                                  input::StepSettings step, double force_ratio = 1e-6) {
+  run::StagePlan<D> plan = make_stage(data, body, longest, step);
   plan.until_rest = true;
   plan.rest = {.force_ratio = force_ratio, .speed_ratio = force_ratio, .energy_ratio = 1, .hold = 0.01};
   return plan;
@@ -105,9 +105,9 @@ analysis::StagePlan<D> make_rest_stage(const input::Case& data, const mpm::Body<
 
 /// Runs a stage from its start.
 template <int D>
-analysis::StageEnd run(mpm::Body<D>& body, const analysis::StagePlan<D>& plan) {
-  analysis::StageState state;
-  return analysis::run_stage(body, plan, state);
+run::StageEnd run(mpm::Body<D>& body, const run::StagePlan<D>& plan) {
+  run::StageState state;
+  return run::run_stage(body, plan, state);
 }
 
 }  // namespace talus::support

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "mesh/points.hpp"
-#include "mpm/build.hpp"
-#include "mpm/observe.hpp"
+#include "mpm/body/build.hpp"
+#include "mpm/body/observe.hpp"
 #include "reference/cases.hpp"
 
 namespace talus::support {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "fem/solid.hpp"
+#include "fem/solid/solid.hpp"
 #include "mesh/generate.hpp"
 
 namespace talus::support {

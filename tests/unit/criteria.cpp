@@ -1,15 +1,15 @@
 // Factors of safety read off curves whose answer is known.
 
-#include "analysis/criteria.hpp"
+#include "run/mpm/reduction/criteria.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "analysis/frozen_factor.hpp"
+#include "run/mpm/reduction/frozen_factor.hpp"
 
-namespace talus::analysis {
+namespace talus::run {
 namespace {
 
 /// Two straight lines that meet at factor 1.5.
@@ -162,4 +162,4 @@ TEST(Extrapolation, IsExactForALineInMeshSize) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::run

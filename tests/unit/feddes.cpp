@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "material/feddes.hpp"
+#include "material/water/feddes.hpp"
 
 namespace talus {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "base/dual.hpp"
-#include "fem/solid_point.hpp"
+#include "fem/solid/point.hpp"
 #include "support/external_model.hpp"
 
 namespace talus::fem {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/initial_water.hpp"
-#include "analysis/water.hpp"
 #include "base/error.hpp"
+#include "ground/initial_water.hpp"
+#include "ground/pore_water.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {
@@ -30,7 +30,7 @@ mesh::Mesh<2> make_full_box() {
 TEST(InitialWater, WaterTableIsAPolylineAndSuctionIsCapped) {
   input::Case data = make_box_case<2>(make_wet_soil());
   data.initial.water = {input::InitialPressure::water_table, {{0.5, 1.0}, {1.5, 2.0}}, 12e3};
-  const auto body = analysis::prepare<2>(data, make_full_box());
+  const auto body = run::prepare<2>(data, make_full_box());
   for_each_point(body, [&](int, const mpm::PointView<2>& p) {
     const Vec<2> x = find_middle(body.mesh(), p.element);
     const double level = 1 + std::clamp(x[0] - 0.5, 0.0, 1.0);
@@ -43,7 +43,7 @@ TEST(InitialWater, MassOfTheWaterIsThatInThePores) {
   data.materials["soil"].water.retention = input::RetentionCurve::linear;
   data.materials["soil"].water.dry_suction = 40e3;
   data.initial.water = {input::InitialPressure::water_table, {{0, -1.0}}, 20e3};
-  const auto body = analysis::prepare<2>(data, make_full_box());
+  const auto body = run::prepare<2>(data, make_full_box());
   for_each_point(body, [&](int, const mpm::PointView<2>& p) {
     const double saturation = 1 - p.pressure / 40e3;
     EXPECT_NEAR(p.saturation, saturation, 1e-12);
@@ -63,7 +63,7 @@ TEST(InitialWater, SteadySeepageOfStillWaterIsHydrostatic) {
     data.hydraulics = hydraulics;
     data.initial.water.pressure = input::InitialPressure::seepage;
     std::optional<fem::SeepageResult<2>> seepage;
-    const auto body = analysis::prepare<2>(data, make_full_box(), 0, &seepage);
+    const auto body = run::prepare<2>(data, make_full_box(), 0, &seepage);
     ASSERT_TRUE(seepage);
     for_each_point(body, [&](int, const mpm::PointView<2>& p) {
       EXPECT_NEAR(p.pressure, water_weight * (find_middle(body.mesh(), p.element)[1] - 4), 1e-3);
@@ -79,7 +79,7 @@ TEST(InitialWater, SteadySeepageMovesAsDarcySaysAlsoUnderManyG) {
     data.hydraulics = {make_hydraulic("top", WaterCondition::total_head, 3),
                        make_hydraulic("bottom", WaterCondition::pressure, 0)};
     data.initial.water.pressure = input::InitialPressure::seepage;
-    const auto body = analysis::prepare<2>(data, make_full_box());
+    const auto body = run::prepare<2>(data, make_full_box());
     for_each_point(body, [&](int, const mpm::PointView<2>& p) {
       EXPECT_NEAR(p.pressure, 0, 1e-3) << "a unit gradient of the head";
       EXPECT_NEAR(p.water_velocity[1], -times * 1e-4 / 0.4, 1e-9) << "k was measured under 1 g";
@@ -96,7 +96,7 @@ TEST(InitialWater, DrySoilTakesNoPart) {
   data.initial.water.pressure = input::InitialPressure::seepage;
   const auto mesh = make_box_mesh<2>(
       {4, 6}, {2, 3}, {"soil", "berm"}, [](const Vec<2>& x) { return x[1] > 2; }, 0);
-  const auto body = analysis::prepare<2>(data, mesh);
+  const auto body = run::prepare<2>(data, mesh);
   int dry = 0;
   for_each_point(body, [&](int, const mpm::PointView<2>& p) {
     dry += !p.wet;
@@ -117,7 +117,7 @@ TEST(InitialStress, IsTheWeightAboveLessThePorePressure) {
     data.initial.k0 = 0.5;
     data.initial.water = {input::InitialPressure::water_table, {{0, level}}};
     data.hydraulics = {make_hydraulic("top", WaterCondition::total_head, level)};
-    const auto body = analysis::prepare<2>(data, make_full_box());
+    const auto body = run::prepare<2>(data, make_full_box());
     for_each_point(body, [&](int, const mpm::PointView<2>& p) {
       const double total = -soil_weight * (3 - p.position[1]) - water_weight * std::max(0.0, level - 3);
       const double pressure = water_weight * (find_middle(body.mesh(), p.element)[1] - level);
@@ -132,7 +132,7 @@ TEST(InitialStress, CarriesPondedWaterInThreeDimensions) {
   input::Case data = make_box_case<3>(make_wet_soil());
   data.initial.stress = input::InitialStress::k0;
   data.hydraulics = {make_hydraulic("foot", WaterCondition::total_head, 1.75)};
-  const auto body = analysis::prepare<3>(data, make_step_mesh<3>());
+  const auto body = run::prepare<3>(data, make_step_mesh<3>());
   for_each_point(body, [&](int, const mpm::PointView<3>& p) {
     const bool under_water = p.position[0] > 2;
     const double total =
@@ -145,7 +145,7 @@ TEST(InitialWater, LevelsNeedUprightGravity) {
   input::Case data = make_box_case<2>(make_wet_soil());
   data.gravity.direction = {std::sqrt(0.5), -std::sqrt(0.5), 0};
   data.initial.water = {input::InitialPressure::water_table, {{0, 1}}};
-  EXPECT_THROW((void)analysis::prepare<2>(data, make_full_box()), Error);
+  EXPECT_THROW((void)run::prepare<2>(data, make_full_box()), Error);
 }
 
 }  // namespace

@@ -1,16 +1,16 @@
 // The parts of the search: arcs, minimiser, local minima, findings, candidates; threads and mirrors.
 
-#include "lem/search.hpp"
+#include "lem/search/search.hpp"
 
 #include <algorithm>
 #include <random>
 
 #include "base/error.hpp"
-#include "lem/arcs.hpp"
-#include "lem/candidates.hpp"
-#include "lem/local_minima.hpp"
-#include "lem/minimise.hpp"
-#include "lem/optimise_surface.hpp"
+#include "lem/search/candidates.hpp"
+#include "lem/search/local_minima.hpp"
+#include "lem/search/minimise.hpp"
+#include "lem/search/optimise_surface.hpp"
+#include "lem/surface/arcs.hpp"
 #include "physics/lem_sections.hpp"
 
 namespace talus::lem {

@@ -1,6 +1,6 @@
 // A section made ready: what stands over x, faults by name, surfaces on the ground.
 
-#include "lem/slope.hpp"
+#include "lem/section/slope.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "lem/surface.hpp"
+#include "lem/surface/surface.hpp"
 #include "physics/lem_sections.hpp"
 
 namespace talus::lem {

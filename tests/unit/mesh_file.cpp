@@ -43,21 +43,21 @@ struct BoxFile {
   std::string write(const std::string& name) const {
     const std::string path = get_path(name + ".msh");
     const GmshSession session;
-    gmsh::input::add("box");
-    const int square = gmsh::input::occ::addRectangle(0, 0, 0, 2, 1);
+    gmsh::model::add("box");
+    const int square = gmsh::model::occ::addRectangle(0, 0, 0, 2, 1);
     gmsh::vectorpair drawn;
-    if (three_dimensional) gmsh::input::occ::extrude({{2, square}}, 0, 0, 1, drawn);
-    if (tilted) gmsh::input::occ::rotate({{2, square}}, 0, 0, 0, 1, 0, 0, 0.3);
-    gmsh::input::occ::synchronize();
+    if (three_dimensional) gmsh::model::occ::extrude({{2, square}}, 0, 0, 1, drawn);
+    if (tilted) gmsh::model::occ::rotate({{2, square}}, 0, 0, 0, 1, 0, 0, 0.3);
+    gmsh::model::occ::synchronize();
     const int dimension = three_dimensional ? 3 : 2;
-    if (named_volume) gmsh::input::setPhysicalName(dimension, gmsh::input::addPhysicalGroup(dimension, {1}), "clay");
-    gmsh::input::setPhysicalName(dimension - 1, gmsh::input::addPhysicalGroup(dimension - 1, {1}), "first");
+    if (named_volume) gmsh::model::setPhysicalName(dimension, gmsh::model::addPhysicalGroup(dimension, {1}), "clay");
+    gmsh::model::setPhysicalName(dimension - 1, gmsh::model::addPhysicalGroup(dimension - 1, {1}), "first");
     gmsh::option::setNumber("Mesh.MeshSizeMax", 0.3);
     gmsh::option::setNumber("Mesh.RecombineAll", recombine ? 1 : 0);
     gmsh::option::setNumber("Mesh.Binary", binary ? 1 : 0);
     gmsh::option::setNumber("Mesh.MshFileVersion", version);
     gmsh::option::setNumber("Mesh.SaveAll", named_volume ? 0 : 1);
-    gmsh::input::mesh::generate(dimension);
+    gmsh::model::mesh::generate(dimension);
     gmsh::write(path);
     return path;
   }

@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "analysis/motion.hpp"
-#include "analysis/named_results.hpp"
 #include "input/case/result_names.hpp"
+#include "run/mpm/record/motion.hpp"
+#include "run/named_results.hpp"
 
-namespace talus::analysis {
+namespace talus::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ TEST_F(Motion, CanBeComparedUnderItsNames) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::run

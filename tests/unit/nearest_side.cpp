@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "analysis/nearest_side.hpp"
+#include "ground/nearest_side.hpp"
 #include "support/draw.hpp"
 
-namespace talus::analysis {
+namespace talus::ground {
 namespace {
 
 template <int D>
@@ -79,4 +79,4 @@ TEST(NearestSide, OfManyIsTheSameAsByLookingAtAll) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::ground

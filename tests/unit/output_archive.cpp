@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "output/archive.hpp"
+#include "output/files/archive.hpp"
 
 namespace {
 

@@ -13,8 +13,8 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "output/atomic_file.hpp"
-#include "output/history.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/files/history.hpp"
 
 namespace {
 

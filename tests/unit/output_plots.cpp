@@ -12,10 +12,10 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "output/curve_plot.hpp"
-#include "output/field_plot.hpp"
-#include "output/gnuplot.hpp"
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
+#include "output/plots/curve_plot.hpp"
+#include "output/plots/field_plot.hpp"
+#include "output/plots/gnuplot.hpp"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "output/results.hpp"
+#include "output/files/frames_reader.hpp"
 
 namespace {
 

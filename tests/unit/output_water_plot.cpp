@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "output/water_plot.hpp"
+#include "output/plots/water_plot.hpp"
 
 namespace {
 

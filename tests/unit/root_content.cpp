@@ -5,17 +5,17 @@
 
 #include <cmath>
 
-#include "analysis/root_content.hpp"
 #include "base/error.hpp"
+#include "ground/root_content.hpp"
 
 namespace talus {
 namespace {
 
-using analysis::find_age_share;
-using analysis::find_depths;
-using analysis::find_ground_cohesion;
-using analysis::find_root_share;
-using analysis::find_roots;
+using ground::find_age_share;
+using ground::find_depths;
+using ground::find_ground_cohesion;
+using ground::find_root_share;
+using ground::find_roots;
 using input::Roots;
 
 /// Ground of the vegetated slope: crest at y = 5 to x = 3, face down to (7, 1), foot to x = 11; sides of 0.25 m.

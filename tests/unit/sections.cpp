@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "analysis/sections.hpp"
+#include "run/mpm/record/sections.hpp"
 
-namespace talus::analysis {
+namespace talus::run {
 namespace {
 
 /// Points on a grid of 0.1 m over 2 m × 2 m with a field that is linear in the place, and a vector of it.
@@ -70,4 +70,4 @@ TEST(Section, LeavesOutWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::run

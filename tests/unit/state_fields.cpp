@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/state_fields.hpp"
+#include "run/mpm/record/state_fields.hpp"
 
-namespace talus::analysis {
+namespace talus::run {
 namespace {
 
 const auto elastic = material::LinearElastic::from_young(1e7, 0.3);
@@ -47,4 +47,4 @@ TEST(StateFields, SaySoWhereASoilHasNoneOfIt) {
 }
 
 }  // namespace
-}  // namespace talus::analysis
+}  // namespace talus::run

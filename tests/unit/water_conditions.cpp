@@ -38,13 +38,13 @@ void expect_held(const mpm::Body<2>& body, const Vec<2>& x, const Vec<2>& wanted
 mpm::Body<2> prepare_step(const std::vector<input::Hydraulic>& hydraulics) {
   input::Case data = make_box_case<2>(make_wet_soil());
   data.hydraulics = hydraulics;
-  return analysis::prepare<2>(data, make_step_mesh<2>());
+  return run::prepare<2>(data, make_step_mesh<2>());
 }
 
 TEST(WaterConditions, RollersHoldTheWaterAndFixedSoilHoldsItAlongTheNormalOnly) {
   input::Case data = make_box_case<2>(make_wet_soil());
   for (input::Boundary& b : data.boundaries) b.fix = b.on == "bottom" ? input::Fix::full : b.fix;
-  const auto body = analysis::prepare<2>(data, make_step_mesh<2>());
+  const auto body = run::prepare<2>(data, make_step_mesh<2>());
   expect_held(body, {0, 1}, {1, 0});
   expect_held(body, {2, 0}, {0, 1});
   expect_held(body, {0, 0}, {1, 1});
@@ -92,7 +92,7 @@ TEST(WaterConditions, FollowTheNearestGroundInThreeDimensions) {
   input::Case data = make_box_case<3>(make_wet_soil());
   data.hydraulics = {make_hydraulic("crest", WaterCondition::rain, 1e-6),
                      make_hydraulic("foot", WaterCondition::total_head, 1.4)};
-  const auto body = analysis::prepare<3>(data, make_step_mesh<3>());
+  const auto body = run::prepare<3>(data, make_step_mesh<3>());
   EXPECT_EQ(get_surface<3>(body, {1, 3, 0.5}).name, "crest");
   EXPECT_EQ(get_surface<3>(body, {3.5, 2, 1}).name, "foot");
   EXPECT_EQ(get_surface<3>(body, {2, 1.5, 0.5}).name, "other surfaces");
@@ -112,7 +112,7 @@ TEST(WaterConditions, AnInclinedImpermeableLineHoldsTheWaterAcrossIt) {
   ASSERT_FALSE(mesh.sides["clay"].empty());
   input::Case data = make_box_case<2>(make_wet_soil());
   data.hydraulics = {make_hydraulic("clay", WaterCondition::no_flow)};
-  const auto body = analysis::prepare<2>(data, mesh);
+  const auto body = run::prepare<2>(data, mesh);
   expect_held(body, rising ? Vec<2>{1, 1} : Vec<2>{1, 0.5}, {std::sqrt(0.5), std::sqrt(0.5)});
 }
 
@@ -128,7 +128,7 @@ TEST(WaterConditions, RainThatMeetsNoWaterIsAFault) {
   input::Case data = make_box_case<2>(make_wet_soil());
   data.hydraulics = {make_hydraulic("inside", WaterCondition::rain, 1e-6)};
   try {
-    (void)analysis::prepare<2>(data, mesh);
+    (void)run::prepare<2>(data, mesh);
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::wrong_input);
@@ -141,7 +141,7 @@ TEST(WaterConditions, BendsOfAWallAreClosedByASkin) {
   mesh::Mesh<2> mesh = make_step_mesh<2>();
   for (auto& x : mesh.nodes) x[1] += 0.02 * (x[0] < 2 ? x[0] : 4 - x[0]) * (3 - x[1]);
   mesh::finish(mesh, mesh::Order::as_given);
-  const auto body = analysis::prepare<2>(make_box_case<2>(make_wet_soil()), mesh);
+  const auto body = run::prepare<2>(make_box_case<2>(make_wet_soil()), mesh);
   ASSERT_EQ(body.water.surfaces.size(), 2u);
   int closed = 0;
   for (const int number : body.water.surface_of_node) closed += number == 1;

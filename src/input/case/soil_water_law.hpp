@@ -2,7 +2,7 @@
 // From the keys of a soil's water to the laws that the engine and the seepage solver evaluate.
 
 #include "input/case/water.hpp"
-#include "material/conductivity.hpp"
+#include "material/water/conductivity.hpp"
 
 namespace talus::input {
 

@@ -1,0 +1,159 @@
+// Pressures, velocities, discharges and wet faces of a solution.
+
+#include "fem/seepage/results.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "fem/solid/water_table.hpp"
+
+namespace talus::fem {
+
+namespace {
+
+/// Water through each boundary. The flow that a node's equation lacks is what its border brings: given fluxes go to
+/// their boundaries, rain that enters is shared out by what each offers, the rest belongs to the node's owner.
+template <int D>
+void add_discharges(const SeepageSystem<D>& system, const NodalSums& sums, const std::vector<NodeCondition>& conditions,
+                    double time, SeepageResult<D>& result, const std::vector<FaceState>& face) {
+  const auto& boundaries = system.model.boundaries;
+  for (const auto& b : boundaries) result.discharges.push_back({b.name, 0, 0, 0});
+  const auto book = [&](std::size_t b, double into) {
+    (into > 0 ? result.discharges[b].inflow : result.discharges[b].outflow) += std::abs(into);
+  };
+  for (std::size_t b = 0; b < boundaries.size(); ++b) {
+    if (boundaries[b].kind == HydraulicKind::free_drainage) result.discharges[b].outflow += sums.drained[b];
+    const bool rain = boundaries[b].kind == HydraulicKind::rain;
+    if (!rain && boundaries[b].kind != HydraulicKind::flux) continue;
+    const double value = boundaries[b].value_at(time);
+    for (const BoundaryShare& share : system.shares[b]) {
+      const auto u = static_cast<std::size_t>(share.unknown);
+      const double flux =
+          value * (boundaries[b].measure == FluxMeasure::vertical ? std::max(0.0, share.horizontal) : share.area);
+      if (!rain) {
+        book(b, flux);
+        continue;
+      }
+      const NodeCondition& c = conditions[u];
+      if (c.fixed) {  // under water: all of it runs off
+        result.discharges[b].runoff += std::max(0.0, flux);
+        continue;
+      }
+      const double enters = face[u] == FaceState::open ? c.offered : sums.outflow[u] - c.given;
+      const bool shared = enters * c.offered > 0;  // otherwise water comes out while it rains
+      const double own = shared ? flux * enters / c.offered : 0;
+      book(b, own);
+      if (flux > 0) result.discharges[b].runoff += flux - own;
+    }
+  }
+  for (std::size_t u = 0; u < conditions.size(); ++u) {
+    const NodeCondition& c = conditions[u];
+    const bool held = c.fixed || face[u] == FaceState::wet || face[u] == FaceState::dry;
+    if (!held || c.owner < 0) continue;
+    const double reaction = sums.outflow[u] - c.given;
+    if (c.fixed || !(reaction * c.offered > 0)) book(static_cast<std::size_t>(c.owner), reaction);
+  }
+  for (const Discharge& d : result.discharges) {
+    result.inflow += d.inflow;
+    result.outflow += d.outflow;
+  }
+}
+
+template <int D>
+void add_exits(const SeepageSystem<D>& system, const std::vector<FaceState>& face, SeepageResult<D>& result) {
+  const auto up = static_cast<std::size_t>(system.model.up);
+  for (std::size_t b = 0; b < system.shares.size(); ++b) {
+    const auto kind = system.model.boundaries[b].kind;
+    if (kind != HydraulicKind::seepage_face && kind != HydraulicKind::rain && kind != HydraulicKind::reservoir)
+      continue;
+    FaceExtent<D> extent{system.model.boundaries[b].name, {}, {}};
+    bool any = false;
+    for (const BoundaryShare& share : system.shares[b]) {
+      const auto u = static_cast<std::size_t>(share.unknown);
+      if (face[u] != FaceState::wet) continue;
+      const auto& x = system.model.mesh->nodes[static_cast<std::size_t>(system.node_of_unknown[u])];
+      if (!any || x[up] > extent.highest[up]) extent.highest = x;
+      if (!any || x[up] < extent.lowest[up]) extent.lowest = x;
+      any = true;
+    }
+    if (any) result.exits.push_back(extent);
+  }
+}
+
+}  // namespace
+
+template <int D>
+SeepageResult<D> make_result(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
+                             const std::vector<NodeCondition>& conditions, double time, const StepInput& input) {
+  const auto& mesh = *system.model.mesh;
+  SeepageResult<D> r;
+  r.time = time;
+  r.head = to_nodes(system, state.head);
+  r.pressure.assign(mesh.nodes.size(), 0);
+  r.face.assign(mesh.nodes.size(), FaceState::none);
+  for (std::size_t u = 0; u < state.head.size(); ++u) {
+    const auto node = static_cast<std::size_t>(system.node_of_unknown[u]);
+    r.pressure[node] = system.suction(u, state.head[u]);
+    r.face[node] = state.face[u];
+  }
+  r.saturation.assign(mesh.elements.size(), 0);
+  r.velocity.assign(mesh.elements.size(), {});
+  for (int element : system.elements) {
+    const auto e = static_cast<std::size_t>(element);
+    const auto& nodes = mesh.elements[e];
+    const auto& soil = system.model.soils[static_cast<std::size_t>(mesh.element_region[e])];
+    std::array<double, D + 1> suction;
+    for (std::size_t k = 0; k <= D; ++k) suction[k] = r.pressure[static_cast<std::size_t>(nodes[k])];
+    const auto water = find_element_water<D>(soil, suction, input);
+    r.saturation[e] = water.saturation;
+    for (std::size_t d = 0; d < D; ++d) {
+      double gradient = 0;
+      for (std::size_t k = 1; k <= D; ++k)
+        gradient += mesh.gradients[e][(k - 1) * D + d] *
+                    (r.head[static_cast<std::size_t>(nodes[k])] - r.head[static_cast<std::size_t>(nodes[0])]);
+      r.velocity[e][d] = -soil.conductivity[d] * water.relative * gradient;
+    }
+  }
+  add_discharges(system, sums, conditions, time, r, state.face);
+  for (std::size_t q = 0; q < sums.drawn.size(); ++q) {
+    const RootSink& sink = system.model.sinks[q];
+    double covered = 0;
+    for (int node : system.node_of_unknown) covered += sink.weights[static_cast<std::size_t>(node)];
+    r.uptakes.push_back({sink.name, covered * input.sink_rates[q], sums.drawn[q]});
+    r.transpired += sums.drawn[q];
+  }
+  r.storage_rate = sums.storage_rate;
+  r.balance_error = r.inflow - r.outflow - r.transpired - r.storage_rate;
+  add_exits(system, state.face, r);
+  if constexpr (D == 2) r.water_table = find_water_table(mesh, r.pressure);
+  return r;
+}
+
+template <int D>
+std::vector<double> to_unknowns(const SeepageSystem<D>& system, const std::vector<double>& node_heads) {
+  if (node_heads.size() != system.unknown_of_node.size())
+    throw Error(ExitCode::internal_error, "The initial heads are not as many as the nodes of the mesh.");
+  std::vector<double> heads;
+  for (int node : system.node_of_unknown) heads.push_back(node_heads[static_cast<std::size_t>(node)]);
+  return heads;
+}
+
+template <int D>
+std::vector<double> to_nodes(const SeepageSystem<D>& system, const std::vector<double>& heads) {
+  std::vector<double> r;
+  for (const auto& x : system.model.mesh->nodes) r.push_back(x[static_cast<std::size_t>(system.model.up)]);
+  for (std::size_t u = 0; u < heads.size(); ++u) r[static_cast<std::size_t>(system.node_of_unknown[u])] = heads[u];
+  return r;
+}
+
+#define TALUS_INSTANTIATE(D)                                                                               \
+  template SeepageResult<D> make_result<D>(const SeepageSystem<D>&, const SeepageState&, const NodalSums&, \
+                                           const std::vector<NodeCondition>&, double, const StepInput&);   \
+  template std::vector<double> to_unknowns<D>(const SeepageSystem<D>&, const std::vector<double>&);        \
+  template std::vector<double> to_nodes<D>(const SeepageSystem<D>&, const std::vector<double>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::fem

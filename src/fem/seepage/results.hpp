@@ -1,0 +1,19 @@
+#pragma once
+// From the heads of a solution to what users read. Internal to fem/.
+
+#include "fem/seepage/newton.hpp"
+
+namespace talus::fem {
+
+/// `sums` are those of the solution, `conditions` and `input` what it was solved with.
+template <int D>
+SeepageResult<D> make_result(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
+                             const std::vector<NodeCondition>& conditions, double time, const StepInput& input);
+
+/// Heads per unknown from heads per node, and back: nodes without soil get their elevation.
+template <int D>
+std::vector<double> to_unknowns(const SeepageSystem<D>& system, const std::vector<double>& node_heads);
+template <int D>
+std::vector<double> to_nodes(const SeepageSystem<D>& system, const std::vector<double>& heads);
+
+}  // namespace talus::fem

@@ -1,0 +1,171 @@
+// Seepage in time: implicit Euler with steps that follow the error.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "fem/seepage/check.hpp"
+#include "fem/seepage/results.hpp"
+
+namespace talus::fem {
+
+namespace {
+
+/// Times that a step must not pass: outputs and the corners of the tables of boundaries and sinks.
+template <int D>
+std::vector<double> find_stops(const SeepageModel<D>& model, const SeepageSchedule& schedule) {
+  std::vector<double> stops = schedule.outputs;
+  for (const auto& b : model.boundaries) {
+    for (const auto& pair : b.history) stops.push_back(pair[0]);
+  }
+  for (const RootSink& sink : model.sinks) stops.insert(stops.end(), sink.rate.time.begin(), sink.rate.time.end());
+  const double end = schedule.outputs.back();
+  std::erase_if(stops, [&](double t) { return t <= schedule.start || t > end; });
+  std::sort(stops.begin(), stops.end());
+  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+  return stops;
+}
+
+template <int D>
+bool is_corner(const SeepageModel<D>& model, double time) {
+  const bool of_sink = std::any_of(model.sinks.begin(), model.sinks.end(), [&](const RootSink& sink) {
+    return std::find(sink.rate.time.begin(), sink.rate.time.end(), time) != sink.rate.time.end();
+  });
+  return of_sink || std::any_of(model.boundaries.begin(), model.boundaries.end(), [&](const auto& b) {
+           return std::any_of(b.history.begin(), b.history.end(), [&](const auto& pair) { return pair[0] == time; });
+         });
+}
+
+void check_schedule(const SeepageSchedule& s) {
+  const bool increases = std::is_sorted(s.outputs.begin(), s.outputs.end(), std::less_equal<>());
+  if (s.outputs.empty() || !(s.outputs.front() > s.start) || !increases)
+    throw Error(ExitCode::wrong_input, "Seepage in time needs output times that increase from the start on.");
+  if (!(s.head_tolerance > 0))
+    throw Error(ExitCode::wrong_input, "The head tolerance of seepage in time must be above 0.");
+}
+
+void add_volumes(std::vector<Discharge>& volumes, const std::vector<Discharge>& rates, double dt) {
+  for (std::size_t b = 0; b < rates.size(); ++b) {
+    volumes[b].name = rates[b].name;
+    volumes[b].inflow += rates[b].inflow * dt;
+    volumes[b].outflow += rates[b].outflow * dt;
+    volumes[b].runoff += rates[b].runoff * dt;
+  }
+}
+
+void add_uptakes(std::vector<Uptake>& volumes, const std::vector<Uptake>& rates, double dt) {
+  volumes.resize(rates.size());
+  for (std::size_t q = 0; q < rates.size(); ++q) {
+    volumes[q].name = rates[q].name;
+    volumes[q].potential += rates[q].potential * dt;
+    volumes[q].actual += rates[q].actual * dt;
+  }
+}
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+}  // namespace
+
+template <int D>
+SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const std::vector<double>& initial,
+                                          const SeepageSchedule& schedule, const SeepageOptions& options) {
+  const SeepageSystem<D> system(model);
+  check_storage(model);
+  check_schedule(schedule);
+  SeepageNewton<D> newton(system, options);
+  const double whole = schedule.outputs.back() - schedule.start;
+  const double smallest = schedule.smallest_step > 0 ? schedule.smallest_step : 1e-9 * whole;
+  const double first_step =
+      schedule.first_step > 0 ? schedule.first_step : 1e-3 * (schedule.outputs.front() - schedule.start);
+  double dt = first_step;
+  const auto stops = find_stops(model, schedule);
+  SeepageState state{to_unknowns(system, initial), std::vector<FaceState>(system.elevation.size(), FaceState::none)};
+  std::vector<double> contents = system.find_contents(state.head), rate;  // rate: of the heads in the last step [m/s]
+  const double stored_at_start = sum(contents);
+  std::vector<Discharge> volumes(model.boundaries.size());
+  std::vector<Uptake> drawn;
+  SeepageHistory<D> history;
+  double time = schedule.start, last_dt = 0;
+  std::size_t stop = 0, output = 0;
+  while (stop < stops.size()) {
+    dt = std::min(dt, schedule.largest_step);
+    const double left = stops[stop] - time;
+    const bool lands = dt >= left * (1 - 1e-9);
+    const double step = lands ? left : dt > 0.5 * left ? 0.5 * left : dt;
+    const double then = lands ? stops[stop] : time + step;
+    StepInput input;
+    input.dt = step;
+    input.old_contents = &contents;
+    // A table that jumps at a stop holds its old value up to there.
+    const double at = lands ? then - 1e-9 * step : then;
+    const auto conditions = system.find_conditions(at);
+    input.sink_rates = find_sink_rates(model, at);
+    SeepageState trial = state;
+    const bool solved = newton.solve(trial, conditions, input);
+    double error = 0;
+    if (solved && !rate.empty()) {
+      for (std::size_t u = 0; u < rate.size(); ++u)
+        error = std::max(error, std::abs(trial.head[u] - state.head[u] - rate[u] * step) * step / (step + last_dt));
+    }
+    if (!solved || (error > 2 * schedule.head_tolerance && step > 4 * smallest)) {
+      ++history.rejected;
+      dt = step * (solved ? std::clamp(0.9 * std::sqrt(schedule.head_tolerance / error), 0.2, 0.7) : 0.25);
+      if (dt < smallest)
+        throw Error(ExitCode::unstable,
+                    fmt::format("Seepage did not converge at {:.6g} s, not even with a step of {:.3g} s.", time, dt));
+      continue;
+    }
+    const auto new_contents = system.find_contents(trial.head);
+    rate.resize(trial.head.size());
+    for (std::size_t u = 0; u < rate.size(); ++u) rate[u] = (trial.head[u] - state.head[u]) / step;
+    auto result = make_result(system, trial, newton.sums(), conditions, at, input);
+    result.time = then;
+    add_volumes(volumes, result.discharges, step);
+    add_uptakes(drawn, result.uptakes, step);
+    state = std::move(trial);
+    contents = new_contents;
+    last_dt = step;
+    time = then;
+    ++history.steps;
+    const double growth = error > 0 ? std::clamp(0.9 * std::sqrt(schedule.head_tolerance / error), 0.3, 2.0) : 1.5;
+    dt = lands ? std::max(dt, step * growth) : step * growth;
+    if (!lands) continue;
+    if (output < schedule.outputs.size() && stops[stop] == schedule.outputs[output]) {
+      result.iterations = newton.solves();
+      result.undecided = newton.undecided();
+      history.states.push_back(std::move(result));
+      history.volumes.push_back(volumes);
+      history.uptakes.push_back(drawn);
+      history.stored.push_back(sum(contents) - stored_at_start);
+      ++output;
+    }
+    if (is_corner(model, then)) {  // the rates before a corner of a table predict nothing
+      rate.clear();
+      dt = std::min(dt, first_step);
+    }
+    ++stop;
+  }
+  history.iterations = newton.solves();
+  return history;
+}
+
+template <int D>
+double find_stored_water(const SeepageModel<D>& model, const std::vector<double>& head) {
+  const SeepageSystem<D> system(model);
+  return sum(system.find_contents(to_unknowns(system, head)));
+}
+
+#define TALUS_INSTANTIATE(D)                                                                                \
+  template SeepageHistory<D> solve_transient_seepage<D>(const SeepageModel<D>&, const std::vector<double>&, \
+                                                        const SeepageSchedule&, const SeepageOptions&);     \
+  template double find_stored_water<D>(const SeepageModel<D>&, const std::vector<double>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::fem

@@ -1,0 +1,168 @@
+// Plain Newton iterations do not find the equilibrium of soil whose flow is not associated: near collapse the tangent
+// is no longer positive, and a return over one long increment has no history. So the step is a creep: K_el q̇ = residual
+// is what an elastic viscosity would do, and its implicit Euler steps are positive definite when short and Newton's own
+// when long.
+
+#include "fem/solid/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::fem {
+namespace {
+
+constexpr double first_viscosity = 0.05, least_viscosity = 1e-6, most_viscosity = 1;
+constexpr double good_share = 0.4;    ///< of the fault that a creep step may leave over
+constexpr int most_solves = 7;        ///< in a creep step
+constexpr double hopeless = 100;      ///< times the fault: no use to iterate on
+constexpr double least_gain = 0.9;    ///< of the third and later iterations of a creep step
+constexpr double steady_share = 0.8;  ///< of the fault that is still there when the displacement has doubled
+constexpr double steady_from = 3;     ///< elastic displacements
+
+double find_norm(const std::vector<double>& v) {
+  double s = 0;
+  for (double x : v) s += x * x;
+  return std::sqrt(s);
+}
+
+}  // namespace
+
+template <int D>
+SolidNewton<D>::SolidNewton(const SolidSystem<D>& system, const SolidOptions& options)
+    : system_(system),
+      options_(options),
+      solver_(system.column_start, system.row),
+      load_size_(find_norm(system.load)) {}
+
+template <int D>
+void SolidNewton<D>::look(const SolidAssembly<D>& assembly, const SolidState<D>& from, const std::vector<double>& q,
+                          const std::vector<double>& target, Place& to) {
+  system_.to_nodes(q, u_);
+  assembly.evaluate(from, u_, true, to.state, to.sums);
+  to.residual.resize(target.size());
+  for (std::size_t i = 0; i < target.size(); ++i) to.residual[i] = target[i] - to.sums.force[i];
+  to.fault = find_norm(to.residual);
+}
+
+template <int D>
+bool SolidNewton<D>::factorise(const SolidSums& sums, double viscosity) {
+  matrix_ = sums.matrix;
+  for (std::size_t i = 0; i < matrix_.size(); ++i) matrix_[i] += viscosity * elastic_[i];
+  return (sums.symmetric && solver_.factorise(matrix_, true)) || solver_.factorise(matrix_, false);
+}
+
+/// What is left of the residual when the viscous forces of a step are taken off: in lack_, and its size [N].
+template <int D>
+double SolidNewton<D>::find_lack(const Place& at, const std::vector<double>& q, double viscosity) {
+  lack_ = at.residual;
+  for (std::size_t j = 0; j < q.size(); ++j) {
+    const double v = viscosity * q[j];
+    for (int k = system_.column_start[j]; k < system_.column_start[j + 1]; ++k)
+      lack_[static_cast<std::size_t>(system_.row[static_cast<std::size_t>(k)])] -=
+          v * elastic_[static_cast<std::size_t>(k)];
+  }
+  return find_norm(lack_);
+}
+
+/// One implicit step of creep from `now`: f_int(q) + β K_el q = target, to a share of the fault.
+template <int D>
+bool SolidNewton<D>::creep(const SolidAssembly<D>& assembly, const std::vector<double>& target, const Place& now,
+                           double viscosity, Place& next, std::vector<double>& q, NewtonOutcome& out, int& solves) {
+  q.assign(target.size(), 0);
+  lack_ = now.residual;
+  double lack = now.fault;
+  std::vector<double> more;
+  const SolidSums* tangent = &now.sums;
+  for (solves = 0; solves < most_solves;) {
+    if (!factorise(*tangent, viscosity) || !solver_.solve(lack_, more)) return false;
+    ++solves;
+    ++out.iterations;
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] += more[i];
+    look(assembly, now.state, q, target, next);
+    tangent = &next.sums;
+    const double last = lack;
+    lack = find_lack(next, q, viscosity);
+    if (lack <= good_share * now.fault) return true;
+    if (!(lack < hopeless * now.fault)) return false;
+    if (solves >= 3 && lack > least_gain * last) break;
+  }
+  return viscosity >= most_viscosity && lack < now.fault;
+}
+
+/// Whether the soil flows on: the displacement has doubled and the residual has stayed.
+template <int D>
+bool SolidNewton<D>::is_steady(double moved, double fault) {
+  way_.push_back({moved, fault});
+  if (!(elastic_displacement_ > 0)) return false;
+  if (moved > options_.runaway * elastic_displacement_) return true;
+  if (moved < steady_from * elastic_displacement_ || fault < options_.force_tolerance * scale_) return false;
+  for (std::size_t k = way_.size(); k-- > 0;)
+    if (way_[k][0] < 0.5 * moved) return fault > steady_share * way_[k][1];
+  return false;
+}
+
+template <int D>
+void SolidNewton<D>::find_elastic_displacement() {
+  std::vector<double> q;
+  elastic_displacement_ = 0;
+  if (load_size_ == 0 || !solver_.solve(elastic_, true, system_.load, q)) return;
+  for (double x : q) elastic_displacement_ = std::max(elastic_displacement_, std::abs(x));
+}
+
+template <int D>
+NewtonOutcome SolidNewton<D>::solve(const SolidAssembly<D>& assembly, const SolidState<D>& start,
+                                    const std::vector<double>& target, SolidState<D>& end) {
+  NewtonOutcome out;
+  assembly.find_elastic_matrix(start, elastic_);
+  if (elastic_displacement_ < 0) find_elastic_displacement();
+  Place now, next;
+  std::vector<double> q(target.size(), 0), moved(target.size(), 0);
+  look(assembly, start, q, target, now);
+  scale_ = load_size_ > 0 ? load_size_ : now.fault;
+  const double rounding = 1e-13 * std::max(scale_, find_norm(now.sums.force));
+  double viscosity = now.sums.yielding == 0 ? 0 : first_viscosity;
+  bool went = false;
+  way_.clear();
+  last_motion_ = {};
+  out.displacement_residual = 1;
+  for (;;) {
+    out.force_residual = scale_ > 0 ? now.fault / scale_ : 0;
+    if (now.fault <= rounding) out.displacement_residual = 0;
+    out.converged =
+        out.force_residual <= options_.force_tolerance && out.displacement_residual <= options_.displacement_tolerance;
+    if (out.converged || out.flows || out.iterations >= options_.most_iterations) break;
+    int solves = 0;
+    if (!creep(assembly, target, now, viscosity, next, q, out, solves)) {
+      if (viscosity >= most_viscosity) break;
+      viscosity = std::min(went ? 4 * viscosity : std::max(4 * viscosity, first_viscosity), most_viscosity);
+      continue;
+    }
+    went = true;
+    for (std::size_t i = 0; i < q.size(); ++i) moved[i] += q[i];
+    double largest = 0;
+    for (double x : moved) largest = std::max(largest, std::abs(x));
+    // The motion that is left when it goes on to fade as it does: a last correction may be small only because the
+    // creep is slow.
+    const double fading = now.fault > 0 ? next.fault / now.fault : 0, all = find_norm(moved);
+    out.displacement_residual = fading < 1 && all > 0 ? find_norm(q) / all * fading / (1 - fading) : 1;
+    out.flows = is_steady(largest, next.fault);
+    system_.to_nodes(q, last_motion_.displacement);
+    last_motion_.strain = next.state.strain;
+    for (std::size_t p = 0; p < last_motion_.strain.size(); ++p)
+      for (std::size_t i = 0; i < 6; ++i) last_motion_.strain[p][i] -= now.state.strain[p][i];
+    std::swap(now, next);
+    viscosity = std::max(viscosity * (solves <= 1   ? 0.1
+                                      : solves == 2 ? 0.25
+                                      : solves == 3 ? 0.5
+                                                    : 1.0),
+                         least_viscosity);
+  }
+  out.flows = out.flows && !out.converged;
+  end = std::move(now.state);
+  return out;
+}
+
+template class SolidNewton<2>;
+template class SolidNewton<3>;
+
+}  // namespace talus::fem

@@ -1,0 +1,82 @@
+// Equilibrium in load steps.
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "fem/solid/newton.hpp"
+#include "fem/solid/trial.hpp"
+
+namespace talus::fem {
+
+template <int D>
+std::vector<material::Law> make_laws(const SolidModel<D>& model, double factor) {
+  int regions = 0;
+  for (int r : model.mesh->element_region) regions = std::max(regions, r + 1);
+  std::vector<char> used(static_cast<std::size_t>(regions), 0);
+  for (int r : model.mesh->element_region)
+    if (r != mesh::empty_region) used[static_cast<std::size_t>(r)] = 1;
+  std::vector<material::Law> laws;
+  for (int r = 0; r < regions; ++r)
+    laws.push_back(used[static_cast<std::size_t>(r)] ? model.make_law(r, factor)
+                                                     : material::Law(material::LinearElastic{}));
+  return laws;
+}
+
+template <int D>
+SolidResult<D> apply_loads(const SolidSystem<D>& system, SolidNewton<D>& newton, const SolidAssembly<D>& assembly,
+                           const SolidOptions& options, const SolidState<D>& start) {
+  SolidResult<D> result;
+  SolidState<D> now = start, end;
+  const std::vector<Vec<D>> still(system.mesh.nodes.size(), Vec<D>{});
+  SolidSums sums;
+  assembly.evaluate(start, still, false, end, sums);
+  const int before = newton.factorisations();
+  double share = 0, step = 1.0 / std::max(options.load_steps, 1);
+  int halvings = 0;
+  std::vector<double> target(system.load.size());
+  while (share < 1) {
+    const double next = std::min(1.0, share + step);
+    for (std::size_t i = 0; i < target.size(); ++i)
+      target[i] = sums.force[i] + (next > 1 - 1e-12 ? 1 : next) * (system.load[i] - sums.force[i]);
+    const NewtonOutcome out = newton.solve(assembly, now, target, end);
+    result.iterations += out.iterations;
+    result.force_residual = out.force_residual;
+    result.displacement_residual = out.displacement_residual;
+    result.flows = out.flows;
+    if (!out.converged) {
+      // soil that flows has met its limit, which a smaller step would only meet later
+      if (out.flows || halvings++ == options.most_halvings) break;
+      step /= 2;
+      continue;
+    }
+    ++result.load_steps;
+    std::swap(now, end);
+    share = next > 1 - 1e-12 ? 1 : next;
+  }
+  result.converged = share >= 1;
+  result.at = result.converged ? std::move(now) : std::move(end);
+  result.factorisations = newton.factorisations() - before;
+  for (std::size_t n = 0; n < result.at.displacement.size(); ++n)
+    result.largest_displacement = std::max(result.largest_displacement, norm(result.at.displacement[n]));
+  return result;
+}
+
+template <int D>
+SolidResult<D> find_equilibrium(const SolidModel<D>& model, const SolidOptions& options, double factor,
+                                const SolidState<D>* start) {
+  const SolidSystem<D> system(model);
+  const SolidAssembly<D> assembly(system, make_laws(model, factor), options.threads);
+  SolidNewton<D> newton(system, options);
+  return apply_loads(system, newton, assembly, options, start ? *start : assembly.make_start());
+}
+
+template std::vector<material::Law> make_laws(const SolidModel<2>&, double);
+template std::vector<material::Law> make_laws(const SolidModel<3>&, double);
+template SolidResult<2> apply_loads(const SolidSystem<2>&, SolidNewton<2>&, const SolidAssembly<2>&,
+                                    const SolidOptions&, const SolidState<2>&);
+template SolidResult<3> apply_loads(const SolidSystem<3>&, SolidNewton<3>&, const SolidAssembly<3>&,
+                                    const SolidOptions&, const SolidState<3>&);
+template SolidResult<2> find_equilibrium<2>(const SolidModel<2>&, const SolidOptions&, double, const SolidState<2>*);
+template SolidResult<3> find_equilibrium<3>(const SolidModel<3>&, const SolidOptions&, double, const SolidState<3>*);
+
+}  // namespace talus::fem

@@ -1,0 +1,163 @@
+// Strength reduction by bracketing. Every trial starts from the equilibrium at full strength, so that its answer does
+// not depend on which others were tried before it.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "fem/solid/trial.hpp"
+
+namespace talus::fem {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double find_seconds(Clock::time_point since) {
+  return std::chrono::duration<double>(Clock::now() - since).count();
+}
+
+/// Where u(F) passes `limit`: linear in ln u between the trials on both sides, the first of which is the start, `base`,
+/// without displacement; 0 where it does not.
+double find_passing(const std::vector<ReductionTrial>& trials, double base, double limit) {
+  double factor = base, low = std::log(1e-3 * limit);
+  for (const auto& trial : trials) {
+    const double high = std::log(std::max(trial.displacement, 1e-3 * limit));
+    if (trial.displacement > limit)
+      return factor + (trial.factor - factor) * std::clamp((std::log(limit) - low) / (high - low), 0.0, 1.0);
+    if (!trial.converged) return 0;  // it ran out of iterations before it had moved so far
+    factor = trial.factor;
+    low = high;
+  }
+  return 0;
+}
+
+template <int D>
+class Reduction {
+ public:
+  Reduction(const SolidModel<D>& model, const ReductionOptions& options,
+            const std::function<void(const ReductionTrial&)>& report)
+      : model_(model), options_(options), report_(report), system_(model), newton_(system_, options.solid) {}
+
+  ReductionResult<D> run() {
+    const auto begin = Clock::now();
+    find_base();
+    bracket();
+    while (high_ - low_ > options_.resolution * (1 + 1e-9)) {
+      const double middle = 0.5 * (low_ + high_);
+      (try_factor(middle) ? low_ : high_) = middle;
+    }
+    std::sort(result_.trials.begin(), result_.trials.end(),
+              [](const auto& a, const auto& b) { return a.factor < b.factor; });
+    result_.stable = low_;
+    result_.failed = high_;
+    result_.factor = 0.5 * (low_ + high_);
+    result_.elastic_displacement = newton_.elastic_displacement();
+    result_.by_displacement =
+        find_passing(result_.trials, result_.base_factor, options_.displacement_limit * result_.elastic_displacement);
+    result_.unknowns = system_.unknowns;
+    result_.factorisations = newton_.factorisations();
+    result_.seconds = find_seconds(begin);
+    return std::move(result_);
+  }
+
+ private:
+  /// Equilibrium at full strength, or at the first of ever higher strengths that has one.
+  void find_base() {
+    for (double factor = 1; factor >= options_.smallest; factor *= 0.5) {
+      const SolidAssembly<D> assembly(system_, make_laws(model_, factor), options_.solid.threads);
+      auto found = apply_loads(system_, newton_, assembly, options_.solid, assembly.make_start());
+      result_.iterations += found.iterations;
+      if (!found.converged) {
+        unstable_ = factor;
+        continue;
+      }
+      result_.base_factor = factor;
+      result_.at_full_strength = std::move(found.at);
+      return;
+    }
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the soil finds no equilibrium even with its strength multiplied by {:g}: check weights, "
+                            "supports and pore pressures",
+                            1 / options_.smallest));
+  }
+
+  /// A stable factor below an unstable one, both by trials.
+  void bracket() {
+    low_ = result_.base_factor;
+    if (unstable_ > 0) {
+      if (!try_factor(unstable_)) {
+        high_ = unstable_;
+        return;
+      }
+      low_ = unstable_;
+    }
+    if (options_.from > low_) {
+      if (!try_factor(options_.from)) {
+        high_ = options_.from;
+        return;
+      }
+      low_ = options_.from;
+    }
+    double width = std::max(options_.to - low_, options_.resolution);
+    while (low_ < options_.largest) {
+      high_ = std::min(low_ + width, options_.largest);
+      if (!try_factor(high_)) return;
+      low_ = high_;
+      width *= 2;
+    }
+    throw Error(ExitCode::wrong_input, fmt::format("the soil still stands with its strength divided by {:g}: it has no "
+                                                   "factor of safety",
+                                                   options_.largest));
+  }
+
+  bool try_factor(double factor) {
+    throw_if_interrupted();
+    const auto begin = Clock::now();
+    const SolidAssembly<D> assembly(system_, make_laws(model_, factor), options_.solid.threads);
+    SolidState<D> start = result_.at_full_strength, end;
+    std::fill(start.displacement.begin(), start.displacement.end(), Vec<D>{});
+    std::fill(start.yields.begin(), start.yields.end(), 0);
+    std::fill(start.strain.begin(), start.strain.end(), std::array<double, 6>{});
+    const NewtonOutcome out = newton_.solve(assembly, start, system_.load, end);
+    ReductionTrial trial{
+        factor, out.converged, out.flows, out.iterations, out.force_residual, out.displacement_residual, 0, 0};
+    for (const auto& u : end.displacement) trial.displacement = std::max(trial.displacement, norm(u));
+    trial.seconds = find_seconds(begin);
+    if (!out.converged) {  // the last one to fail has the lowest factor
+      result_.at_failure = std::move(end);
+      result_.mechanism = newton_.last_motion();
+    }
+    result_.iterations += out.iterations;
+    result_.trials.push_back(trial);
+    if (report_) report_(trial);
+    return out.converged;
+  }
+
+  const SolidModel<D>& model_;
+  ReductionOptions options_;
+  std::function<void(const ReductionTrial&)> report_;
+  SolidSystem<D> system_;
+  SolidNewton<D> newton_;
+  double low_ = 0, high_ = 0;
+  double unstable_ = 0;  ///< lowest factor that loads alone did not come to rest with; 0: none
+  ReductionResult<D> result_;
+};
+
+}  // namespace
+
+template <int D>
+ReductionResult<D> reduce_strength(const SolidModel<D>& model, const ReductionOptions& options,
+                                   const std::function<void(const ReductionTrial&)>& report) {
+  return Reduction<D>(model, options, report).run();
+}
+
+template ReductionResult<2> reduce_strength<2>(const SolidModel<2>&, const ReductionOptions&,
+                                               const std::function<void(const ReductionTrial&)>&);
+template ReductionResult<3> reduce_strength<3>(const SolidModel<3>&, const ReductionOptions&,
+                                               const std::function<void(const ReductionTrial&)>&);
+
+}  // namespace talus::fem

@@ -1,0 +1,68 @@
+#pragma once
+// The equations of equilibrium of a model: unknowns, loads, and the pattern of the matrix. Internal to fem/.
+
+#include <cstddef>
+
+#include "fem/solid/shape.hpp"
+#include "fem/solid/solid.hpp"
+
+namespace talus::fem {
+
+/// The unknowns of a node: its displacement is Σ axes[k]·q[unknown[k]] over the free ones.
+template <int D>
+struct NodeUnknowns {
+  std::array<int, D> unknown;  ///< -1: held, or a node without soil
+  std::array<Vec<D>, D> axes;  ///< orthonormal; the coordinate axes unless `turned`
+  bool turned = false;
+};
+
+template <int D>
+struct SolidSystem {
+  using Q = Quadratic<D>;
+  static constexpr std::size_t locals = Q::nodes * D;  ///< freedoms of an element
+
+  /// Throws Error (wrong_input) when the model cannot be: no soil, an inverted element, a load on no soil, no support.
+  explicit SolidSystem(const SolidModel<D>& model);
+
+  const SolidModel<D>& model;
+  QuadraticMesh<D> mesh;
+  std::vector<NodeUnknowns<D>> nodes;
+  int unknowns = 0;
+  std::vector<std::array<Vec<D>, D + 1>> gradients;  ///< of the barycentric coordinates, per element
+  std::vector<std::array<double, Q::points>> pore;   ///< χ p at the integration points [Pa]
+  std::vector<double> load;                          ///< f_ext, per unknown [N]
+  std::vector<int> column_start, row;
+  std::vector<std::array<int, locals * locals>> slots;  ///< of an element's matrix in the whole one; -1: held
+  std::vector<char> turned;                             ///< per element: a node of it is
+
+  int region(std::size_t k) const {
+    return model.mesh->element_region[static_cast<std::size_t>(mesh.linear_element[k])];
+  }
+  /// Displacements per node from the unknowns, and the unknowns' part of nodal vectors.
+  void to_nodes(const std::vector<double>& q, std::vector<Vec<D>>& u) const;
+  void to_unknowns(const std::vector<Vec<D>>& f, std::vector<double>& q) const;
+};
+
+/// Per node of the quadratic mesh the directions that supports hold, orthonormal.
+template <int D>
+std::vector<std::vector<Vec<D>>> find_held_directions(const SolidModel<D>& model, const QuadraticMesh<D>& mesh);
+
+/// Nodal forces of weight and surface loads [N].
+template <int D>
+std::vector<Vec<D>> find_loads(const SolidModel<D>& model, const QuadraticMesh<D>& mesh);
+
+/// The middles of edges: for two corners the node between them, -1 where no soil has that edge.
+template <int D>
+class EdgeMiddles {
+ public:
+  explicit EdgeMiddles(const QuadraticMesh<D>& mesh);
+  int find(int a, int b) const;
+  /// The nodes of a side of the linear mesh: its corners, and the middles of its edges (0-1; in 3D 0-1, 1-2, 2-0).
+  /// Empty where no soil has that side.
+  std::vector<int> find_side(const std::array<int, D>& side) const;
+
+ private:
+  std::vector<std::array<int, 3>> edges_;  ///< a < b, middle; sorted
+};
+
+}  // namespace talus::fem

@@ -1,0 +1,154 @@
+// The upper limit of polygons, interval by interval between all places where an edge begins, ends or crosses another.
+
+#include "ground/ground_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+
+namespace talus::ground {
+namespace {
+
+/// Lengths below this share of the section's width are nothing.
+constexpr double nothing = 1e-9;
+
+struct Edge {
+  Point a{}, b{};  ///< a[0] < b[0]
+  int polygon = 0;
+  double at(double x) const { return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]); }
+  bool spans(double x) const { return a[0] < x && x < b[0]; }
+};
+
+std::vector<Edge> list_edges(const mesh::Plan& plan, double least) {
+  std::vector<Edge> edges;
+  for (std::size_t p = 0; p < plan.polygons.size(); ++p) {
+    const auto& corners = plan.polygons[p].points;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      Point a = corners[i], b = corners[(i + 1) % corners.size()];
+      if (std::abs(a[0] - b[0]) <= least) continue;  // a vertical edge bounds no soil above or below
+      if (a[0] > b[0]) std::swap(a, b);
+      edges.push_back({a, b, static_cast<int>(p)});
+    }
+  }
+  return edges;
+}
+
+/// All x at which the order of the edges may change.
+std::vector<double> list_breaks(const std::vector<Edge>& edges, double least) {
+  std::vector<double> breaks;
+  for (const Edge& e : edges) {
+    breaks.push_back(e.a[0]);
+    breaks.push_back(e.b[0]);
+    for (const Edge& f : edges) {
+      const double from = std::max(e.a[0], f.a[0]), to = std::min(e.b[0], f.b[0]);
+      if (to - from <= least) continue;
+      const double before = e.at(from) - f.at(from), after = e.at(to) - f.at(to);
+      if (before * after < 0) breaks.push_back(from + (to - from) * before / (before - after));
+    }
+  }
+  std::sort(breaks.begin(), breaks.end());
+  std::vector<double> distinct;
+  for (const double x : breaks)
+    if (distinct.empty() || x - distinct.back() > least) distinct.push_back(x);
+  return distinct;
+}
+
+/// Throws where the soil at `x` has a gap below its upper limit. `levels`: elevations of the edges there with their
+/// polygons.
+void check_column(std::vector<std::pair<double, int>> levels, double x, double least) {
+  std::sort(levels.begin(), levels.end());
+  std::vector<std::array<double, 2>> filled;
+  std::vector<std::pair<int, double>> open;  // polygon, where it begins
+  for (const auto& [y, polygon] : levels) {
+    const auto begun =
+        std::find_if(open.begin(), open.end(), [polygon = polygon](const auto& o) { return o.first == polygon; });
+    if (begun == open.end()) {
+      open.emplace_back(polygon, y);
+    } else {
+      filled.push_back({begun->second, y});
+      open.erase(begun);
+    }
+  }
+  std::sort(filled.begin(), filled.end());
+  double top = filled.empty() ? 0 : filled.front()[1];
+  for (const auto& [from, to] : filled) {
+    if (from - top > least)
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("the soil at x = {:.4g} m has a gap between y = {:.4g} m and {:.4g} m: methods of slices "
+                              "need soil without overhangs and cavities from the ground down",
+                              x, top, from));
+    top = std::max(top, to);
+  }
+}
+
+bool lies_between(const Point& a, const Point& b, const Point& c, double least) {
+  const double cross = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  return std::abs(cross) <= least * std::hypot(c[0] - a[0], c[1] - a[1]);
+}
+
+}  // namespace
+
+Polyline find_ground(const mesh::Plan& plan) {
+  double left = std::numeric_limits<double>::max(), right = std::numeric_limits<double>::lowest();
+  for (const mesh::Polygon& p : plan.polygons)
+    for (const Point& x : p.points) left = std::min(left, x[0]), right = std::max(right, x[0]);
+  const double least = nothing * (right - left);
+  const std::vector<Edge> edges = list_edges(plan, least);
+  const std::vector<double> breaks = list_breaks(edges, least);
+  Polyline ground;
+  const auto add = [&](const Point& x) {
+    if (!ground.empty() && std::hypot(x[0] - ground.back()[0], x[1] - ground.back()[1]) <= 2 * least) return;
+    if (ground.size() > 1 && lies_between(ground[ground.size() - 2], ground.back(), x, least)) ground.pop_back();
+    ground.push_back(x);
+  };
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    const double middle = (breaks[i] + breaks[i + 1]) / 2;
+    const Edge* top = nullptr;
+    std::vector<std::pair<double, int>> levels;
+    for (const Edge& e : edges) {
+      if (!e.spans(middle)) continue;
+      levels.emplace_back(e.at(middle), e.polygon);
+      if (top == nullptr || e.at(middle) > top->at(middle)) top = &e;
+    }
+    if (top == nullptr)
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("there is no soil between x = {:.4g} m and {:.4g} m: methods of slices need a ground "
+                              "without gaps",
+                              breaks[i], breaks[i + 1]));
+    check_column(std::move(levels), middle, least);
+    add({breaks[i], top->at(breaks[i])});
+    add({breaks[i + 1], top->at(breaks[i + 1])});
+  }
+  return ground;
+}
+
+double find_level(const Polyline& ground, double x) {
+  if (x < ground.front()[0]) return ground.front()[1];
+  if (x > ground.back()[0]) return ground.back()[1];
+  double level = std::numeric_limits<double>::lowest();
+  for (std::size_t i = 1; i < ground.size(); ++i) {
+    const Point &a = ground[i - 1], &b = ground[i];
+    if (x < a[0] || x > b[0]) continue;
+    level = std::max(level, b[0] > a[0] ? a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]) : std::max(a[1], b[1]));
+  }
+  return level;
+}
+
+double find_base(const mesh::Plan& plan) {
+  double base = std::numeric_limits<double>::max();
+  for (const mesh::Polygon& p : plan.polygons)
+    for (const Point& x : p.points) base = std::min(base, x[1]);
+  return base;
+}
+
+double find_slope_height(const mesh::Plan& plan, const Polyline& ground) {
+  double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
+  for (const Point& x : ground) low = std::min(low, x[1]), high = std::max(high, x[1]);
+  return high > low ? high - low : high - find_base(plan);
+}
+
+}  // namespace talus::ground

@@ -1,0 +1,173 @@
+#include "ground/initial_water.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ground/nearest_side.hpp"
+#include "ground/pore_water.hpp"
+#include "ground/water_sides.hpp"
+
+namespace talus::ground {
+namespace {
+
+template <int D>
+bool is_wet(const input::Case& data, const mesh::Mesh<D>& mesh, int e) {
+  const input::Material* soil = find_soil(data, mesh, e);
+  return soil != nullptr && soil->water.is_wet();
+}
+
+template <int D>
+void set_from_table(const input::Case& data, const mesh::Mesh<D>& mesh, InitialWater<D>& water) {
+  check_upright(data, "a water table");
+  const double weight = find_water_weight(data);
+  Vec<D> middle;
+  middle.fill(1.0 / (D + 1));
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (!is_wet(data, mesh, e)) continue;
+    const Vec<D> x = mesh::to_global(mesh, e, middle);
+    const double height = x[1] - find_water_table(data.initial.water.water_table, x[0]);
+    water.pressure[e] = std::min(weight * height, data.initial.water.largest_suction);
+  }
+}
+
+template <int D>
+void set_from_seepage(const input::Case& data, const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& seepage,
+                      InitialWater<D>& water) {
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (!is_wet(data, mesh, e)) continue;
+    for (int node : mesh.elements[e]) water.pressure[e] += seepage.pressure[node] / (D + 1);
+    const double content = find_soil(data, mesh, e)->porosity * seepage.saturation[e];
+    for (std::size_t d = 0; d < D; ++d) water.velocity[e][d] = seepage.velocity[e][d] / content;
+  }
+}
+
+/// Heads of the nodes in the state that the season begins with [m].
+template <int D>
+std::vector<double> find_first_heads(const input::Case& data, const mesh::Mesh<D>& mesh, const InitialWater<D>& water) {
+  if (water.seepage) return water.seepage->head;
+  const input::InitialWater& initial = data.initial.water;
+  const double weight = find_water_weight(data);
+  std::vector<double> heads;
+  for (const Vec<D>& x : mesh.nodes) {
+    const double level =
+        initial.pressure == input::InitialPressure::zero ? x[1] : find_water_table(initial.water_table, x[0]);
+    heads.push_back(x[1] - std::min(x[1] - level, initial.largest_suction / weight));
+  }
+  return heads;
+}
+
+template <int D>
+void follow_season(const input::Case& data, const mesh::Mesh<D>& mesh, const fem::SeepageModel<D>& model,
+                   InitialWater<D>& water) {
+  Season<D> season = run_season<D>(data, model, find_first_heads<D>(data, mesh, water));
+  water.pressure.assign(mesh.elements.size(), 0.0);
+  set_from_seepage<D>(data, mesh, season.end, water);
+  water.season = std::move(season.record);
+}
+
+/// Level above the place x (z in 3D as well) of the side that covers it; nothing when it lies beside the side.
+template <int D>
+std::optional<double> find_level(const std::array<Vec<D>, D>& c, const Vec<D>& x) {
+  constexpr double edge = 1e-9;
+  if constexpr (D == 2) {
+    const double width = c[1][0] - c[0][0];
+    if (width == 0) return std::nullopt;
+    const double share = (x[0] - c[0][0]) / width;
+    if (share < -edge || share > 1 + edge) return std::nullopt;
+    return c[0][1] + share * (c[1][1] - c[0][1]);
+  } else {
+    const double ux = c[1][0] - c[0][0], uz = c[1][2] - c[0][2], vx = c[2][0] - c[0][0], vz = c[2][2] - c[0][2],
+                 rx = x[0] - c[0][0], rz = x[2] - c[0][2], area = ux * vz - uz * vx;
+    if (area == 0) return std::nullopt;
+    const double s = (rx * vz - rz * vx) / area, t = (ux * rz - uz * rx) / area;
+    if (s < -edge || t < -edge || s + t > 1 + edge) return std::nullopt;
+    return c[0][1] + s * (c[1][1] - c[0][1]) + t * (c[2][1] - c[0][1]);
+  }
+}
+
+}  // namespace
+
+double find_water_table(const std::vector<std::array<double, 2>>& table, double x) {
+  if (x <= table.front()[0]) return table.front()[1];
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    const auto &a = table[i - 1], &b = table[i];
+    if (x <= b[0]) return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+  }
+  return table.back()[1];
+}
+
+template <int D>
+InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>& mesh) {
+  InitialWater<D> water;
+  water.pressure.assign(mesh.elements.size(), 0.0);
+  water.velocity.assign(mesh.elements.size(), {});
+  if (!has_water(data)) return water;
+  // A state that is taken over has its weather behind it.
+  const bool has_season = data.initial.water.season > 0 && data.initial.result.empty();
+  const bool seeps = data.initial.water.pressure == input::InitialPressure::seepage;
+  mesh::Mesh<D> wet_mesh;
+  fem::SeepageModel<D> model;
+  if (has_season || seeps) model = make_seepage_model<D>(data, mesh, wet_mesh);
+  switch (data.initial.water.pressure) {
+    case input::InitialPressure::zero:
+      break;
+    case input::InitialPressure::water_table:
+      set_from_table(data, mesh, water);
+      break;
+    case input::InitialPressure::seepage:
+      water.seepage = fem::solve_steady_seepage(model, {}, {}, has_season ? -data.initial.water.season : 0);
+      set_from_seepage<D>(data, mesh, *water.seepage, water);
+      break;
+  }
+  if (has_season) follow_season<D>(data, mesh, model, water);
+  return water;
+}
+
+template <int D>
+std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D>& mesh,
+                                     const std::vector<mpm::InitialPoint<D>>& points) {
+  constexpr double steepest = 1e-6;  // a vertical wall carries no water on its back
+  std::vector<double> load(points.size(), 0.0);
+  const WaterSides<D> sides = find_water_sides<D>(mesh, data);
+  std::vector<WaterSide<D>> ground;
+  std::vector<LabelledSide<D>> balls;
+  const auto get_corners = [&](const WaterSide<D>& s) {
+    std::array<Vec<D>, D> corners;
+    for (std::size_t c = 0; c < D; ++c) corners[c] = mesh.nodes[s.nodes[c]];
+    return corners;
+  };
+  for (const WaterSide<D>& s : sides.open) {
+    const mpm::SurfaceKind kind = sides.surfaces[s.condition].kind;
+    if (!(s.normal[1] > steepest && (kind == mpm::SurfaceKind::head || kind == mpm::SurfaceKind::pressure))) continue;
+    balls.push_back(make_labelled_side<D>(get_corners(s), static_cast<int>(ground.size())));
+    ground.push_back(s);
+  }
+  if (ground.empty()) return load;
+  check_upright(data, "a total head or a pressure on the ground");
+  const SideSet<D> set(std::move(balls));
+  const double weight = find_water_weight(data);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec<D> x = mesh::to_global(mesh, points[i].element, points[i].xi);
+    double top = x[1];
+    for (const int number : set.find_on_line(x, 1)) {
+      const WaterSide<D>& s = ground[number];
+      const auto level = find_level<D>(get_corners(s), x);
+      if (!level || *level < top) continue;
+      top = *level;
+      const mpm::SurfaceCondition& surface = sides.surfaces[s.condition];
+      const double value = surface.value.at(0);
+      load[i] = std::max(0.0, surface.kind == mpm::SurfaceKind::head ? weight * (value - top) : -value);
+    }
+  }
+  return load;
+}
+
+#define TALUS_INSTANTIATE(D)                                                                 \
+  template InitialWater<D> find_initial_water<D>(const input::Case&, const mesh::Mesh<D>&);  \
+  template std::vector<double> find_ponded_load<D>(const input::Case&, const mesh::Mesh<D>&, \
+                                                   const std::vector<mpm::InitialPoint<D>>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::ground

@@ -1,0 +1,227 @@
+#include "ground/season.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "ground/root_content.hpp"
+#include "ground/root_sink.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/files/history.hpp"
+
+namespace talus::ground {
+namespace {
+
+using nlohmann::json;
+
+constexpr int intervals = 100;
+/// Error of a step by which seepage chooses the next one [m of water]; a tenth of a kilopascal. Suctions of a dry
+/// season are a thousand times as high.
+constexpr double head_tolerance = 0.01;
+/// Lower limits of the layers that the record tells of, as multiples of the deepest roots, or of a tenth of the soil's
+/// height where nothing grows.
+constexpr double layer_limits[] = {0.5, 1, 2, 4};
+
+/// The nodes with soil of each layer under the ground, and the soil that each stands for [m³].
+struct Layers {
+  std::vector<double> depths;                   ///< lower limits [m]
+  std::vector<std::vector<std::size_t>> nodes;  ///< by layer
+  std::vector<double> volume;                   ///< by node
+};
+
+/// Depth of the nodes under the ground of the roots; without roots the level under the highest soil.
+template <int D>
+std::vector<double> find_node_depths(const input::Case& data, const mesh::Mesh<D>& mesh,
+                                     const std::vector<double>& volume, double& unit) {
+  std::vector<double> depths;
+  unit = 0;
+  for (const input::Roots& roots : data.roots) {
+    if (roots.depth <= unit) continue;
+    unit = roots.depth;
+    depths = find_depths<D>(mesh, roots.ground, mesh.nodes);
+  }
+  if (unit > 0) return depths;
+  double top = -std::numeric_limits<double>::infinity(), bottom = -top;
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    if (volume[i] == 0) continue;
+    top = std::max(top, mesh.nodes[i][1]);
+    bottom = std::min(bottom, mesh.nodes[i][1]);
+  }
+  unit = 0.1 * (top - bottom);
+  for (const auto& x : mesh.nodes) depths.push_back(top - x[1]);
+  return depths;
+}
+
+template <int D>
+Layers find_layers(const input::Case& data, const mesh::Mesh<D>& mesh) {
+  Layers layers;
+  layers.volume.assign(mesh.nodes.size(), 0.0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (mesh.element_region[e] == mesh::empty_region) continue;
+    for (int node : mesh.elements[e]) layers.volume[static_cast<std::size_t>(node)] += mesh.volumes[e] / (D + 1);
+  }
+  double unit = 0;
+  const std::vector<double> depths = find_node_depths<D>(data, mesh, layers.volume, unit);
+  double upper = -std::numeric_limits<double>::infinity();
+  for (const double limit : layer_limits) {
+    const double lower = limit * unit;
+    std::vector<std::size_t> nodes;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      if (layers.volume[i] > 0 && depths[i] > upper && depths[i] <= lower) nodes.push_back(i);
+    }
+    upper = lower;
+    if (nodes.empty()) continue;
+    layers.depths.push_back(lower);
+    layers.nodes.push_back(std::move(nodes));
+  }
+  return layers;
+}
+
+std::vector<SeasonRecord::Suctions> find_suctions(const Layers& layers, const std::vector<double>& pressure) {
+  std::vector<SeasonRecord::Suctions> all;
+  for (const auto& nodes : layers.nodes) {
+    SeasonRecord::Suctions s{0, pressure[nodes.front()], pressure[nodes.front()]};
+    double volume = 0;
+    for (const std::size_t i : nodes) {
+      s.mean += layers.volume[i] * pressure[i];
+      volume += layers.volume[i];
+      s.least = std::min(s.least, pressure[i]);
+      s.greatest = std::max(s.greatest, pressure[i]);
+    }
+    s.mean /= volume;
+    all.push_back(s);
+  }
+  return all;
+}
+
+template <int D>
+std::vector<double> find_pressures(const fem::SeepageModel<D>& model, const std::vector<double>& head) {
+  std::vector<double> pressure;
+  for (std::size_t i = 0; i < head.size(); ++i)
+    pressure.push_back(model.unit_weight * (model.mesh->nodes[i][static_cast<std::size_t>(model.up)] - head[i]));
+  return pressure;
+}
+
+template <int D>
+fem::SeepageHistory<D> solve(const fem::SeepageModel<D>& model, const std::vector<double>& initial,
+                             const fem::SeepageSchedule& schedule) {
+  try {
+    return fem::solve_transient_seepage(model, initial, schedule);
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::unstable) throw;
+    throw Error(
+        ExitCode::unstable,
+        fmt::format("[initial] season: {} Smaller elements at the ground, or an air entry where the conductivity "
+                    "is Mualem's, may help.",
+                    error.what()));
+  }
+}
+
+}  // namespace
+
+double SeasonRecord::find_error() const {
+  const Row& last = rows.back();
+  const double scale = std::max({last.inflow, last.outflow, last.transpired, std::abs(last.stored), 1e-300});
+  return (last.inflow - last.outflow - last.transpired - last.stored) / scale;
+}
+
+template <int D>
+Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial) {
+  const double length = data.initial.water.season;
+  const Layers layers = find_layers<D>(data, *model.mesh);
+  fem::SeepageModel<D> growing = model;
+  growing.sinks = make_root_sinks<D>(data, *model.mesh);
+  fem::SeepageSchedule schedule;
+  schedule.start = -length;
+  for (int i = 1; i <= intervals; ++i) schedule.outputs.push_back(length * (i - intervals) / intervals);
+  schedule.head_tolerance = head_tolerance;
+  const fem::SeepageHistory<D> history = solve(growing, initial, schedule);
+
+  SeasonRecord record;
+  record.depths = layers.depths;
+  record.initial = fem::find_stored_water(model, initial);
+  record.rows.push_back({-length, 0, 0, 0, 0, 0, 0, find_suctions(layers, find_pressures(model, initial))});
+  for (std::size_t i = 0; i < history.states.size(); ++i) {
+    SeasonRecord::Row row{
+        history.states[i].time, history.stored[i], 0, 0, 0, 0, 0, find_suctions(layers, history.states[i].pressure)};
+    for (const fem::Discharge& d : history.volumes[i]) {
+      row.inflow += d.inflow;
+      row.outflow += d.outflow;
+      row.runoff += d.runoff;
+    }
+    for (const fem::Uptake& u : history.uptakes[i]) {
+      row.potential += u.potential;
+      row.transpired += u.actual;
+    }
+    record.rows.push_back(std::move(row));
+  }
+  record.discharges = history.volumes.back();
+  record.uptakes = history.uptakes.back();
+  record.steps = history.steps;
+  record.rejected = history.rejected;
+  record.iterations = history.iterations;
+  return {history.states.back(), std::move(record)};
+}
+
+json describe_season(const SeasonRecord& r) {
+  const SeasonRecord::Row& last = r.rows.back();
+  json surfaces = json::array(), plants = json::array(), layers = json::array();
+  for (const fem::Discharge& d : r.discharges)
+    surfaces.push_back({{"name", d.name}, {"inflow", d.inflow}, {"outflow", d.outflow}, {"runoff", d.runoff}});
+  for (const fem::Uptake& u : r.uptakes)
+    plants.push_back({{"ground", u.name}, {"potential", u.potential}, {"transpired", u.actual}});
+  for (std::size_t i = 0; i < r.depths.size(); ++i) {
+    const auto &first = r.rows.front().layers[i], &now = last.layers[i];
+    double driest = 0;
+    for (const SeasonRecord::Row& row : r.rows) driest = std::max(driest, row.layers[i].greatest);
+    layers.push_back({{"depth", r.depths[i]},
+                      {"initial", first.mean},
+                      {"mean", now.mean},
+                      {"least", now.least},
+                      {"greatest", now.greatest},
+                      {"driest", driest}});
+  }
+  return {{"duration", -r.rows.front().time},
+          {"initial", r.initial},
+          {"growth", last.stored},
+          {"inflow", last.inflow},
+          {"outflow", last.outflow},
+          {"runoff", last.runoff},
+          {"potential", last.potential},
+          {"transpired", last.transpired},
+          {"error", r.find_error()},
+          {"steps", r.steps},
+          {"rejected", r.rejected},
+          {"iterations", r.iterations},
+          {"surfaces", surfaces},
+          {"plants", plants},
+          {"layers", layers}};
+}
+
+void write_season(const std::filesystem::path& path, const SeasonRecord& r) {
+  std::string text =
+      "time [s],stored [m3],inflow [m3],outflow [m3],runoff [m3],potential_transpiration [m3],transpired [m3]";
+  double upper = 0;
+  for (const double depth : r.depths) {
+    for (const char* what : {"mean", "least", "greatest"})
+      text += fmt::format(",suction.{:.4g}-{:.4g}m.{} [Pa]", upper, depth, what);
+    upper = depth;
+  }
+  text += '\n';
+  for (const SeasonRecord::Row& row : r.rows) {
+    std::vector<double> values{row.time,   row.stored,    row.inflow,    row.outflow,
+                               row.runoff, row.potential, row.transpired};
+    for (const auto& s : row.layers) values.insert(values.end(), {s.mean, s.least, s.greatest});
+    for (std::size_t i = 0; i < values.size(); ++i) text += (i > 0 ? "," : "") + output::to_shortest(values[i]);
+    text += '\n';
+  }
+  output::write_atomically(path, text);
+}
+
+template Season<2> run_season<2>(const input::Case&, const fem::SeepageModel<2>&, const std::vector<double>&);
+template Season<3> run_season<3>(const input::Case&, const fem::SeepageModel<3>&, const std::vector<double>&);
+
+}  // namespace talus::ground

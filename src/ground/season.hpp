@@ -1,0 +1,55 @@
+#pragma once
+// The weather before the run: transient seepage with rain and transpiration in soil at rest, docs/theory/16-season.md.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fem/seepage/seepage.hpp"
+#include "input/case/case.hpp"
+
+namespace talus::ground {
+
+/// What a season did, in 100 equal intervals. Volumes [m³] (2D: per metre of thickness) count from its start.
+struct SeasonRecord {
+  struct Suctions {
+    double mean = 0, least = 0, greatest = 0;  ///< of a layer; negative is pressure [Pa]
+  };
+  struct Row {
+    double time = 0;    ///< [s], negative: before the run
+    double stored = 0;  ///< growth of the water in the soil
+    double inflow = 0, outflow = 0, runoff = 0;
+    double potential = 0, transpired = 0;
+    std::vector<Suctions> layers;
+  };
+  std::vector<double> depths;  ///< lower limits of the layers under the ground [m]
+  std::vector<Row> rows;       ///< the first is the start
+  double initial = 0;          ///< water in the soil at the start [m³]
+  std::vector<fem::Discharge> discharges;
+  std::vector<fem::Uptake> uptakes;
+  int steps = 0, rejected = 0, iterations = 0;
+
+  /// What inflow - outflow - transpired - growth leaves, as a share of the greatest of them [-].
+  double find_error() const;
+};
+
+template <int D>
+struct Season {
+  fem::SeepageResult<D> end;
+  SeasonRecord record;
+};
+
+/// From the heads `initial` per node at the time -season to 0. `mesh` is that of the model, with dry soil empty.
+/// Throws what solve_transient_seepage() and make_root_sinks() throw.
+template <int D>
+Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial);
+
+/// For summary.json.
+nlohmann::json describe_season(const SeasonRecord& record);
+
+/// season.csv: the rows. Throws Error (cannot_write).
+void write_season(const std::filesystem::path& path, const SeasonRecord& record);
+
+}  // namespace talus::ground

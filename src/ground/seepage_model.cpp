@@ -1,0 +1,96 @@
+// Steady seepage as the case describes it.
+
+#include <algorithm>
+
+#include "ground/initial_water.hpp"
+#include "ground/pore_water.hpp"
+#include "ground/side_normals.hpp"
+#include "ground/water_sides.hpp"
+#include "input/case/soil_water_law.hpp"
+
+namespace talus::ground {
+namespace {
+
+using input::WaterCondition;
+
+template <int D>
+fem::HydraulicSoil<D> make_soil(const input::Case& data, const std::string& region) {
+  fem::HydraulicSoil<D> soil;
+  soil.name = region;
+  soil.porosity = 0.5;
+  soil.conductivity.fill(1);  // of a region that takes no part
+  const auto given = data.regions.find(region);
+  const input::Material& m = data.materials.at(given->second);
+  if (!m.water.is_wet()) return soil;
+  soil.porosity = m.porosity;
+  // Darcy's k under the model's gravity: a head of one metre presses harder there.
+  soil.conductivity.fill(input::find_saturated_conductivity(m.water, data.water, data.gravity.acceleration));
+  soil.retention = input::make_retention(m.water);
+  soil.relative = input::make_relative_conductivity(m.water);
+  soil.water_modulus = data.water.bulk_modulus;
+  return soil;
+}
+
+fem::HydraulicKind to_kind(WaterCondition c) {
+  switch (c) {
+    case WaterCondition::total_head:
+      return fem::HydraulicKind::reservoir;
+    case WaterCondition::pressure:
+      return fem::HydraulicKind::pressure;
+    case WaterCondition::seepage_face:
+      return fem::HydraulicKind::seepage_face;
+    case WaterCondition::rain:
+      return fem::HydraulicKind::rain;
+    case WaterCondition::flux:
+      return fem::HydraulicKind::flux;
+    case WaterCondition::no_flow:
+      break;
+  }
+  return fem::HydraulicKind::no_flow;
+}
+
+}  // namespace
+
+template <int D>
+fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mesh<D>& mesh, mesh::Mesh<D>& wet_mesh) {
+  check_upright(data, "a total head");
+  wet_mesh = mesh;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const input::Material* soil = find_soil(data, mesh, e);
+    if (soil != nullptr && !soil->water.is_wet()) wet_mesh.element_region[e] = mesh::empty_region;
+  }
+  fem::SeepageModel<D> model;
+  model.mesh = &wet_mesh;
+  for (const std::string& region : mesh.region_names) model.soils.push_back(make_soil<D>(data, region));
+  model.unit_weight = find_water_weight(data);
+  // The same sides and the same order of strength as on the moving soil; what has no name is a seepage face.
+  const WaterSides<D> sides = find_water_sides<D>(mesh, data);
+  for (std::size_t number = 0; number < sides.surfaces.size(); ++number) {
+    const bool is_named = number > 0 && number <= data.hydraulics.size();
+    fem::HydraulicBoundary<D> boundary;
+    boundary.name = sides.surfaces[number].name;
+    boundary.kind = number == 0 ? fem::HydraulicKind::seepage_face : fem::HydraulicKind::no_flow;
+    if (is_named) {
+      const input::Hydraulic& h = data.hydraulics[number - 1];
+      boundary.kind = to_kind(h.condition);
+      boundary.measure = h.condition == WaterCondition::rain && h.rain == input::RainDirection::vertical
+                             ? fem::FluxMeasure::vertical
+                             : fem::FluxMeasure::normal;
+      boundary.suction_limit = h.suction_limit;
+    }
+    if (boundary.kind == fem::HydraulicKind::no_flow) continue;
+    for (const WaterSide<D>& s : sides.open) {
+      if (s.condition == static_cast<int>(number)) boundary.sides.push_back(s.nodes);
+    }
+    if (boundary.sides.empty()) continue;
+    const input::TimeTable& values = sides.surfaces[number].value;
+    for (std::size_t i = 0; i < values.time.size(); ++i) boundary.history.push_back({values.time[i], values.value[i]});
+    model.boundaries.push_back(std::move(boundary));
+  }
+  return model;
+}
+
+template fem::SeepageModel<2> make_seepage_model<2>(const input::Case&, const mesh::Mesh<2>&, mesh::Mesh<2>&);
+template fem::SeepageModel<3> make_seepage_model<3>(const input::Case&, const mesh::Mesh<3>&, mesh::Mesh<3>&);
+
+}  // namespace talus::ground

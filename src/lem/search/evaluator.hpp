@@ -1,0 +1,37 @@
+#pragma once
+// The factor of one surface after another by one method, with memory that is used again. One per thread.
+
+#include "lem/section/slope.hpp"
+#include "lem/slices/methods.hpp"
+
+namespace talus::lem {
+
+class Evaluator {
+ public:
+  Evaluator(const Slope& slope, Method method, const Checks& checks, int slices)
+      : slope_(&slope), method_(method), checks_(checks), slices_(slices) {}
+
+  /// F; `refused` for a surface that is none or has no factor.
+  double operator()(const Surface& surface) {
+    ++count_;
+    cut_surface(*slope_, surface, slices_, checks_, cut_);
+    if (cut_.refusal != Refusal::none) return refused;
+    const Solution solution = solve(*slope_, cut_, method_, checks_, false);
+    return solution.refusal == Refusal::none && solution.factor > 0 ? solution.factor : refused;
+  }
+  int count() const { return count_; }
+  const Slope& slope() const { return *slope_; }
+  Method method() const { return method_; }
+
+  static constexpr double refused = 1e6;  ///< larger than any factor, and finite for the minimisers
+
+ private:
+  const Slope* slope_;
+  Method method_;
+  Checks checks_;
+  int slices_;
+  CutSurface cut_;
+  int count_ = 0;
+};
+
+}  // namespace talus::lem

@@ -1,0 +1,134 @@
+// Free and tied optimisation of a circle.
+
+#include "lem/search/optimise_circle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lem/search/minimise.hpp"
+
+namespace talus::lem {
+
+namespace {
+
+/// What holds still while the rest is optimised.
+struct Tie {
+  std::optional<double> left, right;  ///< end at this x [m]
+  const Region* touches = nullptr;    ///< the circle just touches it
+};
+
+/// A circle as the minimisers see it: ends and the place of its half angle in its range.
+struct Place {
+  double left = 0, right = 0, depth = 0;
+};
+
+class CircleOptimiser {
+ public:
+  CircleOptimiser(Evaluator& evaluate, const Arcs& arcs, const CircleRanges& ranges)
+      : evaluate_(evaluate), arcs_(arcs), ranges_(ranges) {}
+
+  std::optional<Surface> make(const Place& p, const Region* touches) const {
+    const auto range = arcs_.find_range(p.left, p.right);
+    if (!range) return {};
+    double angle = range->from + p.depth * (range->to - range->from);
+    if (touches) {
+      const auto touch = arcs_.find_touch(p.left, p.right, *touches);
+      if (!touch || *touch < range->from || *touch > range->to) return {};
+      angle = *touch;
+    }
+    return arcs_.make_arc(p.left, p.right, angle);
+  }
+
+  /// Improves `place` and `value`; true when it did by more than rounding.
+  bool improve(const Tie& tie, Place& place, double& value, int most) {
+    std::vector<double> start, step, lower, upper;
+    auto add = [&](double x, double by, double low, double high) {
+      start.push_back(x), step.push_back(by), lower.push_back(low), upper.push_back(high);
+    };
+    if (!tie.left) add(place.left, 0.5 * ranges_.step[0], ranges_.left[0], ranges_.left[1]);
+    if (!tie.right) add(place.right, 0.5 * ranges_.step[1], ranges_.right[0], ranges_.right[1]);
+    if (!tie.touches) add(place.depth, 0.05, 0, 1);
+    auto read = [&](const std::vector<double>& x) {
+      Place p = place;
+      std::size_t n = 0;
+      p.left = tie.left ? *tie.left : x[n++];
+      p.right = tie.right ? *tie.right : x[n++];
+      if (!tie.touches) p.depth = x[n];
+      return p;
+    };
+    auto function = [&](const std::vector<double>& x) {
+      const auto surface = make(read(x), tie.touches);
+      return surface ? evaluate_(*surface) : Evaluator::refused;
+    };
+    if (start.empty()) return false;
+    const Minimum m = minimise(function, start, step, lower, upper, {Minimiser::simplex, 1e-6, most});
+    if (!(m.value < value * (1 - 1e-9))) return false;
+    Place better = read(m.at);
+    best_ = *make(better, tie.touches);
+    if (tie.touches) {
+      const auto range = *arcs_.find_range(better.left, better.right);
+      better.depth = (Arcs::measure_half_angle(best_) - range.from) / (range.to - range.from);
+    }
+    place = better, value = m.value;
+    return true;
+  }
+
+  /// Corners of the ground that an end could snap to.
+  std::vector<std::optional<double>> find_corners(double x, double reach, const std::array<double, 2>& range) const {
+    std::vector<std::optional<double>> corners{std::nullopt};
+    for (const Point& p : evaluate_.slope().section().ground)
+      if (std::abs(p[0] - x) < reach && p[0] >= range[0] && p[0] <= range[1]) corners.push_back(p[0]);
+    if (corners.size() > 3) corners.resize(3);
+    return corners;
+  }
+
+  /// Regions whose touching is not far from the depth of the circle.
+  std::vector<const Region*> find_regions(const Place& place) const {
+    std::vector<const Region*> regions{nullptr};
+    const auto range = arcs_.find_range(place.left, place.right);
+    if (!range) return regions;
+    const double angle = range->from + place.depth * (range->to - range->from);
+    for (const Region& r : arcs_.regions()) {
+      const auto touch = arcs_.find_touch(place.left, place.right, r);
+      if (touch && *touch > 0.6 * angle && *touch < 1.6 * angle) regions.push_back(&r);
+    }
+    return regions;
+  }
+
+  OptimisedSurface run(const Surface& start) {
+    Place place{start.from, start.to, 0};
+    best_ = start;
+    double value = evaluate_(start);
+    const auto range = arcs_.find_range(place.left, place.right);
+    if (range && range->to > range->from) {
+      place.depth = std::clamp((Arcs::measure_half_angle(start) - range->from) / (range->to - range->from), 0.0, 1.0);
+      improve({}, place, value, 200);
+      for (const Region* region : find_regions(place)) {
+        const Place base = place;
+        if (region) improve({{}, {}, region}, place, value, 120);
+        for (const auto& left : find_corners(base.left, 2 * ranges_.step[0], ranges_.left))
+          if (left) improve({left, {}, region}, place, value, 100);
+        for (const auto& right : find_corners(base.right, 2 * ranges_.step[1], ranges_.right))
+          if (right) improve({{}, right, region}, place, value, 100);
+      }
+      // A simplex may have collapsed: once more with fresh steps, free.
+      improve({}, place, value, 150);
+    }
+    return {best_, value, evaluate_.count()};
+  }
+
+ private:
+  Evaluator& evaluate_;
+  const Arcs& arcs_;
+  CircleRanges ranges_;
+  Surface best_;
+};
+
+}  // namespace
+
+OptimisedSurface optimise_circle(Evaluator& evaluate, const Arcs& arcs, const Surface& start,
+                                 const CircleRanges& ranges) {
+  return CircleOptimiser(evaluate, arcs, ranges).run(start);
+}
+
+}  // namespace talus::lem

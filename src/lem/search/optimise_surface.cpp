@@ -1,0 +1,227 @@
+// Optimisation of polylines: rounds of a minimiser over the vertices, with vertices inserted in between.
+
+#include "lem/search/optimise_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lem/search/local_minima.hpp"
+#include "lem/search/minimise.hpp"
+#include "lem/surface/polyline_shape.hpp"
+
+namespace talus::lem {
+
+namespace {
+
+constexpr int samples = 60;
+
+/// Points of a surface between its ends.
+std::vector<Point> sample(const Slope& slope, const Surface& surface) {
+  const auto [left, right] = find_ends(surface);
+  std::vector<Point> points;
+  for (int i = 1; i < samples; ++i) {
+    const double x = left + (right - left) * i / samples;
+    points.push_back({x, find_elevation(slope, surface, x)});
+  }
+  return points;
+}
+
+/// Lowest and highest elevation of a polygon at x; none beside it.
+std::optional<std::array<double, 2>> find_borders(const std::vector<Point>& polygon, double x) {
+  std::optional<std::array<double, 2>> borders;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if ((a[0] <= x) == (b[0] <= x)) continue;
+    const double y = a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+    borders = borders ? std::array<double, 2>{std::min((*borders)[0], y), std::max((*borders)[1], y)}
+                      : std::array<double, 2>{y, y};
+  }
+  return borders;
+}
+
+class PolylineOptimiser {
+ public:
+  PolylineOptimiser(Evaluator& evaluate, const SurfaceRanges& ranges) : evaluate_(evaluate), ranges_(ranges) {
+    const auto& ground = slope().section().ground;
+    for (const Point& p : ground) highest_ = std::max(highest_, p[1]);
+  }
+
+  OptimisedSurface run(const Surface& start) {
+    const double value_of_start = evaluate_(start);
+    // Coarse first: few vertices move far; then more follow the shape.
+    int count = std::min(6, ranges_.vertices);
+    const auto thin = thin_points(start.line, count);
+    set(hang(thin.front()[0], thin.back()[0], thin));
+    if (value_ == Evaluator::refused) set(start);
+    double reach = 0.1;
+    for (int round = 0; round < 12; ++round) {
+      const double before = value_;
+      improve_all(reach);
+      snap();
+      slide();
+      const bool full = static_cast<int>(line_.size()) >= ranges_.vertices;
+      if (full && value_ > before * (1 - 1e-4)) {
+        if (reach < 0.03) break;
+        reach *= 0.4;
+      }
+      insert(count += 2);
+    }
+    if (!(value_ < value_of_start)) return {start, value_of_start, evaluate_.count()};
+    Surface best;
+    best.line = best_;
+    return {best, value_, evaluate_.count()};
+  }
+
+ private:
+  const Slope& slope() const { return evaluate_.slope(); }
+
+  /// A vertex within a hand's breadth of a border of a region lies on it, a hair above: cutting a surface allows for
+  /// rounding there, which a minimiser would use to run through strong soil as if it were weak.
+  Surface hang(double left, double right, std::vector<Point> points) const {
+    const double near = 1e-3 * (right - left), hair = 1e-7 * (slope().right() - slope().left());
+    for (Point& p : points)
+      for (const Region& region : slope().section().regions) {
+        const auto borders = find_borders(region.polygon, p[0]);
+        if (!borders) continue;
+        for (const double y : *borders)
+          if (std::abs(p[1] - y) < near && y < slope().ground(p[0]) - near) p[1] = y + hair;
+      }
+    return hang_polyline(slope(), left, right, points);
+  }
+
+  void set(const Surface& s) { line_ = best_ = s.line, value_ = evaluate_(s); }
+
+  /// Keeps a surface when it is better.
+  void take(const Surface& s) {
+    if (s.line.size() < 3) return;
+    const double value = evaluate_(s);
+    if (value < value_) line_ = best_ = s.line, value_ = value;
+  }
+
+  /// All vertices and both ends at once.
+  void improve_all(double reach) {
+    const std::vector<Point> old = line_;
+    const double width = old.back()[0] - old.front()[0], depth = std::max(0.02 * width, measure_depth());
+    std::vector<double> start{old.front()[0], old.back()[0]}, step{0.3 * reach * width, 0.3 * reach * width};
+    std::vector<double> lower{ranges_.left[0], ranges_.right[0]}, upper{ranges_.left[1], ranges_.right[1]};
+    for (std::size_t i = 1; i + 1 < old.size(); ++i) {
+      start.insert(start.end(), {old[i][0], old[i][1]});
+      step.insert(step.end(), {0.3 * reach * width, reach * depth});
+      lower.insert(lower.end(), {slope().left(), slope().section().base});
+      upper.insert(upper.end(), {slope().right(), highest_});
+    }
+    auto read = [&](const std::vector<double>& x) {
+      std::vector<Point> points;
+      for (std::size_t i = 2; i < x.size(); i += 2) points.push_back({x[i], x[i + 1]});
+      return hang(x[0], x[1], points);
+    };
+    auto function = [&](const std::vector<double>& x) {
+      if (!(x[1] - x[0] > 0.01 * width)) return Evaluator::refused;
+      const Surface s = read(x);
+      return s.line.size() < 3 ? Evaluator::refused : evaluate_(s);
+    };
+    const int most = 120 * static_cast<int>(start.size());
+    const Minimum m = minimise(function, start, step, lower, upper, {Minimiser::subspaces, 1e-6, most});
+    if (m.value < value_) line_ = best_ = read(m.at).line, value_ = m.value;
+  }
+
+  double measure_depth() const {
+    double depth = 0;
+    for (const Point& p : line_) depth = std::max(depth, slope().ground(p[0]) - p[1]);
+    return depth;
+  }
+
+  /// Moves vertices onto borders of regions beside them: the bottom of a weak seam, the top of a strong layer. A hair
+  /// above, so that the base lies in the upper soil.
+  void snap() {
+    const double reach = 0.15 * measure_depth(), hair = 1e-7 * (slope().right() - slope().left());
+    for (std::size_t i = 1; i + 1 < line_.size(); ++i)
+      for (const Region& region : slope().section().regions) {
+        if (i + 1 >= line_.size()) break;
+        const auto borders = find_borders(region.polygon, line_[i][0]);
+        if (!borders) continue;
+        for (double y : *borders) {
+          if (i + 1 >= line_.size() || std::abs(line_[i][1] - y) > reach) continue;
+          std::vector<Point> points = line_;
+          points[i][1] = y + hair;
+          take(hang(points.front()[0], points.back()[0], points));
+        }
+      }
+  }
+
+  /// Moves one vertex after another along its two edges and up and down, with shrinking steps: corners of the surface
+  /// travel along seams this way.
+  void slide() {
+    for (double part : {0.5, 0.2, 0.05})
+      for (std::size_t i = 1; i + 1 < line_.size(); ++i)
+        for (const int to : {-1, 1}) {
+          if (i + 1 >= line_.size()) break;
+          std::vector<Point> points = line_;
+          const Point& other = points[i + static_cast<std::size_t>(to + 1) - 1];
+          const Point moved{points[i][0] + part * (other[0] - points[i][0]),
+                            points[i][1] + part * (other[1] - points[i][1])};
+          points[i] = moved;
+          take(hang(points.front()[0], points.back()[0], points));
+        }
+  }
+
+  /// Splits the longest edges until there are `count` vertices.
+  void insert(int count) {
+    const int most = std::min(count, ranges_.vertices);
+    while (static_cast<int>(line_.size()) < most) {
+      std::size_t longest = 1;
+      auto length = [&](std::size_t i) {
+        return std::hypot(line_[i][0] - line_[i - 1][0], line_[i][1] - line_[i - 1][1]);
+      };
+      for (std::size_t i = 2; i < line_.size(); ++i)
+        if (length(i) > length(longest)) longest = i;
+      const Point &a = line_[longest - 1], &b = line_[longest];
+      // A hair below the middle, or the hull would drop it again.
+      const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) - 1e-6 * (b[0] - a[0])};
+      line_.insert(line_.begin() + static_cast<std::ptrdiff_t>(longest), middle);
+    }
+  }
+
+  Evaluator& evaluate_;
+  SurfaceRanges ranges_;
+  std::vector<Point> line_;  ///< worked on: the best one, with inserted vertices
+  std::vector<Point> best_;
+  double value_ = 0, highest_ = -1e300;
+};
+
+}  // namespace
+
+Surface make_polyline(const Slope& slope, const Surface& surface, int vertices) {
+  const auto [left, right] = find_ends(surface);
+  const auto line = hang_polyline(slope, left, right, sample(slope, surface)).line;
+  const auto thin = thin_points(line, vertices);
+  return hang_polyline(slope, left, right, thin);
+}
+
+std::vector<Surface> make_seam_starts(const Slope& slope, const Surface& surface, int vertices) {
+  const auto [left, right] = find_ends(surface);
+  const double hair = 1e-7 * (slope.right() - slope.left());
+  const std::vector<Point> points = sample(slope, surface);
+  std::vector<Surface> starts;
+  for (const Region& region : slope.section().regions)
+    for (const std::size_t side : {0u, 1u}) {
+      std::vector<Point> lifted = points;
+      int touched = 0;
+      for (Point& p : lifted) {
+        const auto borders = find_borders(region.polygon, p[0]);
+        if (!borders || p[1] >= (*borders)[side] || (*borders)[side] > slope.ground(p[0])) continue;
+        p[1] = (*borders)[side] + hair;
+        ++touched;
+      }
+      if (touched < samples / 10) continue;
+      const auto thin = thin_points(hang_polyline(slope, left, right, lifted).line, vertices);
+      starts.push_back(hang_polyline(slope, left, right, thin));
+    }
+  return starts;
+}
+
+OptimisedSurface optimise_polyline(Evaluator& evaluate, const Surface& start, const SurfaceRanges& ranges) {
+  return PolylineOptimiser(evaluate, ranges).run(start);
+}
+
+}  // namespace talus::lem

@@ -1,0 +1,262 @@
+// The search: trial circles, their factors, local minima, optimisation, findings.
+
+#include "lem/search/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "lem/search/local_minima.hpp"
+#include "lem/search/optimise_surface.hpp"
+#include "lem/search/search_findings.hpp"
+#include "lem/surface/touching_circles.hpp"
+
+namespace talus::lem {
+
+namespace {
+
+bool suits_polylines(Method method) {
+  return method != Method::fellenius && method != Method::bishop;
+}
+
+/// The surface with everything that is shown of it.
+Critical finish(const Slope& slope, const SearchOptions& options, const Surface& surface, Method method) {
+  Critical critical;
+  critical.method = method;
+  critical.surface = surface;
+  critical.circular = surface.circle.has_value();
+  critical.cut = cut_surface(slope, surface, options.slices, options.checks);
+  critical.solution = solve(slope, critical.cut, method, options.checks, true);
+  critical.warnings = find_warnings(slope, options.checks, critical);
+  return critical;
+}
+
+/// Factors of all trial circles by all methods, piece by piece.
+void solve_trials(const Slope& slope, const SearchOptions& options, TrialCircles& circles, SearchResult& result) {
+  const std::size_t methods = options.methods.size(), count = circles.surfaces.size();
+  constexpr std::size_t per_piece = 64;
+  const int pieces = static_cast<int>((count + per_piece - 1) / per_piece);
+  using Counts = std::array<long, static_cast<std::size_t>(Refusal::count)>;
+  std::vector<std::vector<Counts>> counts(static_cast<std::size_t>(pieces), std::vector<Counts>(methods, Counts{}));
+  result.trials.resize(count);
+  parallel_tasks(pieces, options.threads, [&](int piece) {
+    CutSurface cut;
+    auto& own = counts[static_cast<std::size_t>(piece)];
+    const std::size_t first = static_cast<std::size_t>(piece) * per_piece;
+    for (std::size_t i = first; i < std::min(count, first + per_piece); ++i) {
+      Trial& trial = result.trials[i];
+      trial.surface = circles.surfaces[i];
+      trial.factors.assign(methods, 0);
+      cut_surface(slope, trial.surface, options.slices, options.checks, cut);
+      for (std::size_t m = 0; m < methods; ++m) {
+        Refusal refusal = cut.refusal;
+        if (refusal == Refusal::none) {
+          const Solution s = solve(slope, cut, options.methods[m], options.checks, false);
+          refusal = s.refusal;
+          if (refusal == Refusal::none) trial.factors[m] = static_cast<float>(s.factor);
+        }
+        if (refusal != Refusal::none) ++own[m][static_cast<std::size_t>(refusal)];
+      }
+    }
+  });
+  result.refused.resize(methods);
+  for (const auto& piece : counts)
+    for (std::size_t m = 0; m < methods; ++m)
+      for (std::size_t r = 0; r < piece[m].size(); ++r)
+        if (piece[m][r] > 0) result.refused[m][static_cast<Refusal>(r)] += piece[m][r];
+  result.tried = static_cast<long>(count);
+}
+
+/// Local minima of each method, optimised when asked for, best first, separate ones only.
+std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const SearchOptions& options,
+                                                       const Arcs& arcs, const TrialCircles& circles,
+                                                       const SearchResult& result, std::vector<int>& best_trials) {
+  struct Start {
+    std::size_t method;
+    Surface surface;
+  };
+  const std::size_t methods = options.methods.size();
+  std::vector<std::vector<Surface>> own_starts(methods);
+  best_trials.assign(methods, -1);
+  parallel_tasks(static_cast<int>(methods), options.threads, [&](int i) {
+    const auto m = static_cast<std::size_t>(i);
+    std::vector<float> factors(result.trials.size());
+    for (std::size_t t = 0; t < factors.size(); ++t) factors[t] = result.trials[t].factors[m];
+    const auto found = find_local_minima(slope, circles, factors, options.kept_minima + 3, 0.8);
+    if (!found.empty()) best_trials[m] = found.front();
+    for (int trial : found) own_starts[m].push_back(circles.surfaces[static_cast<std::size_t>(trial)]);
+    const auto regions = arcs.regions().size();
+    if (!options.optimise_circle || regions < 2) return;
+    Evaluator evaluate(slope, options.methods[m], options.checks, options.slices);
+    const bool complete = suits_polylines(options.methods[m]) && options.methods[m] != Method::janbu &&
+                          options.methods[m] != Method::janbu_corrected;
+    Evaluator quick(slope, complete ? Method::bishop : options.methods[m], options.checks, options.slices);
+    const int most = std::max(50, static_cast<int>(3000 / regions));
+    for (const Surface& s : find_touching_circles(evaluate, quick, arcs, circles, most)) own_starts[m].push_back(s);
+  });
+  std::vector<Start> starts;
+  for (std::size_t m = 0; m < methods; ++m)
+    for (const Surface& s : own_starts[m]) starts.push_back({m, s});
+  std::vector<OptimisedSurface> optimised(starts.size());
+  const CircleRanges ranges{circles.left, circles.right, circles.step};
+  parallel_tasks(static_cast<int>(starts.size()), options.threads, [&](int i) {
+    const Start& start = starts[static_cast<std::size_t>(i)];
+    Evaluator evaluate(slope, options.methods[start.method], options.checks, options.slices);
+    optimised[static_cast<std::size_t>(i)] = options.optimise_circle
+                                                 ? optimise_circle(evaluate, arcs, start.surface, ranges)
+                                                 : OptimisedSurface{start.surface, evaluate(start.surface), 1};
+  });
+  std::vector<std::vector<OptimisedSurface>> minima(options.methods.size());
+  for (std::size_t m = 0; m < options.methods.size(); ++m) {
+    std::vector<OptimisedSurface> own;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      if (starts[i].method == m && optimised[i].factor < Evaluator::refused) own.push_back(optimised[i]);
+    std::stable_sort(own.begin(), own.end(), [](auto& a, auto& b) { return a.factor < b.factor; });
+    for (const auto& candidate : own) {
+      const bool separate = std::none_of(minima[m].begin(), minima[m].end(), [&](const OptimisedSurface& other) {
+        return measure_overlap(slope, candidate.surface, other.surface) > 0.6;
+      });
+      if (separate && static_cast<int>(minima[m].size()) < options.kept_minima) minima[m].push_back(candidate);
+    }
+  }
+  return minima;
+}
+
+/// Optimises a polyline from the critical circle and from circles cut along the borders of regions.
+OptimisedSurface find_polyline(const Slope& slope, const SearchOptions& options, Method method,
+                               const std::vector<Surface>& circles, const SurfaceRanges& ranges) {
+  Evaluator evaluate(slope, method, options.checks, options.slices);
+  struct Start {
+    Surface surface;
+    double factor;
+  };
+  std::vector<Start> starts;
+  auto add = [&](const Surface& s) {
+    if (s.line.size() < 3) return;
+    const double factor = evaluate(s);
+    if (factor < Evaluator::refused) starts.push_back({s, factor});
+  };
+  for (const Surface& circle : circles) {
+    add(make_polyline(slope, circle, ranges.vertices));
+    for (const Surface& s : make_seam_starts(slope, circle, ranges.vertices)) add(s);
+  }
+  std::stable_sort(starts.begin(), starts.end(), [](auto& a, auto& b) { return a.factor < b.factor; });
+  OptimisedSurface best{{}, Evaluator::refused, 0};
+  for (std::size_t i = 0; i < std::min<std::size_t>(starts.size(), 3); ++i) {
+    const auto found = optimise_polyline(evaluate, starts[i].surface, ranges);
+    if (found.factor < best.factor) best = found;
+  }
+  return best;
+}
+
+/// Circles that polylines of a method start from: its minima, and the best of every depth among the trials, since a
+/// seam may lie where no circle is critical.
+std::vector<Surface> choose_polyline_starts(const TrialCircles& circles, const SearchResult& result, std::size_t method,
+                                            const std::vector<OptimisedSurface>& minima) {
+  std::vector<Surface> starts;
+  for (std::size_t i = 0; i < std::min<std::size_t>(minima.size(), 2); ++i) starts.push_back(minima[i].surface);
+  const int depths = circles.size[2];
+  const std::size_t cells = circles.first.size() - 1;
+  for (int k = 0; k < depths; ++k) {
+    int best = -1;
+    for (std::size_t cell = static_cast<std::size_t>(k); cell < cells; cell += static_cast<std::size_t>(depths))
+      for (int s = circles.first[cell]; s < circles.first[cell + 1]; ++s) {
+        const float f = result.trials[static_cast<std::size_t>(s)].factors[method];
+        if (f > 0 && (best < 0 || f < result.trials[static_cast<std::size_t>(best)].factors[method])) best = s;
+      }
+    if (best >= 0) starts.push_back(circles.surfaces[static_cast<std::size_t>(best)]);
+  }
+  return starts;
+}
+
+SearchOptions settle(const SearchOptions& asked) {
+  SearchOptions options = asked;
+  options.checks.composite = asked.composite;
+  return options;
+}
+
+}  // namespace
+
+SearchResult search(const Slope& slope, const SearchOptions& asked) {
+  const auto begin = std::chrono::steady_clock::now();
+  const SearchOptions options = settle(asked);
+  SearchResult result;
+  const Arcs arcs(slope, options.checks.smallest_depth, options.composite);
+  TrialCircles circles;
+  if (options.kind == SearchKind::grid) {
+    circles = make_grid_circles(slope, options.grid, result.grid.emplace());
+  } else {
+    circles = make_entry_exit_circles(slope, arcs, options.entry_exit, result.entry_exit.emplace());
+  }
+  solve_trials(slope, options, circles, result);
+  std::vector<int> best_trials;
+  const auto minima = find_minima(slope, options, arcs, circles, result, best_trials);
+  if (std::all_of(minima.begin(), minima.end(), [](auto& m) { return m.empty(); })) {
+    std::string reasons = "no circle enters and leaves the ground inside the model";
+    if (result.tried > 0)
+      reasons = fmt::format("{} by {}", describe_refusals(result.refused.front(), result.tried),
+                            title_method(options.methods.front()));
+    throw Error(ExitCode::wrong_input,
+                fmt::format("no admissible slip surface was found: {}; check the ranges of the search, the bottom "
+                            "of the model and the limits (smallest_depth, smallest_m_alpha, most_tension)",
+                            reasons));
+  }
+  result.minima.resize(options.methods.size());
+  for (std::size_t m = 0; m < options.methods.size(); ++m) {
+    const Method method = options.methods[m];
+    for (const auto& found : minima[m]) result.minima[m].push_back(finish(slope, options, found.surface, method));
+    if (result.minima[m].empty()) {
+      result.limit_hits.push_back(fmt::format("{}: no admissible circle, {}", title_method(method),
+                                              describe_refusals(result.refused[m], result.tried)));
+      continue;
+    }
+    Critical& critical = result.minima[m].front();
+    critical.yield_acceleration = find_yield_acceleration(slope, critical.cut, method, options.checks);
+    const auto hits = find_limit_hits(slope, options, result, circles, critical, best_trials[m]);
+    result.limit_hits.insert(result.limit_hits.end(), hits.begin(), hits.end());
+    result.circular.push_back(critical);
+  }
+  if (options.optimise_surface) {
+    std::vector<OptimisedSurface> found(options.methods.size());
+    parallel_tasks(static_cast<int>(options.methods.size()), options.threads, [&](int i) {
+      const auto m = static_cast<std::size_t>(i);
+      if (!suits_polylines(options.methods[m])) return;
+      const SurfaceRanges ranges{circles.left, circles.right, options.vertices};
+      found[m] = find_polyline(slope, options, options.methods[m],
+                               choose_polyline_starts(circles, result, m, minima[m]), ranges);
+    });
+    for (std::size_t m = 0; m < found.size(); ++m) {
+      if (found[m].surface.line.empty()) continue;
+      Critical critical = finish(slope, options, found[m].surface, options.methods[m]);
+      critical.yield_acceleration = find_yield_acceleration(slope, critical.cut, options.methods[m], options.checks);
+      const auto hits = find_limit_hits(slope, options, result, circles, critical, -1);
+      result.limit_hits.insert(result.limit_hits.end(), hits.begin(), hits.end());
+      result.noncircular.push_back(std::move(critical));
+    }
+  }
+  for (std::size_t m = 0; m < options.methods.size(); ++m) {
+    const int columns = result.grid ? result.grid->columns : 40, rows = result.grid ? result.grid->rows : 40;
+    result.maps.push_back(map_centres(result, m, columns, rows));
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+Critical optimise(const Slope& slope, const Surface& start, Method method, const SearchOptions& asked) {
+  const SearchOptions options = settle(asked);
+  Evaluator evaluate(slope, method, options.checks, options.slices);
+  const std::array<double, 2> ground{slope.left(), slope.right()};
+  if (!start.circle) {
+    const auto found = optimise_polyline(evaluate, start, {ground, ground, options.vertices});
+    return finish(slope, options, found.surface, method);
+  }
+  const Arcs arcs(slope, options.checks.smallest_depth, options.composite);
+  const double step = 0.05 * (start.to - start.from);
+  return finish(slope, options, optimise_circle(evaluate, arcs, start, {ground, ground, {step, step}}).surface, method);
+}
+
+}  // namespace talus::lem

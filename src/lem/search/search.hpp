@@ -1,0 +1,91 @@
+#pragma once
+// The search for the critical slip surface.
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "lem/section/slope.hpp"
+#include "lem/slices/methods.hpp"
+
+namespace talus::lem {
+
+/// Centres on a grid, and radii by the elevation of the deepest point.
+struct GridSearch {
+  Point from{}, to{};           ///< corners of the grid of centres [m]; equal: chosen from the ground
+  int columns = 20, rows = 20;  ///< centres
+  int radii = 11;
+  std::optional<double> lowest, highest;  ///< elevations that the deepest points of the circles lie between [m]
+};
+
+/// Circles through an entry and an exit on the ground, with several depths each. Both ranges empty (their ends equal):
+/// through any two of exits + entries points of the whole ground, sliding to the lower one.
+struct EntryExitSearch {
+  std::array<double, 2> exit{};   ///< range of x at the toe [m]
+  std::array<double, 2> entry{};  ///< range of x at the crest [m]
+  int exits = 25, entries = 25, depths = 15;
+};
+
+enum class SearchKind { entry_exit, grid };
+
+struct SearchOptions {
+  SearchKind kind = SearchKind::entry_exit;
+  std::optional<GridSearch> grid;             ///< not given: chosen from the ground
+  std::optional<EntryExitSearch> entry_exit;  ///< not given: the whole ground, both directions
+  int slices = 50;
+  std::vector<Method> methods{Method::bishop, Method::spencer};
+  Checks checks;
+  bool composite = false;        ///< circles may be cut level at the base
+  bool optimise_circle = true;   ///< local optimisation from the best local minima
+  bool optimise_surface = true;  ///< and of a non-circular surface from the critical circle
+  int vertices = 12;             ///< of the non-circular surface
+  int kept_minima = 5;           ///< local minima shown
+  int threads = 1;
+};
+
+/// A surface that was tried, with the factors in the order of SearchOptions::methods (0: refused).
+struct Trial {
+  Surface surface;
+  std::vector<float> factors;
+};
+
+/// The critical surface of one method.
+struct Critical {
+  Method method = Method::spencer;
+  Surface surface;
+  Solution solution;
+  CutSurface cut;  ///< with the forces
+  bool circular = true;
+  std::vector<std::string> warnings;  ///< m_α, tension, model's edge, limits of the search that were hit
+  std::optional<double> yield_acceleration;
+};
+
+struct SearchResult {
+  std::vector<Critical> circular;             ///< per method that found one
+  std::vector<Critical> noncircular;          ///< per method (of those that suit polylines), when asked for
+  std::vector<std::vector<Critical>> minima;  ///< per method: several separate local minima, best first
+  std::vector<Trial> trials;                  ///< every trial circle of the search
+  /// The smallest factor per centre of the grid, per method (grid search; else of the circles binned by their centres).
+  struct Map {
+    Point from{}, to{};
+    int columns = 0, rows = 0;
+    std::vector<float> factor;  ///< row by row; NaN: none
+  };
+  std::vector<Map> maps;
+  std::vector<std::map<Refusal, long>> refused;  ///< per method
+  long tried = 0;
+  std::vector<std::string> limit_hits;  ///< e.g. "the critical circle's entry lies at the end of the searched range"
+  double seconds = 0;
+  /// Where it was searched, as used.
+  std::optional<GridSearch> grid;
+  std::optional<EntryExitSearch> entry_exit;
+};
+
+/// Throws Error (wrong_input) when no admissible surface is found: the sentence counts the reasons.
+SearchResult search(const Slope& slope, const SearchOptions& options);
+
+/// Optimises the vertices of a polyline surface, or a circle (its ends and depth), from a start.
+Critical optimise(const Slope& slope, const Surface& start, Method method, const SearchOptions& options);
+
+}  // namespace talus::lem

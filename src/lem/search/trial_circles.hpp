@@ -1,0 +1,31 @@
+#pragma once
+// The circles that a search tries, in an order that knows its neighbours.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "lem/search/search.hpp"
+#include "lem/surface/arcs.hpp"
+
+namespace talus::lem {
+
+/// Trial circles in a lattice of cells: exits x entries x depths, or columns x rows x radii. A cell holds no circle
+/// when none fits, and one per stretch of ground below which the circle runs (both faces of a dam).
+struct TrialCircles {
+  std::array<int, 3> size{};
+  std::vector<Surface> surfaces;          ///< cell by cell, the last index fastest
+  std::vector<int> first;                 ///< of a cell in `surfaces`; one more at the end
+  std::array<double, 2> left{}, right{};  ///< x between which the left and the right ends lie [m]
+  std::array<double, 2> step{};           ///< typical distance between neighbouring ends [m]
+  bool whole_ground = false;              ///< nobody named a range
+};
+
+/// x of `count` points of the ground between two x: dense on and beside slopes, with the ground's corners among them.
+std::vector<double> place_points(const Slope& slope, double from, double to, int count);
+
+TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const std::optional<EntryExitSearch>& asked,
+                                     EntryExitSearch& used);
+TrialCircles make_grid_circles(const Slope& slope, const std::optional<GridSearch>& asked, GridSearch& used);
+
+}  // namespace talus::lem

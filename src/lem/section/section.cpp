@@ -1,0 +1,130 @@
+// Faults of a section that no surface could be calculated in: ground, soils, water and loads.
+
+#include "lem/section/section.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "lem/section/region_faults.hpp"
+
+namespace talus::lem {
+
+namespace {
+
+using Faults = std::vector<std::string>;
+
+std::string write_point(const Point& p) {
+  return fmt::format("({:.6g}, {:.6g})", p[0], p[1]);
+}
+
+bool is_finite(const Point& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]);
+}
+
+/// A line that must run to the right. `steps`: vertical pieces are allowed.
+void check_line(const std::string& name, const std::vector<Point>& line, bool steps, Faults& faults) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (!is_finite(line[i])) {
+      faults.push_back(fmt::format("{}: point {} is not a number", name, i + 1));
+      return;
+    }
+    if (i > 0 && (line[i][0] < line[i - 1][0] || (!steps && line[i][0] == line[i - 1][0]))) {
+      faults.push_back(fmt::format("{} runs backwards from {} to {}: x must {}", name, write_point(line[i - 1]),
+                                   write_point(line[i]), steps ? "never fall" : "grow from point to point"));
+      return;
+    }
+  }
+}
+
+void check_ground(const Section& section, Faults& faults) {
+  if (section.ground.size() < 2) {
+    faults.push_back("the ground has fewer than two points");
+    return;
+  }
+  check_line("the ground", section.ground, true, faults);
+  const Point &a = section.ground.front(), &b = section.ground.back();
+  if (!(b[0] > a[0])) faults.push_back("the ground has no width: its first and last points have the same x");
+  if (!std::isfinite(section.base)) faults.push_back("the base is not a number");
+  for (const Point& p : section.ground)
+    if (section.base > p[1] + 1e-9 * (b[0] - a[0])) {
+      faults.push_back(
+          fmt::format("the base at elevation {:.6g} lies above the ground at {}", section.base, write_point(p)));
+      break;
+    }
+}
+
+void check_soil(const Soil& soil, std::size_t number, Faults& faults) {
+  const std::string name = soil.name.empty() ? fmt::format("soil {}", number + 1) : fmt::format("soil '{}'", soil.name);
+  if (!(soil.unit_weight > 0))
+    faults.push_back(fmt::format("{}: the unit weight {:.6g} is not positive", name, soil.unit_weight));
+  if (!(soil.saturated_unit_weight > 0))
+    faults.push_back(
+        fmt::format("{}: the saturated unit weight {:.6g} is not positive", name, soil.saturated_unit_weight));
+  if (!(soil.cohesion >= 0) || !std::isfinite(soil.cohesion_gradient) || !std::isfinite(soil.cohesion_level))
+    faults.push_back(
+        fmt::format("{}: the cohesion {:.6g} must not be negative, its growth must be a number", name, soil.cohesion));
+  if (!(soil.friction_angle >= 0 && soil.friction_angle < std::numbers::pi / 2))
+    faults.push_back(fmt::format("{}: the friction angle {:.4g}° must be at least 0° and less than 90°", name,
+                                 soil.friction_angle * 180 / std::numbers::pi));
+  if (soil.cohesion == 0 && soil.friction_angle == 0 && !(soil.cohesion_gradient > 0))
+    faults.push_back(fmt::format("{} has no strength: cohesion and friction angle are both zero", name));
+  if (!(soil.pore_pressure_ratio >= 0 && soil.pore_pressure_ratio < 1))
+    faults.push_back(
+        fmt::format("{}: r_u = {:.4g} must be at least 0 and less than 1", name, soil.pore_pressure_ratio));
+  if (soil.suction == Suction::saturation && !soil.saturation)
+    faults.push_back(fmt::format("{}: strength of suction by saturation needs a retention curve", name));
+  if (!(soil.phi_b >= 0 && soil.phi_b < std::numbers::pi / 2) || !(soil.largest_suction >= 0))
+    faults.push_back(
+        fmt::format("{}: phi_b must be at least 0° and less than 90°, the largest suction not negative", name));
+}
+
+void check_grid(const PressureGrid& grid, Faults& faults) {
+  if (grid.pressure.size() != grid.nodes.size())
+    faults.push_back(
+        fmt::format("the pore pressure grid has {} nodes and {} pressures", grid.nodes.size(), grid.pressure.size()));
+  for (std::size_t t = 0; t < grid.triangles.size(); ++t)
+    for (const int node : grid.triangles[t])
+      if (node < 0 || node >= static_cast<int>(grid.nodes.size())) {
+        faults.push_back(
+            fmt::format("triangle {} of the pore pressure grid names node {}, which is not there", t, node));
+        return;
+      }
+}
+
+void check_water(const Section& section, Faults& faults) {
+  check_line("the water table", section.water_table, false, faults);
+  if (!(section.water_unit_weight > 0)) faults.push_back("the unit weight of water is not positive");
+  if (section.pressure_grid) check_grid(*section.pressure_grid, faults);
+}
+
+void check_loads(const Section& section, Faults& faults) {
+  for (std::size_t i = 0; i < section.surcharges.size(); ++i)
+    check_line(fmt::format("surcharge {}", i + 1), section.surcharges[i].load, true, faults);
+  for (std::size_t i = 0; i < section.roots.size(); ++i)
+    check_line(fmt::format("the root cohesion's profile {}", i + 1), section.roots[i].profile, true, faults);
+  if (!std::isfinite(section.horizontal_acceleration) || !(section.vertical_acceleration > -1))
+    faults.push_back(
+        "the accelerations must be numbers, and k_v greater than -1: upwards they would lift the soil off");
+  if (section.crack &&
+      !(section.crack->depth >= 0 && section.crack->water >= 0 && section.crack->water <= section.crack->depth))
+    faults.push_back(
+        fmt::format("the tension crack is {:.6g} m deep with {:.6g} m of water: expected 0 <= water <= depth",
+                    section.crack->depth, section.crack->water));
+}
+
+}  // namespace
+
+std::vector<std::string> find_faults(const Section& section) {
+  Faults faults;
+  check_ground(section, faults);
+  for (std::size_t i = 0; i < section.soils.size(); ++i) check_soil(section.soils[i], i, faults);
+  check_water(section, faults);
+  check_loads(section, faults);
+  // What follows walks along the ground, which must be whole for that.
+  if (faults.empty()) find_region_faults(section, faults);
+  return faults;
+}
+
+}  // namespace talus::lem

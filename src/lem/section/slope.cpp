@@ -1,0 +1,76 @@
+// A section made ready for many surfaces: questions about what stands over x.
+
+#include "lem/section/slope.hpp"
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "lem/slices/strips.hpp"
+
+namespace talus::lem {
+
+Slope::Slope(Section section) : strips_(std::make_unique<Strips>()) {
+  const auto faults = find_faults(section);
+  if (!faults.empty()) {
+    std::string sentences;
+    for (const std::string& fault : faults) sentences += (sentences.empty() ? "" : "\n") + fault;
+    throw Error(ExitCode::wrong_input, sentences);
+  }
+  strips_->section = std::move(section);
+  build_strips(*strips_);
+}
+
+Slope::~Slope() = default;
+Slope::Slope(Slope&&) noexcept = default;
+
+const Section& Slope::section() const {
+  return strips_->section;
+}
+
+const Slope::Strips& Slope::strips() const {
+  return *strips_;
+}
+
+double Slope::left() const {
+  return strips_->strips.front().left;
+}
+
+double Slope::right() const {
+  return strips_->strips.back().right;
+}
+
+double Slope::ground(double x) const {
+  const Strip& strip = strips_->strip(strips_->find(x));
+  return strip.ground.at(x - strip.left);
+}
+
+double Slope::water_table(double x) const {
+  const Strip& strip = strips_->strip(strips_->find(x));
+  return strip.water.at(x - strip.left);
+}
+
+int Slope::soil_at(const Point& p) const {
+  const Strip& strip = strips_->strip(strips_->find(p[0]));
+  const double dx = p[0] - strip.left;
+  if (p[1] > strip.ground.at(dx) || p[1] < section().base) return -1;
+  const int layer = strips_->find_layer(strip, dx, p[1]);
+  return layer < 0 ? -1 : strips_->layer(layer).soil;
+}
+
+double Slope::pore_pressure(const Point& p) const {
+  if (const auto u = strips_->pressure.find(p)) return *u;
+  if (section().water_table.empty()) return 0;
+  return section().water_unit_weight * (water_table(p[0]) - p[1]);
+}
+
+double Slope::weight_above(double x, double bottom, int& soil) const {
+  const Strip& strip = strips_->strip(strips_->find(x));
+  const double dx = x - strip.left;
+  const int i = strips_->find_layer(strip, dx, bottom);
+  if (i < 0) return 0;
+  const Layer& layer = strips_->layer(i);
+  soil = layer.soil;
+  return layer.weight.at(dx) + layer.unit_weight * (layer.top.at(dx) - bottom);
+}
+
+}  // namespace talus::lem

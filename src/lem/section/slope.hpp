@@ -1,0 +1,37 @@
+#pragma once
+// A section made ready for many surfaces: strips of constant layering, so that what stands over x is found by walking.
+// Immutable after construction; shared by threads.
+
+#include <memory>
+
+#include "lem/section/section.hpp"
+
+namespace talus::lem {
+
+class Slope {
+ public:
+  /// Throws Error (wrong_input) with the sentences of find_faults().
+  explicit Slope(Section section);
+  ~Slope();
+  Slope(Slope&&) noexcept;
+  Slope(const Slope&) = delete;
+
+  const Section& section() const;
+  double left() const;                 ///< x of the first point of the ground [m]
+  double right() const;                ///< x of the last [m]
+  double ground(double x) const;       ///< elevation [m]
+  double water_table(double x) const;  ///< elevation; -infinity without a line [m]
+  int soil_at(const Point& p) const;   ///< number; -1 outside all regions
+  /// u at a place, before r_u; negative is suction [Pa].
+  double pore_pressure(const Point& p) const;
+  /// Weight of the soil between the ground and `bottom` [N/m²], and the soil at `bottom`.
+  double weight_above(double x, double bottom, int& soil) const;
+
+  struct Strips;
+  const Strips& strips() const;  ///< what cut_surface() walks along
+
+ private:
+  std::unique_ptr<Strips> strips_;
+};
+
+}  // namespace talus::lem

@@ -1,0 +1,166 @@
+// The factor of safety of one slip surface: which method, and whether its answer can be trusted.
+
+#include "lem/slices/methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lem/surface/mass.hpp"
+
+namespace talus::lem {
+
+namespace {
+
+/// Under level ground rounding alone drives the mass; a factor beyond this says nothing.
+constexpr double largest_factor = 1000;
+
+/// Memory of one thread.
+struct Scratch {
+  Mass mass;
+  std::vector<Forces> forces;
+  std::vector<double> level;
+};
+
+bool is_complete(Method method) {
+  return method == Method::spencer || method == Method::morgenstern_price ||
+         method == Method::morgenstern_price_constant;
+}
+
+/// Fellenius' own normal forces.
+void find_fellenius_forces(const Mass& mass, double factor, std::vector<Forces>& forces) {
+  forces.clear();
+  for (const Wedge& w : mass.wedges) {
+    const double normal = w.down * w.cosine - w.push * w.sine;
+    forces.push_back({normal, (w.strength + w.friction * normal) / factor, 0, 0, 1});
+  }
+}
+
+void judge_forces(const CutSurface& cut, const Scratch& s, Solution& solution) {
+  double length = 0, tensile = 0;
+  const auto size = cut.slices.size();
+  solution.smallest_m_alpha = s.forces.front().m_alpha;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
+    solution.smallest_m_alpha = std::min(solution.smallest_m_alpha, s.forces[i].m_alpha);
+    length += slice.length;
+    if (s.forces[i].normal - s.mass.wedges[i].uplift < 0) tensile += slice.length;
+  }
+  solution.tensile_share = tensile / length;
+}
+
+/// Share of E that acts outside the mass by more than a tenth of its height: where E is small its place says little.
+void judge_thrust(const CutSurface& cut, const Scratch& s, Solution& solution) {
+  const auto size = cut.slices.size();
+  double all = 0, outside = 0;
+  for (std::size_t i = 0; i + 1 < size; ++i) {
+    const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
+    const double low = cut.slides_left ? slice.base_left[1] : slice.base_right[1];
+    const double high = cut.slides_left ? slice.top_left : slice.top_right, near = 0.1 * (high - low);
+    const double e = std::abs(s.forces[i].normal_side);
+    all += e;
+    if (!std::isnan(s.level[i]) && (s.level[i] < low - near || s.level[i] > high + near)) outside += e;
+  }
+  solution.thrust_outside = all > 0 ? outside / all : 0;
+}
+
+/// Bishop's method is one of moments about the centre of a circle; a polyline has none of its own.
+void warn_of_centre(CutSurface& cut) {
+  std::string sentence = fmt::format(
+      "Bishop's moments are taken about ({:.4g}, {:.4g}), the centre of a circle fitted to the polyline: the factor "
+      "depends on it",
+      cut.moment_centre[0], cut.moment_centre[1]);
+  if (std::find(cut.warnings.begin(), cut.warnings.end(), sentence) == cut.warnings.end())
+    cut.warnings.push_back(std::move(sentence));
+}
+
+void write_forces(CutSurface& cut, const Scratch& s, bool thrust) {
+  const auto size = cut.slices.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
+    const Forces& f = s.forces[i];
+    slice.normal = f.normal;
+    slice.shear = f.shear;
+    slice.m_alpha = f.m_alpha;
+    // The right side is the upper one of a mass that slides to the left.
+    const bool end = cut.slides_left && i == 0;
+    const std::size_t side = cut.slides_left && i > 0 ? i - 1 : i;
+    slice.normal_right = end ? s.mass.crack : s.forces[side].normal_side;
+    slice.shear_right = end ? 0 : s.forces[side].shear_side;
+    slice.thrust_right = !thrust ? 0 : end ? cut.crack_thrust_level : s.level[side];
+    if (end && !(s.mass.crack > 0)) slice.thrust_right = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+Refusal check_solution(const CutSurface& cut, const Solution& solution, const Checks& checks) {
+  const double toe = cut.slides_left ? cut.slices.front().alpha : cut.slices.back().alpha;
+  if (-toe > checks.steepest_toe) return Refusal::steep_toe;
+  if (solution.smallest_m_alpha < checks.smallest_m_alpha) return Refusal::m_alpha;
+  // The normal forces of Fellenius are in no equilibrium: tension says nothing of his surface.
+  if (solution.method != Method::fellenius && solution.tensile_share > checks.most_tension) return Refusal::tension;
+  if (solution.thrust_outside > checks.most_thrust_outside) return Refusal::thrust;
+  return Refusal::none;
+}
+
+}  // namespace
+
+Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
+                    double horizontal) {
+  static thread_local Scratch s;
+  Solution solution;
+  solution.method = method;
+  solution.refusal = cut.refusal;
+  if (cut.refusal != Refusal::none || cut.slices.empty()) return solution;
+  s.mass.set(slope, cut, horizontal);
+  const bool circular = cut.surface.circle.has_value(), complete = is_complete(method);
+  const FelleniusSums sums = sum_fellenius(s.mass, circular);
+  if (!(sums.driving * largest_factor > sums.resisting && sums.driving > 0)) {
+    solution.refusal = Refusal::no_driving;
+    return solution;
+  }
+  const double start = sums.resisting / sums.driving;
+  if (method == Method::fellenius) {
+    solution.factor = start;
+  } else if (!complete) {
+    solution.factor = solve_simplified(s.mass, method == Method::bishop, start, solution.iterations);
+  } else {
+    s.mass.set_interslice_function(method == Method::morgenstern_price, cut);
+    int more = 0;
+    const double near = solve_simplified(s.mass, circular, start, more);
+    // Two ways to the same forces, each the other's fall-back.
+    const bool bracket = method == Method::morgenstern_price_constant;
+    Complete found = bracket ? solve_bracket(s.mass, near) : solve_newton(s.mass, near);
+    if (!(found.factor > 0)) found = bracket ? solve_newton(s.mass, near) : solve_bracket(s.mass, near);
+    solution.factor = found.factor;
+    solution.lambda = found.lambda;
+    solution.iterations = found.iterations;
+  }
+  if (!(solution.factor > 0) || !std::isfinite(solution.factor)) {
+    solution.factor = 0;
+    solution.refusal = method == Method::fellenius ? Refusal::tension : Refusal::not_converged;
+    return solution;
+  }
+  if (method == Method::fellenius) {
+    find_fellenius_forces(s.mass, solution.factor, s.forces);
+  } else {
+    find_forces(s.mass, solution.factor, solution.lambda, s.forces);
+  }
+  judge_forces(cut, s, solution);
+  if (complete) {
+    find_thrust_line(cut, s.mass, horizontal, s.forces, s.level);
+    judge_thrust(cut, s, solution);
+  }
+  if (keep_forces) write_forces(cut, s, complete);
+  if (keep_forces && method == Method::bishop && !circular) warn_of_centre(cut);
+  if (checks.reject) solution.refusal = check_solution(cut, solution, checks);
+  if (method == Method::janbu_corrected) solution.correction = correct_janbu(cut);
+  solution.factor = solution.refusal == Refusal::none ? solution.factor * solution.correction : 0;
+  return solution;
+}
+
+Solution solve(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces) {
+  return solve_with(slope, cut, method, checks, keep_forces, slope.section().horizontal_acceleration);
+}
+
+}  // namespace talus::lem

@@ -1,0 +1,107 @@
+#pragma once
+// The factor of safety of one slip surface by the methods of slices.
+
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lem/section/slope.hpp"
+#include "lem/surface/surface.hpp"
+
+namespace talus::lem {
+
+enum class Method {
+  fellenius,                  ///< ordinary method; with water N' = W cosα - u l (the classical form)
+  bishop,                     ///< simplified; polylines: moments about the centre of the fitted circle, says so
+  janbu,                      ///< simplified, f_0 = 1
+  janbu_corrected,            ///< simplified times f_0
+  spencer,                    ///< parallel interslice forces
+  morgenstern_price,          ///< half-sine interslice function
+  morgenstern_price_constant  ///< constant interslice function: Spencer's forces by the other formulation
+};
+inline constexpr int method_count = 7;
+const char* name_method(Method method);   ///< "spencer"
+const char* title_method(Method method);  ///< "Spencer"
+
+/// One slice, from left to right. Forces per metre of thickness [N].
+struct Slice {
+  double left = 0, right = 0;          ///< [m]
+  Point base_left{}, base_right{};     ///< [m]
+  double top_left = 0, top_right = 0;  ///< ground [m]
+  int soil = 0;                        ///< at the middle of the base
+  double alpha = 0;             ///< inclination of the base, positive where it falls in the direction of sliding [rad]
+  double length = 0;            ///< of the base [m]
+  double weight = 0;            ///< W of soil and its water, without ponded water
+  double surface_load = 0;      ///< vertical: surcharge and ponded water
+  double surface_thrust = 0;    ///< horizontal load of ponded water, against the sliding positive
+  double load_x = 0;            ///< where the vertical load acts [m]
+  double thrust_level = 0;      ///< elevation where the horizontal load acts [m]
+  double earthquake = 0;        ///< k_h W, with the sliding positive
+  double centroid = 0;          ///< elevation of the centre of the weight at the slice's middle [m]
+  double pore_pressure = 0;     ///< u at the middle of the base, compression positive; suction negative [Pa]
+  double cohesion = 0;          ///< c with roots and suction [Pa]
+  double root_cohesion = 0;     ///< part of it [Pa]
+  double suction_strength = 0;  ///< part of it [Pa]
+  double tan_friction = 0;
+  // Of a solution:
+  double normal = 0;  ///< total N
+  double shear = 0;   ///< mobilised T
+  double m_alpha = 0;
+  /// E (compression positive) and X (positive where the lower part holds up the upper) on the right side.
+  double normal_right = 0, shear_right = 0;
+  double thrust_right = 0;  ///< elevation of E on the right side; NaN where E vanishes [m]
+};
+
+struct Solution {
+  Method method = Method::spencer;
+  double factor = 0;      ///< F; 0 when refused
+  double lambda = 0;      ///< of Spencer and Morgenstern–Price [-]
+  double correction = 1;  ///< Janbu's f_0
+  int iterations = 0;
+  Refusal refusal = Refusal::none;
+  double smallest_m_alpha = 0;
+  double tensile_share = 0;   ///< share of the base's length with N' < 0 [-]
+  double thrust_outside = 0;  ///< share of E over all sides that acts clearly outside the mass [-]
+};
+
+struct Checks {
+  double smallest_m_alpha = 0.2;
+  double most_tension = 0.2;         ///< share of the length that may bear N' < 0 [-]
+  double most_thrust_outside = 0.5;  ///< share of E that may act outside the mass; Spencer, Morgenstern–Price [-]
+  double smallest_depth = 0;         ///< of the sliding mass [m]
+  double steepest_toe = std::numbers::pi / 2;  ///< rise of the base at the lower end, e.g. 45° - φ/2 [rad]
+  bool composite = true;  ///< circles that reach below the base are cut level there; else they are refused
+  bool reject = true;     ///< false: only report
+};
+
+/// The slices of a surface, from left to right; empty with `refusal` set when it cannot be cut. Slice sides stand at
+/// least at the breaks of the ground and where the base meets another soil; about `count` in all.
+struct CutSurface {
+  std::vector<Slice> slices;
+  Surface surface;
+  bool slides_left = true;        ///< towards falling x
+  Point moment_centre{};          ///< of the circle, or of that fitted to a polyline [m]
+  double radius = 0;              ///< [m]
+  double area = 0;                ///< of the sliding mass [m²]
+  double depth = 0;               ///< largest, vertical [m]
+  bool composite = false;         ///< cut level at the section's base
+  bool cut_at_toe = false;        ///< a circle that would go on below the ground beyond its lower end
+  double crack_thrust = 0;        ///< force of the water in the crack [N]
+  double crack_thrust_level = 0;  ///< its elevation [m]
+  Refusal refusal = Refusal::none;
+  std::vector<std::string> warnings;  ///< e.g. arc cut at the toe, negative effective stress everywhere
+};
+CutSurface cut_surface(const Slope& slope, const Surface& surface, int count, const Checks& checks);
+/// The same into `cut`, whose memory is used again: for many surfaces.
+void cut_surface(const Slope& slope, const Surface& surface, int count, const Checks& checks, CutSurface& cut);
+
+/// Factor of safety; writes the forces into the slices of `cut` when `keep_forces`.
+Solution solve(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces);
+
+/// k_y: horizontal acceleration over g with F = 1 on this surface, in place of the section's [-]; none when it fails
+/// without any.
+std::optional<double> find_yield_acceleration(const Slope& slope, const CutSurface& cut, Method method,
+                                              const Checks& checks);
+
+}  // namespace talus::lem

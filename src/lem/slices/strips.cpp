@@ -1,0 +1,142 @@
+// Builds the strips of a section: every vertex and every crossing of two of its lines is a break.
+
+#include "lem/slices/strip_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::lem {
+
+namespace {
+
+void add_edge(std::vector<Edge>& edges, Point a, Point b, int region) {
+  if (a[0] == b[0]) return;
+  if (a[0] > b[0]) std::swap(a, b);
+  edges.push_back({a, b, region});
+}
+
+/// x of the crossing of two edges, if they cross inside both.
+void add_crossing(std::vector<double>& breaks, const Edge& e, const Edge& f) {
+  const double from = std::max(e.a[0], f.a[0]), to = std::min(e.b[0], f.b[0]);
+  if (from >= to) return;
+  const double left = e.at(from) - f.at(from), right = e.at(to) - f.at(to);
+  if ((left < 0 && right > 0) || (left > 0 && right < 0)) breaks.push_back(from + (to - from) * left / (left - right));
+}
+
+std::vector<double> find_breaks(const Section& section, const std::vector<Edge>& edges, double left, double right) {
+  std::vector<double> breaks{left, right};
+  for (const Edge& edge : edges) {
+    breaks.push_back(edge.a[0]);
+    breaks.push_back(edge.b[0]);
+  }
+  for (const Surcharge& surcharge : section.surcharges)
+    for (const auto& row : surcharge.load) breaks.push_back(row[0]);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) add_crossing(breaks, edges[i], edges[j]);
+  std::sort(breaks.begin(), breaks.end());
+  // Breaks nearer to each other than rounding are one.
+  const double nearest = 1e-9 * (right - left);
+  std::vector<double> kept;
+  for (const double x : breaks)
+    if (x >= left && x <= right && (kept.empty() || x - kept.back() > nearest)) kept.push_back(x);
+  kept.back() = right;
+  return kept;
+}
+
+StripLine cut_line(const std::vector<Point>& line, double left, double right) {
+  const double middle = 0.5 * (left + right);
+  if (middle <= line.front()[0]) return {line.front()[1], 0};
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (middle < line[i][0]) return cut_edge({line[i - 1], line[i], -1}, left);
+  return {line.back()[1], 0};
+}
+
+StripLine sum_loads(const Section& section, double left, double right) {
+  StripLine sum;
+  const double middle = 0.5 * (left + right);
+  for (const Surcharge& surcharge : section.surcharges)
+    for (std::size_t i = 1; i < surcharge.load.size(); ++i) {
+      const auto &a = surcharge.load[i - 1], &b = surcharge.load[i];
+      if (middle < a[0] || middle >= b[0]) continue;
+      const double slope = (b[1] - a[1]) / (b[0] - a[0]);
+      sum.y += a[1] + slope * (left - a[0]);
+      sum.slope += slope;
+    }
+  return sum;
+}
+
+}  // namespace
+
+double follow_line(const std::vector<Point>& line, double x) {
+  if (x < line.front()[0]) return line.front()[1];
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (x < line[i][0]) {
+      const Point &a = line[i - 1], &b = line[i];
+      return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+    }
+  return line.back()[1];
+}
+
+void build_strips(Slope::Strips& strips) {
+  const Section& section = strips.section;
+  const double left = section.ground.front()[0], right = section.ground.back()[0];
+  std::vector<Edge> edges;
+  for (std::size_t r = 0; r < section.regions.size(); ++r) {
+    const auto& polygon = section.regions[r].polygon;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      add_edge(edges, polygon[i], polygon[(i + 1) % polygon.size()], static_cast<int>(r));
+  }
+  for (std::size_t i = 1; i < section.ground.size(); ++i) add_edge(edges, section.ground[i - 1], section.ground[i], -1);
+  auto water = section.water_table;
+  if (!water.empty()) {
+    // Level beyond its ends, also for the crossings with the other lines.
+    if (water.front()[0] > left) water.insert(water.begin(), {left, water.front()[1]});
+    if (water.back()[0] < right) water.push_back({right, water.back()[1]});
+    for (std::size_t i = 1; i < water.size(); ++i) add_edge(edges, water[i - 1], water[i], -1);
+  }
+  const auto breaks = find_breaks(section, edges, left, right);
+  double low = section.base, high = section.base;
+  for (const Point& p : section.ground) high = std::max(high, p[1]);
+  for (std::size_t i = 1; i < breaks.size(); ++i) {
+    Strip strip;
+    strip.left = breaks[i - 1];
+    strip.right = breaks[i];
+    strip.ground = cut_line(section.ground, strip.left, strip.right);
+    strip.water = water.empty() ? StripLine{no_water, 0} : cut_line(water, strip.left, strip.right);
+    strip.load = sum_loads(section, strip.left, strip.right);
+    const double half = 0.5 * (strip.right - strip.left);
+    strip.ponded = strip.water.at(half) > strip.ground.at(half) + 1e-9 * (high - low);
+    stack_layers(strips, strip, edges, 1e-6 * (high - low));
+    strips.strips.push_back(strip);
+  }
+  for (const Soil& soil : section.soils) {
+    strips.tan_friction.push_back(std::tan(soil.friction_angle));
+    strips.tan_phi_b.push_back(std::tan(soil.phi_b));
+  }
+  strips.loads = !section.surcharges.empty();
+  for (const RootCohesion& roots : section.roots)
+    if (!roots.profile.empty()) {
+      strips.roots = true;
+      strips.deepest_roots = std::max(strips.deepest_roots, roots.profile.back()[0]);
+    }
+  if (section.pressure_grid) strips.pressure = PressureLocator(*section.pressure_grid);
+  const int bins = std::max<int>(16, 4 * static_cast<int>(strips.strips.size()));
+  strips.bin = (right - left) / bins;
+  int at = 0;
+  for (int i = 0; i <= bins; ++i) {
+    const double x = left + i * strips.bin;
+    while (at + 1 < static_cast<int>(strips.strips.size()) && strips.strip(at).right <= x) ++at;
+    strips.at.push_back(at);
+  }
+}
+
+int Slope::Strips::find(double x) const {
+  const double place = (x - strips.front().left) / bin;
+  if (!(place > 0)) return 0;
+  auto i = at[std::min(static_cast<std::size_t>(place), at.size() - 1)];
+  while (i > 0 && strip(i).left > x) --i;
+  while (i + 1 < static_cast<int>(strips.size()) && strip(i).right <= x) ++i;
+  return i;
+}
+
+}  // namespace talus::lem

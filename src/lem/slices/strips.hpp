@@ -1,0 +1,64 @@
+#pragma once
+// What stands over each x of a section: strips between neighbouring breaks of ground, regions, water table and loads.
+// Inside a strip every line is straight and no two of them cross, so that weights are exact by their mid-ordinates.
+
+#include <vector>
+
+#include "lem/section/pressure_locator.hpp"
+#include "lem/section/slope.hpp"
+
+namespace talus::lem {
+
+/// A straight line over a strip, by its elevation at the strip's left side.
+struct StripLine {
+  double y = 0, slope = 0;
+  double at(double dx) const { return y + slope * dx; }
+};
+
+/// One soil, above or below the water table, in one strip.
+struct Layer {
+  StripLine top, bottom;
+  StripLine weight;        ///< of all above its top [N/m²]
+  double unit_weight = 0;  ///< [N/m³]
+  int soil = -1;           ///< -1: no region there
+  bool wet = false;        ///< below the water table
+};
+
+struct Strip {
+  double left = 0, right = 0;  ///< [m]
+  StripLine ground, water;     ///< water: -infinity without a line
+  StripLine load;              ///< surcharges [Pa]
+  int first = 0, last = 0;     ///< its layers, from the ground down: [first, last)
+  bool ponded = false;         ///< water stands on the ground
+};
+
+struct Slope::Strips {
+  Section section;
+  std::vector<Strip> strips;  ///< from left to right, without gaps
+  std::vector<Layer> layers;
+  std::vector<double> tan_friction, tan_phi_b;  ///< per soil
+  std::vector<int> at;                          ///< strip at the left side of each of equal bins: where find() starts
+  double bin = 1;                               ///< width of a bin [m]
+  PressureLocator pressure;
+  double deepest_roots = 0;  ///< [m]
+  bool roots = false, loads = false;
+
+  /// Number of the strip over x; that to the right at a break.
+  int find(double x) const;
+  /// Number of the layer that holds the elevation; the last one below all, -1 without layers.
+  int find_layer(const Strip& strip, double dx, double y) const {
+    for (int i = strip.first; i < strip.last; ++i)
+      if (y >= layers[static_cast<std::size_t>(i)].bottom.at(dx)) return i;
+    return strip.last - 1;
+  }
+  const Layer& layer(int i) const { return layers[static_cast<std::size_t>(i)]; }
+  const Strip& strip(int i) const { return strips[static_cast<std::size_t>(i)]; }
+};
+
+/// Elevation of a polyline at x, level beyond its ends; at a vertical step the right side's.
+double follow_line(const std::vector<Point>& line, double x);
+
+/// Builds the strips of a section without faults.
+void build_strips(Slope::Strips& strips);
+
+}  // namespace talus::lem

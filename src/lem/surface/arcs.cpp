@@ -1,0 +1,163 @@
+// Which arcs fit between two points of the ground, in closed form where there is one.
+
+#include "lem/surface/arcs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace talus::lem {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// An arc as good as flat: its depth is 1/200 of its chord.
+constexpr double flattest = 0.02;
+
+struct Chord {
+  Point left, right, middle, along;  ///< `along`: unit vector to the right
+  double length = 0;
+  Chord(const Point& a, const Point& b) : left(a), right(b), middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2}, along{} {
+    length = std::hypot(b[0] - a[0], b[1] - a[1]);
+    along = {(b[0] - a[0]) / length, (b[1] - a[1]) / length};
+  }
+  /// Height over the chord, negative below.
+  double height(const Point& p) const { return along[0] * (p[1] - left[1]) - along[1] * (p[0] - left[0]); }
+  /// Half angle of the arc through a point below the chord: half the angle that it spans is π less the angle at which
+  /// the point sees the chord (inscribed angle).
+  double half_angle(const Point& p) const {
+    const double ax = left[0] - p[0], ay = left[1] - p[1], bx = right[0] - p[0], by = right[1] - p[1];
+    return std::atan2(std::abs(ax * by - ay * bx), -(ax * bx + ay * by));
+  }
+  Circle circle(double half_angle) const {
+    const double offset = 0.5 * length / std::tan(half_angle);
+    return {{middle[0] - along[1] * offset, middle[1] + along[0] * offset}, 0.5 * length / std::sin(half_angle)};
+  }
+};
+
+/// The smallest half angle whose arc is tangent to the segment from p to q from above.
+std::optional<double> touch_segment(const Chord& chord, const Point& p, const Point& q) {
+  const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
+  if (!(length > 0)) return {};
+  const Point t{(q[0] - p[0]) / length, (q[1] - p[1]) / length};
+  // Coordinates along the segment (s) and off it (d); the tangent circle of radius r touches at s = T:
+  // (s - T)² + d² = 2 r d for both ends of the chord.
+  auto along = [&](const Point& x) { return (x[0] - p[0]) * t[0] + (x[1] - p[1]) * t[1]; };
+  auto off = [&](const Point& x) { return (x[1] - p[1]) * t[0] - (x[0] - p[0]) * t[1]; };
+  const double sa = along(chord.left), sb = along(chord.right);
+  double da = off(chord.left), db = off(chord.right);
+  if (da * db <= 0) return {};
+  const double side = da > 0 ? 1 : -1;
+  da *= side, db *= side;
+  if (std::min(da, db) < 1e-9 * chord.length) return {};
+  const double a = db - da, b = db * sa - da * sb, c = db * (sa * sa + da * da) - da * (sb * sb + db * db);
+  double roots[2];
+  if (std::abs(a) < 1e-12 * chord.length) {
+    if (b == 0) return {};
+    roots[0] = roots[1] = 0.5 * c / b;
+  } else {
+    const double root = std::sqrt(std::max(0.0, b * b - a * c));
+    roots[0] = (b - root) / a, roots[1] = (b + root) / a;
+  }
+  std::optional<double> best;
+  for (double at : roots) {
+    if (at < 0 || at > length) continue;
+    const Point place{p[0] + at * t[0], p[1] + at * t[1]};
+    if (chord.height(place) >= 0 || place[0] <= chord.left[0] || place[0] >= chord.right[0]) continue;
+    const double angle = chord.half_angle(place);
+    if (!best || angle < *best) best = angle;
+  }
+  return best;
+}
+
+}  // namespace
+
+Arcs::Arcs(const Slope& slope, double smallest_depth, bool composite)
+    : slope_(&slope), smallest_depth_(smallest_depth), composite_(composite), regions_(slope.section().regions) {
+  const double left = slope.left(), right = slope.right(), base = slope.section().base, far = base - (right - left);
+  if (composite) regions_.push_back({-1, {{left, base}, {right, base}, {right, far}, {left, far}}});
+}
+
+double Arcs::measure_half_angle(const Surface& arc) {
+  const Circle& c = *arc.circle;
+  auto lean = [&](double x) { return std::asin(std::clamp((x - c.centre[0]) / c.radius, -1.0, 1.0)); };
+  return 0.5 * (lean(arc.to) - lean(arc.from));
+}
+
+Surface Arcs::make_arc(double left, double right, double half_angle) const {
+  const Chord chord({left, slope_->ground(left)}, {right, slope_->ground(right)});
+  Surface s;
+  s.circle = chord.circle(half_angle);
+  s.from = left;
+  s.to = right;
+  return s;
+}
+
+double Arcs::find_depth(double left, double right, double half_angle) const {
+  const Circle c = Chord({left, slope_->ground(left)}, {right, slope_->ground(right)}).circle(half_angle);
+  const auto& ground = slope_->section().ground;
+  double depth = 0;
+  auto next = std::upper_bound(ground.begin(), ground.end(), left, [](double x, const Point& p) { return x < p[0]; });
+  for (auto q = next; q != ground.end(); ++q) {
+    if (q == ground.begin()) continue;
+    const Point& a = *(q - 1);
+    const Point& b = *q;
+    if (a[0] >= right) break;
+    if (b[0] <= a[0]) continue;
+    const double slope = (b[1] - a[1]) / (b[0] - a[0]);
+    // Deepest under a straight piece where the arc runs parallel to it.
+    const double x = std::clamp(c.centre[0] + c.radius * slope / std::hypot(1.0, slope), std::max(left, a[0]),
+                                std::min(right, b[0]));
+    const double off = std::min(std::abs(x - c.centre[0]), c.radius);
+    depth = std::max(depth, a[1] + slope * (x - a[0]) - c.centre[1] + std::sqrt(c.radius * c.radius - off * off));
+  }
+  return depth;
+}
+
+std::optional<AngleRange> Arcs::find_range(double left, double right) const {
+  if (!(right - left > 1e-9 * (slope_->right() - slope_->left()))) return {};
+  const Chord chord({left, slope_->ground(left)}, {right, slope_->ground(right)});
+  const double steepness = std::asin(std::min(1.0, std::abs(chord.along[1])));
+  AngleRange range{flattest, pi / 2 - steepness, false};
+  const auto& ground = slope_->section().ground;
+  auto p = std::upper_bound(ground.begin(), ground.end(), left, [](double x, const Point& q) { return x < q[0]; });
+  for (; p != ground.end() && (*p)[0] < right; ++p)
+    if (chord.height(*p) < 0) range.from = std::max(range.from, chord.half_angle(*p));
+  if (!composite_) {
+    // Tangent to the base: cosβ cosθ + (2h/L) sinθ = 1, h the height of the chord's middle over it.
+    const double a = chord.along[0], b = 2 * (chord.middle[1] - slope_->section().base) / chord.length;
+    const double tangent = std::atan2(b, a) + std::acos(std::min(1.0, 1 / std::hypot(a, b)));
+    if (std::hypot(a, b) < 1) return {};
+    if (tangent * (1 - 1e-9) < range.to) range.to = tangent * (1 - 1e-9), range.to_base = true;
+  }
+  if (!(range.from < range.to)) return {};
+  if (smallest_depth_ > 0 && find_depth(left, right, range.from) < smallest_depth_) {
+    if (find_depth(left, right, range.to) < smallest_depth_) return {};
+    double low = range.from, high = range.to;
+    for (int i = 0; i < 50 && high - low > 1e-12; ++i) {
+      const double middle = 0.5 * (low + high);
+      (find_depth(left, right, middle) < smallest_depth_ ? low : high) = middle;
+    }
+    range.from = high * (1 + 1e-9);
+    if (!(range.from < range.to)) return {};
+  }
+  return range;
+}
+
+std::optional<double> Arcs::find_touch(double left, double right, const Region& region) const {
+  const Chord chord({left, slope_->ground(left)}, {right, slope_->ground(right)});
+  std::optional<double> best;
+  const auto& corners = region.polygon;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point& p = corners[i];
+    std::optional<double> angle;
+    if (p[0] > left && p[0] < right && chord.height(p) < 0) angle = chord.half_angle(p);
+    const auto tangent = touch_segment(chord, p, corners[(i + 1) % corners.size()]);
+    if (tangent && (!angle || *tangent < *angle)) angle = tangent;
+    if (angle && (!best || *angle < *best)) best = angle;
+  }
+  if (best) *best *= 1 - 1e-9;  // touch it, do not enter it
+  return best;
+}
+
+}  // namespace talus::lem

@@ -1,0 +1,148 @@
+// Cuts the sliding mass over a surface: base, slices, direction of sliding, tension crack.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lem/slices/slices.hpp"
+
+namespace talus::lem {
+
+namespace {
+
+/// Centre and radius for moments: of the circle, or of one through the ends of the polyline and near to its vertices.
+void set_moment_centre(const Surface& surface, CutSurface& cut) {
+  if (surface.circle) {
+    cut.moment_centre = surface.circle->centre;
+    cut.radius = surface.circle->radius;
+    return;
+  }
+  // Through both ends; the height h of the centre over the chord's middle fits the middles of the bases by least
+  // squares: t² + n² - 2 n h = (L/2)² along and normal to the chord.
+  const Point &a = surface.line.front(), &b = surface.line.back();
+  const double length = std::hypot(b[0] - a[0], b[1] - a[1]), half = 0.5 * length;
+  const Point along{(b[0] - a[0]) / length, (b[1] - a[1]) / length}, middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+  double top = 0, bottom = 0;
+  for (const Slice& slice : cut.slices) {
+    const double dx = 0.5 * (slice.left + slice.right) - middle[0];
+    const double dy = 0.5 * (slice.base_left[1] + slice.base_right[1]) - middle[1];
+    const double t = dx * along[0] + dy * along[1], n = -dx * along[1] + dy * along[0];
+    top += n * (t * t + n * n - half * half) * slice.length;
+    bottom += 2 * n * n * slice.length;
+  }
+  // A nearly straight surface has its centre far above it.
+  const double h = bottom > 0 ? std::clamp(top / bottom, 0.0, 1000 * length) : 1000 * length;
+  cut.moment_centre = {middle[0] - h * along[1], middle[1] + h * along[0]};
+  cut.radius = std::hypot(half, h);
+}
+
+/// Horizontal push of weights and loads down the base, to the left positive: the direction of sliding.
+double sum_push(const CutSurface& cut) {
+  double push = 0;
+  for (const Slice& slice : cut.slices)
+    push +=
+        (slice.weight + slice.surface_load) * (slice.base_right[1] - slice.base_left[1]) / (slice.right - slice.left) -
+        slice.surface_thrust;
+  return push;
+}
+
+void turn_slices(CutSurface& cut) {
+  for (Slice& slice : cut.slices) {
+    slice.alpha = -slice.alpha;
+    slice.surface_thrust = -slice.surface_thrust;
+  }
+}
+
+/// x where the base is as deep as the crack, searched from the upper end; none when it is nowhere.
+std::optional<double> find_crack(const BaseLine& base, const CutSurface& cut, double depth, double& bottom) {
+  const auto size = cut.slices.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
+    const double near = cut.slides_left ? slice.top_right - slice.base_right[1] : slice.top_left - slice.base_left[1];
+    const double far = cut.slides_left ? slice.top_left - slice.base_left[1] : slice.top_right - slice.base_right[1];
+    if (far < depth) continue;
+    double a = cut.slides_left ? slice.right : slice.left, b = cut.slides_left ? slice.left : slice.right;
+    if (near >= depth) b = a;
+    for (int k = 0; k < 60 && a != b; ++k) {
+      const double x = 0.5 * (a + b), t = (x - slice.left) / (slice.right - slice.left);
+      const double ground = slice.top_left + t * (slice.top_right - slice.top_left);
+      (ground - base.at(x) < depth ? a : b) = x;
+    }
+    bottom = base.at(b);
+    return b;
+  }
+  return std::nullopt;
+}
+
+void warn(const Slope& slope, CutSurface& cut) {
+  bool lifted = true;
+  for (const Slice& slice : cut.slices)
+    lifted = lifted && slice.pore_pressure * (slice.right - slice.left) > slice.weight + slice.surface_load;
+  if (lifted) cut.warnings.push_back("the pore pressure exceeds the weight of the soil everywhere on the base");
+  if (!cut.surface.circle) return;
+  // Beyond its lower end the circle stays below the ground when it falls outwards more steeply.
+  const auto& [xc, yc] = cut.surface.circle->centre;
+  const Point toe = cut.slides_left ? cut.slices.front().base_left : cut.slices.back().base_right;
+  const double outwards = cut.slides_left ? -1 : 1, step = 1e-3 * cut.radius;
+  const double x = toe[0] + outwards * step;
+  if (x < slope.left() || x > slope.right() || std::abs(x - xc) >= cut.radius) return;
+  const double arc = yc - std::sqrt(cut.radius * cut.radius - (x - xc) * (x - xc));
+  cut.cut_at_toe = arc < slope.ground(x) - 1e-3 * step;
+  if (cut.cut_at_toe)
+    cut.warnings.push_back("the arc is cut at its lower end: the circle would go on below the ground");
+}
+
+Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Checks& checks, CutSurface& cut) {
+  static thread_local BaseLine base;
+  const auto& strips = slope.strips();
+  const double from = surface.circle ? surface.from : surface.line.empty() ? 0 : surface.line.front()[0];
+  const double to = surface.circle ? surface.to : surface.line.empty() ? 0 : surface.line.back()[0];
+  const double hair = 1e-6 * (to - from);
+  if (!(to > from) || from < slope.left() - hair || to > slope.right() + hair) return Refusal::outside;
+  if (const Refusal refusal = base.lay(slope, surface, checks); refusal != Refusal::none) return refusal;
+  const double near = ground_tolerance * (to - from);
+  if (!base.ends_on_ground(strips, base.pieces.front(), from, near) ||
+      !base.ends_on_ground(strips, base.pieces.back(), to, near))
+    return Refusal::outside;
+  if (const Refusal refusal = base.divide(slope, from, to); refusal != Refusal::none) return refusal;
+  cut.composite = base.composite;
+  fill_slices(strips, base, count, cut);
+  if (cut.depth < checks.smallest_depth || !(cut.area > 0)) return Refusal::too_shallow;
+  press_on_faces(strips, cut.slices, CrackEnd::none);
+  cut.slides_left = sum_push(cut) >= 0;
+  const auto& crack = slope.section().crack;
+  if (crack && crack->depth > 0) {
+    double bottom = 0;
+    const auto x = find_crack(base, cut, crack->depth, bottom);
+    const double kept = x ? (cut.slides_left ? *x - from : to - *x) : 0;
+    if (kept < 1e-3 * (to - from)) return Refusal::too_shallow;
+    base.divide(slope, cut.slides_left ? from : *x, cut.slides_left ? *x : to);
+    fill_slices(strips, base, count, cut);
+    press_on_faces(strips, cut.slices, cut.slides_left ? CrackEnd::right : CrackEnd::left);
+    const double height = std::min(crack->water, crack->depth);
+    cut.crack_thrust = 0.5 * slope.section().water_unit_weight * height * height;
+    cut.crack_thrust_level = bottom + height / 3;
+  }
+  set_moment_centre(surface, cut);
+  if (!cut.slides_left) turn_slices(cut);
+  warn(slope, cut);
+  return Refusal::none;
+}
+
+}  // namespace
+
+void cut_surface(const Slope& slope, const Surface& surface, int count, const Checks& checks, CutSurface& cut) {
+  cut.surface = surface;
+  cut.warnings.clear();
+  cut.composite = cut.cut_at_toe = false;
+  cut.crack_thrust = cut.crack_thrust_level = 0;
+  cut.refusal = cut_mass(slope, surface, count, checks, cut);
+  if (cut.refusal != Refusal::none) cut.slices.clear();
+}
+
+CutSurface cut_surface(const Slope& slope, const Surface& surface, int count, const Checks& checks) {
+  CutSurface cut;
+  cut_surface(slope, surface, count, checks, cut);
+  return cut;
+}
+
+}  // namespace talus::lem

@@ -1,0 +1,69 @@
+#pragma once
+// The sliding mass as the methods see it: slices in the order of sliding, from the upper end to the lower one, in a
+// frame whose axis ξ points the way of sliding.
+
+#include <vector>
+
+#include "lem/slices/methods.hpp"
+
+namespace talus::lem {
+
+/// Forces on one slice but for those that the methods find [N], and its shape.
+struct Wedge {
+  double sine = 0, cosine = 0;           ///< of α
+  double strength = 0;                   ///< (c - u tanφ) l
+  double friction = 0;                   ///< tanφ
+  double uplift = 0;                     ///< u l
+  double down = 0;                       ///< P: weight and loads
+  double push = 0;                       ///< B: earthquake less thrust of ponded water, with the sliding positive
+  double arm_shear = 0, arm_normal = 0;  ///< of T (resisting) and N (driving) about the centre [m]
+  double ratio = 0;                      ///< interslice function f at the side towards the lower end
+};
+
+struct Mass {
+  std::vector<Wedge> wedges;
+  double crack = 0;   ///< thrust of the water in the crack
+  double moment = 0;  ///< of weight, loads, earthquake and crack about the centre, driving positive [N m]
+  double scale = 0;   ///< sum of P, for tolerances
+  double radius = 0;
+
+  /// From a cut surface; the earthquake is `horizontal` times the weight.
+  void set(const Slope& slope, const CutSurface& cut, double horizontal);
+  void set_interslice_function(bool half_sine, const CutSurface& cut);
+};
+
+/// Resisting and driving moments about a circle's centre, or forces along the bases, with Fellenius' normal forces.
+struct FelleniusSums {
+  double resisting = 0, driving = 0;
+};
+FelleniusSums sum_fellenius(const Mass& mass, bool moments);
+/// Bishop's simplified (moments) or Janbu's simplified (horizontal forces) factor; 0 when there is none.
+double solve_simplified(const Mass& mass, bool moments, double start, int& iterations);
+/// Janbu's f_0 of a surface.
+double correct_janbu(const CutSurface& cut);
+
+/// Factor and λ of a method that meets both equilibria; factor 0 when there is none.
+struct Complete {
+  double factor = 0, lambda = 0;
+  int iterations = 0;
+};
+/// Newton's method in (1/F, λ) from Bishop's or Janbu's factor.
+Complete solve_newton(const Mass& mass, double start);
+/// The crossing of the two curves F_f(λ) and F_m(λ) (GLE), along the branch that begins with Janbu's factor.
+Complete solve_bracket(const Mass& mass, double start);
+
+/// Forces on the slices of a solution: N, T, E and X at the side towards the lower end; m_α over √(1 + a²).
+struct Forces {
+  double normal = 0, shear = 0, normal_side = 0, shear_side = 0, m_alpha = 0;
+};
+void find_forces(const Mass& mass, double factor, double lambda, std::vector<Forces>& forces);
+
+/// Elevation of E at the side of each slice towards the lower end, from the slices' moments; NaN where E vanishes.
+void find_thrust_line(const CutSurface& cut, const Mass& mass, double horizontal, const std::vector<Forces>& forces,
+                      std::vector<double>& level);
+
+/// What solve() does, with the earthquake given.
+Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
+                    double horizontal);
+
+}  // namespace talus::lem

@@ -1,0 +1,157 @@
+#pragma once
+// Everything the explicit engine computes with, as plain data. Functions over it are free and stand in the files named
+// after the lines of the step (step.hpp).
+//
+// Elements are taken in blocks of lane_width consecutive ones, one element per lane. The points of a block lie in its
+// slots: slot k holds the k-th point of each lane, field after field, each field one pack (sliced ELL). Blocks are cut
+// into a fixed number of chunks; a node that several chunks touch has one row in each of them, and rows of a node are
+// summed in the order of the chunks. So nothing depends on the number of threads.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/aligned.hpp"
+#include "base/lane.hpp"
+#include "base/vec.hpp"
+#include "material/law.hpp"
+#include "mesh/mesh.hpp"
+#include "mpm/body/conditions.hpp"
+#include "mpm/coupled/water.hpp"
+
+namespace talus::mpm {
+
+/// Σm, Σmξ_k, Σmξ_kξ_j (k <= j): what the consistent mass matrix of a linear simplex is made of.
+template <int D>
+inline constexpr int moment_size = (D + 1) * (D + 2) / 2;
+
+/// Doubles of a node row. `sums`: m, p, f; `motion`: a, v.
+inline constexpr int sums_stride = 8;
+template <int D>
+inline constexpr int motion_stride = D == 2 ? 4 : 8;
+
+/// What follows from the mesh alone; shared by all bodies on it. [block] arrays hold one pack per entry.
+template <int D>
+struct Layout {
+  mesh::Mesh<D> mesh;
+  int blocks = 0, chunks = 0, rows = 0;
+  std::vector<int> chunk_start;           ///< first block of each chunk, [chunks + 1]
+  AlignedVector<int> connectivity;        ///< [block][D+1][lane] node row
+  std::vector<int> row_start, node_rows;  ///< rows of node i: node_rows[row_start[i] … row_start[i+1])
+  AlignedVector<double> gradients;        ///< [block][D*D][lane] ∂ξ_k/∂x_d [1/m]
+  AlignedVector<double> volumes;          ///< [block][lane] V_e [m³, or m² per metre]
+};
+
+template <int D>
+struct Points {
+  static constexpr int stress_size = material::stress_size<D>;
+  // Fields of a slot, in packs.
+  static constexpr int xi = 0, velocity = D, stress = 2 * D, volume = 2 * D + stress_size, mass = volume + 1,
+                       state = mass + 1;
+
+  int fields = state;                           ///< packs per slot: state + state variables of the models in use
+  AlignedVector<double> data;                   ///< [slot][field][lane]
+  std::vector<int> id;                          ///< [slot][lane] point number
+  std::vector<std::int64_t> block_start;        ///< first slot of each block
+  std::vector<int> block_capacity, block_used;  ///< slots a block owns, and the highest one in use
+  AlignedVector<double> count;                  ///< [block][lane] points in the element
+  std::vector<std::uint32_t> block_materials;   ///< bit set of the materials a block holds
+
+  // By point number.
+  std::vector<int> element;         ///< -1 when the point has left the grid
+  std::vector<std::int64_t> place;  ///< slot * lane_width + lane
+  std::vector<std::uint8_t> material;
+  std::vector<Vec<D>> reference;                               ///< where displacements are counted from [m]
+  std::vector<std::array<double, stress_size>> strain_offset;  ///< strain of the point minus strain of its element [-]
+
+  int size() const { return static_cast<int>(element.size()); }
+  double* slot(std::int64_t s) { return data.data() + s * fields * lane_width; }
+  const double* slot(std::int64_t s) const { return data.data() + s * fields * lane_width; }
+};
+
+/// [block][…][lane] arrays of the elements.
+template <int D>
+struct Elements {
+  AlignedVector<double> moments;     ///< [moment_size] [kg]
+  AlignedVector<double> strain;      ///< [stress_size] strain summed since the element exists [-]
+  AlignedVector<double> fill_limit;  ///< mixed integration: an element is full when ΣV_p exceeds this [m³]
+  AlignedVector<double>
+      return_pressure;  ///< change of mean stress still to be given to the points (stable smoothing) [Pa]
+  AlignedVector<double> force_volume;     ///< volume that the internal force of the last pass was taken over [m³]
+  AlignedVector<double> plastic_mean;     ///< mean-stress change of the last plastic return, element mean [Pa]
+  AlignedVector<double> held_saturation;  ///< S of pore water that is held while one phase moves [-]; empty: no water
+};
+
+template <int D>
+struct Nodes {
+  AlignedVector<double> sums;        ///< [row][sums_stride]: m [kg], p [kg m/s], -f_int [N]
+  AlignedVector<double> motion;      ///< [row][motion_stride]: a [m/s²], v [m/s]
+  AlignedVector<double> average;     ///< [row][2]: Σ value V_e, Σ V_e of a nodal average
+  AlignedVector<double> smoothed;    ///< [row] a nodal average
+  std::vector<Vec<D>> load;          ///< forces of tractions at the start of the step [N]; empty when there are none
+  std::vector<Vec<D>> displacement;  ///< frozen geometry: summed v Δt [m]
+};
+
+/// Work and dissipation since the start of the run [J, per metre in 2D]. Positive when energy enters the soil, except
+/// `dissipated` and `damped`, which are lost energy.
+struct Work {
+  double external = 0;    ///< gravity and tractions
+  double damped = 0;      ///< local damping (2.89)
+  double dissipated = 0;  ///< plastic
+};
+
+/// Quantities of the last step that rest and failure are judged by; nodal, over free directions.
+struct Monitor {
+  double out_of_balance = 0;  ///< ‖F_ext+G-F_int‖₂ [N]
+  double external = 0;        ///< ‖F_ext+G‖₂ [N]
+  double kinetic_energy = 0;  ///< ½Σ m_i v_i² [J]
+  double speed = 0;           ///< largest nodal speed [m/s]
+  int fastest_node = -1;
+};
+
+/// Wall time spent in the lines of the step [s].
+struct Timing {
+  double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, smooth_return = 0, relocate = 0;
+
+  Timing& operator+=(const Timing& other) {
+    solve_momentum += other.solve_momentum;
+    remap_momentum += other.remap_momentum;
+    smooth_strain += other.smooth_strain;
+    advance_points += other.advance_points;
+    smooth_return += other.smooth_return;
+    relocate += other.relocate;
+    return *this;
+  }
+};
+
+/// A point that has left the grid.
+template <int D>
+struct Lost {
+  int id = 0;
+  double time = 0, mass = 0;      ///< [s], [kg]
+  Vec<D> position{}, momentum{};  ///< [m], [kg m/s]
+};
+
+template <int D>
+struct Body {
+  std::shared_ptr<const Layout<D>> layout;
+  std::vector<material::Law> laws;  ///< by material number
+  std::vector<std::string> material_names;
+  Conditions<D> conditions;
+  Points<D> points;
+  Elements<D> elements;
+  Nodes<D> nodes;
+  Water<D> water;
+  std::vector<Lost<D>> lost;
+  Work work;
+  Monitor monitor;
+  Timing timing;
+  double time = 0;  ///< [s]
+  std::int64_t step_count = 0;
+  double smallest_mass = 0;  ///< of a point [kg]; nodes far below it are left out
+
+  const mesh::Mesh<D>& mesh() const { return layout->mesh; }
+};
+
+}  // namespace talus::mpm

@@ -1,0 +1,253 @@
+#include "mpm/body/build.hpp"
+
+#include <algorithm>
+
+#include "mpm/body/slots.hpp"
+#include "mpm/coupled/coupled_step.hpp"
+#include "mpm/coupled/kernels.hpp"
+#include "mpm/coupled/pore_state.hpp"
+#include "mpm/step/element_force.hpp"
+#include "mpm/step/kernels.hpp"
+#include "mpm/step/laws.hpp"
+
+namespace talus::mpm {
+namespace {
+
+/// A chunk should be worth a thread's waking up, and there should be enough of them for many threads.
+constexpr int points_per_chunk = 8192;
+constexpr int most_chunks = 64;
+
+std::vector<int> cut_into_chunks(const std::vector<int>& weight, int chunks) {
+  const int blocks = static_cast<int>(weight.size());
+  std::int64_t total = 0, sum = 0;
+  for (int w : weight) total += w;
+  std::vector<int> start{0};
+  for (int b = 0; b < blocks; ++b) {
+    sum += weight[b];
+    if (static_cast<int>(start.size()) < chunks && sum * chunks >= total * static_cast<std::int64_t>(start.size()))
+      start.push_back(b + 1);
+  }
+  start.push_back(blocks);
+  start.erase(std::unique(start.begin(), start.end()), start.end());
+  return start;
+}
+
+template <int D>
+void number_rows(Layout<D>& layout) {
+  const mesh::Mesh<D>& mesh = layout.mesh;
+  const int elements = mesh.element_count(), nodes = mesh.node_count();
+  std::vector<std::vector<int>> rows(static_cast<std::size_t>(nodes));
+  std::vector<int> seen(static_cast<std::size_t>(nodes), -1);
+  layout.connectivity.assign(static_cast<std::size_t>(layout.blocks) * (D + 1) * lane_width, 0);
+  for (int c = 0; c < layout.chunks; ++c) {
+    const int begin = layout.chunk_start[c] * lane_width,
+              end = std::min(elements, layout.chunk_start[c + 1] * lane_width);
+    std::vector<int> mine;
+    for (int e = begin; e < end; ++e) {
+      for (int i : mesh.elements[e]) {
+        if (seen[i] != c) {
+          seen[i] = c;
+          mine.push_back(i);
+        }
+      }
+    }
+    std::sort(mine.begin(), mine.end());
+    for (int i : mine) rows[i].push_back(layout.rows++);
+    for (int e = begin; e < layout.chunk_start[c + 1] * lane_width; ++e) {
+      for (int k = 0; k <= D; ++k) {
+        // Lanes behind the last element point at some row of the chunk and add zero to it.
+        const int node = e < elements ? mesh.elements[e][k] : mesh.elements[begin][k];
+        const std::size_t at =
+            (static_cast<std::size_t>(e / lane_width) * (D + 1) + static_cast<std::size_t>(k)) * lane_width;
+        layout.connectivity[at + static_cast<std::size_t>(e % lane_width)] = rows[node].back();
+      }
+    }
+  }
+  layout.row_start.assign(1, 0);
+  for (std::vector<int>& r : rows) {
+    if (r.empty()) r.push_back(layout.rows++);  // a node of no element: its row stays zero
+    layout.node_rows.insert(layout.node_rows.end(), r.begin(), r.end());
+    layout.row_start.push_back(static_cast<int>(layout.node_rows.size()));
+  }
+}
+
+/// Room for the fields of the water; every surface is a seepage face.
+template <int D>
+void allocate_water(Body<D>& body, std::vector<WaterLaw> laws) {
+  const Layout<D>& l = *body.layout;
+  const std::size_t lanes = static_cast<std::size_t>(l.blocks) * lane_width, rows = static_cast<std::size_t>(l.rows),
+                    nodes = l.mesh.nodes.size();
+  Water<D>& water = body.water;
+  for (WaterLaw& law : laws) {
+    if (law.wet) {
+      water.density = law.density;
+      water.bulk_modulus = law.bulk_modulus;
+    }
+    water.laws.push_back(finish(std::move(law)));
+  }
+  water.first_field = body.points.fields;
+  body.points.fields += WaterFields<D>::count;
+  water.moments.assign(lanes * moment_size<D>, 0.0);
+  for (auto* field :
+       {&water.volume, &water.mean_saturation, &water.mean_pressure, &water.mean_resistance, &water.surplus})
+    field->assign(lanes, 0.0);
+  water.stretch.assign(lanes, 1.0);
+  water.sums.assign(rows * wet_sums_stride<D>, 0.0);
+  water.motion.assign(rows * wet_motion_stride<D>, 0.0);
+  water.average.assign(rows * 4, 0.0);
+  water.smoothed.assign(rows * 4, 0.0);
+  water.constraint_of_node.assign(nodes, -1);
+  water.surfaces = {{}};
+  water.surface_of_node.assign(nodes, 0);
+  water.still_flux.assign(nodes, Vec<D>{});
+  water.budgets.assign(1, {});
+}
+
+}  // namespace
+
+template <int D>
+std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vector<int>& points_in_element,
+                                             int chunks) {
+  auto layout = std::make_shared<Layout<D>>();
+  layout->mesh = std::move(mesh);
+  const int elements = layout->mesh.element_count();
+  layout->blocks = (elements + lane_width - 1) / lane_width;
+  std::vector<int> weight(static_cast<std::size_t>(layout->blocks), 1);
+  std::int64_t points = 0;
+  for (int e = 0; e < elements; ++e) {
+    weight[e / lane_width] += 2 * points_in_element[e];
+    points += points_in_element[e];
+  }
+  if (chunks <= 0) chunks = static_cast<int>(std::clamp<std::int64_t>(points / points_per_chunk, 1, most_chunks));
+  layout->chunk_start = cut_into_chunks(weight, chunks);
+  layout->chunks = static_cast<int>(layout->chunk_start.size()) - 1;
+  number_rows(*layout);
+  layout->gradients.assign(static_cast<std::size_t>(layout->blocks) * D * D * lane_width, 0.0);
+  layout->volumes.assign(static_cast<std::size_t>(layout->blocks) * lane_width, 0.0);
+  for (int e = 0; e < elements; ++e) {
+    const std::size_t b = static_cast<std::size_t>(e / lane_width), lane = static_cast<std::size_t>(e % lane_width);
+    for (std::size_t i = 0; i < D * D; ++i)
+      layout->gradients[(b * D * D + i) * lane_width + lane] = layout->mesh.gradients[e][i];
+    layout->volumes[b * lane_width + lane] = layout->mesh.volumes[e];
+  }
+  return layout;
+}
+
+template <int D>
+Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws,
+                  std::vector<std::string> names, const std::vector<InitialPoint<D>>& initial,
+                  std::vector<WaterLaw> water) {
+  using P = Points<D>;
+  Body<D> body;
+  body.layout = std::move(layout);
+  body.laws = std::move(laws);
+  body.material_names = std::move(names);
+  const Layout<D>& l = *body.layout;
+  const std::size_t blocks = static_cast<std::size_t>(l.blocks), rows = static_cast<std::size_t>(l.rows),
+                    nodes = l.mesh.nodes.size();
+
+  P& points = body.points;
+  const int states = find_state_size(body.laws);
+  points.fields = P::state + states;
+  if (!water.empty()) allocate_water(body, std::move(water));
+  const std::size_t n = initial.size();
+  points.element.assign(n, -1);
+  points.place.assign(n, -1);
+  points.material.resize(n);
+  points.reference.resize(n);
+  points.strain_offset.assign(n, {});
+
+  std::vector<int> in_element(blocks * lane_width, 0), used(blocks, 0);
+  for (const InitialPoint<D>& p : initial) ++in_element[p.element];
+  for (std::size_t e = 0; e < in_element.size(); ++e)
+    used[e / lane_width] = std::max(used[e / lane_width], in_element[e]);
+  allocate_slots(points, used);
+
+  body.elements.moments.assign(blocks * moment_size<D> * lane_width, 0.0);
+  body.elements.strain.assign(blocks * P::stress_size * lane_width, 0.0);
+  for (auto* field : {&body.elements.fill_limit, &body.elements.return_pressure, &body.elements.force_volume,
+                      &body.elements.plastic_mean}) {
+    field->assign(blocks * lane_width, 0.0);
+  }
+  body.nodes.sums.assign(rows * sums_stride, 0.0);
+  body.nodes.motion.assign(rows * motion_stride<D>, 0.0);
+  body.nodes.average.assign(rows * 2, 0.0);
+  body.nodes.smoothed.assign(rows, 0.0);
+  body.nodes.displacement.assign(nodes, {});
+  body.conditions.constraint_of_node.assign(nodes, -1);
+
+  body.smallest_mass = initial.empty() ? 0 : initial.front().mass;
+  for (std::size_t i = 0; i < n; ++i) {
+    const InitialPoint<D>& p = initial[i];
+    Record<D> r;
+    r.id = static_cast<int>(i);
+    r.element = p.element;
+    for (int d = 0; d < D; ++d) {
+      r.fields[P::xi + d] = p.xi[d];
+      r.fields[P::velocity + d] = p.velocity[d];
+    }
+    for (int s = 0; s < P::stress_size; ++s) r.fields[P::stress + s] = p.stress[s];
+    r.fields[P::volume] = p.volume;
+    r.fields[P::mass] = p.mass;
+    for (int s = 0; s < states; ++s) r.fields[P::state + s] = p.state[static_cast<std::size_t>(s)];
+    if (body.water.is_wet()) {
+      using W = WaterFields<D>;
+      double* w = r.fields + body.water.first_field;
+      const WaterLaw& law = body.water.laws[p.material];
+      for (int d = 0; d < D; ++d) w[W::velocity + d] = law.wet ? p.water_velocity[d] : 0.0;
+      w[W::pressure] = law.wet ? p.pressure : 0.0;
+      w[W::capacity] = law.wet ? find_state_at_pressure<double>(law, p.pressure).capacity : -1.0;
+      w[W::mass] =
+          law.wet ? find_content(law, p.pressure) * law.density * (p.volume - p.mass / law.grain_density) : 0.0;
+    }
+    points.material[i] = static_cast<std::uint8_t>(p.material);
+    points.reference[i] = mesh::to_global(l.mesh, p.element, p.xi);
+    insert_point(points, r);
+    body.smallest_mass = std::min(body.smallest_mass, p.mass);
+  }
+  return body;
+}
+
+template <int D>
+void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
+  using P = Points<D>;
+  P& points = body.points;
+  std::fill(body.nodes.sums.begin(), body.nodes.sums.end(), 0.0);
+  std::fill(body.elements.moments.begin(), body.elements.moments.end(), 0.0);
+  const int elements = body.mesh().element_count();
+  for (int e = 0; e < elements; ++e) update_fill_limit(body, e);
+  for (int e = 0; e < elements; ++e) {
+    const int b = e / lane_width, lane = e % lane_width;
+    for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {
+      double* p = points.slot(points.block_start[b] + k) + lane;
+      for (int i = 0; i < 3; ++i) p[(P::stress + i) * lane_width] += body.elements.return_pressure[e];
+      double fields[P::state];
+      for (int i = 0; i < P::state; ++i) fields[i] = p[i * lane_width];
+      add_point_mass(body, e, fields);
+    }
+    body.elements.return_pressure[e] = 0;
+    if (points.count[e] > 0) add_internal_force(body, e, o.mixed, 1);
+  }
+  if (body.water.is_wet()) {  // with the forces of the water, and with their own rows
+    std::fill(body.water.sums.begin(), body.water.sums.end(), 0.0);
+    std::fill(body.water.volume.begin(), body.water.volume.end(), 0.0);
+    find_held_axes(body);
+    for (int e = 0; e < elements; ++e) {
+      share_wet_element(body, e, o);
+      if (points.count[e] > 0) add_wet_element(body, e, o, 1);
+    }
+    body.water.surface_is_stale = true;
+  }
+  gather_loads(body);
+}
+
+template std::shared_ptr<const Layout<2>> make_layout<2>(mesh::Mesh<2>, const std::vector<int>&, int);
+template std::shared_ptr<const Layout<3>> make_layout<3>(mesh::Mesh<3>, const std::vector<int>&, int);
+template Body<2> make_body<2>(std::shared_ptr<const Layout<2>>, std::vector<material::Law>, std::vector<std::string>,
+                              const std::vector<InitialPoint<2>>&, std::vector<WaterLaw>);
+template Body<3> make_body<3>(std::shared_ptr<const Layout<3>>, std::vector<material::Law>, std::vector<std::string>,
+                              const std::vector<InitialPoint<3>>&, std::vector<WaterLaw>);
+template void gather_nodal_sums<2>(Body<2>&, const StepOptions<2>&);
+template void gather_nodal_sums<3>(Body<3>&, const StepOptions<3>&);
+
+}  // namespace talus::mpm

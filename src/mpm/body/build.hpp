@@ -1,0 +1,36 @@
+#pragma once
+// From a mesh and a list of points to a body that can step.
+
+#include "mpm/step/step.hpp"
+
+namespace talus::mpm {
+
+/// A material point at the start.
+template <int D>
+struct InitialPoint {
+  int element = 0;
+  Vec<D> xi{};                                            ///< local coordinates
+  Vec<D> velocity{};                                      ///< [m/s]
+  std::array<double, material::stress_size<D>> stress{};  ///< [Pa]
+  double mass = 0;                                        ///< of the grains [kg]
+  double volume = 0;                                      ///< [m³]
+  int material = 0;
+  std::array<double, material::max_state_size> state{};  ///< of its law
+  double pressure = 0;      ///< of the pore water, tension positive [Pa]; its mass follows from it
+  Vec<D> water_velocity{};  ///< [m/s]
+};
+
+/// Blocks, chunks and node rows of a mesh. `points_in_element` balances the chunks; `chunks` = 0 chooses their number
+/// from the size of the problem alone (never from the number of threads).
+template <int D>
+std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vector<int>& points_in_element,
+                                             int chunks = 0);
+
+/// A body at rest at time 0, without constraints. Point numbers are the positions in `points`. With water laws (one per
+/// material) it is one of two phases, all surfaces seepage faces.
+template <int D>
+Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws,
+                  std::vector<std::string> names, const std::vector<InitialPoint<D>>& points,
+                  std::vector<WaterLaw> water = {});
+
+}  // namespace talus::mpm

@@ -1,0 +1,92 @@
+#pragma once
+// Node loops: pieces of nodes, sums over the rows of a node, and what a constraint leaves of a force.
+
+#include <algorithm>
+
+#include "mpm/body/body.hpp"
+
+namespace talus::mpm {
+
+/// First node of piece `c`; there are as many pieces as chunks.
+template <int D>
+int first_node(const Body<D>& body, int c) {
+  return static_cast<int>(static_cast<std::int64_t>(body.mesh().node_count()) * c / body.layout->chunks);
+}
+
+/// The first N sums of a node, over the chunks that hold a row of it. Rows are Stride doubles long.
+template <int N, int Stride>
+TALUS_KERNEL void sum_rows(const AlignedVector<double>& sums, const int* rows, int count, double* t) {
+  const double* s = sums.data() + static_cast<std::int64_t>(rows[0]) * Stride;
+  TALUS_UNROLL
+  for (int q = 0; q < N; ++q) t[q] = s[q];
+  for (int c = 1; c < count; ++c) {
+    s = sums.data() + static_cast<std::int64_t>(rows[c]) * Stride;
+    TALUS_UNROLL
+    for (int q = 0; q < N; ++q) t[q] += s[q];
+  }
+}
+
+/// Share of `f` that acts along the free directions of a node.
+template <int D>
+TALUS_KERNEL Vec<D> free_part(const Constraint<D>& c, std::type_identity_t<Vec<D>> f) {
+  if (c.prescribed >= 0) return {};
+  for (int k = 0; k < c.fixed_count; ++k) {
+    const double along = dot(f, c.fixed[k]);
+    for (int d = 0; d < D; ++d) f[d] -= along * c.fixed[k][d];
+  }
+  return f;
+}
+
+/// Share of a force that neither the fixed directions nor a wall that presses back can take: a block that sticks to a
+/// frictional wall is at rest.
+template <int D>
+Vec<D> unsupported_part(const Constraint<D>& c, bool pressed, std::type_identity_t<Vec<D>> f) {
+  if (c.has_wall && pressed) {
+    const double into = std::max(0.0, dot(f, c.wall_normal));
+    for (int d = 0; d < D; ++d) f[d] -= into * c.wall_normal[d];
+    const double along = norm(f), held = c.friction * into;
+    for (double& x : f) x *= along > held ? 1 - held / along : 0.0;
+  }
+  return free_part(c, f);
+}
+
+/// Velocity after the remap under a constraint. What a wall holds does not leave it within the step: the remap mixes in
+/// neighbours' accelerations, and a rebound from them would strain the soil by a motion that no force has paid for.
+template <int D>
+Vec<D> constrain_remapped(const Conditions<D>& conditions, int c, std::type_identity_t<Vec<D>> v, double t) {
+  const Constraint<D>& k = conditions.constraints[static_cast<std::size_t>(c)];
+  if (k.has_wall && conditions.pressed[static_cast<std::size_t>(c)]) {
+    const double away = std::min(0.0, dot(v, k.wall_normal));
+    for (int d = 0; d < D; ++d) v[d] -= away * k.wall_normal[d];
+  }
+  return k.has_wall || k.prescribed >= 0 ? constrain_velocity(conditions, k, v, t) : free_part(k, v);
+}
+
+/// What the pieces of a node loop sum up.
+struct PieceSums {
+  double external_work = 0, damped = 0;
+  double out_of_balance2 = 0, external2 = 0, kinetic = 0, speed2 = 0;
+  int fastest = -1;
+};
+
+/// Adds the pieces up, in their order.
+template <int D>
+void collect_pieces(Body<D>& body, const std::vector<PieceSums>& pieces, bool monitor) {
+  PieceSums all;
+  for (const PieceSums& s : pieces) {
+    body.work.external += s.external_work;
+    body.work.damped += s.damped;
+    all.out_of_balance2 += s.out_of_balance2;
+    all.external2 += s.external2;
+    all.kinetic += s.kinetic;
+    if (!(s.speed2 <= all.speed2)) {
+      all.speed2 = s.speed2;
+      all.fastest = s.fastest;
+    }
+  }
+  if (!monitor) return;
+  body.monitor = {std::sqrt(all.out_of_balance2), std::sqrt(all.external2), all.kinetic, std::sqrt(all.speed2),
+                  all.fastest};
+}
+
+}  // namespace talus::mpm

@@ -1,0 +1,175 @@
+// MUSL's nodal velocities of both phases, the flux between them, and the budget of the water.
+
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "mpm/body/node_rows.hpp"
+#include "mpm/body/rows.hpp"
+#include "mpm/coupled/kernels.hpp"
+#include "mpm/coupled/node_pass.hpp"
+#include "mpm/coupled/solve.hpp"
+
+namespace talus::mpm {
+namespace {
+
+/// Darcy's flux of a node whose water has no inertia: the force on it over its resistance, with what holds it.
+template <int D>
+Vec<D> find_still_flux(const NodePass<D>& pass, int i, const double* t, const SurfaceNode<D>& surface) {
+  using C = WetColumns<D>;
+  const Water<D>& water = pass.body.water;
+  const double conductance = t[C::relative] / (t[C::resistance] * t[C::volume]);
+  Vec<D> flux;
+  for (int d = 0; d < D; ++d) {
+    const double outer = water.load.empty() ? 0.0 : water.load[i][d];
+    flux[d] = (t[C::water_force + d] + outer + pass.density * t[C::volume] * pass.options.gravity[d]) * conductance;
+  }
+  if (const int c = water.constraint_of_node[i]; c >= 0)
+    flux = remove_fixed<D>(water.constraints[c].fixed, water.constraints[c].fixed_count, flux);
+  if (!surface.limits) return flux;
+  const double net = dot(flux, surface.normal) - surface.offered;
+  if (net < 0 || surface.always) {
+    for (int d = 0; d < D; ++d) flux[d] -= net * surface.normal[d];
+  }
+  return flux;
+}
+
+/// Velocities of a node after the remap, its flux θ(w-v), and what passes through it.
+template <int D>
+PhaseVectors<D> remap_node(const NodePass<D>& pass, int i, const double* t, std::vector<SurfaceBudget>& budgets,
+                           double& lost_between) {
+  using C = WetColumns<D>;
+  const Body<D>& body = pass.body;
+  const double dt = pass.options.dt;
+  PhaseVectors<D> out;  // v, θ(w-v)
+  Vec<D>& v = out.solid;
+  const double inverse = 1 / t[C::mass];
+  for (int d = 0; d < D; ++d) v[d] = t[C::momentum + d] * inverse;
+  if (const int c = body.conditions.constraint_of_node[i]; c >= 0)
+    v = constrain_remapped(body.conditions, c, v, body.time + dt);
+  const double water_mass = t[C::water_mass];
+  if (!(water_mass > 0)) return out;
+  Vec<D> w;
+  const double inverse_water = 1 / water_mass;
+  for (int d = 0; d < D; ++d) w[d] = t[C::water_momentum + d] * inverse_water;
+  if (const int c = body.water.constraint_of_node[i]; c >= 0)
+    w = remove_fixed<D>(body.water.constraints[c].fixed, body.water.constraints[c].fixed_count, w);
+  const double theta = water_mass / (pass.density * t[C::volume]);
+  SurfaceNode<D> surface;
+  if (const Vec<D>& facing = body.water.facing[i]; dot(facing, facing) > 0) {
+    surface = find_surface_node(body, i, t + C::outside, t[C::outside_scale], pass.up, body.time);
+    limit_inflow(body, i, surface, t[C::mass], water_mass, theta, v, w);
+  }
+  if (pass.options.exchange_water) pass.body.water.still_flux[i] = find_still_flux(pass, i, t, surface);
+  double leaves = 0;
+  for (int d = 0; d < D; ++d) {
+    out.water[d] = theta * (w[d] - v[d]);
+    leaves += out.water[d] * t[C::outside + d];
+  }
+  leaves *= pass.density * dt;
+  if (!surface.condition) {
+    lost_between += leaves;
+    return out;
+  }
+  SurfaceBudget& budget = budgets[static_cast<std::size_t>(body.water.surface_of_node[i])];
+  (leaves > 0 ? budget.left : budget.entered) += std::abs(leaves);
+  const double offered = -pass.density * dt * surface.area * surface.offered;
+  if (surface.condition->kind == SurfaceKind::rain && offered > 0) {
+    budget.supplied += offered;
+    budget.runoff += offered - std::max(0.0, -leaves);
+  }
+  return out;
+}
+
+}  // namespace
+
+template <int D>
+void remap_coupled_momentum(Body<D>& body, const StepOptions<D>& o) {
+  using C = WetColumns<D>;
+  const Layout<D>& layout = *body.layout;
+  Water<D>& water = body.water;
+  parallel_for(layout.chunks, o.threads, [&](int c) {
+    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
+      if (body.points.block_used[b] == 0) continue;
+      const int* rows = &layout.connectivity[static_cast<std::size_t>(b) * (D + 1) * lane_width];
+      const std::size_t first = static_cast<std::size_t>(b) * moment_size<D> * lane_width;
+      Pack a[D + 1][D], aw[D + 1][D], m[moment_size<D>], solid[D + 1][D], change[D + 1][D];
+      TALUS_UNROLL
+      for (int k = 0; k <= D; ++k) {
+        Pack both[2 * D];
+        load_rows<2 * D, wet_motion_stride<D>>(water.motion.data(), rows + k * lane_width, both);
+        TALUS_UNROLL
+        for (int d = 0; d < D; ++d) {
+          a[k][d] = both[d];
+          aw[k][d] = both[D + d];
+        }
+      }
+      TALUS_UNROLL
+      for (int q = 0; q < moment_size<D>; ++q)
+        m[q] = load<Pack>(&body.elements.moments[first + static_cast<std::size_t>(q) * lane_width]);
+      remap_element<D, Pack>(m, a, o.dt, solid);
+      TALUS_UNROLL
+      for (int q = 0; q < moment_size<D>; ++q)
+        m[q] = load<Pack>(&water.moments[first + static_cast<std::size_t>(q) * lane_width]);
+      remap_element<D, Pack>(m, aw, o.dt, change);
+      // one run of columns from the grains' momentum to the water's: the force between them is not needed any more
+      constexpr int run = C::water_momentum + D - C::momentum;
+      TALUS_UNROLL
+      for (int k = 0; k <= D; ++k) {
+        Pack out[run];
+        TALUS_UNROLL
+        for (int i = 0; i < run; ++i) out[i] = Pack(0.0);
+        TALUS_UNROLL
+        for (int d = 0; d < D; ++d) {
+          out[d] = solid[k][d];
+          out[C::water_momentum - C::momentum + d] = change[k][d];
+        }
+        add_rows<run, C::momentum, wet_sums_stride<D>>(water.sums.data(), rows + k * lane_width, out);
+      }
+    }
+  });
+  const double cutoff = 1e-12 * body.smallest_mass;
+  const NodePass<D> pass(body, o);
+  const std::size_t pieces = static_cast<std::size_t>(layout.chunks);
+  water.budgets.resize(water.surfaces.size());
+  std::vector<std::vector<SurfaceBudget>> budgets(pieces, std::vector<SurfaceBudget>(water.surfaces.size()));
+  std::vector<double> lost(pieces, 0.0);
+  parallel_for(layout.chunks, o.threads, [&](int c) {
+    double lost_between = 0;
+    for (int i = first_node(body, c); i < first_node(body, c + 1); ++i) {
+      const int* node_rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
+      const int copies = layout.row_start[i + 1] - layout.row_start[i];
+      double t[C::count];
+      sum_rows<C::count, wet_sums_stride<D>>(water.sums, node_rows, copies, t);
+      PhaseVectors<D> v;
+      if (t[C::mass] > cutoff) v = remap_node(pass, i, t, budgets[static_cast<std::size_t>(c)], lost_between);
+      for (int k = 0; k < copies; ++k) {
+        double* sums = &water.sums[static_cast<std::size_t>(node_rows[k]) * wet_sums_stride<D>];
+        TALUS_UNROLL
+        for (int q = 0; q < wet_sums_stride<D>; ++q) sums[q] = 0;
+        double* motion = &water.motion[static_cast<std::size_t>(node_rows[k]) * wet_motion_stride<D>];
+        for (int d = 0; d < D; ++d) {
+          motion[2 * D + d] = v.solid[d];
+          motion[3 * D + d] = v.water[d];
+        }
+      }
+      if (!o.moving) {
+        for (int d = 0; d < D; ++d) body.nodes.displacement[i][d] += o.dt * v.solid[d];
+      }
+    }
+    lost[static_cast<std::size_t>(c)] = lost_between;
+  });
+  for (std::size_t c = 0; c < pieces; ++c) {
+    water.lost_between += lost[c];
+    for (std::size_t s = 0; s < water.surfaces.size(); ++s) {
+      water.budgets[s].entered += budgets[c][s].entered;
+      water.budgets[s].left += budgets[c][s].left;
+      water.budgets[s].supplied += budgets[c][s].supplied;
+      water.budgets[s].runoff += budgets[c][s].runoff;
+    }
+  }
+}
+
+template void remap_coupled_momentum<2>(Body<2>&, const StepOptions<2>&);
+template void remap_coupled_momentum<3>(Body<3>&, const StepOptions<3>&);
+
+}  // namespace talus::mpm

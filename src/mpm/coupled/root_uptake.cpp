@@ -1,0 +1,64 @@
+// Roots draw water from elements through the same surplus by which elements exchange it (T16.4).
+
+#include "mpm/coupled/root_uptake.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+#include "mpm/coupled/coupled_step.hpp"
+#include "mpm/coupled/kernels.hpp"
+
+namespace talus::mpm {
+namespace {
+
+/// At most this share of an element's water is drawn at once, whatever the rate.
+constexpr double most_drawn = 0.05;
+
+/// Weights of the points of element `e`.
+template <int D>
+double sum_weights(const Body<D>& body, const RootUptake& uptake, int e) {
+  const Points<D>& points = body.points;
+  const int b = e / lane_width, lane = e % lane_width, count = static_cast<int>(points.count[e]);
+  double sum = 0;
+  for (int k = 0; k < count; ++k)
+    sum += uptake.weight[points.id[static_cast<std::size_t>((points.block_start[b] + k) * lane_width + lane)]];
+  return sum;
+}
+
+}  // namespace
+
+template <int D>
+void draw_root_water(Body<D>& body, const StepOptions<D>& o) {
+  Water<D>& water = body.water;
+  const Layout<D>& layout = *body.layout;
+  if (!o.smooth_pressure && !o.exchange_water) std::fill(water.surplus.begin(), water.surplus.end(), 0.0);
+  if (!o.moving) return;
+  const double dt = exchange_interval * o.dt;
+  std::vector<double> rates;
+  for (const RootUptake& uptake : water.uptakes) rates.push_back(uptake.rate.at(body.time + 0.5 * dt));
+  std::vector<double> drawn(static_cast<std::size_t>(layout.chunks), 0.0);
+  parallel_for(layout.chunks, o.threads, [&](int c) {
+    const int end = std::min(layout.chunk_start[c + 1] * lane_width, body.mesh().element_count());
+    for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) {
+      if (body.points.count[e] == 0 || !(water.volume[e] > 0)) continue;
+      double volume = 0;  // [m³]
+      for (std::size_t q = 0; q < rates.size(); ++q) {
+        if (rates[q] == 0) continue;
+        const double share = water.uptakes[q].reduction.evaluate(water.mean_pressure[e]).value;
+        if (share > 0) volume += share * rates[q] * dt * sum_weights(body, water.uptakes[q], e);
+      }
+      if (volume == 0) continue;
+      const std::size_t block = static_cast<std::size_t>(e / lane_width) * moment_size<D>;
+      const double mass = water.moments[block * lane_width + static_cast<std::size_t>(e % lane_width)];
+      volume = std::min(volume, most_drawn * mass / water.density);
+      water.surplus[e] += volume / water.volume[e];
+      drawn[static_cast<std::size_t>(c)] += water.density * volume;
+    }
+  });
+  for (const double mass : drawn) water.transpired += mass;
+}
+
+template void draw_root_water<2>(Body<2>&, const StepOptions<2>&);
+template void draw_root_water<3>(Body<3>&, const StepOptions<3>&);
+
+}  // namespace talus::mpm

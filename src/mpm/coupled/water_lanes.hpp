@@ -1,0 +1,92 @@
+#pragma once
+// Which water law the lanes of a block follow: one for all, or one per lane under masks; the counterpart of laws.hpp.
+
+#include "mpm/body/body.hpp"
+#include "mpm/coupled/pore_state.hpp"
+
+namespace talus::mpm {
+
+/// Every point of the block is of one material.
+struct OneWater {
+  const WaterLaw* law;
+  double conductivity_factor;
+
+  Mask is_wet(Pack /*material*/) const { return Mask(law->wet); }
+  Pack get_inverse_grain_density(Pack /*material*/) const { return {1 / law->grain_density}; }
+  Pack get_resistance(Pack /*material*/) const { return {find_saturated_resistance(*law, conductivity_factor)}; }
+  PoreState<Pack> find(Pack content, Pack guess, Mask active, Pack /*material*/) const {
+    return find_pore_state<Pack>(*law, content, guess, active);
+  }
+  Pack find_saturation(Pack pressure, Pack /*material*/) const {
+    return find_state_at_pressure<Pack>(*law, pressure).saturation;
+  }
+};
+
+/// Lanes may differ; `material` holds each lane's material number.
+struct ManyWaters {
+  const std::vector<WaterLaw>* laws;
+  std::uint32_t present;  ///< bit set of the materials in the block
+  double conductivity_factor;
+
+  /// Calls work(law, lanes of it) for each wet material of the block.
+  template <class Work>
+  void visit(Pack material, Work&& work) const {
+    for (std::uint32_t m = 0; m < laws->size(); ++m) {
+      if ((present >> m & 1) && (*laws)[m].wet) work((*laws)[m], material == Pack(static_cast<double>(m)));
+    }
+  }
+  Mask is_wet(Pack material) const {
+    Mask wet(false);
+    visit(material, [&](const WaterLaw&, Mask mine) { wet = wet || mine; });
+    return wet;
+  }
+  Pack get_inverse_grain_density(Pack material) const {
+    Pack inverse(0.0);
+    visit(material,
+          [&](const WaterLaw& law, Mask mine) { inverse = select(mine, Pack(1 / law.grain_density), inverse); });
+    return inverse;
+  }
+  /// ρ_w g/k of the saturated soil [N s/m⁴]; 0 of dry soil.
+  Pack get_resistance(Pack material) const {
+    Pack resistance(0.0);
+    visit(material, [&](const WaterLaw& law, Mask mine) {
+      resistance = select(mine, Pack(find_saturated_resistance(law, conductivity_factor)), resistance);
+    });
+    return resistance;
+  }
+  PoreState<Pack> find(Pack content, Pack guess, Mask active, Pack material) const {
+    PoreState<Pack> all{Pack(0.0), Pack(0.0), Pack(0.0), Pack(0.0), Pack(-1.0)};
+    visit(material, [&](const WaterLaw& law, Mask mine) {
+      mine = mine && active;
+      if (!any(mine)) return;
+      const PoreState<Pack> s = find_pore_state<Pack>(law, content, guess, mine);
+      all.pressure = select(mine, s.pressure, all.pressure);
+      all.saturation = select(mine, s.saturation, all.saturation);
+      all.bishop = select(mine, s.bishop, all.bishop);
+      all.relative = select(mine, s.relative, all.relative);
+      all.capacity = select(mine, s.capacity, all.capacity);
+    });
+    return all;
+  }
+  Pack find_saturation(Pack pressure, Pack material) const {
+    Pack saturation(0.0);
+    visit(material, [&](const WaterLaw& law, Mask mine) {
+      saturation = select(mine, find_state_at_pressure<Pack>(law, pressure).saturation, saturation);
+    });
+    return saturation;
+  }
+};
+
+/// The water laws of block `b` for the constitutive law `Law` (OneLaw or ManyLaws) that its lanes follow.
+template <class Law, int D>
+auto get_block_water(const Body<D>& body, int b, double conductivity_factor) {
+  const std::uint32_t present = body.laws.size() == 1 ? 1u : body.points.block_materials[static_cast<std::size_t>(b)];
+  if constexpr (Law::is_single) {
+    const auto m = present == 0 ? 0u : static_cast<unsigned>(__builtin_ctz(present));
+    return OneWater{&body.water.laws[m], conductivity_factor};
+  } else {
+    return ManyWaters{&body.water.laws, present, conductivity_factor};
+  }
+}
+
+}  // namespace talus::mpm

@@ -1,0 +1,139 @@
+#pragma once
+// Water at the surface of the wet soil: where the surface is, and how much may pass through it (page 14, "Conditions").
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/body/body.hpp"
+
+namespace talus::mpm {
+
+/// Shares of a node smaller than this are no surface: round-off, or the quadrature error of crowded points.
+inline constexpr double surface_share = 1e-3;
+/// Evaporation ends gradually over this share of its limiting suction.
+inline constexpr double evaporation_taper = 0.1;
+
+/// `f` without its components along `count` fixed directions (unit vectors, orthonormal).
+template <int D>
+TALUS_KERNEL Vec<D> remove_fixed(const Vec<D>* fixed, int count, std::type_identity_t<Vec<D>> f) {
+  for (int k = 0; k < count; ++k) {
+    const double along = dot(f, fixed[k]);
+    for (int d = 0; d < D; ++d) f[d] -= along * fixed[k][d];
+  }
+  return f;
+}
+
+/// The unit vector against gravity; zero without gravity.
+template <int D>
+Vec<D> find_up(const Vec<D>& gravity) {
+  const double g = norm(gravity);
+  Vec<D> up{};
+  for (int d = 0; d < D && g > 0; ++d) up[d] = -gravity[d] / g;
+  return up;
+}
+
+/// What a node knows of its water and its surroundings when water passes.
+template <int D>
+struct SurfaceNode {
+  const SurfaceCondition* condition = nullptr;  ///< nullptr: the node is on no surface
+  Vec<D> normal{};                              ///< unit, out of the soil
+  double area = 0;                              ///< [m²]
+  double offered = 0;                           ///< q̂·n, negative inwards [m/s]
+  bool limits = false;                          ///< the condition may correct the flux
+  bool always = false;                          ///< it does so in both directions
+  bool supplies = false;                        ///< there is water outside: rain, or standing water
+};
+
+/// Level above which the node stands [m]; negative: it is dry.
+template <int D>
+double find_submergence(double level, const Vec<D>& up, const Vec<D>& x) {
+  double height = 0;
+  for (std::size_t d = 0; d < D; ++d) height += up[d] * x[d];
+  return level - height;
+}
+
+/// The surface at node `i` with the part `outside` of it (Σ V̄ ∇N), at time `t` [s]. `up` is the unit vector against
+/// gravity.
+template <int D>
+SurfaceNode<D> find_surface_node(const Body<D>& body, int i, const double* outside, double scale,
+                                 const std::type_identity_t<Vec<D>>& up, double t) {
+  const Water<D>& water = body.water;
+  SurfaceNode<D> s;
+  const Vec<D>& facing = water.facing[i];
+  if (dot(facing, facing) == 0) return s;
+  Vec<D> part;
+  for (int d = 0; d < D; ++d) part[d] = outside[d];
+  if (const int c = water.constraint_of_node[i]; c >= 0)
+    part = remove_fixed<D>(water.constraints[c].fixed, water.constraints[c].fixed_count, part);
+  const double area = norm(part);
+  if (!(dot(part, facing) > 0 && area > surface_share * scale)) return s;
+  s.area = area;
+  for (int d = 0; d < D; ++d) s.normal[d] = part[d] / area;
+  s.condition = &water.surfaces[water.surface_of_node[i]];
+  const double value = s.condition->value.time.empty() ? 0.0 : s.condition->value.at(t);
+  switch (s.condition->kind) {
+    case SurfaceKind::open:
+    case SurfaceKind::pressure:
+      s.supplies = true;
+      break;
+    case SurfaceKind::seepage:
+      s.limits = true;
+      break;
+    case SurfaceKind::head:
+      s.limits = find_submergence<D>(value, up, body.mesh().nodes[i]) <= 0;
+      s.supplies = !s.limits;
+      break;
+    case SurfaceKind::flux:
+      s.limits = s.always = true;
+      s.offered = -value;
+      break;
+    case SurfaceKind::rain:
+      s.limits = true;
+      if (value >= 0) {
+        s.offered = s.condition->vertical ? std::min(0.0, -value * dot(up, s.normal)) : -value;
+        s.supplies = s.offered < 0;
+      } else {
+        const double limit = s.condition->suction_limit;
+        const double left = std::isinf(limit) ? 1 : (limit - water.suction[i]) / (evaporation_taper * limit);
+        s.offered = -value * std::clamp(left, 0.0, 1.0);
+      }
+      break;
+  }
+  return s;
+}
+
+/// Where more water would enter than is offered, an impulse along the normal, opposite on the two phases, puts the
+/// relative velocity right (T14.11). What a phase may not do there its supports take. Changes `v` and `w` [m/s] and
+/// returns whether it did.
+template <int D>
+bool limit_inflow(const Body<D>& body, int i, const SurfaceNode<D>& s, double solid_mass, double water_mass,
+                  double content, std::type_identity_t<Vec<D>>& v, std::type_identity_t<Vec<D>>& w) {
+  if (!s.limits) return false;
+  double net = -s.offered;
+  for (int d = 0; d < D; ++d) net += content * (w[d] - v[d]) * s.normal[d];
+  if (net >= 0 && !s.always) return false;
+  Vec<D> solid = s.normal, water = s.normal;
+  if (const int c = body.conditions.constraint_of_node[i]; c >= 0) {
+    const Constraint<D>& k = body.conditions.constraints[c];
+    solid = k.prescribed >= 0 ? Vec<D>{} : remove_fixed<D>(k.fixed, k.fixed_count, solid);
+    if (k.has_wall && body.conditions.pressed[c]) {
+      const double along = dot(solid, k.wall_normal);
+      for (int d = 0; d < D; ++d) solid[d] -= along * k.wall_normal[d];
+    }
+  }
+  if (const int c = body.water.constraint_of_node[i]; c >= 0)
+    water = remove_fixed<D>(body.water.constraints[c].fixed, body.water.constraints[c].fixed_count, water);
+  if (norm(water) < 1e-9) return false;
+  for (int d = 0; d < D; ++d) {
+    solid[d] /= solid_mass;
+    water[d] /= water_mass;
+  }
+  const double impulse = -net / (content * (dot(solid, s.normal) + dot(water, s.normal)));
+  for (int d = 0; d < D; ++d) {
+    w[d] += impulse * water[d];
+    v[d] -= impulse * solid[d];
+  }
+  return true;
+}
+
+}  // namespace talus::mpm

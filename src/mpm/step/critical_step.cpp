@@ -1,0 +1,133 @@
+#include "mpm/step/critical_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/coupled/kernels.hpp"
+#include "mpm/coupled/pore_state.hpp"
+
+namespace talus::mpm {
+namespace {
+
+/// Suctions below this may vanish between two looks at the critical step [Pa].
+constexpr double saturating_suction = 2e3;
+
+/// A wet point, in the state of smallest storage that it can reach before the next look. Its conductivity matters with
+/// explicit drag only.
+CoupledSoil make_coupled_soil(const WaterLaw& law, double modulus, double porosity, double pressure,
+                              const double* conductivity_factor) {
+  double storage = law.full / law.bulk_modulus, saturation = law.full, relative = law.saturated_relative;
+  if (pressure > saturating_suction) {
+    saturation = material::saturation(law.retention, pressure);
+    storage = std::min(find_storage(law, pressure), find_storage(law, 0.5 * pressure));
+    if (conductivity_factor) relative = find_state_at_pressure<double>(law, pressure).relative;
+  }
+  const double resistance = conductivity_factor ? find_saturated_resistance(law, *conductivity_factor) / relative : 0.0;
+  return {modulus, porosity, saturation, porosity * storage, law.grain_density, law.density, resistance};
+}
+
+/// E_c of the point whose fields begin at `p` [Pa].
+template <int D>
+double find_modulus(const material::Law& law, const double* p) {
+  using P = Points<D>;
+  double sigma[P::stress_size], state[material::max_state_size];
+  for (int i = 0; i < P::stress_size; ++i) sigma[i] = p[(P::stress + i) * lane_width];
+  for (int i = 0; i < material::state_size(law); ++i) state[i] = p[(P::state + i) * lane_width];
+  return material::constrained_modulus(law, sigma, state);
+}
+
+/// Smallest altitude of an element and its neighbours, which its points may enter before the next look.
+template <int D>
+std::pair<double, int> find_shortest(const mesh::Mesh<D>& mesh, int e) {
+  std::pair<double, int> shortest{mesh.altitudes[e], e};
+  for (int n : mesh.neighbours[e]) {
+    if (n >= 0 && mesh.altitudes[n] < shortest.first) shortest = {mesh.altitudes[n], n};
+  }
+  return shortest;
+}
+
+}  // namespace
+
+double find_coupled_step(const CoupledSoil& soil, double length, double beta, bool implicit_drag) {
+  const double n = soil.porosity, s = soil.saturation, theta = n * s;
+  const double solid = (1 - n) * soil.grain_density, water = theta * soil.water_density;
+  const double pressure = s * s / soil.storage;
+  const double k00 = soil.constrained_modulus + pressure * (1 - n) * (1 - n), k11 = pressure * n * n,
+               k01 = pressure * n * (1 - n);
+  const double drag = theta * theta * soil.resistance;
+  const double a = implicit_drag ? 0.0 : drag * (1 / solid + 1 / water) / beta;
+  const double b = 4 / (length * length) * (k00 / solid + k11 / water) / beta;
+  const double c = 16 / std::pow(length, 4) * (k00 * k11 - k01 * k01) / (solid * water) / (beta * beta);
+  const double x = b + std::sqrt(std::max(0.0, b * b - 4 * c));
+  return (-2 * a + std::sqrt(4 * a * a + 8 * x)) / x;
+}
+
+template <int D>
+CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
+  const mesh::Mesh<D>& mesh = body.mesh();
+  // Squared wave speed of each element, from its points; a point may enter a neighbour before the next look.
+  CriticalStep critical;
+  double smallest = 0;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const int b = e / lane_width, lane = e % lane_width;
+    double speed2 = 0;
+    for (int k = 0; k < static_cast<int>(body.points.count[e]); ++k) {
+      const std::int64_t slot = body.points.block_start[b] + k;
+      const double* p = body.points.slot(slot) + lane;
+      const int id = body.points.id[static_cast<std::size_t>(slot * lane_width + lane)];
+      speed2 = std::max(speed2, find_modulus<D>(body.laws[body.points.material[id]], p) *
+                                    p[Points<D>::volume * lane_width] / p[Points<D>::mass * lane_width]);
+    }
+    if (speed2 == 0) continue;
+    const auto look = [&](int i) {
+      const double dt2 = mesh.altitudes[i] * mesh.altitudes[i] / speed2;
+      if (critical.element < 0 || dt2 < smallest) {
+        smallest = dt2;
+        critical.element = i;
+      }
+    };
+    look(e);
+    for (int n : mesh.neighbours[e]) {
+      if (n >= 0) look(n);
+    }
+  }
+  critical.dt = std::sqrt(smallest * mass_scaling);
+  return critical;
+}
+
+template <int D>
+CriticalStep find_critical_step(const Body<D>& body, const StepOptions<D>& o) {
+  if (!body.water.is_wet()) return find_critical_step(body, o.mass_scaling);
+  using P = Points<D>;
+  const mesh::Mesh<D>& mesh = body.mesh();
+  CriticalStep critical;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const int n = static_cast<int>(body.points.count[e]);
+    if (n == 0) continue;
+    const auto [length, shortest] = find_shortest(mesh, e);
+    for (int k = 0; k < n; ++k) {
+      const std::int64_t slot = body.points.block_start[e / lane_width] + k;
+      const double* p = body.points.slot(slot) + e % lane_width;
+      const int m = body.points.material[body.points.id[static_cast<std::size_t>(slot * lane_width + e % lane_width)]];
+      const WaterLaw& law = body.water.laws[m];
+      const double modulus = find_modulus<D>(body.laws[m], p);
+      const double mass = p[P::mass * lane_width], volume = p[P::volume * lane_width];
+      double dt = length * std::sqrt(o.mass_scaling * mass / (modulus * volume));
+      if (law.wet) {
+        const double pressure = p[(body.water.first_field + WaterFields<D>::pressure) * lane_width];
+        const CoupledSoil soil = make_coupled_soil(law, modulus, 1 - mass / (law.grain_density * volume), pressure,
+                                                   o.implicit_drag ? nullptr : &o.conductivity_factor);
+        dt = find_coupled_step(soil, length, o.mass_scaling, o.implicit_drag);
+      }
+      if (critical.element < 0 || !(dt >= critical.dt)) critical = {dt, shortest};
+    }
+  }
+  return critical;
+}
+
+template CriticalStep find_critical_step<2>(const Body<2>&, double);
+template CriticalStep find_critical_step<3>(const Body<3>&, double);
+template CriticalStep find_critical_step<2>(const Body<2>&, const StepOptions<2>&);
+template CriticalStep find_critical_step<3>(const Body<3>&, const StepOptions<3>&);
+
+}  // namespace talus::mpm

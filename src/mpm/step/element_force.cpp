@@ -1,0 +1,93 @@
+#include "mpm/step/element_force.hpp"
+
+#include "mpm/step/kernels.hpp"
+#include "mpm/step/step.hpp"
+
+namespace talus::mpm {
+namespace {
+
+/// ∇ξ of element `e`.
+template <int D>
+void read_gradients(const Body<D>& body, int e, double* g) {
+  const auto& gradients = body.mesh().gradients[static_cast<std::size_t>(e)];
+  for (int i = 0; i < D * D; ++i) g[i] = gradients[static_cast<std::size_t>(i)];
+}
+
+template <int D>
+double* node_row(Body<D>& body, int e, int k) {
+  const std::size_t b = static_cast<std::size_t>(e / lane_width), lane = static_cast<std::size_t>(e % lane_width);
+  const int row = body.layout->connectivity[(b * (D + 1) + static_cast<std::size_t>(k)) * lane_width + lane];
+  return &body.nodes.sums[static_cast<std::size_t>(row) * sums_stride];
+}
+
+}  // namespace
+
+template <int D>
+void add_internal_force(Body<D>& body, int e, bool mixed, double sign) {
+  using P = Points<D>;
+  const P& points = body.points;
+  const int b = e / lane_width, lane = e % lane_width, n = static_cast<int>(points.count[e]);
+  double stress[force_size<D>] = {}, volume = 0;
+  bool uniform = true;
+  int first_material = -1;
+  for (int k = 0; k < n; ++k) {
+    const double* p = points.slot(points.block_start[b] + k) + lane;
+    const double v = p[P::volume * lane_width];
+    volume += v;
+    for (int i = 0; i < force_size<D>; ++i) {
+      const int c = force_component<D>(i);
+      const double pending = c < 3 ? body.elements.return_pressure[e] : 0.0;
+      stress[i] += v * (p[(P::stress + c) * lane_width] + pending);
+    }
+    const int m = points.material[points.id[static_cast<std::size_t>((points.block_start[b] + k) * lane_width + lane)]];
+    if (k == 0) first_material = m;
+    uniform = uniform && m == first_material;
+  }
+  if (volume <= 0) return;
+  const bool full = mixed && uniform && volume > body.elements.fill_limit[e];
+  const double factor = sign * (full ? body.mesh().volumes[e] / volume : 1.0);
+  for (double& s : stress) s *= factor;
+  double g[D * D], out[D + 1][1 + 2 * D];
+  read_gradients(body, e, g);
+  ElementSums<D, double>::force_to_nodes(stress, g, out);
+  for (int k = 0; k <= D; ++k) {
+    double* row = node_row(body, e, k);
+    for (int d = 0; d < D; ++d) row[1 + D + d] += out[k][1 + D + d];
+  }
+}
+
+template <int D>
+bool update_fill_limit(Body<D>& body, int e) {
+  bool at_surface = false;
+  for (int n : body.mesh().neighbours[e]) at_surface = at_surface || (n >= 0 && body.points.count[n] == 0);
+  const double limit = at_surface ? full_share * body.mesh().volumes[e] : 0.0;
+  const bool changed = body.elements.fill_limit[e] != limit;
+  body.elements.fill_limit[e] = limit;
+  return changed;
+}
+
+template <int D>
+void add_point_mass(Body<D>& body, int e, const double* fields) {
+  using P = Points<D>;
+  const double zero[P::stress_size] = {};
+  double g[D * D] = {}, out[D + 1][1 + 2 * D];
+  ElementSums<D, double> sums;
+  sums.add(fields[P::mass], 0.0, fields + P::xi, fields + P::velocity, zero);
+  sums.to_nodes(g, out);
+  for (int k = 0; k <= D; ++k) {
+    double* row = node_row(body, e, k);
+    for (int q = 0; q <= D; ++q) row[q] += out[k][q];
+  }
+  double* moments = &body.elements.moments[static_cast<std::size_t>(e / lane_width) * moment_size<D> * lane_width +
+                                           static_cast<std::size_t>(e % lane_width)];
+  for (int i = 0; i < moment_size<D>; ++i) moments[i * lane_width] += sums.moments[i];
+}
+
+template void add_internal_force<2>(Body<2>&, int, bool, double);
+template void add_internal_force<3>(Body<3>&, int, bool, double);
+template bool update_fill_limit<2>(Body<2>&, int);
+template bool update_fill_limit<3>(Body<3>&, int);
+template void add_point_mass<2>(Body<2>&, int, const double*);
+template void add_point_mass<3>(Body<3>&, int, const double*);
+
+}  // namespace talus::mpm

@@ -1,0 +1,24 @@
+#pragma once
+// Internal force and free surface of single elements, for the few that relocation touches and for a fresh start.
+
+#include "mpm/body/body.hpp"
+
+namespace talus::mpm {
+
+/// Share of V_e that an element at the free surface must hold to count as full (2.92).
+inline constexpr double full_share = 0.9;
+
+/// Adds `sign` times the internal force of element `e`, from the points that are in it now, to its node rows.
+template <int D>
+void add_internal_force(Body<D>& body, int e, bool mixed, double sign);
+
+/// Sets elements.fill_limit of `e`: full_share·V_e at the free surface (some neighbour holds no point), else 0.
+/// Returns whether it changed.
+template <int D>
+bool update_fill_limit(Body<D>& body, int e);
+
+/// Adds mass, momentum and moments of one point to its element's node rows.
+template <int D>
+void add_point_mass(Body<D>& body, int e, const double* fields);
+
+}  // namespace talus::mpm

@@ -1,0 +1,193 @@
+// The two node loops of the step: accelerations, and MUSL's nodal velocities.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "mpm/body/node_rows.hpp"
+#include "mpm/body/rows.hpp"
+#include "mpm/step/kernels.hpp"
+#include "mpm/step/step.hpp"
+
+namespace talus::mpm {
+namespace {
+
+template <int D>
+void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, PieceSums& sums) {
+  const Layout<D>& layout = *body.layout;
+  const double cutoff = 1e-12 * body.smallest_mass;
+  const double alpha = o.damping, inverse_scaling = 1 / o.mass_scaling;
+  const bool loaded = !body.nodes.load.empty();
+  double external_work = 0, damped = 0;  // locals: they stay in registers
+  const auto& constraint_of = body.conditions.constraint_of_node;
+  for (int i = begin; i < end; ++i) {
+    const int* rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
+    const int copies = layout.row_start[i + 1] - layout.row_start[i];
+    double t[1 + 2 * D];
+    sum_rows<1 + 2 * D, sums_stride>(body.nodes.sums, rows, copies, t);
+    const double m_i = t[0];
+    Vec<D> a{}, f_damp{}, f_ext{};
+    if (m_i > cutoff) {
+      const double inverse_mass = 1 / m_i, inverse = inverse_scaling * inverse_mass;
+      for (int d = 0; d < D; ++d) {
+        f_ext[d] = m_i * o.gravity[d];
+        if (loaded) f_ext[d] += body.nodes.load[i][d];
+        const double f = t[1 + D + d] + f_ext[d];
+        const double p = t[1 + d];
+        f_damp[d] = p != 0 ? -std::copysign(alpha * std::abs(f), p) : 0.0;
+        a[d] = (f + f_damp[d]) * inverse;
+      }
+      const int c = constraint_of[i];
+      if (c >= 0) {
+        const Constraint<D>& constraint = body.conditions.constraints[static_cast<std::size_t>(c)];
+        if (constraint.prescribed >= 0) {
+          const Vec<D> now = constrain_velocity(body.conditions, constraint, {}, body.time);
+          const Vec<D> next = constrain_velocity(body.conditions, constraint, {}, body.time + o.dt);
+          for (int d = 0; d < D; ++d) a[d] = (next[d] - now[d]) / o.dt;
+        } else if (constraint.has_wall) {
+          // The out-of-balance force that damping is a share of holds the wall's reaction, or a resting block would be
+          // shaken by a share of its own weight.
+          Vec<D> f, v;
+          for (int d = 0; d < D; ++d) {
+            f[d] = t[1 + D + d] + f_ext[d];
+            v[d] = t[1 + d] * inverse_mass;
+          }
+          const bool pressed = dot(v, constraint.wall_normal) + o.dt * inverse * dot(f, constraint.wall_normal) > 0;
+          body.conditions.pressed[static_cast<std::size_t>(c)] = pressed;
+          const Vec<D> left = unsupported_part<D>(constraint, pressed, f);
+          Vec<D> wanted;
+          for (int d = 0; d < D; ++d) {
+            f_damp[d] = v[d] != 0 ? -std::copysign(alpha * std::abs(left[d]), v[d]) : 0.0;
+            wanted[d] = v[d] + o.dt * inverse * (f[d] + f_damp[d]);
+          }
+          const Vec<D> allowed = constrain_velocity(body.conditions, constraint, wanted, body.time + o.dt);
+          for (int d = 0; d < D; ++d) a[d] = (allowed[d] - v[d]) / o.dt;
+        } else {
+          // The node stands along its fixed directions, so what speed its points bring there is taken from them.
+          Vec<D> v;
+          for (int d = 0; d < D; ++d) v[d] = t[1 + d] * inverse_mass;
+          const Vec<D> kept = free_part(constraint, v);
+          a = free_part(constraint, a);
+          for (int d = 0; d < D; ++d) a[d] -= (v[d] - kept[d]) / o.dt;
+        }
+      }
+      // Work along the nodes' paths: exact for the nodal kinetic energy, ΔE = Σ f·(v + a Δt/2) Δt.
+      for (int d = 0; d < D; ++d) {
+        const double path = (t[1 + d] * inverse_mass + 0.5 * o.dt * a[d]) * o.dt;
+        external_work += f_ext[d] * path;
+        damped -= f_damp[d] * path;
+      }
+      if (o.monitor) {
+        Vec<D> f, v;
+        for (int d = 0; d < D; ++d) {
+          f[d] = t[1 + D + d] + f_ext[d];
+          v[d] = t[1 + d] * inverse_mass;
+        }
+        if (c >= 0) {
+          const Constraint<D>& constraint = body.conditions.constraints[static_cast<std::size_t>(c)];
+          const bool pressed = constraint.has_wall && body.conditions.pressed[static_cast<std::size_t>(c)];
+          f = unsupported_part<D>(constraint, pressed, f);
+          f_ext = free_part(constraint, f_ext);
+          v = free_part(constraint, v);
+        }
+        sums.out_of_balance2 += dot(f, f);
+        sums.external2 += dot(f_ext, f_ext);
+        const double speed2 = dot(v, v);
+        sums.kinetic += 0.5 * m_i * speed2;
+        // A NaN must win, or an unstable run would look calm.
+        if (!(speed2 <= sums.speed2)) {
+          sums.speed2 = speed2;
+          sums.fastest = i;
+        }
+      }
+    }
+    for (int k = 0; k < copies; ++k) {
+      double* row = &body.nodes.motion[static_cast<std::size_t>(rows[k]) * motion_stride<D>];
+      for (int d = 0; d < D; ++d) row[d] = a[d];
+    }
+  }
+  sums.external_work += external_work;
+  sums.damped += damped;
+}
+
+}  // namespace
+
+template <int D>
+void solve_momentum(Body<D>& body, const StepOptions<D>& o) {
+  const int pieces = body.layout->chunks;
+  body.conditions.pressed.resize(body.conditions.constraints.size());
+  std::vector<PieceSums> sums(static_cast<std::size_t>(pieces));
+  parallel_for(pieces, o.threads, [&](int c) {
+    PieceSums mine;  // on the stack: neighbouring pieces must not share a cache line
+    solve_nodes(body, o, first_node(body, c), first_node(body, c + 1), mine);
+    sums[static_cast<std::size_t>(c)] = mine;
+  });
+  collect_pieces(body, sums, o.monitor);
+}
+
+template <int D>
+void remap_momentum(Body<D>& body, const StepOptions<D>& o) {
+  const Layout<D>& layout = *body.layout;
+  const bool far = body.points.size() > 50000;  // beyond the second-level cache
+  parallel_for(layout.chunks, o.threads, [&](int c) {
+    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
+      if (body.points.block_used[b] == 0) continue;
+      const int* rows = &layout.connectivity[static_cast<std::size_t>(b) * (D + 1) * lane_width];
+      const double* moments = &body.elements.moments[static_cast<std::size_t>(b) * moment_size<D> * lane_width];
+      if (far && b + 2 < layout.blocks) {
+        const int* ahead = rows + 2 * (D + 1) * lane_width;
+        for (int i = 0; i < (D + 1) * lane_width; ++i) {
+          __builtin_prefetch(&body.nodes.motion[static_cast<std::size_t>(ahead[i]) * motion_stride<D>], 0, 3);
+          __builtin_prefetch(&body.nodes.sums[static_cast<std::size_t>(ahead[i]) * sums_stride], 1, 3);
+        }
+        for (int i = 0; i < moment_size<D>; ++i)
+          __builtin_prefetch(moments + (2 * moment_size<D> + i) * lane_width, 0, 3);
+      }
+      Pack a[D + 1][D], change[D + 1][D], m[moment_size<D>];
+      TALUS_UNROLL
+      for (int k = 0; k <= D; ++k)
+        load_rows<D, motion_stride<D>>(body.nodes.motion.data(), rows + k * lane_width, a[k]);
+      TALUS_UNROLL
+      for (int q = 0; q < moment_size<D>; ++q) m[q] = load<Pack>(moments + q * lane_width);
+      remap_element<D, Pack>(m, a, o.dt, change);
+      TALUS_UNROLL
+      for (int k = 0; k <= D; ++k) add_rows<D, 1>(body.nodes.sums.data(), rows + k * lane_width, change[k]);
+    }
+  });
+  const double cutoff = 1e-12 * body.smallest_mass;
+  parallel_for(layout.chunks, o.threads, [&](int c) {
+    const int begin = first_node(body, c), end = first_node(body, c + 1);
+    for (int i = begin; i < end; ++i) {
+      const int* node_rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
+      const int copies = layout.row_start[i + 1] - layout.row_start[i];
+      double t[1 + D];
+      sum_rows<1 + D, sums_stride>(body.nodes.sums, node_rows, copies, t);
+      Vec<D> v{};
+      if (t[0] > cutoff) {
+        const double inverse = 1 / t[0];
+        for (int d = 0; d < D; ++d) v[d] = t[1 + d] * inverse;
+        const int constraint = body.conditions.constraint_of_node[i];
+        if (constraint >= 0) {
+          v = constrain_remapped(body.conditions, constraint, v, body.time + o.dt);
+        }
+      }
+      for (int k = 0; k < copies; ++k) {
+        double* sums = &body.nodes.sums[static_cast<std::size_t>(node_rows[k]) * sums_stride];
+        TALUS_UNROLL
+        for (int q = 0; q < sums_stride; ++q) sums[q] = 0;
+        double* motion = &body.nodes.motion[static_cast<std::size_t>(node_rows[k]) * motion_stride<D>];
+        for (int d = 0; d < D; ++d) motion[D + d] = v[d];
+      }
+      if (!o.moving) {
+        for (int d = 0; d < D; ++d) body.nodes.displacement[i][d] += o.dt * v[d];
+      }
+    }
+  });
+}
+
+template void solve_momentum<2>(Body<2>&, const StepOptions<2>&);
+template void solve_momentum<3>(Body<3>&, const StepOptions<3>&);
+template void remap_momentum<2>(Body<2>&, const StepOptions<2>&);
+template void remap_momentum<3>(Body<3>&, const StepOptions<3>&);
+
+}  // namespace talus::mpm

@@ -1,0 +1,239 @@
+// Points that left their element: found again by walking through the sides, in an order that threads cannot change.
+
+#include <algorithm>
+
+#include "mpm/body/slots.hpp"
+#include "mpm/coupled/coupled_step.hpp"
+#include "mpm/coupled/kernels.hpp"
+#include "mpm/step/element_force.hpp"
+#include "mpm/step/kernels.hpp"
+#include "mpm/step/step.hpp"
+
+namespace talus::mpm {
+namespace {
+
+/// How far outside the grid, in shape functions, a point may be by round-off.
+constexpr double outside_tolerance = 1e-9;
+constexpr int longest_walk = 1000;
+
+/// Walks from the record's element to the one that holds the point. False when the point is outside the grid.
+template <int D>
+bool find_new_element(const mesh::Mesh<D>& mesh, Record<D>& r) {
+  for (int i = 0; i < longest_walk; ++i) {
+    double shape[D + 1];
+    shape[0] = 1;
+    for (int k = 0; k < D; ++k) {
+      shape[k + 1] = r.xi()[k];
+      shape[0] -= r.xi()[k];
+    }
+    // The side that the point is farthest behind, and the farthest one that leads on.
+    int worst = -1, way = -1;
+    for (int k = 0; k <= D; ++k) {
+      if (!(shape[k] < 0)) continue;
+      if (worst < 0 || shape[k] < shape[worst]) worst = k;
+      if (mesh.neighbours[r.element][k] >= 0 && (way < 0 || shape[k] < shape[way])) way = k;
+    }
+    if (worst < 0) return true;
+    if (way < 0) {
+      if (shape[worst] < -outside_tolerance) return false;
+      double sum = 0;
+      for (double& s : shape) {
+        s = std::max(s, 0.0);
+        sum += s;
+      }
+      for (int k = 0; k < D; ++k) r.xi()[k] = shape[k + 1] / sum;
+      return true;
+    }
+    std::array<double, D> xi;
+    for (int k = 0; k < D; ++k) xi[k] = r.xi()[k];
+    const std::array<double, D> x = mesh::to_global(mesh, r.element, xi);
+    r.element = mesh.neighbours[r.element][way];
+    xi = mesh::to_local(mesh, r.element, x);
+    for (int k = 0; k < D; ++k) r.xi()[k] = xi[k];
+  }
+  return false;
+}
+
+template <int D>
+void record_loss(Body<D>& body, const Record<D>& r) {
+  using P = Points<D>;
+  Lost<D> lost;
+  lost.id = r.id;
+  lost.time = body.time;
+  lost.mass = r.fields[P::mass];
+  std::array<double, D> xi;
+  for (int d = 0; d < D; ++d) {
+    xi[d] = r.fields[P::xi + d];
+    lost.momentum[d] = lost.mass * r.fields[P::velocity + d];
+  }
+  lost.position = mesh::to_global(body.mesh(), r.element, xi);
+  body.lost.push_back(lost);
+  if (body.water.is_wet()) body.water.left_grid += r.fields[body.water.first_field + WaterFields<D>::mass];
+  body.points.element[r.id] = -1;
+  body.points.place[r.id] = -1;
+}
+
+/// What a point carries from element to element beside its own fields: strain is summed in the elements, and the
+/// stress change of the last plastic return waits there for the next pass.
+template <int D>
+void hand_over(Body<D>& body, Record<D>& r, int from) {
+  constexpr int NS = Points<D>::stress_size;
+  const auto at = [](int e, int i) {
+    return (static_cast<std::size_t>(e / lane_width) * NS + static_cast<std::size_t>(i)) * lane_width +
+           static_cast<std::size_t>(e % lane_width);
+  };
+  for (int i = 0; i < NS; ++i) {
+    body.points.strain_offset[r.id][i] += body.elements.strain[at(from, i)] - body.elements.strain[at(r.element, i)];
+  }
+  const double change = body.elements.return_pressure[from] - body.elements.return_pressure[r.element];
+  for (int i = 0; i < 3; ++i) r.stress()[i] += change;
+}
+
+template <int D>
+void add_point_force(Body<D>& body, const Record<D>& r) {
+  using P = Points<D>;
+  double stress[force_size<D>], g[D * D], out[D + 1][1 + 2 * D];
+  for (int i = 0; i < force_size<D>; ++i) {
+    const int c = force_component<D>(i);
+    const double pending = c < 3 ? body.elements.return_pressure[r.element] : 0.0;
+    stress[i] = r.fields[P::volume] * (r.fields[P::stress + c] + pending);
+  }
+  for (int i = 0; i < D * D; ++i) g[i] = body.mesh().gradients[r.element][i];
+  ElementSums<D, double>::force_to_nodes(stress, g, out);
+  const std::size_t b = static_cast<std::size_t>(r.element / lane_width),
+                    lane = static_cast<std::size_t>(r.element % lane_width);
+  for (int k = 0; k <= D; ++k) {
+    const int row = body.layout->connectivity[(b * (D + 1) + static_cast<std::size_t>(k)) * lane_width + lane];
+    for (int d = 0; d < D; ++d)
+      body.nodes.sums[static_cast<std::size_t>(row) * sums_stride + static_cast<std::size_t>(1 + D + d)] +=
+          out[k][1 + D + d];
+  }
+}
+
+/// A block without points is skipped by the pass, so its moments are those of long ago.
+template <int D>
+void wake_block(Body<D>& body, int b) {
+  if (body.points.block_used[b] > 0) return;
+  const auto clear = [b](AlignedVector<double>& field, int size) {
+    std::fill_n(field.begin() + static_cast<std::int64_t>(b) * size * lane_width, size * lane_width, 0.0);
+  };
+  clear(body.elements.moments, moment_size<D>);
+  if (!body.water.is_wet()) return;
+  clear(body.water.moments, moment_size<D>);
+  clear(body.water.volume, 1);
+}
+
+/// Elements whose filling or surface changes when the records are put into their elements; sorted.
+template <int D>
+std::vector<int> find_changed_elements(const Body<D>& body, const std::vector<Record<D>>& records,
+                                       const std::vector<int>& sources) {
+  const mesh::Mesh<D>& mesh = body.mesh();
+  std::vector<int> candidates;
+  for (const Record<D>& r : records) candidates.push_back(r.element);
+  // Elements that lost their last point or receive their first one change the surface of their neighbours.
+  std::vector<int> changed = candidates;
+  changed.insert(changed.end(), sources.begin(), sources.end());
+  for (int e : changed) {
+    if (body.points.count[e] > 0) continue;
+    candidates.push_back(e);
+    for (int n : mesh.neighbours[e]) {
+      if (n >= 0) candidates.push_back(n);
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  return candidates;
+}
+
+/// Puts the records into their elements; with mixed integration, elements whose filling or surface changes have their
+/// internal force taken anew.
+template <int D>
+void insert_with_mixed_forces(Body<D>& body, const std::vector<Record<D>>& records, const std::vector<int>& sources) {
+  const std::vector<int> candidates = find_changed_elements(body, records, sources);
+  for (int e : candidates) add_internal_force(body, e, true, -1);
+  for (const Record<D>& r : records) {
+    wake_block(body, r.element / lane_width);
+    insert_point(body.points, r);
+    add_point_mass(body, r.element, r.fields);
+  }
+  for (int e : candidates) update_fill_limit(body, e);
+  for (int e : candidates) add_internal_force(body, e, true, 1);
+}
+
+/// The same with pore water, where an element's sums are no sums over its points: they share their pressure. Elements
+/// that the pass left full for the first time are treated alike.
+template <int D>
+void insert_wet_points(Body<D>& body, const StepOptions<D>& o, const std::vector<Record<D>>& records,
+                       const std::vector<int>& sources) {
+  std::vector<int> candidates = find_changed_elements(body, records, sources);
+  candidates.insert(candidates.end(), body.water.newly_full.begin(), body.water.newly_full.end());
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  // Among dry soil an element may also gain or lose its water without becoming empty.
+  const bool all_wet =
+      std::all_of(body.water.laws.begin(), body.water.laws.end(), [](const auto& law) { return law.wet; });
+  if (!all_wet && !sources.empty()) body.water.surface_is_stale = true;
+  for (const Record<D>& r : records) {
+    if (body.points.block_used[r.element / lane_width] == 0) wake_block(body, r.element / lane_width);
+  }
+  for (int e : candidates) {
+    if (body.points.count[e] > 0) add_wet_element(body, e, o, -1);
+    body.water.surface_is_stale = body.water.surface_is_stale || body.points.count[e] == 0;
+  }
+  for (const Record<D>& r : records) insert_point(body.points, r);
+  for (int e : candidates) update_fill_limit(body, e);
+  for (int e : candidates) {
+    share_wet_element(body, e, o);
+    add_wet_element(body, e, o, 1);
+  }
+}
+
+}  // namespace
+
+template <int D>
+void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) {
+  std::vector<Record<D>> records;
+  std::vector<int> sources;
+  for (const std::vector<Mover>& list : movers) {
+    // Backwards, so that the last point of a lane, which fills a gap, is never one that still has to go.
+    for (auto m = list.rbegin(); m != list.rend(); ++m) {
+      for (int lane = 0; lane < lane_width; ++lane) {
+        if (!(m->lanes >> lane & 1)) continue;
+        const int e = m->block * lane_width + lane;
+        records.push_back(
+            read_point(body.points, (body.points.block_start[m->block] + m->slot) * lane_width + lane, e));
+        remove_point(body.points, m->block, m->slot, lane);
+        sources.push_back(e);
+      }
+    }
+  }
+  const bool wet = body.water.is_wet();
+  if (records.empty() && !(wet && !body.water.newly_full.empty())) return;
+  std::vector<Record<D>> staying;
+  for (Record<D>& r : records) {
+    const int from = r.element;
+    if (!find_new_element(body.mesh(), r)) {
+      record_loss(body, r);
+      continue;
+    }
+    hand_over(body, r, from);
+    staying.push_back(r);
+  }
+  if (wet) {
+    insert_wet_points(body, o, staying, sources);
+  } else if (o.mixed) {
+    insert_with_mixed_forces(body, staying, sources);
+  } else {
+    for (const Record<D>& r : staying) {
+      wake_block(body, r.element / lane_width);
+      insert_point(body.points, r);
+      add_point_mass(body, r.element, r.fields);
+      add_point_force(body, r);
+    }
+  }
+}
+
+template void relocate<2>(Body<2>&, const StepOptions<2>&, const MoverLists&);
+template void relocate<3>(Body<3>&, const StepOptions<3>&, const MoverLists&);
+
+}  // namespace talus::mpm

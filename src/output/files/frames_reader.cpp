@@ -1,0 +1,163 @@
+#include "output/files/frames_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/files/frame_file.hpp"
+#include "output/files/results_folder.hpp"
+
+namespace talus::output {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const result_names[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf", "mesh.xdmf", "frames"};
+
+bool has_single_frames(const Index& index) {
+  for (const auto& [number, entry] : index.frames)
+    if (!entry.assembled) return true;
+  return false;
+}
+
+void remove_single_frames(const fs::path& folder) {
+  std::error_code ignored;  // what stays is a copy of what the results hold, and is read as such
+  fs::remove_all(frames_folder(folder), ignored);
+}
+
+/// Assembles unless the results already hold every frame.
+void finish_folder(const fs::path& folder, const Index& index) {
+  if (index.frames.empty())
+    throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", folder.string()));
+  if (has_single_frames(index)) assemble(folder, index);
+  remove_single_frames(folder);
+}
+
+/// Leaves the frames up to `time`, in their order: a run that starts again from there writes the later ones again.
+void drop_after(const fs::path& folder, double time, Index& index) {
+  for (auto it = index.frames.begin(); it != index.frames.end();) {
+    if (it->second.time <= time) {
+      ++it;
+      continue;
+    }
+    std::error_code ignored;
+    fs::remove(frame_file(folder, it->first), ignored);
+    it = index.frames.erase(it);
+  }
+  // A frame may stand in the results and, after a kill at the wrong moment, in a file of its own as well.
+  bool shorten = false;
+  for (const SeriesStep& step : index.points.steps) shorten = shorten || step.time > time;
+  if (!shorten) return;
+  if (index.frames.empty())
+    remove_results(folder);
+  else
+    assemble(folder, index);
+}
+
+}  // namespace
+
+ResultsWriter::ResultsWriter(fs::path folder, int next, int count)
+    : folder_(std::move(folder)), next_(next), count_(count) {
+  make_folder(frames_folder(folder_));
+}
+
+ResultsWriter ResultsWriter::start(const fs::path& folder) {
+  for (const char* name : result_names)
+    if (fs::exists(folder / name))
+      throw Error(ExitCode::folder_exists,
+                  fmt::format("'{}' already holds results ('{}'); nothing was written", folder.string(), name));
+  return {folder, 0, 0};
+}
+
+ResultsWriter ResultsWriter::resume(const fs::path& folder, double time) {
+  Index index = read_index(folder);
+  drop_after(folder, time, index);
+  return {folder, index.frames.empty() ? 0 : index.frames.rbegin()->first + 1, static_cast<int>(index.frames.size())};
+}
+
+void ResultsWriter::write(const Frame& frame) {
+  const std::string safe = fmt::format("the {} frames written before are whole", count_);
+  make_folder(frames_folder(folder_), safe);
+  write_frame(frame_file(folder_, next_), frame, safe);
+  ++next_;
+  ++count_;
+}
+
+void ResultsWriter::finish() {
+  finish_folder(folder_, read_index(folder_));
+}
+
+int collect(const fs::path& folder) {
+  const Index index = read_index(folder);
+  finish_folder(folder, index);
+  return static_cast<int>(index.frames.size());
+}
+
+void remove_results(const fs::path& folder) {
+  for (const char* name : result_names) {
+    std::error_code failure;
+    fs::remove_all(folder / name, failure);
+    if (failure)
+      throw Error(ExitCode::cannot_write,
+                  fmt::format("cannot remove '{}': {}", (folder / name).string(), failure.message()));
+  }
+}
+
+struct ResultsReader::Content {
+  fs::path folder;
+  Index index;
+  std::vector<int> numbers;
+  std::vector<double> times;
+  std::vector<long> steps;
+  std::vector<std::string> stages;
+};
+
+ResultsReader::ResultsReader(const fs::path& folder) : content_(std::make_unique<Content>()) {
+  Content& c = *content_;
+  c.folder = folder;
+  c.index = read_index(folder);
+  if (c.index.frames.empty())
+    throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", folder.string()));
+  for (const auto& [number, entry] : c.index.frames) {
+    c.numbers.push_back(number);
+    c.times.push_back(entry.time);
+    c.steps.push_back(entry.step);
+    c.stages.push_back(entry.stage);
+  }
+}
+
+ResultsReader::ResultsReader(ResultsReader&&) noexcept = default;
+ResultsReader::~ResultsReader() = default;
+int ResultsReader::size() const {
+  return static_cast<int>(content_->numbers.size());
+}
+const std::vector<double>& ResultsReader::times() const {
+  return content_->times;
+}
+const std::vector<long>& ResultsReader::steps() const {
+  return content_->steps;
+}
+const std::vector<std::string>& ResultsReader::stages() const {
+  return content_->stages;
+}
+const std::vector<std::string>& ResultsReader::field_names() const {
+  return content_->index.field_names;
+}
+
+Frame ResultsReader::read(int index) const {
+  if (index < 0 || index >= size())
+    throw Error(ExitCode::wrong_input, fmt::format("there is no frame {} in '{}': they are counted from 0 to {}", index,
+                                                   content_->folder.string(), size() - 1));
+  return read_entry(content_->folder, content_->index, content_->numbers[static_cast<std::size_t>(index)]);
+}
+
+int ResultsReader::find_nearest(double time) const {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < content_->times.size(); ++i)
+    if (std::abs(content_->times[i] - time) <= std::abs(content_->times[best] - time)) best = i;
+  return static_cast<int>(best);
+}
+
+}  // namespace talus::output

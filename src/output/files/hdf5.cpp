@@ -1,0 +1,367 @@
+#include "output/files/hdf5.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+
+namespace talus::output::hdf5 {
+namespace {
+
+std::recursive_mutex& library() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+/// Rows per chunk: about 256 KiB of values, so that small frames stay small and large ones compress well.
+constexpr std::size_t chunk_bytes = 256 * 1024;
+/// After the shuffle of bytes, higher levels of gzip cost time and gain a few per cent on floating-point fields.
+constexpr unsigned gzip_level = 1;
+
+template <class T>
+hid_t type_of();
+template <>
+hid_t type_of<double>() {
+  return H5T_IEEE_F64LE;
+}
+template <>
+hid_t type_of<std::int64_t>() {
+  return H5T_STD_I64LE;
+}
+template <>
+hid_t type_of<int>() {
+  return H5T_STD_I32LE;
+}
+template <>
+hid_t type_of<std::uint8_t>() {
+  return H5T_STD_U8LE;
+}
+static_assert(sizeof(int) == 4);
+
+void require(herr_t status, const std::string& what) {
+  if (status < 0) throw Failure(what);
+}
+
+Handle make_space(std::span<const hsize_t> extent, const hsize_t* largest = nullptr) {
+  return {H5Screate_simple(static_cast<int>(extent.size()), extent.data(), largest), H5Sclose, "a dataspace"};
+}
+
+std::vector<hsize_t> extent_of(std::size_t rows, std::size_t columns) {
+  std::vector<hsize_t> extent{rows};
+  if (columns != 1) extent.push_back(columns);
+  return extent;
+}
+
+Handle make_text_type(std::size_t length) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
+  require(H5Tset_size(type, std::max<std::size_t>(length, 1)), "the length of a text");
+  require(H5Tset_strpad(type, H5T_STR_NULLPAD), "the padding of a text");
+  return type;
+}
+
+template <class T>
+Handle make_dataset(hid_t place, const std::string& name, std::size_t rows, std::size_t columns, bool compress,
+                    bool extendable) {
+  const std::vector<hsize_t> extent = extent_of(rows, columns);
+  std::vector<hsize_t> largest = extent;
+  if (extendable) largest[0] = H5S_UNLIMITED;
+  const Handle space = make_space(extent, largest.data());
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "a property list");
+  require(H5Pset_create_intermediate_group(links, 1), name);
+  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "a property list");
+  // No times in the file: two runs of one case give the same bytes.
+  require(H5Pset_obj_track_times(properties, false), name);
+  if (compress && rows > 0) {
+    std::vector<hsize_t> chunk = extent;
+    chunk[0] = std::clamp<std::size_t>(chunk_bytes / (sizeof(T) * columns), 1,
+                                       extendable ? std::max<std::size_t>(rows, 64) : rows);
+    require(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), name);
+    if (sizeof(T) > 1) require(H5Pset_shuffle(properties), name);
+    require(H5Pset_deflate(properties, gzip_level), name);
+  } else if (extendable) {
+    throw Failure(name + " (an extendable dataset needs a first row)");
+  }
+  return {H5Dcreate2(place, name.c_str(), type_of<T>(), space, links, properties, H5P_DEFAULT), H5Dclose, name};
+}
+
+Handle open_dataset(hid_t place, const std::string& name) {
+  return {H5Dopen2(place, name.c_str(), H5P_DEFAULT), H5Dclose, name};
+}
+
+/// What the library still holds of a dataset reaches the disk when it is closed: a full disk may show only now.
+void close_written(Handle& dataset, const std::string& name) {
+  if (!dataset.close()) throw Failure(name);
+}
+
+Shape shape_of(const Handle& dataset, const std::string& name) {
+  const Handle space(H5Dget_space(dataset), H5Sclose, name);
+  hsize_t extent[2] = {0, 1};
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 1 || rank > 2) throw Failure(name + " (neither one- nor two-dimensional)");
+  require(H5Sget_simple_extent_dims(space, extent, nullptr), name);
+  return {static_cast<std::size_t>(extent[0]), static_cast<std::size_t>(extent[1])};
+}
+
+void write_attribute_value(hid_t place, const std::string& object, const std::string& name, hid_t type,
+                           const Handle& space, const void* value) {
+  const Handle attribute(
+      H5Acreate_by_name(place, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose, object + "@" + name);
+  require(H5Awrite(attribute, type, value), object + "@" + name);
+}
+
+Handle open_attribute(hid_t place, const std::string& object, const std::string& name) {
+  return {H5Aopen_by_name(place, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+          object + "@" + name};
+}
+
+Handle make_file_properties() {
+  Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a property list");
+  require(H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), "the order of names");
+  return properties;
+}
+
+herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
+}  // namespace
+
+Guard::Guard() : lock_(library()) {
+  // A file that could not be flushed (full disk) stays open inside the library, which would try again, and complain on
+  // stderr, while the program ends. By then the user has read our sentence and the temporary file is gone.
+  static const bool quiet_end = H5dont_atexit() >= 0;
+  static_cast<void>(quiet_end);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // the setting is per thread
+  errno = 0;
+}
+
+Failure::Failure(const std::string& what) : std::runtime_error(what), reason(errno) {}
+
+Handle::Handle(hid_t id, Close closer, const std::string& what) : id_(id), close_(closer) {
+  if (id < 0) throw Failure(what);
+}
+Handle::Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+Handle& Handle::operator=(Handle&& other) noexcept {
+  if (this != &other) {
+    close();
+    id_ = std::exchange(other.id_, -1);
+    close_ = other.close_;
+  }
+  return *this;
+}
+bool Handle::close() {
+  const hid_t id = std::exchange(id_, -1);
+  return id < 0 || close_(id) >= 0;
+}
+
+Handle create_in_memory() {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
+  require(H5Pset_fapl_core(access, 1 << 20, false), "the memory driver");
+  // The library wants a name that is no file; it is never written.
+  return {H5Fcreate("talus-memory.h5", H5F_ACC_TRUNC, make_file_properties(), access), H5Fclose, "a file in memory"};
+}
+
+std::vector<std::byte> image(const Handle& file) {
+  require(H5Fflush(file, H5F_SCOPE_GLOBAL), "a file in memory");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  if (size < 0) throw Failure("a file in memory");
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  if (H5Fget_file_image(file, bytes.data(), bytes.size()) != size) throw Failure("a file in memory");
+  return bytes;
+}
+
+Handle create(const std::filesystem::path& path) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
+  require(H5Pset_file_locking(access, false, true), "the file's locks");
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, make_file_properties(), access), H5Fclose, "the file itself"};
+}
+
+Handle open(const std::filesystem::path& path) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
+  require(H5Pset_file_locking(access, false, true), "the file's locks");
+  hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  // Where this process has the file open already, as h5py may have in Python, the locks must be those of that time.
+  if (file < 0) file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  return {file, H5Fclose, "the file itself"};
+}
+
+template <class T>
+void write(hid_t place, const std::string& name, std::span<const T> values, std::size_t columns, bool compress) {
+  Handle dataset = make_dataset<T>(place, name, values.size() / columns, columns, compress, false);
+  if (!values.empty()) require(H5Dwrite(dataset, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+  close_written(dataset, name);
+}
+
+template <class T>
+void append(hid_t place, const std::string& name, std::span<const T> values, std::size_t columns) {
+  const std::size_t rows = values.size() / columns;
+  if (!has(place, name)) {
+    if (rows == 0) {  // chunked, so that later rows can follow
+      const std::vector<T> row(columns);
+      append<T>(place, name, row, columns);
+      const Handle made = open_dataset(place, name);
+      const std::vector<hsize_t> empty = extent_of(0, columns);
+      require(H5Dset_extent(made, empty.data()), name);
+      return;
+    }
+    Handle dataset = make_dataset<T>(place, name, rows, columns, true, true);
+    require(H5Dwrite(dataset, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+    close_written(dataset, name);
+    return;
+  }
+  if (rows == 0) return;
+  Handle dataset = open_dataset(place, name);
+  const Shape old = shape_of(dataset, name);
+  if (old.columns != columns) throw Failure(name + " (another number of components)");
+  const std::vector<hsize_t> extent = extent_of(old.rows + rows, columns), count = extent_of(rows, columns);
+  require(H5Dset_extent(dataset, extent.data()), name);
+  const Handle file_space(H5Dget_space(dataset), H5Sclose, name);
+  const hsize_t start[2] = {old.rows, 0};
+  require(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count.data(), nullptr), name);
+  const Handle memory_space = make_space(count);
+  require(H5Dwrite(dataset, type_of<T>(), memory_space, file_space, H5P_DEFAULT, values.data()), name);
+  close_written(dataset, name);
+}
+
+template <class T>
+std::vector<T> read(hid_t place, const std::string& name, std::size_t first, std::size_t rows) {
+  const Handle dataset = open_dataset(place, name);
+  const Shape whole = shape_of(dataset, name);
+  if (first + rows > whole.rows) throw Failure(name + " (shorter than expected)");
+  std::vector<T> values(rows * whole.columns);
+  if (values.empty()) return values;
+  const Handle file_space(H5Dget_space(dataset), H5Sclose, name);
+  const std::vector<hsize_t> count{rows, whole.columns};
+  const hsize_t start[2] = {first, 0};
+  require(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count.data(), nullptr), name);
+  const Handle memory_space = make_space(std::vector<hsize_t>{rows * whole.columns});
+  require(H5Dread(dataset, type_of<T>(), memory_space, file_space, H5P_DEFAULT, values.data()), name);
+  return values;
+}
+
+template <class T>
+std::vector<T> read(hid_t place, const std::string& name) {
+  return read<T>(place, name, 0, shape(place, name).rows);
+}
+
+#define TALUS_STORED(T)                                                                     \
+  template void write<T>(hid_t, const std::string&, std::span<const T>, std::size_t, bool); \
+  template void append<T>(hid_t, const std::string&, std::span<const T>, std::size_t);      \
+  template std::vector<T> read<T>(hid_t, const std::string&, std::size_t, std::size_t);     \
+  template std::vector<T> read<T>(hid_t, const std::string&);
+TALUS_STORED(double)
+TALUS_STORED(std::int64_t)
+TALUS_STORED(int)
+TALUS_STORED(std::uint8_t)
+#undef TALUS_STORED
+
+void write_view(hid_t place, const std::string& name, const std::string& source, std::size_t first, std::size_t rows) {
+  const Handle original = open_dataset(place, source);
+  const Handle type(H5Dget_type(original), H5Tclose, source);
+  const Handle source_space(H5Dget_space(original), H5Sclose, source);
+  const std::vector<hsize_t> extent = extent_of(rows, shape_of(original, source).columns);
+  const hsize_t start[2] = {first, 0};
+  require(H5Sselect_hyperslab(source_space, H5S_SELECT_SET, start, nullptr, extent.data(), nullptr), source);
+  const Handle space = make_space(extent);
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "a property list");
+  require(H5Pset_create_intermediate_group(links, 1), name);
+  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "a property list");
+  require(H5Pset_obj_track_times(properties, false), name);
+  require(H5Pset_virtual(properties, space, ".", source.c_str(), source_space), name);
+  Handle view(H5Dcreate2(place, name.c_str(), type, space, links, properties, H5P_DEFAULT), H5Dclose, name);
+  close_written(view, name);
+}
+
+Shape shape(hid_t place, const std::string& name) {
+  return shape_of(open_dataset(place, name), name);
+}
+
+bool holds_integers(hid_t place, const std::string& name) {
+  const Handle type(H5Dget_type(open_dataset(place, name)), H5Tclose, name);
+  return H5Tget_class(type) == H5T_INTEGER;
+}
+
+void write_text(hid_t place, const std::string& name, const std::string& text) {
+  // Bytes, not an HDF5 text: texts cannot hold every byte, and an empty one cannot be told from a missing one.
+  write<std::uint8_t>(place, name, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, 1, false);
+}
+
+std::string read_text(hid_t place, const std::string& name) {
+  const std::vector<std::uint8_t> bytes = read<std::uint8_t>(place, name);
+  return {bytes.begin(), bytes.end()};
+}
+
+void write_attribute(hid_t place, const std::string& object, const std::string& name, const std::string& text) {
+  const Handle type = make_text_type(text.size());
+  const Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a dataspace");
+  const std::string padded = text.empty() ? std::string(1, '\0') : text;
+  write_attribute_value(place, object, name, type, scalar, padded.data());
+}
+
+void write_attribute(hid_t place, const std::string& object, const std::string& name,
+                     std::span<const std::int64_t> values) {
+  const std::vector<hsize_t> extent{values.size()};
+  const Handle space = values.size() == 1 ? Handle(H5Screate(H5S_SCALAR), H5Sclose, "a dataspace") : make_space(extent);
+  write_attribute_value(place, object, name, H5T_STD_I64LE, space, values.data());
+}
+
+void write_attribute(hid_t place, const std::string& object, const std::string& name, double value) {
+  const Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a dataspace");
+  write_attribute_value(place, object, name, H5T_IEEE_F64LE, scalar, &value);
+}
+
+std::string read_text_attribute(hid_t place, const std::string& object, const std::string& name) {
+  const Handle attribute = open_attribute(place, object, name);
+  const Handle type(H5Aget_type(attribute), H5Tclose, name);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) throw Failure(name + " (not a text)");
+  std::string text(H5Tget_size(type), '\0');
+  require(H5Aread(attribute, type, text.data()), name);
+  text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+  return text;
+}
+
+std::int64_t read_integer_attribute(hid_t place, const std::string& object, const std::string& name) {
+  const Handle attribute = open_attribute(place, object, name);
+  const Handle space(H5Aget_space(attribute), H5Sclose, name);
+  if (H5Sget_simple_extent_npoints(space) != 1) throw Failure(name + " (not one number)");
+  std::int64_t value = 0;
+  require(H5Aread(attribute, H5T_NATIVE_INT64, &value), name);
+  return value;
+}
+
+double read_real_attribute(hid_t place, const std::string& object, const std::string& name) {
+  const Handle attribute = open_attribute(place, object, name);
+  const Handle space(H5Aget_space(attribute), H5Sclose, name);
+  if (H5Sget_simple_extent_npoints(space) != 1) throw Failure(name + " (not one number)");
+  double value = 0;
+  require(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value), name);
+  return value;
+}
+
+void make_group(hid_t place, const std::string& name) {
+  const Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "a property list");
+  require(H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), name);
+  const Handle group(H5Gcreate2(place, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose, name);
+}
+
+bool has(hid_t place, const std::string& name) {
+  // H5Lexists wants every group on the way to exist.
+  for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1))
+    if (H5Lexists(place, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
+  return H5Lexists(place, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> list(hid_t place, const std::string& name) {
+  const Handle group(H5Gopen2(place, name.c_str(), H5P_DEFAULT), H5Gclose, name);
+  std::vector<std::string> names;
+  hsize_t position = 0;
+  if (H5Literate(group, H5_INDEX_CRT_ORDER, H5_ITER_INC, &position, add_name, &names) < 0) {
+    names.clear();
+    position = 0;
+    require(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &position, add_name, &names), name);
+  }
+  return names;
+}
+
+}  // namespace talus::output::hdf5

@@ -1,0 +1,158 @@
+#include "output/files/history.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "base/error.hpp"
+#include "output/files/atomic_file.hpp"
+
+namespace talus::output {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string safe_clause = "the rows written before are whole";
+
+std::string make_header(const std::vector<Column>& columns) {
+  std::string text;
+  for (const Column& c : columns) text += fmt::format("{}{} [{}]", text.empty() ? "" : ",", c.name, c.unit);
+  return text + "\n";
+}
+
+std::string read_text_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}'", path.string()));
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+double parse_number(const std::string& text, const fs::path& path, int line) {
+  double value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc() || end != text.data() + text.size())
+    throw Error(ExitCode::wrong_input, fmt::format("{}:{}: error: '{}' is not a number", path.string(), line, text));
+  return value;
+}
+
+Column parse_column(const std::string& text) {
+  const std::size_t open = text.rfind(" [");
+  if (open == std::string::npos || text.back() != ']') return {text, ""};
+  return {text.substr(0, open), text.substr(open + 2, text.size() - open - 3)};
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+}  // namespace
+
+std::string to_shortest(double value) {
+  char text[32];
+  const auto [end, failure] = std::to_chars(text, text + sizeof text, value);
+  return failure == std::errc() ? std::string(text, end) : "nan";
+}
+
+History::History(fs::path path, std::size_t columns) : path_(std::move(path)), columns_(columns) {}
+History::History(History&& other) noexcept
+    : path_(std::move(other.path_)), columns_(other.columns_), file_(std::exchange(other.file_, -1)) {}
+History::~History() {
+  if (file_ >= 0) ::close(file_);
+}
+
+void History::open() {
+  if (file_ >= 0) ::close(file_);
+  file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (file_ < 0) throw_cannot_write(path_, errno, safe_clause);
+}
+
+History History::start(const fs::path& path, const std::vector<Column>& columns) {
+  write_atomically(path, make_header(columns));
+  History history(path, columns.size());
+  history.open();
+  return history;
+}
+
+History History::resume(const fs::path& path, const std::vector<Column>& columns) {
+  if (!fs::exists(path)) return start(path, columns);
+  const std::string text = read_text_file(path), header = make_header(columns);
+  if (!text.starts_with(header))
+    throw Error(ExitCode::wrong_input,
+                fmt::format("cannot go on with '{}': its columns are '{}' where '{}' was expected", path.string(),
+                            text.substr(0, text.find('\n')), header.substr(0, header.size() - 1)));
+  // A row that a killed run left unfinished would swallow the next one.
+  const std::size_t whole = text.rfind('\n') + 1;
+  if (whole != text.size()) write_atomically(path, text.substr(0, whole), safe_clause);
+  History history(path, columns.size());
+  history.open();
+  return history;
+}
+
+void History::append(std::span<const double> row) {
+  if (row.size() != columns_)
+    throw Error(ExitCode::internal_error,
+                fmt::format("a row of '{}' has {} values, not {}", path_.string(), row.size(), columns_));
+  std::string line;
+  for (const double value : row) {
+    if (!line.empty()) line += ',';
+    line += to_shortest(value);
+  }
+  line += '\n';
+  const off_t before = ::lseek(file_, 0, SEEK_END);
+  for (std::size_t done = 0; done < line.size();) {
+    const ssize_t n = ::write(file_, line.data() + done, line.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      const int reason = errno;
+      static_cast<void>(::ftruncate(file_, before) == 0);
+      throw_cannot_write(path_, reason, safe_clause);
+    }
+    done += static_cast<std::size_t>(n);
+  }
+}
+
+void History::truncate_after(double time) {
+  const std::string text = read_text_file(path_);
+  std::size_t begin = std::min(text.find('\n'), text.size() - 1) + 1;
+  std::string kept = text.substr(0, begin);
+  for (int line = 2; begin < text.size(); ++line) {
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string::npos) break;
+    const std::string row = text.substr(begin, end - begin);
+    if (parse_number(row.substr(0, row.find(',')), path_, line) <= time) kept += row + "\n";
+    begin = end + 1;
+  }
+  if (kept == text) return;
+  write_atomically(path_, kept, safe_clause);
+  open();
+}
+
+HistoryTable read_history(const fs::path& path) {
+  HistoryTable table;
+  const std::string text = read_text_file(path);
+  const std::vector<std::string> lines = split(text.substr(0, text.rfind('\n') + 1), '\n');
+  if (lines.empty()) throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': it is empty", path.string()));
+  for (const std::string& title : split(lines[0], ',')) table.columns.push_back(parse_column(title));
+  table.values.resize(table.columns.size());
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::vector<std::string> cells = split(lines[i], ',');
+    if (cells.size() != table.columns.size())
+      throw Error(ExitCode::wrong_input, fmt::format("{}:{}: error: {} values where {} columns were expected",
+                                                     path.string(), i + 1, cells.size(), table.columns.size()));
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      table.values[c].push_back(parse_number(cells[c], path, static_cast<int>(i) + 1));
+  }
+  return table;
+}
+
+}  // namespace talus::output

@@ -1,0 +1,151 @@
+#include "output/files/results_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/error.hpp"
+#include "output/files/frame_file.hpp"
+
+namespace talus::output {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t format_version = 1;
+
+void add_name(std::vector<std::string>& names, const std::string& name) {
+  if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+}
+
+[[noreturn]] void throw_damaged(const fs::path& path, const std::string& what) {
+  throw Error(
+      ExitCode::wrong_input,
+      fmt::format("cannot read '{}': the file is damaged or no result of this program ({})", path.string(), what));
+}
+
+/// The texts of `text`, one a line.
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+void read_assembled(const fs::path& folder, Index& index) {
+  const fs::path path = results_file(folder);
+  const hdf5::Guard guard;
+  try {
+    const hdf5::Handle file = hdf5::open(path);
+    const std::int64_t version = hdf5::read_integer_attribute(file, "talus", "version");
+    if (version != format_version)
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("cannot read '{}': its format has version {}, this program knows {}", path.string(),
+                              version, format_version));
+    index.points = read_series(file);
+    const std::vector<std::int64_t> steps = hdf5::read<std::int64_t>(file, "talus/step");
+    const std::vector<std::int64_t> stages = hdf5::read<std::int64_t>(file, "talus/stage");
+    const std::vector<std::string> names = split_lines(hdf5::read_text(file, "talus/stage_names"));
+    for (std::size_t i = 0; i < index.points.steps.size(); ++i) {
+      const SeriesStep& step = index.points.steps[i];
+      index.frames[static_cast<int>(step.number)] = {step.time, static_cast<long>(steps.at(i)),
+                                                     names.at(static_cast<std::size_t>(stages.at(i))), i};
+    }
+    for (const SeriesField& field : index.points.point_fields)
+      if (!field.integer) add_name(index.field_names, field.name);
+  } catch (const hdf5::Failure& failure) {
+    throw_damaged(path, failure.what());
+  } catch (const std::out_of_range&) {
+    throw_damaged(path, "its tables do not fit each other");
+  }
+}
+
+void read_assembled_mesh(const fs::path& folder, Index& index) {
+  const hdf5::Guard guard;
+  try {
+    index.mesh = read_series(hdf5::open(mesh_file(folder)));
+  } catch (const hdf5::Failure& failure) {
+    throw_damaged(mesh_file(folder), failure.what());
+  } catch (const std::out_of_range&) {
+    throw_damaged(mesh_file(folder), "its tables do not fit each other");
+  }
+}
+
+std::optional<int> parse_number(const fs::path& path) {
+  const std::string stem = path.stem().string();
+  int number = -1;
+  const auto [end, failure] = std::from_chars(stem.data(), stem.data() + stem.size(), number);
+  if (path.extension() != ".h5" || failure != std::errc() || end != stem.data() + stem.size()) return std::nullopt;
+  return number;
+}
+
+std::vector<int> to_int(const std::vector<std::int64_t>& values) {
+  std::vector<int> result(values.size());
+  std::ranges::transform(values, result.begin(), [](std::int64_t v) { return static_cast<int>(v); });
+  return result;
+}
+
+MeshFrame read_mesh(hid_t file, const Series& series, const SeriesStep& step) {
+  const auto size = [](std::int64_t n) { return static_cast<std::size_t>(n); };
+  const int per_cell = count_nodes(series.type);
+  return {per_cell, hdf5::read<double>(file, "VTKHDF/Points", size(step.first_point), size(step.points)),
+          to_int(hdf5::read<std::int64_t>(file, "VTKHDF/Connectivity", size(step.first_connectivity),
+                                          size(step.cells * per_cell))),
+          read_series_fields(file, "CellData", series.cell_fields, step.first_cell_data, step.cells),
+          read_series_fields(file, "PointData", series.point_fields, step.first_point_data, step.points)};
+}
+
+}  // namespace
+
+fs::path frame_file(const fs::path& folder, int number) {
+  return frames_folder(folder) / fmt::format("{:06d}.h5", number);
+}
+
+Index read_index(const fs::path& folder) {
+  Index index;
+  if (fs::exists(results_file(folder))) read_assembled(folder, index);
+  if (fs::exists(mesh_file(folder))) read_assembled_mesh(folder, index);
+  std::error_code none;
+  std::map<int, fs::path> single;
+  for (const fs::directory_entry& entry : fs::directory_iterator(frames_folder(folder), none))
+    if (const std::optional<int> number = parse_number(entry.path())) single[*number] = entry.path();
+  for (const auto& [number, path] : single) {
+    const FrameHeader header = read_frame_header(path);
+    index.frames[number] = {header.time, header.step, header.stage, std::nullopt};
+    for (const Field& field : header.point_fields) add_name(index.field_names, field.name);
+  }
+  return index;
+}
+
+Frame read_entry(const fs::path& folder, const Index& index, int number) {
+  const FrameEntry& entry = index.frames.at(number);
+  if (!entry.assembled) return read_frame(frame_file(folder, number));
+  const auto size = [](std::int64_t n) { return static_cast<std::size_t>(n); };
+  const SeriesStep& step = index.points.steps[*entry.assembled];
+  const hdf5::Guard guard;
+  fs::path path = results_file(folder);
+  try {
+    const hdf5::Handle file = hdf5::open(path);
+    Frame frame{entry.time,
+                entry.step,
+                entry.stage,
+                hdf5::read<double>(file, "VTKHDF/Points", size(step.first_point), size(step.points)),
+                hdf5::read<int>(file, "VTKHDF/PointData/id", size(step.first_point_data), size(step.points)),
+                hdf5::read<int>(file, "VTKHDF/PointData/material", size(step.first_point_data), size(step.points)),
+                read_series_fields(file, "PointData", index.points.point_fields, step.first_point_data, step.points),
+                {}};
+    if (!index.mesh) return frame;
+    path = mesh_file(folder);
+    for (const SeriesStep& mesh_step : index.mesh->steps)
+      if (mesh_step.number == number) frame.mesh = read_mesh(hdf5::open(path), *index.mesh, mesh_step);
+    return frame;
+  } catch (const hdf5::Failure& failure) {
+    throw_damaged(path, failure.what());
+  }
+}
+
+}  // namespace talus::output

@@ -1,0 +1,152 @@
+#include "output/plots/water_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "output/plots/gnuplot.hpp"
+
+namespace talus::output {
+namespace {
+
+constexpr double width = 1060;                                        ///< [px]
+constexpr double top = 44, row_height = 350, above = 58, below = 62;  ///< rows: heading and captions, axis
+constexpr double most_decades = 12;                                   ///< of a conductivity axis
+
+struct Place {
+  double left, right;  ///< edges of a panel [px]
+};
+constexpr Place saturation_place{72, 500}, conductivity_place{592, 984};
+
+std::string write_label(const std::string& text, double x, double y, double height, const char* font = "") {
+  return fmt::format("set label {} at screen {:.5f}, screen {:.5f} left {} textcolor rgb '{}'\n", quote(text),
+                     x / width, 1 - y / height, font, text_colour);
+}
+
+std::string open_panel(Place place, double row_top, double height, const std::string& y_label) {
+  return fmt::format(
+      "unset label\nunset arrow\n"
+      "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n"
+      "set bmargin at screen {:.5f}\nset ylabel {} textcolor rgb '{}'\n",
+      place.left / width, place.right / width, 1 - (row_top + above) / height,
+      1 - (row_top + row_height - below) / height, quote(y_label), text_colour);
+}
+
+/// A pair of a table at suction 0 has no place on a logarithmic axis and is drawn at its left end.
+std::string make_pairs(const std::string& name, const std::vector<std::array<double, 2>>& pairs, double least,
+                       double factor) {
+  std::vector<double> x, y;
+  for (const auto& pair : pairs) x.push_back(std::max(pair[0], least) / 1e3), y.push_back(pair[1] * factor);
+  return make_data(name, {x, y});
+}
+
+std::vector<double> scale(std::vector<double> values, double factor) {
+  for (double& v : values) v *= factor;
+  return values;
+}
+
+/// The smallest number of decades around the curve, and k of the saturated soil inside.
+std::array<double, 2> find_conductivity_range(const WaterCurves& soil) {
+  const double saturated = soil.saturated_conductivity;
+  double least = saturated;
+  for (const double k : soil.relative) least = std::min(least, k * saturated);
+  for (const auto& pair : soil.relative_pairs) least = std::min(least, pair[1] * saturated);
+  const double high = std::ceil(std::log10(saturated) + 0.15);
+  const double low = std::floor(std::log10(std::max(least, 1e-300)) - 0.15);
+  return {std::max(low, high - most_decades), high};
+}
+
+/// `heading` is the script of labels that stand above the panel's own.
+std::string draw_saturation(const WaterCurves& soil, std::size_t row, double row_top, double height,
+                            const std::string& heading) {
+  std::string script = open_panel(saturation_place, row_top, height, "degree of saturation S [-]") + heading;
+  script += write_label(soil.material, saturation_place.left, row_top + 14, height, "font title_font");
+  script += write_label(soil.retention, saturation_place.left, row_top + 40, height);
+  script +=
+      "set border 3\nunset logscale y\nset yrange [0:1.05]\nset ytics 0.2\nset format y '%.1f'\nunset y2tics\nunset "
+      "y2label\n";
+  script += "set key bottom left Left reverse samplen 2.5 spacing 1.3\n";
+  script += fmt::format("plot $curve{} using 1:2 with lines linewidth 2.5 linecolor rgb '{}' title 'S'", row,
+                        line_colours[0]);
+  if (!soil.chi.empty())
+    script += fmt::format(", \\\n     $chi{} using 1:2 with lines linewidth 2 dashtype 2 linecolor rgb '{}' title {}",
+                          row, line_colours[2], quote("Bishop's χ"));
+  if (!soil.saturation_pairs.empty())
+    script += fmt::format(
+        ", \\\n     $pairs{} using 1:2 with points pointtype 7 pointsize 0.7 linecolor rgb '#000000' title "
+        "'pairs of the table'",
+        row);
+  return script + "\n";
+}
+
+std::string draw_conductivity(const WaterCurves& soil, std::size_t row, double row_top, double height) {
+  std::string script = open_panel(conductivity_place, row_top, height, "conductivity k [m/s]");
+  script += write_label(soil.conductivity, conductivity_place.left, row_top + 40, height);
+  const auto [low, high] = find_conductivity_range(soil);
+  const double step = std::max(1.0, std::ceil((high - low) / 8)), saturated = soil.saturated_conductivity;
+  script += fmt::format(
+      "set border 11\nset logscale y\nset yrange [1e{0:g}:1e{1:g}]\nset ytics 1e{2:g}\nset format y '10^{{%L}}'\n"
+      "set logscale y2\nset y2range [{3:.10g}:{4:.10g}]\nset y2tics 1e{2:g}\nset my2tics 1\nset format y2 '10^{{%L}}'\n"
+      "set y2label {5} textcolor rgb '{6}'\n",
+      low, high, step, std::pow(10, low) / saturated, std::pow(10, high) / saturated,
+      quote("relative conductivity [-]"), text_colour);
+  script += "set key bottom left Left reverse samplen 2.5 spacing 1.3\n";
+  if (soil.air_entry && *soil.air_entry >= soil.suction.front())
+    script += fmt::format(
+        "set arrow from {0:.10g}, graph 0 to {0:.10g}, graph 1 nohead linewidth 1.5 dashtype 2 linecolor rgb "
+        "'#666666'\n",
+        *soil.air_entry / 1e3);
+  script += fmt::format("plot $curve{} using 1:3 with lines linewidth 2.5 linecolor rgb '{}' title 'k'", row,
+                        line_colours[1]);
+  if (soil.air_entry)
+    script += ", \\\n     NaN with lines linewidth 1.5 dashtype 2 linecolor rgb '#666666' title 'air entry'";
+  if (!soil.relative_pairs.empty())
+    script += fmt::format(
+        ", \\\n     $relative_pairs{} using 1:2 with points pointtype 7 pointsize 0.7 linecolor rgb '#000000' title "
+        "'pairs of the table'",
+        row);
+  return script + "\n";
+}
+
+}  // namespace
+
+void draw(const WaterPlot& plot, const std::filesystem::path& picture) {
+  if (plot.soils.empty()) throw Error(ExitCode::wrong_input, "soil-water curves cannot be drawn: there is no wet soil");
+  const double height = top + row_height * static_cast<double>(plot.soils.size());
+  std::string script;
+  for (std::size_t i = 0; i < plot.soils.size(); ++i) {
+    const WaterCurves& soil = plot.soils[i];
+    const std::string row = std::to_string(i);
+    if (!(soil.saturated_conductivity > 0))
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("the conductivity of '{}' cannot be drawn: it is not above 0", soil.material));
+    const std::vector<double> suction = scale(soil.suction, 1e-3);
+    script += make_data("curve" + row, {suction, soil.saturation, scale(soil.relative, soil.saturated_conductivity)});
+    if (!soil.chi.empty()) script += make_data("chi" + row, {suction, soil.chi});
+    if (!soil.saturation_pairs.empty())
+      script += make_pairs("pairs" + row, soil.saturation_pairs, soil.suction.front(), 1);
+    if (!soil.relative_pairs.empty())
+      script +=
+          make_pairs("relative_pairs" + row, soil.relative_pairs, soil.suction.front(), soil.saturated_conductivity);
+  }
+  const std::vector<double>& s = plot.soils.front().suction;
+  script += fmt::format(
+      "set border 3 linecolor rgb '{0}'\nset tics nomirror out scale 0.6,0.3 textcolor rgb '{0}'\n"
+      "set grid xtics ytics linetype 1 linewidth 0.7 linecolor rgb '{1}'\nset key textcolor rgb '{0}'\n"
+      "set logscale x\nset xrange [{2:.10g}:{3:.10g}]\nset xtics 10\nset mxtics 10\nset format x '%g'\n"
+      "set xlabel 'suction [kPa]' textcolor rgb '{0}'\n",
+      text_colour, grid_colour, s.front() / 1e3, s.back() / 1e3);
+  script += "set multiplot\n";
+  for (std::size_t i = 0; i < plot.soils.size(); ++i) {
+    const double row_top = top + row_height * static_cast<double>(i);
+    const std::string heading =
+        i == 0 ? write_label(plot.title, saturation_place.left, 24, height, "font title_font") : "";
+    script += draw_saturation(plot.soils[i], i, row_top, height, heading);
+    script += draw_conductivity(plot.soils[i], i, row_top, height);
+  }
+  run_gnuplot(picture, script + "unset multiplot\n", static_cast<int>(width), static_cast<int>(height));
+}
+
+}  // namespace talus::output

@@ -1,0 +1,86 @@
+#include "report/content/boundary_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "report/look_up.hpp"
+
+namespace talus::report {
+namespace {
+
+/// Points whose distance from the chord is below this share of its length are on it.
+constexpr double straight = 1e-9;
+
+void drop_straight_points(Polyline& line) {
+  Polyline kept;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i > 0 && i + 1 < line.size()) {
+      const auto &a = kept.back(), &b = line[i], &c = line[i + 1];
+      const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+      const double square = (c[0] - a[0]) * (c[0] - a[0]) + (c[1] - a[1]) * (c[1] - a[1]);
+      if (std::abs(area) <= straight * square) continue;
+    }
+    kept.push_back(line[i]);
+  }
+  line = std::move(kept);
+}
+
+}  // namespace
+
+std::vector<Polyline> join_sides(const mesh::Mesh<2>& mesh, const std::vector<mesh::Mesh<2>::Side>& sides) {
+  std::map<int, std::vector<int>> beside;
+  for (const auto& side : sides) {
+    beside[side[0]].push_back(side[1]);
+    beside[side[1]].push_back(side[0]);
+  }
+  std::set<std::pair<int, int>> used;
+  std::vector<Polyline> lines;
+  const auto walk = [&](int start) {
+    Polyline line{mesh.nodes[static_cast<std::size_t>(start)]};
+    for (int at = start;;) {
+      const std::vector<int>& next = beside.at(at);
+      const auto step = std::find_if(next.begin(), next.end(), [&](int n) {
+        return !used.contains({std::min(at, n), std::max(at, n)});
+      });
+      if (step == next.end()) break;
+      used.insert({std::min(at, *step), std::max(at, *step)});
+      at = *step;
+      line.push_back(mesh.nodes[static_cast<std::size_t>(at)]);
+    }
+    if (line.size() < 2) return;
+    drop_straight_points(line);
+    lines.push_back(std::move(line));
+  };
+  // Ends and forks first, so that no line begins in its middle; what is left is closed.
+  for (const auto& [node, others] : beside)
+    if (others.size() != 2)
+      for (std::size_t k = 0; k < others.size(); ++k) walk(node);
+  for (const auto& [node, others] : beside) walk(node);
+  return lines;
+}
+
+std::vector<Polyline> find_boundary_lines(const std::string& name, const nlohmann::json& geometry,
+                                          const std::optional<mesh::Mesh<2>>& mesh) {
+  if (mesh) {
+    const auto sides = mesh->sides.find(name);
+    return sides == mesh->sides.end() ? std::vector<Polyline>{} : join_sides(*mesh, sides->second);
+  }
+  for (const nlohmann::json& line : find_list(geometry, {"line"})) {
+    if (get_word(line, "name") != name) continue;
+    Polyline points;
+    for (const auto& p : get_si_points(line, "points")) points.push_back({p.at(0), p.at(1)});
+    return {points};
+  }
+  const auto box = get_si_points(geometry, "box");
+  if (box.size() != 2) return {};
+  const double x0 = box[0].at(0), y0 = box[0].at(1), x1 = box[1].at(0), y1 = box[1].at(1);
+  if (name == "left") return {{{x0, y0}, {x0, y1}}};
+  if (name == "right") return {{{x1, y0}, {x1, y1}}};
+  if (name == "bottom") return {{{x0, y0}, {x1, y0}}};
+  if (name == "top") return {{{x0, y1}, {x1, y1}}};
+  return {};
+}
+
+}  // namespace talus::report

@@ -1,0 +1,13 @@
+#pragma once
+// Strength reduction by finite elements in a report: trials, factors, the fields at failure.
+
+#include "report/folder.hpp"
+#include "report/pack/pack.hpp"
+
+namespace talus::report {
+
+/// `FiniteElements` of web/src/contractMethods.ts; null when the run has none. Fields that cannot be read cost their
+/// picture and add a warning.
+nlohmann::json make_finite_elements(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
+
+}  // namespace talus::report

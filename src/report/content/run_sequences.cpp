@@ -1,0 +1,78 @@
+#include "report/content/run_sequences.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/content/sequence.hpp"
+
+namespace talus::report {
+namespace {
+
+SequencePlan plan_stages(const ResultFolder& folder) {
+  SequencePlan plan{"stages", "Stages", "time", {}};
+  if (!folder.frames) return plan;
+  for (int i = 0; i < folder.frames->size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    plan.frames.push_back({folder.frames, i, std::nullopt,
+                           fmt::format("{}, t = {:.3g} s", folder.frames->stages()[k], folder.frames->times()[k])});
+  }
+  return plan;
+}
+
+/// The last frame of the trial itself, before it runs out.
+int find_end_of_trial(const output::ResultsReader& frames) {
+  int last = 0;
+  for (int i = 0; i < frames.size(); ++i)
+    if (!frames.stages()[static_cast<std::size_t>(i)].starts_with("runout")) last = i;
+  return last;
+}
+
+std::vector<SequencePlan> plan_trials(const ResultFolder& folder) {
+  SequencePlan curve{"curve", "Trials of the displacement curve", "factor", {}};
+  std::vector<SequencePlan> plans;
+  for (const TrialFolder& trial : folder.trials) {
+    const auto frames = open_frames(trial.path);
+    if (!frames || frames->size() == 0) continue;
+    if (!trial.runs_out || frames->size() > 1)
+      curve.frames.push_back({frames, find_end_of_trial(*frames), trial.factor, fmt::format("SRF {:g}", trial.factor)});
+    if (!trial.runs_out) continue;
+    SequencePlan runout{
+        fmt::format("runout_{:g}", trial.factor), fmt::format("Runout at SRF {:g}", trial.factor), "time", {}};
+    for (int i = 0; i < frames->size(); ++i)
+      runout.frames.push_back(
+          {frames, i, trial.factor, fmt::format("t = {:.3g} s", frames->times()[static_cast<std::size_t>(i)])});
+    plans.push_back(std::move(runout));
+  }
+  if (!curve.frames.empty()) plans.insert(plans.begin(), std::move(curve));
+  return plans;
+}
+
+}  // namespace
+
+nlohmann::json pack_sequences(const ResultFolder& folder, Packer& packer) {
+  std::vector<SequencePlan> plans = plan_trials(folder);
+  if (SequencePlan stages = plan_stages(folder); !stages.frames.empty()) plans.insert(plans.begin(), std::move(stages));
+  nlohmann::json sequences = nlohmann::json::array();
+  // Where all soil has left the grid there is nothing to look at.
+  std::erase_if(plans, [](const SequencePlan& plan) {
+    const SequenceFrame& start = plan.frames.front();
+    return start.reader->read(start.index).point_count() == 0;
+  });
+  if (plans.empty()) return sequences;
+  // All sequences begin with the points of the same body.
+  const SequenceFrame& first = plans[0].frames[0];
+  const std::size_t points = static_cast<std::size_t>(first.reader->read(first.index).point_count());
+  Budget budget;
+  std::vector<std::size_t> needs;
+  for (const SequencePlan& plan : plans) needs.push_back(points * std::min(plan.frames.size(), budget.frames));
+  const std::vector<std::size_t> shares = share_out(needs, find_most_point_frames(get_dimension(folder.summary)));
+  const ShownUnits units = read_units(folder.summary);
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    budget.point_frames = shares[k];
+    sequences.push_back(pack_sequence(plans[k], get_dimension(folder.summary), units, budget, packer));
+  }
+  return sequences;
+}
+
+}  // namespace talus::report

@@ -1,0 +1,13 @@
+#pragma once
+// Methods of slices in a report: critical surfaces with their slices, every trial circle, the search.
+
+#include "report/folder.hpp"
+#include "report/pack/pack.hpp"
+
+namespace talus::report {
+
+/// `Slices` of web/src/contractMethods.ts; null when the run has none. What of the trials cannot be read costs them and
+/// adds a warning.
+nlohmann::json make_slices(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
+
+}  // namespace talus::report

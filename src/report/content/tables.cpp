@@ -1,0 +1,136 @@
+#include "report/content/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "output/files/history.hpp"
+#include "report/content/thinning.hpp"
+#include "report/look_up.hpp"
+
+namespace talus::report {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// "crest.displacement_x" → "crest: displacement x". The name of a monitor stays as the case gives it.
+std::string to_title(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  std::string quantity = dot == std::string::npos ? name : name.substr(dot + 1);
+  std::replace(quantity.begin(), quantity.end(), '_', ' ');
+  return dot == std::string::npos ? quantity : name.substr(0, dot) + ": " + quantity;
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+json make_column(const output::Column& column, const std::vector<double>& values,
+                 const std::vector<std::size_t>& rows) {
+  json list = json::array();
+  for (const std::size_t i : rows) list.push_back(std::isfinite(values[i]) ? json(values[i]) : json());
+  return {{"name", column.name}, {"title", to_title(column.name)}, {"unit", column.unit}, {"values", list}};
+}
+
+/// "x [m],ground before [m],ground after [m]": unlike a history it has empty cells, where there is no ground.
+output::HistoryTable read_profile(const fs::path& path) {
+  output::HistoryTable table;
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  for (const std::string& title : split(line)) {
+    const std::size_t open = title.rfind(" [");
+    table.columns.push_back(
+        open == std::string::npos
+            ? output::Column{title, ""}
+            : output::Column{title.substr(0, open), title.substr(open + 2, title.size() - open - 3)});
+  }
+  table.values.resize(table.columns.size());
+  while (std::getline(file, line)) {
+    const std::vector<std::string> cells = split(line);
+    for (std::size_t k = 0; k < table.values.size(); ++k) {
+      double value = std::numeric_limits<double>::quiet_NaN();
+      if (k < cells.size()) std::from_chars(cells[k].data(), cells[k].data() + cells[k].size(), value);
+      table.values[k].push_back(value);
+    }
+  }
+  return table;
+}
+
+/// profile.csv is in metres whatever unit of length the case asks for.
+void show_in(const ShownUnit& length, output::HistoryTable& table) {
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    if (table.columns[k].unit != "m") continue;
+    table.columns[k].unit = length.name;
+    for (double& value : table.values[k]) value /= length.si;
+  }
+}
+
+class TableList {
+ public:
+  TableList(const ShownUnit& length, json& warnings) : length_(length), warnings_(warnings) {}
+
+  void add(const fs::path& path, const std::string& id, const std::string& title, const std::string& kind) {
+    if (!fs::exists(path) || fs::file_size(path) == 0) return;
+    try {
+      output::HistoryTable table = kind == "ground" ? read_profile(path) : output::read_history(path);
+      if (kind == "ground") show_in(length_, table);
+      add(table, id, title, kind);
+    } catch (const Error& error) {
+      warnings_.push_back(fmt::format("{} is not shown: {}", title, error.what()));
+    }
+  }
+
+  json tables = json::array();
+
+ private:
+  void add(const output::HistoryTable& table, const std::string& id, const std::string& title,
+           const std::string& kind) {
+    if (table.columns.empty() || table.values[0].empty()) return;
+    const std::size_t count = table.values[0].size();
+    const std::vector<std::size_t> rows = choose_frames(count, most_rows);
+    json columns = json::array();
+    for (std::size_t k = 1; k < table.columns.size(); ++k)
+      columns.push_back(make_column(table.columns[k], table.values[k], rows));
+    tables.push_back(
+        {{"id", id},
+         {"title", rows.size() == count ? title : fmt::format("{} ({} of {} rows)", title, rows.size(), count)},
+         {"kind", kind},
+         {"x", make_column(table.columns[0], table.values[0], rows)},
+         {"columns", columns}});
+  }
+
+  ShownUnit length_;
+  json& warnings_;
+};
+
+}  // namespace
+
+json make_tables(const ResultFolder& folder, json& warnings) {
+  TableList list(read_units(folder.summary).length, warnings);
+  list.add(folder.path / "history.csv", "history", "History of the stages", "history");
+  list.add(folder.path / "monitors.csv", "monitors", "Monitors during the stages", "monitors");
+  list.add(folder.path / "profile.csv", "profile", "Ground before and after", "ground");
+  for (const TrialFolder& trial : folder.trials) {
+    if (!trial.runs_out) continue;
+    const std::string name = fmt::format("runout_{:g}", trial.factor),
+                      words = fmt::format("runout at SRF {:g}", trial.factor);
+    list.add(trial.path / "history.csv", "history_" + name, "History of the " + words, "history");
+    list.add(trial.path / "monitors.csv", "monitors_" + name, "Monitors during the " + words, "monitors");
+    list.add(trial.path / "profile.csv", "profile_" + name, "Ground before and after the " + words, "ground");
+  }
+  return list.tables;
+}
+
+}  // namespace talus::report

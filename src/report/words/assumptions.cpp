@@ -1,0 +1,291 @@
+#include "report/words/assumptions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "report/content/asked_methods.hpp"
+#include "report/content/properties.hpp"
+#include "report/content/roots.hpp"
+#include "report/content/soil_water.hpp"
+#include "report/content/step_choices.hpp"
+#include "report/look_up.hpp"
+#include "report/words/water_words.hpp"
+
+namespace talus::report {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+/// Residual force over the external force above which a stage did not stand still.
+constexpr double restless = 0.01;
+
+/// Collects the sentences about one run.
+class Assumptions {
+ public:
+  explicit Assumptions(const json& summary)
+      : summary_(summary), choices_(gather_step_choices(summary)), dimension_(get_dimension(summary)) {}
+
+  json collect() {
+    if (find(summary_, {"input"}) == nullptr) return sentences_;
+    if (asks_for(summary_, "lem")) add_slices();
+    if (asks_for(summary_, "fem")) add_elements();
+    if (!asks_for(summary_, "mpm")) return sentences_;
+    add_ground();
+    add_soils();
+    add_mesh();
+    add_factor();
+    add_motion();
+    add_walls();
+    return sentences_;
+  }
+
+ private:
+  template <class... Values>
+  void add(fmt::format_string<Values...> text, Values&&... values) {
+    sentences_.push_back(fmt::format(text, std::forward<Values>(values)...));
+  }
+
+  void add_slices() {
+    add("Slices: the mass above a slip surface slides as one body in a plane, and the strength is reached along all of "
+        "that surface at once. Deformation, the stress before failure and the dilatancy angle play no part; sides of a "
+        "slide, which hold, are left out.");
+    if (find(summary_, {"lem", "search"}) != nullptr)
+      add("The critical surface is the weakest of those that were tried and then improved; a weaker one of another "
+          "shape is possible.");
+    add("Fellenius, Bishop and Janbu leave a part of the equilibrium out; Spencer and Morgenstern–Price "
+        "satisfy all of it with an assumed inclination of the forces between slices.");
+    if (get_flag(get_table("lem"), "reject", true))
+      add("Surfaces with m_α below {:g}, with tension over more than {:g} % of the base, or (Spencer, "
+          "Morgenstern–Price) with the thrust outside the mass at more than {:g} % of the slices' sides are rejected "
+          "and counted.",
+          get_si(get_table("lem"), "smallest_m_alpha", 0.2), 100 * get_si(get_table("lem"), "most_tension", 0.1),
+          100 * get_si(get_table("lem"), "most_thrust_outside", 0.15));
+    const json& earthquake = get_table("earthquake");
+    if (get_si(earthquake, "horizontal", 0) != 0 || get_si(earthquake, "vertical", 0) != 0)
+      add("The earthquake is a constant acceleration (pseudo-static): neither its duration nor pore pressures that it "
+          "causes are seen.");
+  }
+
+  void add_elements() {
+    add("Finite elements: {} at small strains on the undeformed geometry. The factor is where Newton's method finds no "
+        "equilibrium that meets both the force and the displacement residual; a shear band is as wide as an element, "
+        "so that a finer mesh gives a slightly lower factor.",
+        dimension_ == 2 ? "quadratic triangles (six nodes)" : "quadratic tetrahedra (ten nodes)");
+    for (const json& run : find_list(summary_, {"fem", "runs"}))
+      if (get_text(run, {"flow"}) == "associated")
+        add("With associated flow (ψ = φ) the factor can be compared with slices and limit analysis; with ψ as given "
+            "it is what material points should come to.");
+  }
+
+  /// A table of the case; an empty one when it is not there.
+  const json& get_table(const char* name) const {
+    static const json none = json::object();
+    const json* found = find(summary_, {"input", name});
+    return found != nullptr ? *found : none;
+  }
+
+  void add_ground() {
+    if (dimension_ == 2)
+      add("Plane strain: a section without sides, per metre of thickness. A slide between flanks is stronger than its "
+          "section.");
+    else
+      add("Three dimensions: the section is extruded along z between walls. Tetrahedra lock more than triangles, and "
+          "factors of safety in 3D have not been compared with other methods beyond a slab and an upper bound.");
+    if (is_wet(summary_))
+      for (std::string& sentence : list_water_assumptions(summary_)) sentences_.push_back(std::move(sentence));
+    else
+      add("Dry soil in one phase: no pore pressure, no seepage, no suction. Undrained ground can be calculated with "
+          "total stresses only (φ = 0, c = su).");
+    const json* initial = find(summary_, {"input", "initial"});
+    if (initial == nullptr) return;
+    if (const std::string start = get_word(*initial, "result"); !start.empty())
+      add("The initial state is the end of the results in '{}'.", start);
+    else if (get_word(*initial, "stress") != "k0")
+      add("There is no initial stress: the first stage brings the weight on, and the horizontal stress of the settled "
+          "ground is about ν/(1−ν) times the vertical one, a matter of Poisson's ratio.");
+    else if (const auto k0 = find_si(*initial, "k0"))
+      add("The initial stress is geostatic with K0 = {}, as under a level ground; the first stage brings it into "
+          "balance.",
+          show_number(*k0));
+    else
+      add("The initial stress is geostatic with K0 = ν/(1−ν) of each soil, as under a level ground; the first stage "
+          "brings it into balance.");
+  }
+
+  void add_soils() {
+    const json* materials = find(summary_, {"input", "materials"});
+    if (materials == nullptr) return;
+    std::vector<std::string> elastic, tensile, external, clay;
+    std::size_t with_strength = 0;
+    for (const auto& [name, soil] : materials->items()) {
+      const std::string model = get_word(soil, "model");
+      if (model == "linear_elastic") elastic.push_back(name);
+      if (model == "external") external.push_back(name);
+      if (is_cam_clay(soil)) clay.push_back(name);
+      if (!is_mohr_coulomb(soil)) continue;
+      ++with_strength;
+      if (get_si(soil, "tensile_strength", 0) > 0) tensile.push_back(name);
+      add_dilatancy(name, soil);
+    }
+    is_plastic_ = with_strength + clay.size() > 0;
+    if (with_strength > 0)
+      add("The strength is perfectly plastic: no softening, no rate effect, the same in all directions. With peak "
+          "strength a slide stops too early, with residual strength it starts too early.");
+    if (!tensile.empty())
+      add("A tensile strength is kept in {}: ground may hang together in tension where real ground would crack.",
+          join_words(tensile));
+    if (tensile.size() < with_strength)
+      add("{} no tensile strength: it opens freely, and separated soil swells a little.",
+          tensile.empty() ? "The soil has" : "The other soil has");
+    if (!external.empty())
+      add("{}: stress follows strain as a compiled UMAT says, which Talus can neither see nor check. It is told strain "
+          "increments, not deformation gradients; its state variables are carried with the soil, and not rotated.",
+          join_words(external));
+    if (!clay.empty()) add_clay(clay);
+    for (std::string& sentence : list_root_assumptions(summary_)) sentences_.push_back(std::move(sentence));
+    if (!elastic.empty()) add("Without any limit of strength (linear elastic): {}.", join_words(elastic));
+  }
+
+  void add_clay(const std::vector<std::string>& names) {
+    add("{}: modified Cam-clay, the same in all directions. Soil that is preconsolidated beyond the critical state "
+        "dilates and softens in bands as thick as the elements are; contraction together with softening, as of loose "
+        "or cemented soil, is not in it.",
+        join_words(names));
+    if (choices_.is_reduction)
+      add("In Cam-clay soils the factor divides tan φ of the critical state. The preconsolidation stays as it is.");
+  }
+
+  void add_dilatancy(const std::string& name, const json& soil) {
+    const double psi = get_si(soil, "dilatancy_angle", 0), phi = get_si(soil, "friction_angle", 0);
+    if (phi <= 0) return;
+    // Methods of slices give a factor of safety; a run without one has nothing to compare with them.
+    const bool compares = choices_.is_reduction;
+    if (psi <= 0)
+      add("{}: the plastic flow keeps its volume (ψ = 0, φ = {:.3g}°).{}", name, phi / degree,
+          compares ? " Methods of slices assume ψ = φ in effect and give a higher factor, by about 3 to 5 % on the "
+                     "slopes that were compared."
+                   : "");
+    else if (psi < phi - 1e-9)
+      add("{}: the plastic flow dilates with ψ = {:.3g}° below φ = {:.3g}°{}.", name, psi / degree, phi / degree,
+          compares ? "; the factor lies between those of ψ = 0 and ψ = φ" : "");
+    else
+      add("{}: associated flow (ψ = φ = {:.3g}°){}; real soil dilates less{}.", name, phi / degree,
+          compares ? ", comparable with methods of slices and limit analysis" : "",
+          compares ? ", which gives a lower factor" : "");
+  }
+
+  void add_mesh() {
+    const double size = get_number(summary_, {"mesh", "mean_size"}), height = get_number(summary_, {"slope_height"});
+    if (size > 0 && height > 0) {
+      const double across = height / size;
+      add("The mean size of the elements is {} the height of the slope.{}",
+          across > 1.5 ? fmt::format("1/{:.0f} of", across) : show_number(1 / across, 2) + " times",
+          is_plastic_ ? " Shear bands are one or two elements thick whatever their size: strains inside them depend on "
+                        "the mesh."
+                      : "");
+    }
+    if (is_plastic_) add_locking();
+  }
+
+  /// Only plastic flow locks.
+  void add_locking() {
+    const char* simplex = dimension_ == 2 ? "triangles" : "tetrahedra";
+    const std::string lock =
+        fmt::format("linear {} without smoothing lock in plastic flow at constant volume", simplex);
+    if (choices_.has_curve && !choices_.curve_is_smoothed)
+      add("The displacement curve: {}. They are too strong: factors of the curve come out some 5 to 15 % too high, and "
+          "displacements too small.",
+          lock);
+    else if (!choices_.is_reduction && !choices_.stages_are_smoothed)
+      add("The stages: {}. They are too strong, and displacements come out too small.", lock);
+    if (choices_.smoothings.contains("strain"))
+      add("Plain strain smoothing is used; with dilatancy (ψ > 0) it can become unstable.");
+    if (choices_.smoothings.contains("stable"))
+      add("Locking of linear {} is relieved by stable strain smoothing, not removed: finer meshes still give {}.",
+          simplex, choices_.is_reduction ? "lower factors" : "larger displacements");
+  }
+
+  void add_factor() {
+    if (!choices_.is_reduction) return;
+    if (const json* frozen = find(summary_, {"factor_of_safety", "frozen"})) {
+      add("The factor of safety is decided at frozen geometry (small strains): a trial comes to rest or runs away. "
+          "What moves and changes its shape before it fails is not seen by it.");
+      const std::size_t meshes = find_list(*frozen, {"meshes"}).size();
+      if (find(*frozen, {"extrapolated"}) != nullptr)
+        add("It is extrapolated in a straight line from {} meshes to elements of no size. Its bracket is that of the "
+            "search on these meshes; the individual mesh moves the factor by about 2 %, which a variation of mesh.size "
+            "by some percent shows.",
+            meshes);
+      else
+        add("It is that of one mesh and not extrapolated: about 5 % too high at elements of H/13, 3 % at H/27 on the "
+            "slopes that were compared.");
+      for (const json& m : find_list(*frozen, {"meshes"}))
+        if (find(m, {"undecided"}) != nullptr && m["undecided"] == true)
+          add("At h = {} a trial was neither at rest nor run away when its time was over; it counts as failed.",
+              show(get_number(m, {"size"}), read_units(summary_).length));
+    }
+    if (choices_.has_curve)
+      add("Displacements of the curve are those after {:g} s with damping {:g}: other times and damping give other "
+          "displacements, and the constructions on the curve are conventions.",
+          get_si(summary_["input"]["strength_reduction"]["curve"], "window", 0),
+          get_si(summary_["input"]["strength_reduction"]["curve"], "damping", 0));
+    const json& stages = find_list(summary_, {"stages"});
+    const bool all_done = stages.size() == find_list(summary_, {"input", "stage"}).size();
+    if (!stages.empty() && all_done && get_number(stages.back(), {"force_ratio"}) > restless)
+      add("The last stage was still moving when the strength reduction began (unbalanced force {:.2g} of the weight): "
+          "displacements of the trials contain that motion.",
+          get_number(stages.back(), {"force_ratio"}));
+  }
+
+  void add_motion() {
+    if (has_moved())
+      add("Runout: moved volume and largest displacement are robust to about ±15 to 20 % from H/10 on, the position of "
+          "the front is not. A second mesh belongs to every number that is used. Kinetic energy is lost in the mapping "
+          "at impacts, so that pressures on walls are no result.");
+    if (choices_.largest_damping > 0.1 && !choices_.is_reduction)
+      add("Local damping of up to {:g} is used, for coming to rest. In a stage that runs out it would stop the soil "
+          "too early.",
+          choices_.largest_damping);
+    if (choices_.largest_mass_scaling > 1)
+      add("The inertia is multiplied by up to {:g} in some stages: their times and speeds have no physical meaning.",
+          choices_.largest_mass_scaling);
+    if (const double lost = get_number(summary_, {"budgets", "lost", "points"}); lost > 0)
+      add("{:.0f} {} the grid and {} no longer calculated.", lost, lost == 1 ? "point left" : "points left",
+          lost == 1 ? "is" : "are");
+  }
+
+  /// Of a run that nothing moved in, nothing is to be said about how far.
+  bool has_moved() const {
+    bool moved = get_number(summary_, {"runout", "moved_volume"}) > 0;
+    for (const json& r : find_list(summary_, {"runouts"}))
+      moved = moved || get_number(r, {"runout", "moved_volume"}) > 0;
+    return moved;
+  }
+
+  void add_walls() {
+    for (const json& b : find_list(summary_, {"input", "boundary"})) {
+      if (get_word(b, "fix") != "friction") continue;
+      add("Walls with friction follow Coulomb's law with one coefficient and no cohesion.");
+      return;
+    }
+  }
+
+  const json& summary_;
+  StepChoices choices_;
+  std::size_t dimension_;
+  bool is_plastic_ = false;  ///< some soil has a limit of strength
+  json sentences_ = json::array();
+};
+
+}  // namespace
+
+json list_assumptions(const json& summary) {
+  return Assumptions(summary).collect();
+}
+
+}  // namespace talus::report

@@ -1,0 +1,13 @@
+#pragma once
+// Fields of the finite elements as a file that ParaView opens.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace talus::run {
+
+/// fem.json as VTK's XML format (.vtu) with quadratic triangles or tetrahedra: displacement and shear strain of each
+/// flow rule at the nodes, plastic elements.
+std::string write_vtu(const nlohmann::json& file);
+
+}  // namespace talus::run

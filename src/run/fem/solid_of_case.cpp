@@ -1,0 +1,329 @@
+#include "run/fem/solid_of_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "ground/ground_line.hpp"
+#include "ground/ground_load.hpp"
+#include "ground/plane_water.hpp"
+#include "ground/pore_water.hpp"
+#include "ground/root_content.hpp"
+#include "ground/side_normals.hpp"
+#include "ground/soil_laws.hpp"
+#include "ground/soil_weight.hpp"
+#include "mesh/column.hpp"
+#include "mesh/generate.hpp"
+
+namespace talus::run {
+namespace {
+
+/// A normal that points along an axis to this is along it.
+constexpr double along_axis = 1 - 1e-9;
+/// Parts of an element's edge, for means over elements that the water table cuts.
+constexpr int element_parts = 5;
+
+/// What a region's law is made of: the material, and as what model.
+struct RegionSoil {
+  input::Material material;  ///< rooted where cohesion varies from place to place
+  bool varies = false;       ///< takes cohesion from the state of its points
+};
+
+RegionSoil make_region_soil(const input::Case& data, const std::string& region) {
+  const auto given = data.regions.find(region);
+  if (given == data.regions.end())
+    throw Error(ExitCode::wrong_input, fmt::format("region '{}' has no material; add it to [regions]", region));
+  RegionSoil soil{data.materials.at(given->second)};
+  switch (soil.material.model) {
+    case input::MaterialModel::linear_elastic:
+      break;
+    case input::MaterialModel::mohr_coulomb:
+      soil.varies = soil.material.slices.cohesion_gradient != 0;
+      if (soil.varies) soil.material.model = input::MaterialModel::rooted_mohr_coulomb;
+      break;
+    case input::MaterialModel::rooted_mohr_coulomb:
+      soil.varies = true;
+      break;
+    case input::MaterialModel::modified_cam_clay:
+    case input::MaterialModel::rooted_cam_clay:
+    case input::MaterialModel::external:
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("finite elements cannot reduce the strength of material '{}': they take the models "
+                              "linear_elastic, mohr_coulomb and rooted_mohr_coulomb",
+                              given->second));
+  }
+  return soil;
+}
+
+template <int D>
+std::vector<RegionSoil> list_soils(const input::Case& data, const mesh::Mesh<D>& mesh) {
+  std::vector<RegionSoil> soils;
+  for (const std::string& region : mesh.region_names) soils.push_back(make_region_soil(data, region));
+  return soils;
+}
+
+/// Throws where finite elements have no such boundary.
+void check_boundary(const input::Boundary& b) {
+  if (b.fix == input::Fix::plane &&
+      std::none_of(b.normal.begin(), b.normal.end(), [](double n) { return std::abs(n) > along_axis; }))
+    throw Error(
+        ExitCode::wrong_input,
+        fmt::format("finite elements can hold '{}' along x, y or z only, not along ({:g}, {:g}, {:g}); use fix = "
+                    "\"normal\" on an inclined side",
+                    b.on, b.normal[0], b.normal[1], b.normal[2]));
+  if (b.fix != input::Fix::friction && b.fix != input::Fix::velocity) return;
+  throw Error(
+      ExitCode::wrong_input,
+      fmt::format("finite elements have no {}: take \"fem\" out of [analysis] methods, or let fix of the boundary "
+                  "'{}' be full or normal",
+                  b.fix == input::Fix::friction ? "wall with friction" : "boundary that moves", b.on));
+}
+
+template <int D>
+fem::Support<D> make_support(const input::Boundary& b, const mesh::Mesh<D>& mesh) {
+  check_boundary(b);
+  fem::Support<D> support;
+  support.name = b.on;
+  support.sides = ground::find_sides(mesh, b.on);
+  support.along_normal = b.fix == input::Fix::normal;
+  for (std::size_t d = 0; d < D; ++d)
+    support.fixed[d] = b.fix == input::Fix::full || (b.fix == input::Fix::plane && std::abs(b.normal[d]) > along_axis);
+  return support;
+}
+
+/// The mean over an element of something that follows from the pore pressure, linear between its corners.
+template <int D, class F>
+double find_mean(const std::array<double, D + 1>& corners, const F& find) {
+  double sum = 0;
+  int count = 0;
+  const auto add = [&](double p) { sum += find(p), ++count; };
+  constexpr double n = element_parts;
+  for (int i = 0; i < element_parts; ++i)
+    for (int j = 0; i + j < element_parts; ++j) {
+      if constexpr (D == 2) {
+        const double a = (i + 1.0 / 3) / n, b = (j + 1.0 / 3) / n;
+        add(a * corners[0] + b * corners[1] + (1 - a - b) * corners[2]);
+      } else {
+        for (int k = 0; i + j + k < element_parts; ++k) {
+          const double a = (i + 0.25) / n, b = (j + 0.25) / n, c = (k + 0.25) / n;
+          add(a * corners[0] + b * corners[1] + c * corners[2] + (1 - a - b - c) * corners[3]);
+        }
+      }
+    }
+  return sum / count;
+}
+
+template <int D>
+class SolidBuilder {
+ public:
+  SolidBuilder(const input::Case& data, SolidOfCase<D>& solid)
+      : data_(data), solid_(solid), mesh_(*solid.mesh), soils_(list_soils<D>(data, mesh_)) {}
+
+  void build() {
+    fem::SolidModel<D>& model = solid_.model;
+    model.mesh = &mesh_;
+    for (std::size_t d = 0; d < D; ++d) model.direction[d] = data_.gravity.direction[d];
+    if constexpr (D == 2) find_plane();
+    for (const input::Boundary& b : data_.boundaries) model.supports.push_back(make_support<D>(b, mesh_));
+    set_water();
+    add_earthquake();
+    model.loads = ground::make_surface_loads<D>(data_, mesh_, ponds_, table_, ground_);
+    if (data_.initial.stress == input::InitialStress::k0) set_k0_stress();
+    set_start();
+  }
+
+ private:
+  const input::Material& get_soil(int e) const { return soils_[mesh_.element_region[e]].material; }
+  bool is_soil(int e) const { return mesh_.element_region[e] != mesh::empty_region; }
+
+  void find_plane() {
+    if (data_.mesh.polygons.empty()) return;  // a ready mesh: nothing stands on it but what its sides say
+    ground_ = ground::find_ground(data_.mesh);
+    ponds_ = ground::find_ponds(data_, ground_);
+    for (std::string& note : ground::find_open_ends(ponds_, ground_)) solid_.notes.push_back(std::move(note));
+    if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
+  }
+
+  /// Weights, χ p, saturation.
+  void set_water() {
+    const std::vector<double> pressure = ground::find_nodal_pressure<D>(data_, mesh_, &solid_.seepage);
+    const bool has_pressure = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p != 0; });
+    const auto n = mesh_.elements.size();
+    fem::SolidModel<D>& model = solid_.model;
+    model.unit_weight.assign(n, 0.0);
+    model.saturation.assign(n, 1.0);
+    pore_.assign(n, {});
+    bool acts = false;
+    for (int e = 0; e < mesh_.element_count(); ++e) {
+      if (!is_soil(e)) continue;
+      const input::Material& m = get_soil(e);
+      const bool wet = ground::takes_water(data_, m);
+      std::array<double, D + 1> p{};
+      for (std::size_t c = 0; c <= D; ++c) p[c] = wet && has_pressure ? pressure[mesh_.elements[e][c]] : 0;
+      // Without water in the case there is nothing to be below: the soil is dry.
+      const bool is_dry = !m.water.is_wet() && !(wet && has_pressure);
+      model.unit_weight[e] = is_dry ? ground::find_unit_weight(data_, m, 1)
+                                    : find_mean<D>(p, [&](double q) { return ground::find_unit_weight(data_, m, q); });
+      if (m.friction_angle == 0 && m.model != input::MaterialModel::linear_elastic) continue;  // total stress
+      for (std::size_t c = 0; c <= D; ++c) {
+        pore_[e][c] = p[c] > 0 ? ground::find_suction_stress(m, p[c]) : p[c];
+        acts = acts || pore_[e][c] != 0;
+      }
+    }
+    acts = add_pressure_ratio() || acts;
+    if (acts) model.pore_stress = pore_;
+  }
+
+  /// u = r_u σ_v of the soils that have one.
+  bool add_pressure_ratio() {
+    std::vector<mesh::LocalPoint<D>> places;
+    for (int e = 0; e < mesh_.element_count(); ++e) {
+      if (!is_soil(e) || get_soil(e).slices.pore_pressure_ratio == 0) continue;
+      for (std::size_t c = 0; c <= D; ++c) {
+        std::array<double, D> xi{};
+        if (c > 0) xi[c - 1] = 1;
+        places.push_back({e, xi});
+      }
+    }
+    if (places.empty()) return false;
+    const std::vector<double> overburden =
+        mesh::overburden_integral<D>(mesh_, solid_.model.unit_weight, places, find_up());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const int e = places[i].element;
+      pore_[e][i % (D + 1)] = -get_soil(e).slices.pore_pressure_ratio * overburden[i];
+    }
+    return true;
+  }
+
+  Vec<D> find_up() const {
+    Vec<D> up;
+    for (std::size_t d = 0; d < D; ++d) up[d] = -data_.gravity.direction[d];
+    return up;
+  }
+
+  /// Out of the slope: towards the lower end of the ground.
+  void add_earthquake() {
+    const input::Earthquake& quake = data_.earthquake;
+    if (quake.horizontal == 0 && quake.vertical == 0) return;
+    double out = 1;
+    if (!ground_.empty() && ground_.front()[1] < ground_.back()[1]) out = -1;
+    solid_.model.direction[0] += out * quake.horizontal;
+    solid_.model.direction[1] -= quake.vertical;
+    if (ground_.empty() || ground_.front()[1] == ground_.back()[1])
+      solid_.notes.push_back(
+          "the earthquake acts towards larger x in the finite elements: both ends of the ground are "
+          "equally high");
+  }
+
+  /// Vertical effective stress of the column of soil and water above, and K0 of it sideways.
+  void set_k0_stress() {
+    std::vector<mesh::LocalPoint<D>> places;
+    Vec<D> middle;
+    middle.fill(1.0 / (D + 1));
+    for (int e = 0; e < mesh_.element_count(); ++e)
+      if (is_soil(e)) places.push_back({e, middle});
+    const Vec<D> up = find_up();
+    const std::vector<double> overburden = mesh::overburden_integral<D>(mesh_, solid_.model.unit_weight, places, up);
+    solid_.model.initial_stress.assign(mesh_.elements.size(), {});
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const int e = places[i].element;
+      const input::Material& m = get_soil(e);
+      const Vec<D> x = mesh::to_global(mesh_, e, middle);
+      double above = overburden[i], pore = 0;
+      if (!ground_.empty()) {
+        above += ground::find_surcharge(data_, x[0]);
+        const double level = ground::find_level(ground_, x[0]);
+        if (const auto water = ground::find_standing_level(ponds_, table_, ground_, x[0]))
+          above += ground::find_water_weight(data_) * std::max(0.0, *water - level);
+      }
+      for (const double p : pore_[e]) pore += p / (D + 1);
+      const double k0 = data_.initial.k0.value_or(m.poisson_ratio / (1 - m.poisson_ratio)), vertical = -above - pore,
+                   sideways = k0 * vertical, extra = vertical - sideways;
+      auto& s = solid_.model.initial_stress[e];
+      for (std::size_t d = 0; d < 3; ++d) s[d] = sideways;
+      for (std::size_t d = 0; d < D; ++d) s[d] += extra * up[d] * up[d];
+      s[3] = extra * up[0] * up[1];
+      if constexpr (D == 3) {
+        s[4] = extra * up[1] * up[2];
+        s[5] = extra * up[2] * up[0];
+      }
+    }
+  }
+
+  /// Cohesion that varies from place to place is a state variable of the points.
+  void set_start() {
+    if (std::none_of(soils_.begin(), soils_.end(), [](const RegionSoil& s) { return s.varies; })) return;
+    solid_.model.set_state = [data = data_, mesh = solid_.mesh, soils = soils_](int region, const Vec<D>& x,
+                                                                                double* state) {
+      const RegionSoil& soil = soils[region];
+      if (!soil.varies) return;
+      const input::SliceSoil& slices = soil.material.slices;
+      double cohesion = slices.cohesion_gradient * std::max(0.0, slices.cohesion_level - x[1]);
+      const input::Material& given = data.materials.at(data.regions.at(mesh->region_names[region]));
+      cohesion += ground::find_roots<D>(data, *mesh, {x}, {&given}).front().cohesion;
+      state[1] = cohesion;
+    };
+  }
+
+  const input::Case& data_;
+  SolidOfCase<D>& solid_;
+  const mesh::Mesh<D>& mesh_;
+  std::vector<RegionSoil> soils_;
+  ground::Polyline ground_, table_;
+  std::vector<ground::Pond> ponds_;
+  std::vector<std::array<double, D + 1>> pore_;
+};
+
+template <int D>
+void set_laws(const input::Case& data, SolidOfCase<D>& solid, bool associated) {
+  std::vector<RegionSoil> soils = list_soils<D>(data, *solid.mesh);
+  if (associated)
+    for (RegionSoil& soil : soils) soil.material.dilatancy_angle = soil.material.friction_angle;
+  solid.model.make_law = [soils = std::move(soils)](int region, double factor) {
+    return ground::make_law(soils[static_cast<std::size_t>(region)].material, {}, factor);
+  };
+}
+
+}  // namespace
+
+mesh::Plan make_fem_plan(const input::Case& data) {
+  mesh::Plan plan = data.mesh;
+  if (!plan.file.empty()) return plan;
+  plan.algorithm = data.fem.algorithm;
+  if (!data.fem.size) return plan;
+  // Finer places stay as much finer as they are.
+  const double share = plan.size > 0 ? *data.fem.size / plan.size : 1;
+  plan.size = *data.fem.size;
+  for (mesh::Refinement& r : plan.refinements) r.size *= share;
+  return plan;
+}
+
+void check_solid(const input::Case& data) {
+  for (const auto& [region, material] : data.regions) make_region_soil(data, region);
+  for (const input::Boundary& b : data.boundaries) check_boundary(b);
+}
+
+template <int D>
+SolidOfCase<D> make_solid(const input::Case& data) {
+  SolidOfCase<D> solid;
+  solid.mesh = std::make_shared<const mesh::Mesh<D>>(mesh::generate<D>(make_fem_plan(data)));
+  set_laws<D>(data, solid, false);
+  SolidBuilder<D>(data, solid).build();
+  return solid;
+}
+
+template <int D>
+void set_associated_flow(const input::Case& data, SolidOfCase<D>& solid) {
+  set_laws<D>(data, solid, true);
+}
+
+#define TALUS_INSTANTIATE(D)                                 \
+  template SolidOfCase<D> make_solid<D>(const input::Case&); \
+  template void set_associated_flow<D>(const input::Case&, SolidOfCase<D>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::run

@@ -1,0 +1,223 @@
+#include "run/lem/run_lem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "run/lem/lem_json.hpp"
+#include "run/lem/section_of_case.hpp"
+
+namespace talus::run {
+namespace {
+
+using nlohmann::json;
+
+bool is_check(lem::Refusal refusal) {
+  return refusal == lem::Refusal::m_alpha || refusal == lem::Refusal::tension || refusal == lem::Refusal::thrust ||
+         refusal == lem::Refusal::steep_toe || refusal == lem::Refusal::too_shallow;
+}
+
+std::array<double, 2> get_range(const std::vector<double>& given, const std::array<double, 2>& otherwise) {
+  return given.size() == 2 ? std::array{given[0], given[1]} : otherwise;
+}
+
+/// Published circles are rounded: moves the centre so that the arc of this radius meets the ground at both ends. Throws
+/// where that is another circle.
+void lead_through_ends(const lem::Slope& slope, const std::string& name, lem::Surface& surface) {
+  constexpr double farthest = 0.02;  // over the radius
+  lem::Circle& circle = *surface.circle;
+  const lem::Point a{surface.from, slope.ground(surface.from)}, b{surface.to, slope.ground(surface.to)};
+  const double dx = b[0] - a[0], dy = b[1] - a[1], chord = std::hypot(dx, dy), r = circle.radius,
+               height = r > chord / 2 ? std::sqrt(r * r - chord * chord / 4) : -1;
+  const lem::Point centre{(a[0] + b[0]) / 2 - height * dy / chord, (a[1] + b[1]) / 2 + height * dx / chord};
+  if (height < 0 || std::hypot(centre[0] - circle.centre[0], centre[1] - circle.centre[1]) > farthest * r)
+    throw Error(
+        ExitCode::wrong_input,
+        fmt::format("the circle '{}' about ({:g}, {:g}) with radius {:g} m does not meet the ground at its ends, "
+                    "x = {:g} m and {:g} m",
+                    name, circle.centre[0], circle.centre[1], r, a[0], b[0]));
+  circle.centre = centre;
+}
+
+json solve_given(const input::Case& data, const lem::Slope& slope, const lem::SearchOptions& options) {
+  json list = json::array();
+  for (const input::SlipSurface& given : data.lem.surfaces) {
+    const lem::Surface surface = make_surface(slope, given);
+    for (const lem::Method method : options.methods) {
+      lem::Critical critical = solve_surface(slope, surface, method, options);
+      if (data.lem.yield_acceleration && critical.solution.factor > 0)
+        critical.yield_acceleration = lem::find_yield_acceleration(slope, critical.cut, method, options.checks);
+      list.push_back(to_json(slope, critical));
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+lem::Method to_lem(input::SliceMethod method) {
+  switch (method) {
+    case input::SliceMethod::fellenius:
+      return lem::Method::fellenius;
+    case input::SliceMethod::bishop:
+      return lem::Method::bishop;
+    case input::SliceMethod::janbu:
+      return lem::Method::janbu;
+    case input::SliceMethod::janbu_corrected:
+      return lem::Method::janbu_corrected;
+    case input::SliceMethod::spencer:
+      return lem::Method::spencer;
+    case input::SliceMethod::morgenstern_price:
+      return lem::Method::morgenstern_price;
+    case input::SliceMethod::morgenstern_price_constant:
+      break;
+  }
+  return lem::Method::morgenstern_price_constant;
+}
+
+PreparedSlope prepare_slope(const input::Case& data) {
+  SectionOfCase made = make_section(data);
+  return {std::make_shared<const lem::Slope>(std::move(made.section)), std::move(made.notes), std::move(made.seepage)};
+}
+
+lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads) {
+  lem::SearchOptions options;
+  options.kind = settings.search == input::SurfaceSearch::grid ? lem::SearchKind::grid : lem::SearchKind::entry_exit;
+  lem::GridSearch grid;  // from == to: chosen from the ground
+  grid.columns = settings.grid.columns;
+  grid.rows = settings.grid.rows;
+  grid.radii = settings.grid.radii;
+  if (settings.grid.corners.size() == 2) {
+    grid.from = settings.grid.corners[0];
+    grid.to = settings.grid.corners[1];
+  }
+  if (settings.grid.levels.size() == 2) {
+    grid.lowest = settings.grid.levels[0];
+    grid.highest = settings.grid.levels[1];
+  }
+  options.grid = grid;
+  lem::EntryExitSearch between;  // empty ranges: the whole ground
+  constexpr std::array<double, 2> everywhere{-1e9, 1e9};
+  const bool has_range = !settings.entry_exit.exit.empty() || !settings.entry_exit.entry.empty();
+  between.exit = get_range(settings.entry_exit.exit, has_range ? everywhere : std::array<double, 2>{});
+  between.entry = get_range(settings.entry_exit.entry, has_range ? everywhere : std::array<double, 2>{});
+  between.exits = settings.entry_exit.exits;
+  between.entries = settings.entry_exit.entries;
+  between.depths = settings.entry_exit.depths;
+  options.entry_exit = between;
+  options.slices = settings.slices;
+  options.methods.clear();
+  for (const input::SliceMethod m : settings.methods) options.methods.push_back(to_lem(m));
+  options.checks.smallest_m_alpha = settings.smallest_m_alpha;
+  options.checks.most_tension = settings.most_tension;
+  options.checks.most_thrust_outside = settings.most_thrust_outside;
+  options.checks.smallest_depth = settings.smallest_depth;
+  options.checks.composite = settings.composite;
+  options.checks.reject = settings.reject;
+  options.composite = settings.composite;
+  options.optimise_surface = settings.noncircular;
+  options.vertices = settings.vertices;
+  options.kept_minima = settings.minima;
+  options.threads = threads;
+  return options;
+}
+
+lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& given) {
+  lem::Surface surface;
+  surface.name = given.name;
+  if (!given.centre || !given.radius) {
+    surface.line.assign(given.points.begin(), given.points.end());
+    if (!surface.line.empty()) {
+      surface.from = surface.line.front()[0];
+      surface.to = surface.line.back()[0];
+    }
+    return surface;
+  }
+  surface.circle = lem::Circle{*given.centre, *given.radius};
+  if (given.ends.size() == 2) {
+    surface.from = std::min(given.ends[0], given.ends[1]);
+    surface.to = std::max(given.ends[0], given.ends[1]);
+    lead_through_ends(slope, given.name, surface);
+    return surface;
+  }
+  const auto arcs = lem::find_arcs(slope, *surface.circle);
+  if (arcs.empty())
+    throw Error(
+        ExitCode::wrong_input,
+        fmt::format("the circle '{}' about ({:g}, {:g}) with radius {:g} m does not enter and leave the ground "
+                    "between x = {:g} m and {:g} m",
+                    given.name, (*given.centre)[0], (*given.centre)[1], *given.radius, slope.left(), slope.right()));
+  const auto widest = std::max_element(arcs.begin(), arcs.end(),
+                                       [](const auto& a, const auto& b) { return a[1] - a[0] < b[1] - b[0]; });
+  surface.from = (*widest)[0];
+  surface.to = (*widest)[1];
+  return surface;
+}
+
+lem::Critical solve_surface(const lem::Slope& slope, const lem::Surface& surface, lem::Method method,
+                            const lem::SearchOptions& options) {
+  lem::Critical result;
+  result.method = method;
+  result.surface = surface;
+  result.circular = surface.circle.has_value();
+  lem::Checks checks = options.checks;
+  result.cut = lem::cut_surface(slope, surface, options.slices, checks);
+  lem::Refusal refusal = result.cut.refusal;
+  if (refusal == lem::Refusal::none) {
+    result.solution = lem::solve(slope, result.cut, method, checks, true);
+    refusal = result.solution.refusal;
+  }
+  if (checks.reject && is_check(refusal)) {
+    checks.reject = false;
+    checks.smallest_depth = 0;
+    result.cut = lem::cut_surface(slope, surface, options.slices, checks);
+    if (result.cut.refusal == lem::Refusal::none) result.solution = lem::solve(slope, result.cut, method, checks, true);
+  }
+  result.warnings = result.cut.warnings;
+  if (refusal != lem::Refusal::none) {
+    result.warnings.push_back(fmt::format("{}{}", lem::name_refusal(refusal),
+                                          result.solution.factor > 0 ? "; a search would refuse this surface" : ""));
+    if (result.solution.refusal == lem::Refusal::none) result.solution.refusal = refusal;
+  }
+  return result;
+}
+
+LemResult run_lem(const input::Case& data, const PreparedSlope& prepared, int threads) {
+  const auto start = std::chrono::steady_clock::now();
+  const lem::Slope& slope = *prepared.slope;
+  const lem::SearchOptions options = make_search_options(data.lem, threads);
+  LemResult result;
+  json names = json::array(), critical = json::array(), noncircular = json::array(), minima = json::object();
+  for (const lem::Method m : options.methods) names.push_back(lem::name_method(m));
+  json& block = result.block;
+  block = {{"methods", names}, {"slices", options.slices}, {"warnings", prepared.notes}};
+  block["given"] = solve_given(data, slope, options);
+  if (data.lem.search != input::SurfaceSearch::none) {
+    lem::SearchResult found = lem::search(slope, options);
+    const auto take = [&](lem::Critical& c, json& list) {
+      if (data.lem.yield_acceleration)
+        c.yield_acceleration = lem::find_yield_acceleration(slope, c.cut, c.method, options.checks);
+      list.push_back(to_json(slope, c));
+    };
+    for (lem::Critical& c : found.circular) take(c, critical);
+    for (lem::Critical& c : found.noncircular) take(c, noncircular);
+    for (std::size_t m = 0; m < found.minima.size(); ++m) {
+      json list = json::array();
+      for (const lem::Critical& c : found.minima[m]) list.push_back(to_short_json(c));
+      minima[lem::name_method(options.methods[m])] = std::move(list);
+    }
+    block["search"] = describe_search(options, found);
+    result.file = describe_trials(options, found);
+    block["trials_file"] = "lem.json";
+  }
+  block["critical"] = std::move(critical);
+  block["noncircular"] = std::move(noncircular);
+  block["minima"] = std::move(minima);
+  block["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace talus::run

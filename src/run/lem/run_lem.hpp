@@ -1,0 +1,43 @@
+#pragma once
+// Limit equilibrium on a case: search, surfaces of the user's choice, and what summary.json and lem.json tell of them.
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "input/case/case.hpp"
+#include "lem/search/search.hpp"
+
+namespace talus::run {
+
+/// The slope of a case, ready for any surface.
+struct PreparedSlope {
+  std::shared_ptr<const lem::Slope> slope;
+  std::vector<std::string> notes;  ///< of make_section()
+  nlohmann::json seepage;          ///< likewise
+};
+/// Throws what make_section() and lem::Slope do.
+PreparedSlope prepare_slope(const input::Case& data);
+
+/// The settings of [lem] for the search.
+lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads);
+lem::Method to_lem(input::SliceMethod method);
+
+/// A surface of [[lem.surface]]. Throws Error (wrong_input) when it does not cut the ground, naming it.
+lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& given);
+
+/// A surface by one method with its forces. Where the checks refuse it, the factor is kept and the reason is a warning;
+/// the factor is 0 only where there is none.
+lem::Critical solve_surface(const lem::Slope& slope, const lem::Surface& surface, lem::Method method,
+                            const lem::SearchOptions& options);
+
+struct LemResult {
+  nlohmann::json block;  ///< "lem" of summary.json
+  nlohmann::json file;   ///< lem.json
+};
+
+/// Throws Error (wrong_input) when no surface is admissible.
+LemResult run_lem(const input::Case& data, const PreparedSlope& prepared, int threads);
+
+}  // namespace talus::run

@@ -1,0 +1,270 @@
+#include "run/lem/section_of_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "ground/ground_line.hpp"
+#include "ground/initial_water.hpp"
+#include "ground/plane_water.hpp"
+#include "ground/pore_water.hpp"
+#include "ground/root_content.hpp"
+#include "ground/soil_weight.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/planar.hpp"
+
+namespace talus::run {
+namespace {
+
+/// Cohesion of soil that cannot yield: no surface through it is ever critical [Pa].
+constexpr double unyielding = 1e9;
+/// Places across a polygon where the saturation above the water table is looked at.
+constexpr int weight_samples = 40;
+/// Parts in depth, and along the ground, that a distribution of roots is cut into.
+constexpr int root_depths = 20, root_parts = 24;
+
+lem::Soil make_soil(const input::Case& data, const std::string& name, std::vector<std::string>& notes) {
+  const input::Material& m = data.materials.at(name);
+  lem::Soil soil;
+  soil.name = name;
+  soil.saturated_unit_weight = ground::find_saturated_weight(data, m);
+  soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
+  soil.cohesion_gradient = m.slices.cohesion_gradient;
+  soil.cohesion_level = m.slices.cohesion_level;
+  soil.pore_pressure_ratio = m.slices.pore_pressure_ratio;
+  switch (m.model) {
+    case input::MaterialModel::mohr_coulomb:
+    case input::MaterialModel::rooted_mohr_coulomb:
+      soil.cohesion = m.cohesion;
+      soil.friction_angle = m.friction_angle;
+      break;
+    case input::MaterialModel::linear_elastic:
+      soil.cohesion = unyielding;
+      notes.push_back(fmt::format("material '{}' is elastic: no slip surface passes through it", name));
+      break;
+    case input::MaterialModel::modified_cam_clay:
+    case input::MaterialModel::rooted_cam_clay:
+    case input::MaterialModel::external:
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("material '{}' has no cohesion and friction angle: methods of slices need the model "
+                              "mohr_coulomb or rooted_mohr_coulomb",
+                              name));
+  }
+  soil.undrained = soil.friction_angle == 0;
+  switch (m.slices.suction_strength) {
+    case input::SuctionStrength::from_water:
+    case input::SuctionStrength::saturation:
+      if (m.water.is_wet()) soil.suction = lem::Suction::saturation;
+      break;
+    case input::SuctionStrength::phi_b:
+      soil.suction = lem::Suction::phi_b;
+      break;
+    case input::SuctionStrength::none:
+      break;
+  }
+  if (soil.suction == lem::Suction::saturation) {
+    // The χ of the soil, whichever it is.
+    soil.saturation = [m](double suction) {
+      return suction > 0 ? ground::find_suction_stress(m, suction) / suction : 1.0;
+    };
+    if (m.slices.suction_strength == input::SuctionStrength::saturation && !ground::uses_saturation(m))
+      notes.push_back(fmt::format("material '{}' has no retention curve: its suction adds no strength", name));
+  }
+  soil.phi_b = m.slices.phi_b;
+  if (data.initial.water.pressure == input::InitialPressure::water_table)
+    soil.largest_suction = data.initial.water.largest_suction;
+  return soil;
+}
+
+/// Polygons from the largest to the smallest: a lens replaces what it lies in.
+std::vector<const mesh::Polygon*> sort_polygons(const mesh::Plan& plan) {
+  std::vector<const mesh::Polygon*> sorted;
+  for (const mesh::Polygon& p : plan.polygons) sorted.push_back(&p);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const mesh::Polygon* a, const mesh::Polygon* b) {
+    return std::abs(mesh::compute_area(a->points)) > std::abs(mesh::compute_area(b->points));
+  });
+  return sorted;
+}
+
+void add_regions(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
+  std::map<std::string, int> numbers;
+  for (const mesh::Polygon* polygon : sort_polygons(data.mesh)) {
+    const auto given = data.regions.find(polygon->name);
+    if (given == data.regions.end())
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("region '{}' has no material; add it to [regions]", polygon->name));
+    const auto [at, is_new] = numbers.try_emplace(given->second, static_cast<int>(section.soils.size()));
+    if (is_new) section.soils.push_back(make_soil(data, given->second, notes));
+    section.regions.push_back({at->second, polygon->points});
+  }
+}
+
+/// Weight of the soil above the water table: where it follows from the water in its pores, the mean over the
+/// unsaturated soil of its polygons.
+void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, lem::Section& section) {
+  const double weight = ground::find_water_weight(data);
+  const bool has_table = !section.water_table.empty();
+  std::vector<double> sum(section.soils.size(), 0.0), area(section.soils.size(), 0.0);
+  const auto ground::find_soil = [&](const ground::Point& x) {
+    for (auto r = section.regions.rbegin(); r != section.regions.rend(); ++r)
+      if (mesh::is_inside(x, r->polygon)) return r->soil;
+    return -1;
+  };
+  const auto add = [&](const ground::Point& x, double pressure, double share) {
+    const int soil = pressure > 0 ? ground::find_soil(x) : -1;
+    if (soil < 0) return;
+    const auto s = static_cast<std::size_t>(soil);
+    sum[s] += share * ground::find_unit_weight(data, data.materials.at(section.soils[s].name), pressure);
+    area[s] += share;
+  };
+  if (grid != nullptr) {
+    for (const auto& t : grid->triangles) {
+      const ground::Point &a = grid->nodes[t[0]], &b = grid->nodes[t[1]], &c = grid->nodes[t[2]];
+      add({(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3},
+          -(grid->pressure[t[0]] + grid->pressure[t[1]] + grid->pressure[t[2]]) / 3,
+          std::abs(mesh::compute_area({a, b, c})));
+    }
+  } else if (has_table) {
+    for (const lem::Region& region : section.regions) {
+      ground::Point low = region.polygon.front(), high = low;
+      for (const ground::Point& x : region.polygon)
+        for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
+      for (int i = 0; i < weight_samples * weight_samples; ++i) {
+        const ground::Point x{low[0] + (high[0] - low[0]) * (i % weight_samples + 0.5) / weight_samples,
+                              low[1] + (high[1] - low[1]) * (i / weight_samples + 0.5) / weight_samples};
+        const double suction = weight * (x[1] - ground::find_water_table(section.water_table, x[0]));
+        if (mesh::is_inside(x, region.polygon))
+          add(x, std::min(suction, data.initial.water.largest_suction), (high[0] - low[0]) * (high[1] - low[1]));
+      }
+    }
+  }
+  for (std::size_t s = 0; s < section.soils.size(); ++s) {
+    const input::Material& m = data.materials.at(section.soils[s].name);
+    // Without a water table nothing is below it: dry soil is dry, and wet soil at zero pressure full.
+    const bool is_dry = !m.water.is_wet() && !has_table && grid == nullptr;
+    if (area[s] > 0)
+      section.soils[s].unit_weight = sum[s] / area[s];
+    else if (is_dry || has_table)
+      section.soils[s].unit_weight = ground::find_unit_weight(data, m, 1e-3);
+    if (is_dry) section.soils[s].saturated_unit_weight = section.soils[s].unit_weight;
+  }
+}
+
+void add_water(const input::Case& data, lem::Section& section, nlohmann::json& seepage) {
+  section.water_unit_weight = ground::find_water_weight(data);
+  const std::vector<ground::Pond> ponds = ground::find_ponds(data, section.ground);
+  if (ground::needs_seepage(data)) {
+    const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
+    section.pressure_grid = ground::make_pressure_grid(
+        data, mesh, ground::find_nodal_pressure<2>(ground::close_sides(data), mesh, &seepage));
+    section.water_table = ground::trace_water_table(*section.pressure_grid, ponds, section.ground, section.base);
+  } else if (data.initial.water.pressure == input::InitialPressure::water_table) {
+    ground::check_upright(data, "a water table");
+    section.water_table = data.initial.water.water_table;
+    if (!ponds.empty()) section.water_table = ground::add_ponds(section.water_table, ponds, section.ground);
+  }
+  weigh_moist_soil(data, section.pressure_grid ? &*section.pressure_grid : nullptr, section);
+}
+
+/// The vertical part of a traction on a named line of the ground, per horizontal metre.
+void add_tractions(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
+  const double near = 1e-6 * (section.ground.back()[0] - section.ground.front()[0]);
+  for (const input::Traction& t : data.tractions) {
+    const auto line = std::find_if(data.mesh.lines.begin(), data.mesh.lines.end(),
+                                   [&](const mesh::Line& l) { return l.name == t.on; });
+    bool lies_on_ground = false;
+    const double share = t.factor.at(0);
+    if (line != data.mesh.lines.end()) {
+      for (std::size_t i = 1; i < line->points.size(); ++i) {
+        ground::Point a = line->points[i - 1], b = line->points[i];
+        if (a[0] > b[0]) std::swap(a, b);
+        if (b[0] - a[0] <= near) continue;
+        if (std::abs(ground::find_level(section.ground, (a[0] + b[0]) / 2) - (a[1] + b[1]) / 2) > near) continue;
+        const double load = -share * t.traction[1] * std::hypot(b[0] - a[0], b[1] - a[1]) / (b[0] - a[0]);
+        section.surcharges.push_back({{{a[0], load}, {b[0], load}}});
+        lies_on_ground = true;
+      }
+    }
+    if (!lies_on_ground)
+      notes.push_back(fmt::format("the traction on '{}' is not on the ground: slices leave it out", t.on));
+    else if (std::abs(t.traction[0]) > 1e-9 * std::abs(t.traction[1]))
+      notes.push_back(fmt::format("the traction on '{}' is inclined: slices take its vertical part only", t.on));
+  }
+}
+
+void add_surcharges(const input::Case& data, lem::Section& section) {
+  for (const input::Surcharge& s : data.surcharges) {
+    lem::Surcharge load;
+    for (std::size_t i = 0; i < s.x.size(); ++i) load.load.push_back({s.x[i], s.load.at(i)});
+    section.surcharges.push_back(std::move(load));
+  }
+}
+
+void add_roots(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
+  bool has_blocks = false;
+  for (const input::Roots& block : data.roots) {
+    const auto cohesion = ground::find_ground_cohesion(block);
+    if (!cohesion) continue;
+    has_blocks = true;
+    double from = section.ground.front()[0], to = section.ground.back()[0];
+    for (const mesh::Line& line : data.mesh.lines) {
+      if (line.name != block.ground) continue;
+      from = to = line.points.front()[0];
+      for (const ground::Point& x : line.points) from = std::min(from, x[0]), to = std::max(to, x[0]);
+    }
+    const double full = *cohesion * ground::find_age_share(block);
+    const int parts = block.along.empty() ? 1 : root_parts;
+    for (int p = 0; p < parts; ++p) {
+      lem::RootCohesion roots;
+      roots.from = from + (to - from) * p / parts;
+      roots.to = from + (to - from) * (p + 1) / parts;
+      const double x = (roots.from + roots.to) / 2;
+      for (int i = 0; i <= root_depths; ++i) {
+        const double depth = block.depth * i / root_depths;
+        roots.profile.push_back({depth, full * ground::find_root_share(block, depth, x)});
+      }
+      section.roots.push_back(std::move(roots));
+    }
+  }
+  for (lem::Soil& soil : section.soils) {
+    const input::Material& m = data.materials.at(soil.name);
+    if (m.model != input::MaterialModel::rooted_mohr_coulomb || m.roots.cohesion == 0) continue;
+    if (!has_blocks)
+      soil.cohesion += m.roots.cohesion;
+    else
+      notes.push_back(fmt::format("slices take the root cohesion of material '{}' from [[roots]] alone", soil.name));
+  }
+}
+
+}  // namespace
+
+SectionOfCase make_section(const input::Case& data) {
+  if (data.mesh.dimension != 2)
+    throw Error(
+        ExitCode::wrong_input,
+        "methods of slices need a plane section; take \"lem\" out of [analysis] methods or make the case plane");
+  if (data.mesh.polygons.empty())
+    throw Error(ExitCode::wrong_input,
+                "methods of slices need the polygons of [geometry]; a ready mesh alone does not say what lies where");
+  SectionOfCase result;
+  lem::Section& section = result.section;
+  section.ground = ground::find_ground(data.mesh);
+  section.base = ground::find_base(data.mesh);
+  add_regions(data, section, result.notes);
+  add_water(data, section, result.seepage);
+  for (std::string& note : ground::find_open_ends(ground::find_ponds(data, section.ground), section.ground))
+    result.notes.push_back(std::move(note));
+  add_surcharges(data, section);
+  add_tractions(data, section, result.notes);
+  add_roots(data, section, result.notes);
+  section.horizontal_acceleration = data.earthquake.horizontal;
+  section.vertical_acceleration = data.earthquake.vertical;
+  if (data.lem.crack.depth > 0) section.crack = lem::TensionCrack{data.lem.crack.depth, data.lem.crack.water};
+  return result;
+}
+
+}  // namespace talus::run

@@ -1,0 +1,24 @@
+#pragma once
+// A case as the methods of slices see it.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "input/case/case.hpp"
+#include "lem/section/section.hpp"
+
+namespace talus::run {
+
+struct SectionOfCase {
+  lem::Section section;
+  std::vector<std::string> notes;  ///< what slices cannot take as the case says it, in sentences
+  nlohmann::json seepage;          ///< "seepage" of summary.json; null without
+};
+
+/// Ground, soils, water and loads of a plane case. Pore pressures of steady seepage are calculated on the case's mesh.
+/// Throws Error (wrong_input) when the case is not plane or has no polygons, the ground has gaps or overhangs, or a
+/// soil has no friction angle and cohesion; what find_initial_water() throws.
+SectionOfCase make_section(const input::Case& data);
+
+}  // namespace talus::run

@@ -1,0 +1,192 @@
+#include "run/mpm/record/motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "input/case/result_names.hpp"
+
+namespace talus::run {
+namespace {
+
+using nlohmann::json;
+
+const char* to_word(MotionPattern pattern) {
+  switch (pattern) {
+    case MotionPattern::none:
+      return "none";
+    case MotionPattern::single:
+      return "single";
+    case MotionPattern::together:
+      return "together";
+    case MotionPattern::upwards:
+      return "upwards";
+    case MotionPattern::downwards:
+      return "downwards";
+    case MotionPattern::mixed:
+      return "mixed";
+  }
+  return "none";
+}
+
+std::string join(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
+/// The verdict with its criterion, as the end of a sentence.
+std::string describe(MotionPattern pattern) {
+  const double share = 100 * together_share;
+  switch (pattern) {
+    case MotionPattern::together:
+      return fmt::format(": together, as one block (all within {:g} % of the last onset)", share);
+    case MotionPattern::upwards:
+      return fmt::format(
+          ": one after the other from the bottom upwards, as in a retrogressive slide (more than {:g} % of the last "
+          "onset apart)",
+          share);
+    case MotionPattern::downwards:
+      return fmt::format(": one after the other from the top downwards (more than {:g} % of the last onset apart)",
+                         share);
+    case MotionPattern::mixed:
+      return ": neither together nor one after the other along the slope";
+    default:
+      return "";
+  }
+}
+
+std::string write_sentence(const std::vector<MonitorOnset>& order, MotionPattern pattern, const Clock& clock,
+                           const std::string& threshold) {
+  std::vector<std::string> moved, still;
+  for (const MonitorOnset& m : order) {
+    if (m.onset)
+      moved.push_back(fmt::format("'{}' after {:.4g} s", m.name, *m.onset));
+    else
+      still.push_back(fmt::format("'{}'", m.name));
+  }
+  const std::string counted =
+      fmt::format("displacement above {}, counted from the start of '{}'", threshold, clock.stage);
+  if (moved.empty()) return fmt::format("No monitored point moves ({}).", counted);
+  std::string text = fmt::format("Movement begins at {} ({}){}", join(moved), counted, describe(pattern));
+  if (!still.empty()) text += fmt::format("; {} {} not move", join(still), still.size() == 1 ? "does" : "do");
+  return text + ".";
+}
+
+}  // namespace
+
+std::optional<Clock> find_clock(const input::Case& data, const json& stages) {
+  const input::Stage* stage = input::find_clock_stage(data);
+  if (stage == nullptr || !stages.is_array()) return std::nullopt;
+  const auto index = static_cast<std::size_t>(stage - data.stages.data());
+  if (index > stages.size()) return std::nullopt;
+  // A stage that did not come to its end has no report; it began where the one before it ended.
+  double start = 0;
+  if (index < stages.size())
+    start = stages[index].at("start").get<double>();
+  else if (index > 0)
+    start = stages[index - 1].at("time").get<double>();
+  return Clock{stage->name, start, stage->reset_displacement || index == 0};
+}
+
+MonitorPath read_monitor_path(const output::HistoryTable& table, const std::string& monitor, const Clock& clock) {
+  std::vector<std::size_t> columns;
+  double unit = 1;
+  for (const char* axis : {"x", "y", "z"})
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      if (table.columns[c].name == fmt::format("{}.displacement_{}", monitor, axis)) {
+        columns.push_back(c);
+        unit = units::get_si_factor(table.columns[c].unit);
+      }
+  const std::vector<double>& time = table.values.front();
+  // The row at the start of a stage is the last of the stage before: from before displacements were set to zero.
+  std::size_t first = 0;
+  while (first < time.size() && time[first] <= clock.start) ++first;
+  MonitorPath path{{0}, {0}};
+  for (std::size_t i = first; i < time.size(); ++i) {
+    double square = 0;
+    for (const std::size_t c : columns) {
+      const double from = clock.resets || first == 0 ? 0 : table.values[c][first - 1];
+      square += (table.values[c][i] - from) * (table.values[c][i] - from);
+    }
+    path.time.push_back(time[i] - clock.start);
+    path.displacement.push_back(unit * std::sqrt(square));
+  }
+  return path;
+}
+
+std::optional<double> find_onset(std::span<const double> time, std::span<const double> displacement, double threshold) {
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (std::isnan(displacement[i])) return std::nullopt;
+    if (!(displacement[i] > threshold)) continue;
+    if (i == 0) return time[0];
+    const double share = (threshold - displacement[i - 1]) / (displacement[i] - displacement[i - 1]);
+    return time[i - 1] + share * (time[i] - time[i - 1]);
+  }
+  return std::nullopt;
+}
+
+double find_onset_threshold(const input::Output& output, double slope_height) {
+  return output.onset_displacement.value_or(output.onset_ratio * slope_height);
+}
+
+MotionPattern find_pattern(const std::vector<MonitorOnset>& monitors) {
+  std::vector<MonitorOnset> moved;
+  std::copy_if(monitors.begin(), monitors.end(), std::back_inserter(moved), [](const auto& m) { return m.onset; });
+  if (moved.empty()) return MotionPattern::none;
+  if (moved.size() == 1) return MotionPattern::single;
+  std::sort(moved.begin(), moved.end(), [](const auto& a, const auto& b) { return a.height < b.height; });
+  const auto by_onset = [](const auto& a, const auto& b) { return *a.onset < *b.onset; };
+  const auto [first, last] = std::minmax_element(moved.begin(), moved.end(), by_onset);
+  if (*last->onset - *first->onset <= together_share * *last->onset) return MotionPattern::together;
+  const auto is_strict = [&](auto before) {
+    return std::adjacent_find(moved.begin(), moved.end(), [&](const auto& a, const auto& b) {
+             return !(a.height < b.height) || !before(a, b);
+           }) == moved.end();
+  };
+  if (is_strict(by_onset)) return MotionPattern::upwards;
+  if (is_strict([&](const auto& a, const auto& b) { return by_onset(b, a); })) return MotionPattern::downwards;
+  return MotionPattern::mixed;
+}
+
+json describe_motion(const input::Case& data, const json& stages, double slope_height,
+                     const std::filesystem::path& folder) {
+  const std::optional<Clock> clock = find_clock(data, stages);
+  const auto file = folder / "monitors.csv";
+  if (!clock || data.output.monitors.empty() || !std::filesystem::exists(file)) return nullptr;
+  const output::HistoryTable table = output::read_history(file);
+  const double threshold = find_onset_threshold(data.output, slope_height);
+  json monitors = json::array(), names = json::array();
+  std::vector<MonitorOnset> order;
+  for (const input::Monitor& m : data.output.monitors) {
+    const MonitorPath path = read_monitor_path(table, m.name, *clock);
+    double height = 0;
+    for (std::size_t d = 0; d < 3; ++d) height -= data.gravity.direction[d] * m.at[d];
+    order.push_back({m.name, height, find_onset(path.time, path.displacement, threshold)});
+    const double end = path.displacement.back();
+    monitors.push_back({{"name", m.name},
+                        {"onset", order.back().onset ? json(*order.back().onset) : json()},
+                        {"displacement", std::isfinite(end) ? json(end) : json()}});
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.onset && (!b.onset || *a.onset < *b.onset); });
+  for (const MonitorOnset& m : order)
+    if (m.onset) names.push_back(m.name);
+  const MotionPattern pattern = find_pattern(order);
+  const std::string unit = data.output.displacement_unit;
+  std::string limit = fmt::format("{:.4g} {}", threshold / units::get_si_factor(unit), unit);
+  if (!data.output.onset_displacement)
+    limit += fmt::format(", {:g} % of the relief of the ground", 100 * data.output.onset_ratio);
+  return {{"stage", clock->stage},
+          {"start", clock->start},
+          {"threshold", threshold},
+          {"monitors", monitors},
+          {"order", names},
+          {"pattern", to_word(pattern)},
+          {"sentence", write_sentence(order, pattern, *clock, limit)}};
+}
+
+}  // namespace talus::run

@@ -1,0 +1,350 @@
+#include "run/mpm/record/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "base/units.hpp"
+#include "mpm/body/observe.hpp"
+#include "output/files/atomic_file.hpp"
+#include "run/mpm/record/checkpoint.hpp"
+#include "run/mpm/record/frame.hpp"
+
+namespace talus::run {
+namespace {
+
+constexpr int rows_per_leg = 200;
+
+const char* const axes[] = {"x", "y", "z"};
+
+template <int D>
+std::vector<output::Column> list_columns(const input::Case& data) {
+  std::vector<output::Column> columns{{"time", "s"},
+                                      {"step", "-"},
+                                      {"time_step", "s"},
+                                      {"kinetic_energy", "J"},
+                                      {"potential_energy", "J"},
+                                      {"elastic_energy", "J"},
+                                      {"plastic_work", "J"},
+                                      {"damping_work", "J"},
+                                      {"external_work", "J"},
+                                      {"force_ratio", "-"},
+                                      {"nodal_speed", "m/s"},
+                                      {"points", "-"},
+                                      {"mass", "kg"}};
+  for (int d = 0; d < D; ++d) columns.push_back({fmt::format("momentum_{}", axes[d]), "kg m/s"});
+  for (int d = 0; d < D; ++d) columns.push_back({fmt::format("centre_{}", axes[d]), data.output.length_unit});
+  columns.push_back({"largest_displacement", data.output.displacement_unit});
+  return columns;
+}
+
+bool is_stress(const material::StateField& field) {
+  return std::string_view(field.unit) == "Pa";
+}
+
+template <int D>
+std::vector<output::Column> list_monitor_columns(const input::Case& data, bool wet, const StateFields& states) {
+  std::vector<output::Column> columns{{"time", "s"}};
+  for (const input::Monitor& m : data.output.monitors) {
+    for (int d = 0; d < D; ++d)
+      columns.push_back({fmt::format("{}.displacement_{}", m.name, axes[d]), data.output.displacement_unit});
+    columns.push_back({m.name + ".displacement", data.output.displacement_unit});
+    for (int d = 0; d < D; ++d) columns.push_back({fmt::format("{}.velocity_{}", m.name, axes[d]), "m/s"});
+    columns.push_back({m.name + ".mean_stress", data.output.stress_unit});
+    columns.push_back({m.name + ".deviatoric_stress", data.output.stress_unit});
+    columns.push_back({m.name + ".deviatoric_strain", "-"});
+    if (wet) {
+      columns.push_back({m.name + ".pore_pressure", data.output.stress_unit});
+      columns.push_back({m.name + ".saturation", "-"});
+    }
+    for (const material::StateField& f : states.list())
+      columns.push_back({fmt::format("{}.{}", m.name, f.name), is_stress(f) ? data.output.stress_unit : f.unit});
+  }
+  return columns;
+}
+
+/// The point that is nearest to each monitor now, at its reference position.
+template <int D>
+std::vector<int> find_monitor_points(const input::Case& data, const mpm::Body<D>& body) {
+  std::vector<int> points;
+  for (const input::Monitor& m : data.output.monitors) {
+    int nearest = -1;
+    double shortest = std::numeric_limits<double>::max();
+    for (int id = 0; id < body.points.size(); ++id) {
+      if (!mpm::is_present(body, id)) continue;
+      double square = 0;
+      for (std::size_t d = 0; d < D; ++d)
+        square += (body.points.reference[id][d] - m.at[d]) * (body.points.reference[id][d] - m.at[d]);
+      if (square < shortest) {
+        shortest = square;
+        nearest = id;
+      }
+    }
+    points.push_back(nearest);
+  }
+  return points;
+}
+
+}  // namespace
+
+std::string hash_text(const std::string& text) {
+  std::uint64_t h = 14695981039346656037ull;
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  return fmt::format("{:016x}", h);
+}
+
+std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::path& path,
+                                                       const std::string& input_hash) {
+  if (!std::filesystem::exists(path)) return nullptr;
+  auto archive = std::make_unique<output::ArchiveReader>(path);
+  if (archive->text("input_hash") != input_hash) {
+    throw Error(ExitCode::wrong_input,
+                fmt::format("'{}' belongs to another case: the input has changed since it was written; resume with the "
+                            "same input, or start anew with --overwrite",
+                            path.string()));
+  }
+  return archive;
+}
+
+int get_leg(const output::ArchiveReader& checkpoint) {
+  return checkpoint.integers("leg").front();
+}
+
+template <int D>
+Recorder<D>::Recorder(const RecorderSettings& settings, const mpm::Body<D>& body)
+    : settings_(settings),
+      states_(body.laws),
+      monitor_points_(settings.monitor_points.empty() ? find_monitor_points(*settings.data, body)
+                                                      : settings.monitor_points) {
+  if (body.water.is_wet()) water_.emplace(*settings.data, body);
+}
+
+template <int D>
+void Recorder<D>::open_histories(bool resumes) {
+  const auto open = [&](const char* name, const std::vector<output::Column>& columns) {
+    const auto path = settings_.folder / name;
+    return resumes ? output::History::resume(path, columns) : output::History::start(path, columns);
+  };
+  if (!settings_.keeps_history) return;
+  std::vector<output::Column> columns = list_columns<D>(*settings_.data);
+  if (water_) {
+    const auto more = water_->list_columns();
+    columns.insert(columns.end(), more.begin(), more.end());
+  }
+  history_.emplace(open("history.csv", columns));
+  if (!settings_.data->output.monitors.empty())
+    monitors_.emplace(open("monitors.csv", list_monitor_columns<D>(*settings_.data, water_.has_value(), states_)));
+}
+
+template <int D>
+Recorder<D> Recorder<D>::start(const RecorderSettings& settings, const mpm::Body<D>& body) {
+  output::make_folder(settings.folder);
+  Recorder r(settings, body);
+  if (settings.keeps_frames) {
+    output::remove_results(settings.folder);
+    r.results_.emplace(output::ResultsWriter::start(settings.folder));
+  }
+  r.open_histories(false);
+  return r;
+}
+
+template <int D>
+Recorder<D> Recorder<D>::resume(const RecorderSettings& settings, const mpm::Body<D>& body,
+                                const output::ArchiveReader& checkpoint) {
+  Recorder r(settings, body);
+  const auto& times = checkpoint.reals("recorder");
+  r.next_frame_ = times[0];
+  r.next_row_ = times[1];
+  r.last_row_ = times[2];
+  r.last_frame_ = times[3];
+  r.monitor_points_ = checkpoint.integers("monitor_points");
+  if (r.water_) r.water_->restore(checkpoint.reals("recorder_water"));
+  // Not up to body.time: what was written after the checkpoint at that very time is written again.
+  if (settings.keeps_frames) r.results_.emplace(output::ResultsWriter::resume(settings.folder, r.last_frame_));
+  r.open_histories(true);
+  if (r.history_) r.history_->truncate_after(r.last_row_);
+  if (r.monitors_) r.monitors_->truncate_after(r.last_row_);
+  return r;
+}
+
+template <int D>
+StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const mpm::Body<D>& body,
+                                     const StageState& state) {
+  leg_ = index;
+  plan_ = &plan;
+  const double wanted = settings_.data->output.history_interval;
+  row_interval_ = wanted > 0 ? wanted : plan.duration / rows_per_leg;
+  if (!state.started) next_row_ = next_frame_ = body.time;
+  leg_start_ = std::chrono::steady_clock::now();
+  leg_start_steps_ = state.steps;
+  next_checkpoint_ = leg_start_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                      std::chrono::duration<double>(settings_.data->output.checkpoint_interval));
+  StageHooks<D> hooks;
+  hooks.output = [this](const mpm::Body<D>& b, StageState& s) { on_output(b, s); };
+  hooks.look = [this](const mpm::Body<D>& b, const StageState& s) { on_look(b, s); };
+  hooks.save_last_good = [this](const mpm::Body<D>& b, const StageState& s) {
+    // Where --resume goes on, with a smaller Courant number for instance.
+    write_checkpoint(b, s, leg_, settings_.checkpoint_name);
+    write_frame(b);
+    if (results_) results_->finish();
+    return settings_.folder.string() + ", from where --resume goes on";
+  };
+  return hooks;
+}
+
+template <int D>
+void Recorder<D>::end_leg(const mpm::Body<D>& body, bool saves) {
+  write_rows(body);
+  write_frame(body);
+  if (saves) {
+    StageState fresh;
+    fresh.gravity_share = 1;
+    write_checkpoint(body, fresh, leg_ + 1, settings_.checkpoint_name);
+  }
+}
+
+template <int D>
+void Recorder<D>::finish(bool done) {
+  if (results_) results_->finish();
+  if (done) std::filesystem::remove(settings_.folder / settings_.checkpoint_name);
+}
+
+template <int D>
+void Recorder<D>::write_rows(const mpm::Body<D>& body) {
+  if (!history_ || body.time <= last_row_) return;
+  last_row_ = body.time;
+  const double length = units::get_si_factor(settings_.data->output.length_unit);
+  const double displacement = units::get_si_factor(settings_.data->output.displacement_unit);
+  const double stress = units::get_si_factor(settings_.data->output.stress_unit);
+  const auto t = mpm::sum_points(body, plan_->gravity);
+  const double ratio = body.monitor.external > 0 ? body.monitor.out_of_balance / body.monitor.external : 0;
+  std::vector<double> row{body.time,
+                          static_cast<double>(body.step_count),
+                          body.step_count > 0 ? plan_->step.courant * find_critical_step(body, *plan_).dt : 0.0,
+                          t.kinetic,
+                          t.potential,
+                          t.elastic,
+                          body.work.dissipated - settings_.work_before.dissipated,
+                          body.work.damped - settings_.work_before.damped,
+                          body.work.external - settings_.work_before.external,
+                          ratio,
+                          body.monitor.speed,
+                          static_cast<double>(t.points),
+                          t.mass};
+  for (const double p : t.momentum) row.push_back(p);
+  for (const double x : t.centre) row.push_back(x / length);
+  row.push_back(mpm::find_largest_displacement(body).value / displacement);
+  if (water_) water_->append(body, row);
+  history_->append(row);
+  if (!monitors_) return;
+  row = {body.time};
+  for (const int id : monitor_points_) {
+    if (!mpm::is_present(body, id)) {
+      row.insert(row.end(), 2 * D + (water_ ? 6 : 4) + states_.list().size(), std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    constexpr int NS = material::stress_size<D>;
+    const auto p = mpm::view_point(body, id);
+    for (const double u : p.displacement) row.push_back(u / displacement);
+    row.push_back(norm(p.displacement) / displacement);
+    for (const double v : p.velocity) row.push_back(v);
+    const Invariants s = find_stress_invariants<NS>(p.stress);
+    row.push_back(s.mean / stress);
+    row.push_back(s.deviatoric / stress);
+    row.push_back(find_strain_invariants<NS>(p.strain).deviatoric);
+    if (water_) {
+      row.push_back(p.wet ? -p.pressure / stress : 0.0);
+      row.push_back(p.saturation);
+    }
+    const std::vector<double> state = states_.read(body, p);
+    for (std::size_t k = 0; k < state.size(); ++k)
+      row.push_back(is_stress(states_.list()[k]) ? state[k] / stress : state[k]);
+  }
+  monitors_->append(row);
+}
+
+template <int D>
+void Recorder<D>::write_frame(const mpm::Body<D>& body) {
+  if (!results_ || body.time <= last_frame_) return;
+  last_frame_ = body.time;
+  results_->write(make_frame(body, plan_->name, settings_.data->output.cells, settings_.data->output.nodes));
+}
+
+template <int D>
+void Recorder<D>::write_checkpoint(const mpm::Body<D>& body, const StageState& state, int leg,
+                                   const std::string& name) const {
+  output::ArchiveWriter archive;
+  archive.put("input_hash", settings_.input_hash);
+  const std::vector<int> legs{leg};
+  archive.put("leg", legs);
+  const std::vector<double> times{next_frame_, next_row_, last_row_, last_frame_};
+  archive.put("monitor_points", monitor_points_);
+  archive.put("recorder", times);
+  if (water_) archive.put("recorder_water", water_->save());
+  put_mesh(archive, body.mesh());
+  put_body(archive, body);
+  put_stage(archive, state);
+  output::make_folder(settings_.folder);
+  archive.write(settings_.folder / name);
+}
+
+template <int D>
+void Recorder<D>::on_output(const mpm::Body<D>& body, StageState& state) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  if (history_ && body.time >= next_row_) {
+    write_rows(body);
+    next_row_ += row_interval_;
+    if (next_row_ <= body.time) next_row_ = body.time + row_interval_;
+  }
+  const bool frames = results_ && settings_.frame_interval > 0;
+  if (frames && body.time >= next_frame_) {
+    write_frame(body);
+    next_frame_ += settings_.frame_interval;
+    if (next_frame_ <= body.time) next_frame_ = body.time + settings_.frame_interval;
+  }
+  state.next_output = std::min(history_ ? next_row_ : never, frames ? next_frame_ : never);
+}
+
+template <int D>
+void Recorder<D>::on_look(const mpm::Body<D>& body, const StageState& state) {
+  if (is_interrupted()) {
+    write_checkpoint(body, state, leg_, settings_.checkpoint_name);
+    if (results_ && results_->frame_count() > 0) results_->finish();
+    throw Error(ExitCode::interrupted,
+                fmt::format("interrupted in '{}' at t = {:.4g} s; the state is saved, --resume goes on from there",
+                            plan_->name, body.time));
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (now >= next_checkpoint_) {
+    write_checkpoint(body, state, leg_, settings_.checkpoint_name);
+    next_checkpoint_ = std::chrono::steady_clock::now() +
+                       std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                           std::chrono::duration<double>(settings_.data->output.checkpoint_interval));
+  }
+  if (settings_.progress && settings_.progress->is_due()) show_progress(body, state);
+}
+
+template <int D>
+void Recorder<D>::show_progress(const mpm::Body<D>& body, const StageState& state) {
+  const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - leg_start_).count();
+  const double speed = elapsed > 0 ? static_cast<double>(state.steps - leg_start_steps_) / elapsed : 0;
+  const double left = plan_->duration - (body.time - state.start_time);
+  const std::string remaining = speed > 0 && state.dt > 0 ? format_duration(left / state.dt / speed) : "?";
+  const double displacement = units::get_si_factor(settings_.data->output.displacement_unit);
+  const double time = body.time - state.start_time;
+  settings_.progress->show(
+      {fmt::format("{}{}: {:.3f} of {}{:g} s, {:.0f} steps/s, {} left, u_max {:.4g} {}, E_kin {:.3g} J",
+                   settings_.label, plan_->name, time, plan_->until_rest ? "at most " : "", plan_->duration, speed,
+                   remaining, mpm::find_largest_displacement(body).value / displacement,
+                   settings_.data->output.displacement_unit, body.monitor.kinetic_energy),
+       settings_.label, plan_->name, time, plan_->duration});
+}
+
+template class Recorder<2>;
+template class Recorder<3>;
+
+}  // namespace talus::run

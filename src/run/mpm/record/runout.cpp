@@ -1,0 +1,161 @@
+#include "run/mpm/record/runout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "mesh/shape_gradient.hpp"
+#include "mpm/body/observe.hpp"
+#include "run/mpm/start/prepare.hpp"
+
+namespace talus::run {
+namespace {
+
+/// Share of the moved mass that lies behind the front.
+constexpr double front_share = 0.99;
+
+/// Coordinate below which `share` of the mass lies. `places` are (coordinate, mass).
+double find_quantile(std::vector<std::pair<double, double>> places, double share) {
+  std::sort(places.begin(), places.end());
+  double total = 0, sum = 0;
+  for (const auto& p : places) total += p.second;
+  for (const auto& p : places) {
+    sum += p.second;
+    if (sum >= share * total) return p.first;
+  }
+  return places.empty() ? 0 : places.back().first;
+}
+
+/// The edge of the upper level on the side the soil moves to.
+double find_crest(const Profile& profile, int direction) {
+  if (profile.x.empty()) return 0;
+  const double top = *std::max_element(profile.height.begin(), profile.height.end());
+  const double low = *std::min_element(profile.height.begin(), profile.height.end());
+  const double tolerance = 0.05 * (top - low);
+  double crest = direction > 0 ? profile.x.front() : profile.x.back();
+  for (std::size_t i = 0; i < profile.x.size(); ++i) {
+    if (profile.height[i] < top - tolerance) continue;
+    crest = direction > 0 ? std::max(crest, profile.x[i]) : std::min(crest, profile.x[i]);
+  }
+  return crest;
+}
+
+}  // namespace
+
+/// Where the ground, seen from the crest, reaches its lower level (or ends).
+double find_toe(const Profile& profile, double crest, int direction) {
+  const double top = *std::max_element(profile.height.begin(), profile.height.end());
+  const double low = *std::min_element(profile.height.begin(), profile.height.end());
+  const bool is_level = top - low < 0.02 * top;  // a column: its toe is its edge
+  double toe = crest;
+  for (std::size_t i = 0; i < profile.x.size(); ++i) {
+    const double ahead = direction * (profile.x[i] - toe);
+    const bool above = is_level || profile.height[i] > low + 0.02 * (top - low);
+    if (above && ahead > 0) toe = profile.x[i];
+  }
+  return toe + direction * 0.5 * profile.bin;
+}
+
+template <int D>
+Profile find_profile(const mpm::Body<D>& body, double bin) {
+  std::map<long, double> top;
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const auto p = mpm::view_point(body, id);
+    const double height = p.position[1] + 0.5 * std::pow(p.volume, 1.0 / D);
+    const auto [at, is_new] = top.try_emplace(static_cast<long>(std::floor(p.position[0] / bin)), height);
+    if (!is_new) at->second = std::max(at->second, height);
+  }
+  Profile profile;
+  profile.bin = bin;
+  for (const auto& [number, height] : top) {
+    profile.x.push_back((static_cast<double>(number) + 0.5) * bin);
+    profile.height.push_back(height);
+  }
+  return profile;
+}
+
+template <int D>
+double find_slope_height(const mpm::Body<D>& body, const input::Gravity& gravity) {
+  // Free sides of the soil seen from above: an element with soil whose neighbour has none, and whose outward normal
+  // points up. Their highest and lowest nodes are the relief.
+  const auto& mesh = body.mesh();
+  double lowest = std::numeric_limits<double>::max(), highest = std::numeric_limits<double>::lowest();
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (body.points.count[e] == 0) continue;
+    for (int k = 0; k <= D; ++k) {
+      const int n = mesh.neighbours[e][k];
+      if (n >= 0 && body.points.count[n] > 0) continue;
+      const Vec<D> gradient = mesh::find_shape_gradient(mesh, e, k);
+      double up = 0;  // component of -∇N_k, the outward direction, against gravity
+      for (int d = 0; d < D; ++d) up += gradient[d] * gravity.direction[d];
+      constexpr double steepest_ground = 0.05;  // cosine: a wall is no ground
+      if (up < steepest_ground * norm(gradient)) continue;
+      for (int j = 0; j <= D; ++j) {
+        if (j == k) continue;
+        double height = 0;
+        for (int d = 0; d < D; ++d) height -= gravity.direction[d] * mesh.nodes[mesh.elements[e][j]][d];
+        lowest = std::min(lowest, height);
+        highest = std::max(highest, height);
+      }
+    }
+  }
+  const double soil = find_soil_height(body, gravity);
+  const double relief = highest - lowest;
+  return relief > 0.02 * soil ? relief : soil;
+}
+
+template <int D>
+Runout find_runout(const mpm::Body<D>& body, const Profile& initial, double threshold) {
+  Runout r;
+  r.threshold = threshold;
+  double mass = 0, moment = 0;
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const auto p = mpm::view_point(body, id);
+    if (norm(p.displacement) <= threshold) continue;
+    mass += p.mass;
+    moment += p.mass * p.displacement[0];
+  }
+  r.direction = moment < 0 ? -1 : 1;
+  std::vector<std::pair<double, double>> before, now;
+  double farthest_before = std::numeric_limits<double>::lowest(), farthest_now = farthest_before,
+         rearmost = std::numeric_limits<double>::max();
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const auto p = mpm::view_point(body, id);
+    const double u = norm(p.displacement);
+    r.largest_displacement = std::max(r.largest_displacement, u);
+    if (u <= threshold) continue;
+    const double x1 = r.direction * p.position[0], x0 = x1 - r.direction * p.displacement[0];
+    before.emplace_back(x0, p.mass);
+    now.emplace_back(x1, p.mass);
+    farthest_before = std::max(farthest_before, x0);
+    farthest_now = std::max(farthest_now, x1);
+    rearmost = std::min(rearmost, x0);
+    r.moved_volume += p.volume;
+    r.centre_advance += r.direction * p.displacement[0] * p.mass / mass;
+    r.centre_drop -= p.displacement[1] * p.mass / mass;
+  }
+  if (now.empty()) return r;
+  const double front_now = find_quantile(now, front_share), front_before = find_quantile(before, front_share);
+  r.front_advance = front_now - front_before;
+  r.farthest_advance = farthest_now - farthest_before;
+  r.toe = r.direction * front_now;
+  r.crest = find_crest(initial, r.direction);
+  r.initial_toe = find_toe(initial, r.crest, r.direction);
+  r.toe_distance = std::max(0.0, front_now - r.direction * r.initial_toe);
+  r.crest_retreat = std::max(0.0, r.direction * r.crest - rearmost);
+  return r;
+}
+
+#define TALUS_INSTANTIATE(D)                                                        \
+  template Profile find_profile<D>(const mpm::Body<D>&, double);                    \
+  template double find_slope_height<D>(const mpm::Body<D>&, const input::Gravity&); \
+  template Runout find_runout<D>(const mpm::Body<D>&, const Profile&, double);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::run

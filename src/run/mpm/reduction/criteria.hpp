@@ -1,0 +1,52 @@
+#pragma once
+// Factors of safety read off a displacement–SRF curve.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace talus::run {
+
+/// A point of the curve: largest displacement [m] at the end of the window of a trial.
+struct CurvePoint {
+  double factor = 0;
+  double displacement = 0;
+};
+
+/// A factor of safety and the computed factors on either side of it.
+struct Criterion {
+  std::string name;
+  std::optional<double> factor;  ///< nothing when the curve does not hold it
+  double lower = 0, upper = 0;
+  std::string note;  ///< why there is none, or what to know
+};
+
+/// u = slope·SRF + intercept, fitted to the listed factors.
+struct Branch {
+  double slope = 0, intercept = 0;  ///< [m], [m]
+  std::vector<double> factors;
+};
+
+/// The construction of Feng and Xu (2021): lines through the first and the last branch, and where they meet.
+struct Bilinear {
+  Branch first, last;
+  Criterion criterion;
+};
+
+/// The two lines of the curve (sorted by factor). `first` and `last` give [from, to] of each branch; when empty the
+/// branches are chosen from the data: the cut into two runs of at least two points with the smallest weighted sum of
+/// squares, each point weighing half the distance of its neighbours, so that refined stretches do not count more.
+std::optional<Bilinear> construct_bilinear(const std::vector<CurvePoint>& curve, const std::vector<double>& first = {},
+                                           const std::vector<double>& last = {});
+
+/// Where the displacement reaches `displacement` [m], by linear interpolation.
+Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, double displacement);
+
+/// The interval in which ln u grows fastest; displacements below `floor` [m] are elastic and not looked at.
+Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, double floor);
+
+/// Factors that halve the two intervals beside every point where the curve bends noticeably (change of slope times
+/// length, against the whole rise). Nothing when those intervals are as short as `smallest`.
+std::vector<double> choose_refinement(const std::vector<CurvePoint>& curve, double smallest);
+
+}  // namespace talus::run

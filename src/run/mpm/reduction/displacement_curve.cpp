@@ -1,0 +1,152 @@
+#include "run/mpm/reduction/displacement_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <mutex>
+
+#include "base/parallel.hpp"
+#include "mpm/body/observe.hpp"
+#include "output/files/atomic_file.hpp"
+#include "run/mpm/record/onset.hpp"
+#include "run/mpm/start/prepare.hpp"
+#include "run/summary.hpp"
+
+namespace talus::run {
+namespace {
+
+/// Rounds of halving at most; each adds factors on both sides of every bend.
+constexpr int most_refinements = 4;
+/// Points that moved less than this share of the slope's height did not take part in the slide.
+constexpr double moved_share = 0.01;
+/// Frames of a runout in the window of the curve when the case names no interval: most of the slide happens there.
+constexpr int frames_per_window = 25;
+
+std::vector<double> list_factors(const input::Curve& curve) {
+  std::vector<double> factors;
+  const int count = static_cast<int>(std::floor((curve.to - curve.from) / curve.step + 1e-9));
+  // Rounded to a millionth: 1.15, not 1.1500000000000001, so that folders and tables read well.
+  for (int i = 0; i <= count; ++i) factors.push_back(std::round((curve.from + i * curve.step) * 1e6) / 1e6);
+  for (const double f : curve.runout) factors.push_back(f);
+  std::sort(factors.begin(), factors.end());
+  factors.erase(std::unique(factors.begin(), factors.end(), [](double a, double b) { return std::abs(a - b) < 1e-9; }),
+                factors.end());
+  return factors;
+}
+
+template <int D>
+StagePlan<D> make_trial_plan(const input::Case& data, double slope_height, int threads) {
+  const input::Curve& curve = data.strength_reduction.curve;
+  StagePlan<D> plan;
+  plan.name = "trial";
+  plan.duration = curve.window;
+  plan.step = curve.step_settings;
+  plan.rest = data.rest;
+  plan.gravity = find_gravity<D>(data.gravity);
+  plan.soil_height = slope_height;
+  plan.threads = threads;
+  return plan;
+}
+
+/// One result for the legs of a trial: how it ended, its whole time and steps, its largest speed.
+TrialResult add_up(const std::vector<TrialResult>& legs) {
+  TrialResult sum = legs.back();
+  for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
+    sum.time += legs[i].time;
+    sum.steps += legs[i].steps;
+    sum.largest_speed = std::max(sum.largest_speed, legs[i].largest_speed);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<CurvePoint> CurveResult::points() const {
+  std::vector<CurvePoint> points;
+  for (const TrialResult& t : trials) points.push_back({t.factor, t.displacement});
+  return points;
+}
+
+template <int D>
+CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context, double slope_height, int threads) {
+  const input::Curve& curve = context.data->strength_reduction.curve;
+  const int side_by_side = count_parallel_trials(state.points.size(), threads);
+  const int inner = side_by_side > 1 ? 1 : threads;
+  const double bin = mesh::measure_quality(state.mesh()).mean_size;
+  CurveResult result;
+  std::mutex collecting;
+
+  const auto wants_runout = [&](double f) {
+    return std::any_of(curve.runout.begin(), curve.runout.end(), [&](double r) { return std::abs(r - f) < 1e-9; });
+  };
+  const auto run_one = [&](double factor, const std::string& label) {
+    TrialFiles files;
+    files.folder = context.folder / "trials" / fmt::format("srf_{:.4f}", factor);
+    files.keeps_frames = true;
+    files.label = label;
+    const bool runs_out = wants_runout(factor);
+    const auto known = context.resume ? load_trial(files.folder) : std::nullopt;
+    if (known && !runs_out) {
+      const std::lock_guard lock(collecting);
+      result.trials.push_back(*known);
+      return;
+    }
+    std::vector<StagePlan<D>> legs{make_trial_plan<D>(*context.data, slope_height, inner)};
+    legs[0].name = fmt::format("trial SRF {:g}", factor);
+    if (runs_out) {
+      legs.push_back(legs[0]);
+      legs[1].name = fmt::format("runout SRF {:g}", factor);
+      legs[1].duration = curve.runout_time;
+      legs[1].until_rest = true;
+      files.keeps_history = true;
+      const double interval = context.data->output.frame_interval;
+      files.frame_interval = interval > 0 ? interval : curve.window / frames_per_window;
+    }
+    mpm::Body<D> body;
+    const auto results = run_trial_legs(state, factor, legs, context, files, body);
+    save_trial(files.folder, results.front());
+    std::optional<RunoutTrial> runout;
+    if (runs_out) {
+      mpm::Body<D> start = state;
+      mpm::reset_displacements(start);
+      const Profile before = find_profile(start, bin);
+      runout = RunoutTrial{factor,
+                           add_up(results),
+                           find_runout(body, before, moved_share * slope_height),
+                           before,
+                           find_profile(body, bin),
+                           find_failure_time(files.folder / "history.csv", curve.displacement_ratio * slope_height)};
+      if (runout->failure_time) *runout->failure_time -= state.time;
+      write_profiles(files.folder / "profile.csv", before, runout->final);
+    }
+    const std::lock_guard lock(collecting);
+    result.trials.push_back(results.front());
+    if (runout) result.runouts.push_back(*runout);
+  };
+  const auto sort_results = [&] {
+    const auto by_factor = [](const auto& a, const auto& b) { return a.factor < b.factor; };
+    std::sort(result.trials.begin(), result.trials.end(), by_factor);
+    std::sort(result.runouts.begin(), result.runouts.end(), by_factor);
+  };
+
+  std::vector<double> factors = list_factors(curve);
+  for (int round = 0; round <= most_refinements && !factors.empty(); ++round) {
+    const int count = static_cast<int>(factors.size());
+    // The weakest last takes longest with runouts; start it first so that the others fill in beside it.
+    std::reverse(factors.begin(), factors.end());
+    parallel_tasks(count, side_by_side, [&](int i) { run_one(factors[i], fmt::format("[{} of {}] ", i + 1, count)); });
+    sort_results();
+    factors.clear();
+    if (!curve.refine) break;
+    for (const double f : choose_refinement(result.points(), curve.refine_step))
+      factors.push_back(std::round(f * 1e6) / 1e6);
+  }
+  return result;
+}
+
+template CurveResult compute_curve<2>(const mpm::Body<2>&, const TrialContext&, double, int);
+template CurveResult compute_curve<3>(const mpm::Body<3>&, const TrialContext&, double, int);
+
+}  // namespace talus::run

@@ -1,0 +1,35 @@
+#pragma once
+// The displacement–SRF curve on moving geometry, and the runout of chosen trials.
+
+#include <map>
+
+#include <optional>
+
+#include "run/mpm/record/runout.hpp"
+#include "run/mpm/reduction/criteria.hpp"
+#include "run/mpm/reduction/leg.hpp"
+
+namespace talus::run {
+
+/// A trial that went on until rest.
+struct RunoutTrial {
+  double factor = 0;
+  TrialResult trial;
+  Runout runout;
+  Profile initial, final;
+  std::optional<double>
+      failure_time;  ///< from the trial's start [s]: largest displacement reaches displacement_ratio H
+};
+
+struct CurveResult {
+  std::vector<TrialResult> trials;  ///< by factor, each at the end of the window
+  std::vector<RunoutTrial> runouts;
+  std::vector<CurvePoint> points() const;
+};
+
+/// Runs all trials of the curve, refines it where it bends, and goes on to rest for the factors of curve.runout.
+/// `state` is the body after the stages. Factors do not depend on `threads`.
+template <int D>
+CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context, double slope_height, int threads);
+
+}  // namespace talus::run

@@ -1,0 +1,132 @@
+#include "run/mpm/reduction/frozen_factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "run/mpm/start/prepare.hpp"
+
+namespace talus::run {
+namespace {
+
+/// A bracket is widened at most this often in one direction.
+constexpr int most_widenings = 6;
+
+}  // namespace
+
+double extrapolate_to_zero(double coarse, double factor_coarse, double fine, double factor_fine) {
+  return factor_fine - (factor_coarse - factor_fine) * fine / (coarse - fine);
+}
+
+double FrozenResult::uncertainty() const {
+  const auto half = [](const MeshFactor& m) { return 0.5 * (m.upper - m.lower); };
+  if (!extrapolated) return half(meshes.back());
+  const MeshFactor &c = meshes.front(), &f = meshes.back();
+  const double share = f.size / (c.size - f.size);
+  return half(f) * (1 + share) + half(c) * share;
+}
+
+template <int D>
+StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor& settings, double slope_height,
+                              int threads) {
+  StagePlan<D> plan;
+  plan.name = "frozen trial";
+  plan.duration = settings.window;
+  plan.until_rest = true;
+  plan.step = settings.step_settings;
+  plan.rest = settings.rest;
+  plan.gravity = find_gravity<D>(data.gravity);
+  plan.soil_height = slope_height;
+  plan.failed_displacement = settings.failed_displacement * slope_height;
+  plan.threads = threads;
+  return plan;
+}
+
+MeshFactor search_frozen_factor(const input::FrozenFactor& settings, int side_by_side,
+                                const std::function<TrialResult(double)>& run_trial) {
+  MeshFactor result;
+  const auto is_stable = [&](const std::vector<double>& factors) {
+    std::vector<TrialResult> trials(factors.size());
+    parallel_tasks(static_cast<int>(factors.size()), side_by_side, [&](int i) { trials[i] = run_trial(factors[i]); });
+    std::vector<bool> stable;
+    for (const TrialResult& t : trials) {
+      result.trials.push_back(t);
+      result.undecided = result.undecided || t.end == StageEnd::time;
+      stable.push_back(t.end == StageEnd::rest);
+    }
+    return stable;
+  };
+
+  double low = settings.from, high = settings.to;
+  bool low_holds = false, high_fails = false;  // not tried yet
+  int widenings = 0;
+  for (;;) {
+    while (high - low > settings.resolution * (1 + 1e-9)) {
+      const double third = (high - low) / 3;
+      const std::vector<double> tries{low + third, high - third};
+      const std::vector<bool> stable = is_stable(tries);
+      if (!stable[0]) {
+        high = tries[0];
+        high_fails = true;
+      } else if (!stable[1]) {
+        low = tries[0];
+        high = tries[1];
+        low_holds = high_fails = true;
+      } else {
+        low = tries[1];
+        low_holds = true;
+      }
+    }
+    // An end of the first bracket that the search has run into must be looked at, and the bracket widened beyond it.
+    if (!low_holds && widenings < most_widenings) {
+      if (is_stable({low})[0]) {
+        low_holds = true;
+      } else {
+        high = low;
+        high_fails = true;
+        low *= 0.7;
+        ++widenings;
+      }
+    } else if (!high_fails && widenings < most_widenings) {
+      if (!is_stable({high})[0]) {
+        high_fails = true;
+      } else {
+        low = high;
+        low_holds = true;
+        high *= 1.4;
+        ++widenings;
+      }
+    } else {
+      break;
+    }
+  }
+  result.lower = low;
+  result.upper = high;
+  std::sort(result.trials.begin(), result.trials.end(),
+            [](const TrialResult& a, const TrialResult& b) { return a.factor < b.factor; });
+  return result;
+}
+
+template <int D>
+MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data, const input::FrozenFactor& settings,
+                              double slope_height, int threads) {
+  const int side_by_side = count_parallel_trials(state.points.size(), threads);
+  const StagePlan<D> plan = make_frozen_plan<D>(data, settings, slope_height, side_by_side > 1 ? 1 : threads);
+  MeshFactor factor = search_frozen_factor(settings, side_by_side, [&](double f) {
+    mpm::Body<D> body = start_trial(state, data, f);
+    StageState stage;
+    return run_trial(body, f, plan, stage);
+  });
+  factor.points = state.points.size();
+  return factor;
+}
+
+#define TALUS_INSTANTIATE(D)                                                                                     \
+  template StagePlan<D> make_frozen_plan<D>(const input::Case&, const input::FrozenFactor&, double, int);        \
+  template MeshFactor find_frozen_factor<D>(const mpm::Body<D>&, const input::Case&, const input::FrozenFactor&, \
+                                            double, int);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::run

@@ -1,0 +1,241 @@
+#include "run/mpm/reduction/frozen_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <mutex>
+
+#include "mesh/generate.hpp"
+#include "mesh/quality.hpp"
+#include "mpm/body/observe.hpp"
+#include "output/files/atomic_file.hpp"
+#include "run/mpm/record/checkpoint.hpp"
+#include "run/mpm/record/moved_limit.hpp"
+#include "run/mpm/record/runout.hpp"
+#include "run/mpm/start/initial_state.hpp"
+#include "run/mpm/start/prepare.hpp"
+#include "run/mpm/start/water_conditions.hpp"
+
+namespace talus::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Displacements of the stages decide nothing at frozen geometry, so a stage may take longer than the case's own.
+constexpr double longest_frozen_stage = 60;
+/// The state at the start of the stage that runs, beside its checkpoint.
+constexpr const char* stage_start = "stage_start.h5";
+/// Factors of the two meshes farther apart than this make a straight line a guess.
+constexpr double far_apart = 0.1;
+
+/// The case's plan for mesh `i` of the frozen factor: every element size halved i times, by that factor's mesher.
+mesh::Plan plan_mesh(mesh::Plan plan, const input::FrozenFactor& settings, int i) {
+  plan.algorithm = settings.algorithm;
+  const double share = std::pow(0.5, i);
+  plan.size *= share;
+  for (mesh::Refinement& r : plan.refinements) r.size *= share;
+  return plan;
+}
+
+/// A stage of the case at frozen geometry, to rest.
+template <int D>
+StagePlan<D> make_frozen_stage(const input::Case& data, const input::Stage& stage, double slope_height, int threads) {
+  const input::FrozenFactor& settings = data.strength_reduction.frozen;
+  StagePlan<D> plan = make_plan<D>(data, stage, slope_height, threads);
+  plan.name += " at frozen geometry";
+  // As the trials calculate, but with the stage's own mass scaling and, below, at least its own damping.
+  plan.step = settings.step_settings;
+  plan.step.geometry = input::Geometry::frozen;
+  plan.step.mass_scaling = stage.step.mass_scaling;
+  plan.step.objective_rate = stage.step.objective_rate;
+  // Undamped or nearly undamped stages would swing for long without changing where they come to rest.
+  plan.step.damping = std::max(stage.step.damping, settings.step_settings.damping);
+  plan.until_rest = true;
+  plan.duration = std::max(stage.duration, longest_frozen_stage);
+  plan.rest = settings.rest;
+  return plan;
+}
+
+/// One mesh: where its files are, and how its stages and trials are run and resumed.
+template <int D>
+class FrozenMesh {
+ public:
+  FrozenMesh(const TrialContext& context, int number, int count, int threads)
+      : context_(context),
+        data_(*context.data),
+        settings_(data_.strength_reduction.frozen),
+        number_(number),
+        threads_(threads),
+        folder_(context.folder / "frozen" / fmt::format("mesh_{}", number)) {
+    recording_.folder = folder_;
+    recording_.input_hash = context.input_hash;
+    recording_.data = &data_;
+    recording_.keeps_frames = recording_.keeps_history = false;
+    recording_.progress = context.progress;
+    recording_.label = fmt::format("mesh {} of {}: ", number + 1, count);
+  }
+
+  MeshFactor compute(const mesh::Mesh<D>& base, std::vector<std::string>& warnings) {
+    run_stages(base, warnings);
+    if (context_.resume) {
+      known_ = load_trials(folder_ / "trials.json");
+      for (const auto& [factor, trial] : known_) done_.push_back(trial);
+    }
+    const int side_by_side = count_parallel_trials(state_.points.size(), threads_);
+    const StagePlan<D> plan = make_frozen_plan<D>(data_, settings_, height_, side_by_side > 1 ? 1 : threads_);
+    MeshFactor factor = search_frozen_factor(settings_, side_by_side, [&](double f) { return run_one(f, plan); });
+    factor.points = state_.points.size();
+    factor.size = data_.mesh.file.empty() ? data_.mesh.size * std::pow(0.5, number_)
+                                          : mesh::measure_quality(state_.mesh()).mean_size;
+    if (factor.undecided) {
+      warnings.push_back(
+          fmt::format("at h = {:g} m a trial neither rested nor ran away within {:g} s; it is counted as failed",
+                      factor.size, settings_.window));
+    }
+    fs::remove(folder_ / recording_.checkpoint_name);
+    fs::remove(folder_ / stage_start);
+    return factor;
+  }
+
+ private:
+  void run_stages(const mesh::Mesh<D>& base, std::vector<std::string>& warnings) {
+    const auto checkpoint =
+        context_.resume ? open_checkpoint(folder_ / recording_.checkpoint_name, context_.input_hash) : nullptr;
+    const bool ready = !data_.mesh.file.empty() || !data_.initial.result.empty();
+    state_ = prepare<D>(data_, checkpoint ? get_mesh<D>(*checkpoint)
+                               : ready    ? base
+                                          : mesh::generate<D>(plan_mesh(data_.mesh, settings_, number_)));
+    // Held pressures are those of the start, whenever a trial runs; so is the water outside.
+    if (settings_.step_settings.water == input::WaterMotion::held) hold_surfaces(state_, 0);
+    height_ = find_slope_height(state_, data_.gravity);
+    StageState stage_state;
+    int first = 0;
+    if (checkpoint) {
+      get_body(*checkpoint, state_);
+      stage_state = get_stage(*checkpoint);
+      first = get_leg(*checkpoint);
+    }
+    Recorder<D> recorder =
+        checkpoint ? Recorder<D>::resume(recording_, state_, *checkpoint) : Recorder<D>::start(recording_, state_);
+    const int threads = count_parallel_trials(state_.points.size(), threads_) > 1 ? 1 : threads_;
+    for (int i = first; i < static_cast<int>(data_.stages.size()); ++i) {
+      const input::Stage& stage = data_.stages[i];
+      StagePlan<D> plan = make_frozen_stage<D>(data_, stage, height_, threads);
+      // The first stage brings the weight on and may settle the slope by any amount; a later one shows whether it
+      // stands.
+      if (i > 0) plan.failed_displacement = settings_.failed_displacement * height_;
+      set_strength(state_, data_, stage.cohesion, stage.strength_factor.value_or(1));
+      if (i > 0 && !stage_state.started) stage_state.gravity_share = 1;
+      const StageHooks<D> hooks = recorder.begin_leg(i, plan, state_, stage_state);
+      mpm::Body<D> before = state_;
+      if (stage_state.started && fs::exists(folder_ / stage_start)) {
+        get_body(output::ArchiveReader(folder_ / stage_start), before);
+      }
+      if (!stage_state.started) mpm::reset_displacements(state_);
+      if (run_stage(state_, plan, stage_state, hooks) != StageEnd::rest) {
+        // A slope that fails as it stands has a factor below one; its trials start from before it moved.
+        if (i > 0) state_ = before;
+        const std::string warning = fmt::format(
+            "stage '{}' did not come to rest at frozen geometry: the slope does not stand with the strength of this "
+            "stage{}",
+            stage.name, i > 0 ? ", and the trials start from the state before it" : "");
+        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+      }
+      if (is_equilibrium_stage(data_, i)) set_preconsolidation(state_, data_);
+      recorder.end_leg(state_);
+      fs::copy_file(folder_ / recording_.checkpoint_name, folder_ / stage_start, fs::copy_options::overwrite_existing);
+      stage_state = {};
+    }
+  }
+
+  /// Safe to call from several threads.
+  TrialResult run_one(double factor, const StagePlan<D>& plan) {
+    if (const auto before = known_.find(factor); before != known_.end()) return before->second;
+    RecorderSettings recording = recording_;
+    recording.checkpoint_name = fmt::format("trial_{:.9f}.h5", factor);
+    recording.label += fmt::format("SRF {:.3f}, ", factor);
+    mpm::Body<D> body = start_trial(state_, data_, factor);
+    StageState stage;
+    const auto checkpoint =
+        context_.resume ? open_checkpoint(folder_ / recording.checkpoint_name, context_.input_hash) : nullptr;
+    if (checkpoint) {
+      get_body(*checkpoint, body);
+      stage = get_stage(*checkpoint);
+    }
+    Recorder<D> recorder =
+        checkpoint ? Recorder<D>::resume(recording, body, *checkpoint) : Recorder<D>::start(recording, body);
+    const StageHooks<D> hooks = recorder.begin_leg(0, plan, body, stage);
+    const TrialResult result = run_trial(body, factor, plan, stage, hooks);
+    {
+      const std::lock_guard lock(keeping_);
+      done_.push_back(result);
+      save_trials(folder_ / "trials.json", done_);
+      if constexpr (D == 2) {
+        if (result.end == StageEnd::failed) keep_slip_line(factor, body);
+      }
+    }
+    recorder.finish(true);
+    context_.add_timing(body.timing);
+    return result;
+  }
+
+  /// The line of the smallest factor that failed so far.
+  void keep_slip_line(double factor, const mpm::Body<2>& body) {
+    const fs::path file = folder_ / slip_line_file;
+    if (std::ifstream before(file); before) {
+      const nlohmann::json kept = nlohmann::json::parse(before, nullptr, false);
+      if (!kept.is_discarded() && kept.value("srf", factor) < factor) return;
+    }
+    if (const auto line = find_frozen_limit(body); !line.empty())
+      output::write_atomically(file, nlohmann::json{{"srf", factor}, {"points", line}}.dump() + "\n");
+  }
+
+  const TrialContext& context_;
+  const input::Case& data_;
+  const input::FrozenFactor& settings_;
+  int number_, threads_;
+  fs::path folder_;
+  RecorderSettings recording_;
+  mpm::Body<D> state_;
+  double height_ = 0;
+  KnownTrials known_;
+  std::vector<TrialResult> done_;
+  std::mutex keeping_;
+};
+
+}  // namespace
+
+template <int D>
+FrozenResult compute_frozen_factor(const mesh::Mesh<D>& base, const TrialContext& context, int threads,
+                                   std::vector<std::string>& warnings) {
+  FrozenResult result;
+  int meshes = context.data->strength_reduction.frozen.meshes;
+  if (!context.data->mesh.file.empty() && meshes > 1) {
+    warnings.push_back(
+        "the mesh is a ready file, which cannot be halved: the factor of safety is that of one mesh and not "
+        "extrapolated");
+    meshes = 1;
+  }
+  for (int i = 0; i < meshes; ++i) {
+    result.meshes.push_back(FrozenMesh<D>(context, i, meshes, threads).compute(base, warnings));
+  }
+  if (result.meshes.size() == 2) {
+    const MeshFactor &coarse = result.meshes[0], &fine = result.meshes[1];
+    result.extrapolated = extrapolate_to_zero(coarse.size, coarse.factor(), fine.size, fine.factor());
+    if (std::abs(coarse.factor() - fine.factor()) > far_apart * fine.factor()) {
+      warnings.push_back(fmt::format(
+          "the factors of the two meshes differ by {:.0f} %: refine the mesh before trusting the extrapolated factor",
+          100 * std::abs(coarse.factor() / fine.factor() - 1)));
+    }
+  }
+  return result;
+}
+
+template FrozenResult compute_frozen_factor<2>(const mesh::Mesh<2>&, const TrialContext&, int,
+                                               std::vector<std::string>&);
+template FrozenResult compute_frozen_factor<3>(const mesh::Mesh<3>&, const TrialContext&, int,
+                                               std::vector<std::string>&);
+
+}  // namespace talus::run

@@ -1,0 +1,52 @@
+#pragma once
+// A trial in a folder of its own: it keeps its result, and can be resumed while it runs.
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "run/mpm/record/recorder.hpp"
+#include "run/mpm/reduction/frozen_factor.hpp"
+#include "run/mpm/reduction/trial.hpp"
+
+namespace talus::run {
+
+/// What all trials of a case share.
+struct TrialContext {
+  std::filesystem::path folder;  ///< of the case
+  std::string input_hash;
+  const input::Case* data = nullptr;
+  Progress* progress = nullptr;
+  bool resume = false;
+  std::vector<int> monitor_points;  ///< those of the stages
+  /// Told how long the parts of a trial took; called from any thread.
+  std::function<void(const mpm::Timing&)> add_timing = [](const mpm::Timing&) {};
+  mpm::Work work_before{};  ///< see RecorderSettings
+};
+
+nlohmann::json to_json(const TrialResult& trial);
+TrialResult trial_from_json(const nlohmann::json& json);
+
+/// The result of a trial that ended in an earlier run, kept as `folder/trial.json`.
+std::optional<TrialResult> load_trial(const std::filesystem::path& folder);
+void save_trial(const std::filesystem::path& folder, const TrialResult& trial);
+
+/// A list of trials in a file, by factor; nothing when there is no such file.
+KnownTrials load_trials(const std::filesystem::path& path);
+void save_trials(const std::filesystem::path& path, const std::vector<TrialResult>& trials);
+
+struct TrialFiles {
+  std::filesystem::path folder;
+  bool keeps_frames = false;  ///< the last frame, or one every `frame_interval`
+  bool keeps_history = false;
+  double frame_interval = 0;
+  std::string label;
+};
+
+/// Runs one trial from `state` with reduced strength, in legs one after the other; resumes it when the context says so
+/// and a checkpoint is there. `body` receives the state at the end. Results of each leg are returned.
+template <int D>
+std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor, const std::vector<StagePlan<D>>& legs,
+                                        const TrialContext& context, const TrialFiles& files, mpm::Body<D>& body);
+
+}  // namespace talus::run

@@ -1,0 +1,305 @@
+#include "run/mpm/stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "base/error.hpp"
+#include "mpm/body/observe.hpp"
+#include "run/mpm/start/drained.hpp"
+#include "run/mpm/start/prepare.hpp"
+
+namespace talus::run {
+namespace {
+
+/// Looks between copies of the body that an unstable run falls back to.
+constexpr int looks_per_copy = 32;
+/// What is faster than this many wave speeds is not soil any more.
+constexpr double unstable_speed_ratio = 2;
+
+/// A bound of the speed of compression waves √(E_c/ρ) [m/s]; with pore water of those without drag, in saturated soil.
+template <int D>
+double find_wave_speed(const mpm::Body<D>& body) {
+  double square = 0;
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const auto p = mpm::view_point(body, id);
+    double sum =
+        material::constrained_modulus(body.laws[p.material], p.stress.data(), p.state.data()) * p.volume / p.mass;
+    if (p.wet) {
+      // The trace of M⁻¹K (T14.12) with S = 1 and ζ' = n/K_w, which is above its greatest eigenvalue.
+      const mpm::WaterLaw& law = body.water.laws[p.material];
+      const double n = p.porosity;
+      sum += law.bulk_modulus * ((1 - n) / (n * law.grain_density) + 1 / law.density);
+    }
+    square = std::max(square, sum);
+  }
+  return std::sqrt(square);
+}
+
+/// The step can fall to that of the mesh's smallest element, and below it only when soil swells. Points that separate
+/// in a collapse do; a density of 1/2500 is an explosion that drags the step down with it.
+constexpr double smallest_step_share = 0.02;
+
+template <int D>
+double find_smallest_step(const mpm::Body<D>& body, double wave_speed, const StagePlan<D>& plan) {
+  const auto& altitudes = body.mesh().altitudes;
+  double step = smallest_step_share * *std::min_element(altitudes.begin(), altitudes.end()) *
+                std::sqrt(plan.step.mass_scaling) / wave_speed;
+  if (body.water.is_wet() && plan.step.drag == input::Drag::explicit_at_nodes) {
+    // Drag may ask for far less than the waves do (2.85).
+    StagePlan<D> without = plan;
+    without.step.drag = input::Drag::implicit_at_nodes;
+    step *= std::min(1.0, find_critical_step(body, plan).dt / find_critical_step(body, without).dt);
+  }
+  return step;
+}
+
+/// Steps between two looks at the critical step. Soil that stiffens as weight comes on would outrun a longer one.
+template <int D>
+int find_step_interval(const mpm::Body<D>& body) {
+  constexpr int changing = 4;
+  static_assert(look_interval % changing == 0, "a checkpoint, which is made at a look, has the step that follows it");
+  const bool follows = std::any_of(body.laws.begin(), body.laws.end(), material::has_changing_stiffness);
+  return follows ? changing : look_interval;
+}
+
+/// Where and how fast something moves that should not.
+template <int D>
+struct Runaway {
+  Vec<D> place{};    ///< [m]
+  double speed = 0;  ///< [m/s]
+  std::string what;  ///< "the grid", "a point that left the grid"
+};
+
+/// Name of the material of the point nearest to `x`.
+template <int D>
+std::string find_nearest_material(const mpm::Body<D>& body, const std::type_identity_t<Vec<D>>& x) {
+  double shortest = std::numeric_limits<double>::max();
+  std::string name = "unknown";
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const auto p = mpm::view_point(body, id);
+    double square = 0;
+    for (std::size_t d = 0; d < D; ++d) square += (p.position[d] - x[d]) * (p.position[d] - x[d]);
+    if (!(square < shortest)) continue;
+    shortest = square;
+    name = body.material_names[p.material];
+  }
+  return name;
+}
+
+/// What moves faster than soil can: a node of the last monitored step, or a point that left the grid since
+/// `lost_before`.
+template <int D>
+std::optional<Runaway<D>> find_runaway(const mpm::Body<D>& body, bool monitored, std::size_t lost_before,
+                                       double limit) {
+  for (std::size_t i = lost_before; i < body.lost.size(); ++i) {
+    const auto& l = body.lost[i];
+    const double speed = norm(l.momentum) / l.mass;
+    if (!(speed <= limit)) return Runaway<D>{l.position, speed, "a point that left the grid"};
+  }
+  if (!monitored || body.monitor.speed <= limit) return std::nullopt;
+  Runaway<D> r{{}, body.monitor.speed, "the grid"};
+  if (body.monitor.fastest_node >= 0) r.place = body.mesh().nodes[body.monitor.fastest_node];
+  return r;
+}
+
+/// The soil in element `e` or beside it has lost most of its density.
+template <int D>
+Runaway<D> find_swollen(const mpm::Body<D>& body, int e) {
+  std::array<double, D> centre;
+  centre.fill(1.0 / (D + 1));
+  return {mesh::to_global(body.mesh(), e, centre), body.monitor.speed, "soil that has swollen beyond bounds"};
+}
+
+/// "(1.2, 3.4) m"
+template <int D>
+std::string show_place(const Vec<D>& x) {
+  return fmt::format("({:.4g}) m", fmt::join(x, ", "));
+}
+
+/// A UMAT that failed in the last step ends the run. `save` keeps the last good state and says where.
+template <int D>
+void watch_external_models(const mpm::Body<D>& body, const StagePlan<D>& plan,
+                           const std::function<std::string()>& save) {
+  for (const material::Law& law : body.laws) {
+    const auto* model = std::get_if<material::External>(&law);
+    if (!model) continue;
+    const auto failure = model->take_failure();
+    if (!failure) continue;
+    std::string place;
+    if (failure->point >= 0 && mpm::is_present(body, failure->point))
+      place = " at " + show_place<D>(mpm::view_point(body, failure->point).position);
+    const std::string saved = save();
+    throw Error(ExitCode::unstable,
+                fmt::format("stage '{}', step {}: {}{}", plan.name, body.step_count, failure->describe(place),
+                            saved.empty() ? "" : "; the last good state is in " + saved));
+  }
+}
+
+template <int D>
+[[noreturn]] void throw_unstable(const mpm::Body<D>& body, const mpm::Body<D>& last_good, const StagePlan<D>& plan,
+                                 const Runaway<D>& r, double wave_speed, const std::string& saved) {
+  const std::string speed = std::isfinite(r.speed) ? fmt::format("{:.3g} m/s", r.speed) : "no finite speed";
+  throw Error(
+      ExitCode::unstable,
+      fmt::format("the calculation became unstable in stage '{}' at t = {:.4g} s (step {}): {} at {}, in material "
+                  "'{}', has {}, while "
+                  "compression waves run at {:.3g} m/s; try a smaller courant number (now {:g}){}",
+                  plan.name, body.time, body.step_count, r.what, show_place<D>(r.place),
+                  find_nearest_material<D>(last_good, r.place), speed, wave_speed, plan.step.courant,
+                  saved.empty() ? "" : "; the last good state is in " + saved));
+}
+
+}  // namespace
+
+template <int D>
+mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
+  const input::StepSettings& step = plan.step;
+  mpm::StepOptions<D> o;
+  o.damping = step.damping;
+  o.mass_scaling = step.mass_scaling;
+  o.mixed = step.integration == input::Integration::mixed;
+  o.smoothing = step.smoothing;
+  o.moving = step.geometry == input::Geometry::moving;
+  o.objective = step.objective_rate;
+  o.threads = plan.threads;
+  o.implicit_drag = step.drag == input::Drag::implicit_at_nodes;
+  o.water_damping = step.water_damping;
+  o.net_damping = step.damped_force == input::DampedForce::net;
+  o.smooth_pressure = step.pressure_smoothing;
+  o.exchange_water = step.water_exchange;
+  o.conductivity_factor = step.conductivity_factor;
+  return o;
+}
+
+template <int D>
+mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  if (body.water.is_wet() && plan.step.water == input::WaterMotion::held)
+    return find_drained_critical_step(body, plan.step.mass_scaling);
+  return mpm::find_critical_step(body, make_options(plan));
+}
+
+template <int D>
+Vec<D> find_stage_gravity(const StagePlan<D>& plan, const StageState& state, double time) {
+  double share = 1;
+  if (plan.gravity_ramp > 0) {
+    const double progress = std::min(1.0, (time - state.start_time) / plan.gravity_ramp);
+    share = state.gravity_share + (1 - state.gravity_share) * progress;
+  }
+  Vec<D> g = plan.gravity;
+  for (double& c : g) c *= share;
+  return g;
+}
+
+template <int D>
+bool is_calm(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  const mpm::Monitor& m = body.monitor;
+  const double reference_speed = std::sqrt(norm(plan.gravity) * plan.soil_height);
+  const bool slow = m.kinetic_energy <= plan.rest.energy_ratio * std::abs(body.work.external) ||
+                    plan.step.geometry == input::Geometry::frozen;
+  return m.out_of_balance < plan.rest.force_ratio * m.external && m.speed < plan.rest.speed_ratio * reference_speed &&
+         slow;
+}
+
+template <int D>
+StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, double soil_height, int threads) {
+  StagePlan<D> plan;
+  plan.name = stage.name;
+  plan.duration = stage.duration;
+  plan.until_rest = stage.until == input::Until::rest;
+  plan.step = stage.step;
+  plan.rest = data.rest;
+  plan.gravity = find_gravity<D>(data.gravity);
+  plan.gravity_ramp = stage.gravity_ramp;
+  plan.soil_height = soil_height;
+  plan.threads = threads;
+  return plan;
+}
+
+template <int D>
+StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks) {
+  if (body.water.is_wet() && plan.step.water == input::WaterMotion::held)
+    return run_drained_stage(body, plan, state, hooks);
+  mpm::StepOptions<D> options = make_options(plan);
+  if (!state.started) {
+    state.started = true;
+    state.start_time = body.time;
+    state.next_output = body.time;
+    mpm::gather_nodal_sums(body, options);
+  }
+  const double end = state.start_time + plan.duration;
+  mpm::CriticalStep critical = find_critical_step(body, plan);
+  mpm::Body<D> last_good = body;
+  StageState last_good_state = state;
+  // That of the start: later densities may be those of an explosion.
+  if (state.wave_speed == 0) state.wave_speed = find_wave_speed(body);
+  const double smallest_step = find_smallest_step(body, state.wave_speed, plan);
+  const auto save_last_good = [&]() -> std::string {
+    return hooks.save_last_good ? hooks.save_last_good(last_good, last_good_state) : "";
+  };
+  const auto give_up = [&](const Runaway<D>& runaway) {
+    throw_unstable(body, last_good, plan, runaway, state.wave_speed, save_last_good());
+  };
+  const bool watches_displacement = plan.failed_displacement > 0;
+  const int step_interval = find_step_interval(body);
+
+  for (;;) {
+    if (state.steps % step_interval == 0) {
+      critical = find_critical_step(body, plan);
+      if (critical.element < 0) return StageEnd::time;  // nothing is left on the grid
+      state.dt = plan.step.courant * critical.dt;
+      if (!(critical.dt >= smallest_step)) give_up(find_swollen<D>(body, critical.element));
+    }
+    if (state.steps % look_interval == 0) {
+      if (state.steps % (look_interval * looks_per_copy) == 0) {
+        last_good = body;
+        last_good_state = state;
+      }
+      if (hooks.look) hooks.look(body, state);
+      if (watches_displacement && mpm::find_largest_displacement(body).value > plan.failed_displacement)
+        return StageEnd::failed;
+    }
+    if (hooks.output && body.time >= state.next_output) hooks.output(body, state);
+    const double left = end - body.time;
+    if (left <= 1e-12 * plan.duration) return StageEnd::time;
+    options.dt = std::min(state.dt, left);
+    options.gravity = find_stage_gravity(plan, state, body.time);
+    options.monitor = state.steps % monitor_interval == 0;
+    const std::size_t lost_before = body.lost.size();
+    mpm::step(body, options);
+    ++state.steps;
+    watch_external_models(body, plan, save_last_good);
+    if (const auto runaway = find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * state.wave_speed))
+      give_up(*runaway);
+    if (!options.monitor) continue;
+    state.largest_speed = std::max(state.largest_speed, body.monitor.speed);
+    if (!plan.until_rest) continue;
+    const bool full_gravity = body.time >= state.start_time + plan.gravity_ramp;
+    if (!full_gravity || !is_calm(body, plan)) {
+      state.calm_since = -1;
+    } else if (state.calm_since < 0) {
+      state.calm_since = body.time;
+    } else if (body.time - state.calm_since >= plan.rest.hold) {
+      return StageEnd::rest;
+    }
+  }
+}
+
+#define TALUS_INSTANTIATE(D)                                                                  \
+  template mpm::StepOptions<D> make_options<D>(const StagePlan<D>&);                          \
+  template mpm::CriticalStep find_critical_step<D>(const mpm::Body<D>&, const StagePlan<D>&); \
+  template Vec<D> find_stage_gravity<D>(const StagePlan<D>&, const StageState&, double);      \
+  template bool is_calm<D>(const mpm::Body<D>&, const StagePlan<D>&);                         \
+  template StagePlan<D> make_plan<D>(const input::Case&, const input::Stage&, double, int);   \
+  template StageEnd run_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&, const StageHooks<D>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::run

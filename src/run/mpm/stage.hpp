@@ -1,0 +1,83 @@
+#pragma once
+// One stretch of time: the loop over steps, with the time step, the end at rest, and the watch over stability.
+
+#include <functional>
+#include <string>
+
+#include "input/case/case.hpp"
+#include "mpm/step/critical_step.hpp"
+#include "mpm/step/step.hpp"
+
+namespace talus::run {
+
+/// What a stage is, apart from the body. Everything here follows from the case.
+template <int D>
+struct StagePlan {
+  std::string name;
+  double duration = 0;  ///< [s]; the longest time when until_rest
+  bool until_rest = false;
+  input::StepSettings step;
+  input::RestCriterion rest;
+  Vec<D> gravity{};                ///< at full strength [m/s²]
+  double gravity_ramp = 0;         ///< [s]
+  double soil_height = 0;          ///< H of the rest criterion [m]
+  double failed_displacement = 0;  ///< stop when a point has moved farther [m]; 0: never
+  int threads = 1;
+};
+
+/// Where a stage stands. With the body, all that is needed to go on bit for bit.
+struct StageState {
+  bool started = false;
+  double start_time = 0;  ///< [s]
+  std::int64_t steps = 0;
+  double dt = 0;             ///< last time step [s]
+  double gravity_share = 0;  ///< of full gravity, at the start of the stage
+  double calm_since = -1;    ///< time since which the rest criterion holds [s]; -1: it does not
+  double next_output = 0;    ///< simulated time of the next call of StageHooks::output [s]
+  double largest_speed = 0;  ///< of a node, in the whole stage [m/s]
+  double wave_speed = 0;     ///< compression waves at the start of the stage [m/s]
+};
+
+enum class StageEnd { time, rest, failed };
+
+/// What others do while a stage runs. All may be empty.
+template <int D>
+struct StageHooks {
+  /// Called when body.time reaches state.next_output, which it must advance.
+  std::function<void(const mpm::Body<D>&, StageState&)> output;
+  /// Called every look_interval steps: progress, checkpoints. May throw to end the run.
+  std::function<void(const mpm::Body<D>&, const StageState&)> look;
+  /// Called with the last good body before an unstable run is given up; returns where it was saved, for the message.
+  std::function<std::string(const mpm::Body<D>&, const StageState&)> save_last_good;
+};
+
+/// Steps between looks at time step, progress and interruption, and between evaluations of the rest criterion.
+inline constexpr int look_interval = 64;
+inline constexpr int monitor_interval = 8;
+
+/// The settings of the plan for the engine, but for time step and gravity.
+template <int D>
+mpm::StepOptions<D> make_options(const StagePlan<D>& plan);
+
+/// Largest stable step [s] for Courant number 1 as the plan calculates, and the element that decides it.
+template <int D>
+mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan);
+
+/// Advances the body to the end of the stage. Pore pressures that the plan holds are held (drained.hpp). `state` fresh
+/// or from a checkpoint; body strength must be set. Throws Error (unstable) with a sentence that says where and why.
+template <int D>
+StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks = {});
+
+/// Plan of the stage `index` of a case.
+template <int D>
+StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, double soil_height, int threads);
+
+/// Gravity [m/s²] that acts at `time` of the stage.
+template <int D>
+Vec<D> find_stage_gravity(const StagePlan<D>& plan, const StageState& state, double time);
+
+/// Rest as the last monitored step shows it, without the holding time.
+template <int D>
+bool is_calm(const mpm::Body<D>& body, const StagePlan<D>& plan);
+
+}  // namespace talus::run

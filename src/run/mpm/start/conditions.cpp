@@ -1,0 +1,116 @@
+#include "run/mpm/start/conditions.hpp"
+
+#include <algorithm>
+
+#include "ground/side_normals.hpp"
+#include "mpm/body/observe.hpp"
+
+namespace talus::run {
+namespace {
+
+template <int D>
+mpm::Constraint<D>& get_constraint(mpm::Conditions<D>& conditions, int node) {
+  int& index = conditions.constraint_of_node[node];
+  if (index < 0) {
+    index = static_cast<int>(conditions.constraints.size());
+    conditions.constraints.emplace_back();
+  }
+  return conditions.constraints[index];
+}
+
+template <int D>
+Vec<D> truncate(const std::array<double, 3>& v) {
+  Vec<D> r;
+  for (std::size_t d = 0; d < D; ++d) r[d] = v[d];
+  return r;
+}
+
+template <int D>
+void apply_boundary(mpm::Body<D>& body, const input::Boundary& boundary, const std::type_identity_t<Vec<D>>& gravity) {
+  const auto& sides = ground::find_sides(body.mesh(), boundary.on);
+  mpm::Conditions<D>& conditions = body.conditions;
+  if (boundary.fix == input::Fix::velocity)
+    conditions.prescribed.push_back({truncate<D>(boundary.velocity), boundary.factor});
+  for (const auto& [node, normals] : ground::find_node_normals(body, sides, gravity)) {
+    mpm::Constraint<D>& c = get_constraint(conditions, node);
+    switch (boundary.fix) {
+      case input::Fix::full:
+        for (std::size_t d = 0; d < D; ++d) {
+          Vec<D> axis{};
+          axis[d] = 1;
+          ground::add_direction<D>(c.fixed, c.fixed_count, axis);
+        }
+        break;
+      case input::Fix::normal:
+        for (const Vec<D>& n : normals) ground::add_direction<D>(c.fixed, c.fixed_count, n);
+        break;
+      case input::Fix::plane:
+        ground::add_direction<D>(c.fixed, c.fixed_count, truncate<D>(boundary.normal));
+        break;
+      case input::Fix::friction:
+        c.has_wall = true;
+        c.wall_normal = normals.front();
+        c.friction = boundary.friction;
+        break;
+      case input::Fix::velocity:
+        c.prescribed = static_cast<int>(conditions.prescribed.size()) - 1;
+        break;
+    }
+  }
+}
+
+template <int D>
+void apply_traction(mpm::Body<D>& body, const input::Traction& traction) {
+  const auto& mesh = body.mesh();
+  mpm::Load<D> load;
+  load.on_points = traction.carrier == input::Carrier::points;
+  load.factor = traction.factor;
+  const Vec<D> t = truncate<D>(traction.traction);
+  for (const auto& [side, elements] : ground::map_sides<D>(mesh, ground::find_sides(mesh, traction.on))) {
+    if (elements.empty()) continue;
+    const double area = ground::find_outward_normal(mesh, elements.front().element, elements.front().opposite).second;
+    Vec<D> force;
+    if (!load.on_points) {
+      for (std::size_t d = 0; d < D; ++d) force[d] = t[d] * area / D;
+      for (int node : side) load.entries.push_back({node, force});
+      continue;
+    }
+    for (const ground::SideElement& s : elements) {
+      if (body.points.count[s.element] == 0) continue;
+      // The points nearest to the side carry it (2.32): smallest shape function of the opposite node.
+      std::vector<std::pair<double, int>> near;
+      const int block = s.element / lane_width;
+      for (int k = 0; k < static_cast<int>(body.points.count[s.element]); ++k) {
+        const int id = body.points.id[static_cast<std::size_t>((body.points.block_start[block] + k) * lane_width +
+                                                               s.element % lane_width)];
+        const auto xi = mesh::to_local(mesh, s.element, mpm::view_point(body, id).position);
+        double shape = 1;
+        for (double x : xi) shape -= x;
+        if (s.opposite > 0) shape = xi[s.opposite - 1];
+        near.emplace_back(shape, id);
+      }
+      const double nearest = std::min_element(near.begin(), near.end())->first;
+      std::erase_if(near, [&](const auto& n) { return n.first > nearest + 1e-6; });
+      for (std::size_t d = 0; d < D; ++d) force[d] = t[d] * area / static_cast<double>(near.size());
+      for (const auto& [shape, id] : near) load.entries.push_back({id, force});
+      break;
+    }
+  }
+  body.conditions.loads.push_back(std::move(load));
+}
+
+}  // namespace
+
+template <int D>
+void resolve_conditions(mpm::Body<D>& body, const input::Case& data) {
+  body.conditions = {};
+  body.conditions.constraint_of_node.assign(body.mesh().nodes.size(), -1);
+  Vec<D> gravity = truncate<D>(data.gravity.direction);
+  for (const input::Boundary& boundary : data.boundaries) apply_boundary(body, boundary, gravity);
+  for (const input::Traction& traction : data.tractions) apply_traction(body, traction);
+}
+
+template void resolve_conditions<2>(mpm::Body<2>&, const input::Case&);
+template void resolve_conditions<3>(mpm::Body<3>&, const input::Case&);
+
+}  // namespace talus::run

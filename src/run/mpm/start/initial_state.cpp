@@ -1,0 +1,184 @@
+#include "run/mpm/start/initial_state.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "ground/root_content.hpp"
+#include "mpm/body/observe.hpp"
+#include "mpm/body/point_state.hpp"
+
+namespace talus::run {
+namespace {
+
+using State = std::array<double, material::max_state_size>;
+
+/// Where Cam-clay's state variables begin that roots alone have.
+constexpr std::size_t first_root_variable = material::ModifiedCamClay::state_size;
+
+/// What a law's state starts from.
+struct Start {
+  const double* stress;
+  double void_ratio, saturation;
+  ground::RootsAt roots;
+};
+
+bool is_cam_clay(input::MaterialModel model) {
+  return model == input::MaterialModel::modified_cam_clay || model == input::MaterialModel::rooted_cam_clay;
+}
+
+bool is_rooted(input::MaterialModel model) {
+  return model == input::MaterialModel::rooted_mohr_coulomb || model == input::MaterialModel::rooted_cam_clay;
+}
+
+State make_state(const material::Law& law, const input::Material& soil, const Start& start) {
+  State state{};
+  const auto set_cam_clay = [&](const auto& cam_clay) {
+    cam_clay.set_initial_state(start.stress, start.void_ratio, start.roots.content,
+                               soil.cam_clay.preconsolidation.value_or(material::ModifiedCamClay::not_set),
+                               start.saturation, state.data());
+  };
+  if (const auto* bare = std::get_if<material::ModifiedCamClay>(&law)) set_cam_clay(*bare);
+  if (const auto* rooted = std::get_if<material::RootedCamClay>(&law)) set_cam_clay(*rooted);
+  if (std::holds_alternative<material::RootedMohrCoulomb>(law)) state[1] = start.roots.cohesion;
+  if (const auto* external = std::get_if<material::External>(&law)) external->set_initial_state(state.data());
+  return state;
+}
+
+double find_mean_pressure(const double* stress) {
+  return -(stress[0] + stress[1] + stress[2]) / 3;
+}
+
+/// Saturation that the laws see: 1 in soil without pore water.
+template <int D>
+double find_saturation(const mpm::PointView<D>& point) {
+  return point.wet ? point.saturation : 1;
+}
+
+/// Void ratio of a point, from its grains and its volume.
+template <int D>
+double find_void_ratio(const mpm::PointView<D>& point, const input::Material& soil) {
+  return std::max(0.0, point.volume * soil.grain_density / point.mass - 1);
+}
+
+/// The state of a point after a change of its material.
+template <int D>
+State adopt(const mpm::PointView<D>& point, const State& fresh, const material::Law& law, const input::Material& soil,
+            input::MaterialModel before, bool same_roots) {
+  const auto now = soil.model;
+  const bool stays_cam_clay = is_cam_clay(now) && is_cam_clay(before);
+  // A run that ended before its preconsolidation was set leaves that to a case that gives one.
+  const bool lacks_one =
+      stays_cam_clay && !material::ModifiedCamClay::is_set(point.state[1]) && soil.cam_clay.preconsolidation;
+  if (now == before && !lacks_one && (same_roots || !is_rooted(now))) return point.state;
+  ground::RootsAt roots;
+  if (now == input::MaterialModel::rooted_cam_clay) roots.content = fresh[first_root_variable];
+  if (now == input::MaterialModel::rooted_mohr_coulomb) roots.cohesion = fresh[1];
+  State renewed =
+      make_state(law, soil, {point.stress.data(), find_void_ratio(point, soil), find_saturation(point), roots});
+  const double preconsolidation = renewed[1];
+  std::copy_n(point.state.begin(), stays_cam_clay ? first_root_variable : 1, renewed.begin());
+  if (lacks_one) renewed[1] = preconsolidation;
+  return renewed;
+}
+
+/// Sets the preconsolidation of a Cam-clay point, unless it has one, and counts it.
+template <class CamClay, int D>
+bool set_point(const CamClay& law, double ratio, const mpm::PointView<D>& point, State& state, Preconsolidation& done) {
+  const double saturation = find_saturation(point);
+  if (law.find_preconsolidation(state.data(), saturation) != CamClay::not_set) return false;
+  state[1] = ratio * std::max(find_mean_pressure(point.stress.data()), law.soil().smallest_pressure);
+  const double pressure = law.find_preconsolidation(state.data(), saturation);
+  ++done.points;
+  done.smallest = std::min(done.smallest, pressure);
+  done.largest = std::max(done.largest, pressure);
+  // A step without strain moves a stress beyond the yield surface back to it.
+  constexpr int NS = material::stress_size<D>;
+  std::array<double, NS> stress = point.stress, none{};
+  State after = state;
+  material::Surroundings<double> around;
+  around.saturation = saturation;
+  law.template update<NS>(stress.data(), none.data(), after.data(), true, around);
+  if (after[0] > state[0]) ++done.beyond;
+  return true;
+}
+
+}  // namespace
+
+template <int D>
+void set_initial_state(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<material::Law>& laws,
+                       const std::vector<std::string>& names, const std::vector<mpm::WaterLaw>& water,
+                       std::vector<mpm::InitialPoint<D>>& points) {
+  std::vector<const input::Material*> by_number, soils;
+  for (const std::string& name : names) by_number.push_back(&data.materials.at(name));
+  std::vector<Vec<D>> places;
+  for (const auto& p : points) {
+    soils.push_back(by_number[static_cast<std::size_t>(p.material)]);
+    places.push_back(mesh::to_global(mesh, p.element, p.xi));
+  }
+  const std::vector<ground::RootsAt> roots = ground::find_roots<D>(data, mesh, places, soils);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto& p = points[i];
+    const auto number = static_cast<std::size_t>(p.material);
+    const double saturation =
+        soils[i]->water.is_wet() && !water.empty() ? material::saturation(water[number].retention, p.pressure) : 1.0;
+    p.state = make_state(laws[number], *soils[i], {p.stress.data(), soils[i]->void_ratio(), saturation, roots[i]});
+  }
+}
+
+template <int D>
+void adopt_state(mpm::Body<D>& body, const input::Case& data, const mpm::Body<D>& fresh,
+                 const std::vector<input::MaterialModel>& before, bool same_roots) {
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const auto at = static_cast<std::size_t>(id);
+    const std::size_t number = body.points.material[at];
+    const State state = adopt(mpm::view_point(body, id), mpm::view_point(fresh, id).state, body.laws[number],
+                              data.materials.at(body.material_names[number]), before[at], same_roots);
+    mpm::write_state(body, id, state.data());
+  }
+}
+
+bool is_equilibrium_stage(const input::Case& data, int stage) {
+  if (data.initial.equilibrium.empty()) return stage == 0;
+  return data.stages[static_cast<std::size_t>(stage)].name == data.initial.equilibrium;
+}
+
+nlohmann::json to_json(const Preconsolidation& done) {
+  return {{"points", done.points},
+          {"smallest", done.smallest},
+          {"largest", done.largest},
+          {"points_beyond_yield_surface", done.beyond}};
+}
+
+template <int D>
+Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::Case& data) {
+  Preconsolidation done{.smallest = std::numeric_limits<double>::infinity()};
+  for (int id = 0; id < body.points.size(); ++id) {
+    const std::size_t number = body.points.material[static_cast<std::size_t>(id)];
+    const input::Material& soil = data.materials.at(body.material_names[number]);
+    if (!mpm::is_present(body, id) || !is_cam_clay(soil.model) || !soil.cam_clay.preconsolidation_ratio) continue;
+    const mpm::PointView<D> point = mpm::view_point(body, id);
+    State state = point.state;
+    const double ratio = *soil.cam_clay.preconsolidation_ratio;
+    const material::Law& law = body.laws[number];
+    if (soil.model == input::MaterialModel::rooted_cam_clay
+            ? set_point(std::get<material::RootedCamClay>(law), ratio, point, state, done)
+            : set_point(std::get<material::ModifiedCamClay>(law), ratio, point, state, done))
+      mpm::write_state(body, id, state.data());
+  }
+  if (done.points == 0) done.smallest = 0;
+  return done;
+}
+
+#define TALUS_INSTANTIATE(D)                                                                                      \
+  template void set_initial_state<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<material::Law>&, \
+                                     const std::vector<std::string>&, const std::vector<mpm::WaterLaw>&,          \
+                                     std::vector<mpm::InitialPoint<D>>&);                                         \
+  template void adopt_state<D>(mpm::Body<D>&, const input::Case&, const mpm::Body<D>&,                            \
+                               const std::vector<input::MaterialModel>&, bool);                                   \
+  template Preconsolidation set_preconsolidation<D>(mpm::Body<D>&, const input::Case&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::run

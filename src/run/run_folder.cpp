@@ -1,0 +1,70 @@
+#include "run/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <regex>
+
+#include "base/error.hpp"
+#include "run/mpm/start/end_state.hpp"
+
+namespace talus::run {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// Everything that a run may leave in its folder; --overwrite removes these and nothing else.
+const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf",  "mesh.xdmf",     "frames",
+                                 "history.csv",    "monitors.csv", "summary.json", "checkpoint.h5", "stages.json",
+                                 "curve.csv",      "profile.csv",  "trials",       "frozen",        "mesh.h5",
+                                 "report.html",    "season.csv",   "sections",     end_state_file,  "lem.json",
+                                 "fem.json",       "fem.vtu"};
+
+}  // namespace
+
+void check_folder(const input::Initial& initial, const RunOptions& options) {
+  std::error_code unknown;  // of a folder that is not there yet
+  if (!initial.result.empty() && fs::equivalent(initial.result_folder, options.folder, unknown)) {
+    throw Error(ExitCode::folder_exists, fmt::format("the case starts from the result in '{}', which stays as it is; "
+                                                     "give another folder with -o",
+                                                     options.folder.string()));
+  }
+  if (options.resume || !fs::exists(options.folder)) return;
+  if (!fs::is_directory(options.folder)) {
+    throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; results need a folder", options.folder.string()));
+  }
+  if (fs::is_empty(options.folder) || options.overwrite) return;
+  throw Error(
+      ExitCode::folder_exists,
+      fmt::format("the folder '{}' holds something already; give another one with -o, replace it with --overwrite, "
+                  "or go on with --resume",
+                  options.folder.string()));
+}
+
+void clear_folder(const RunOptions& options) {
+  if (options.resume || !options.overwrite || !fs::exists(options.folder)) return;
+  for (const char* name : own_files) fs::remove_all(options.folder / name);
+  // Pictures of the old results would pass for those of the new ones.
+  static const std::regex picture(R"((curve|.*_\d{4})\.(svg|png|gp))");
+  for (const auto& entry : fs::directory_iterator(options.folder)) {
+    if (std::regex_match(entry.path().filename().string(), picture)) fs::remove(entry.path());
+  }
+}
+
+std::optional<json> load_finished(const RunOptions& options, const std::string& input_hash) {
+  if (!options.resume) return std::nullopt;
+  std::ifstream file(options.folder / "summary.json");
+  if (!file) return std::nullopt;
+  json summary = json::parse(file, nullptr, false);
+  if (summary.is_discarded() || summary.value("status", "") != "finished") return std::nullopt;
+  if (summary.at("provenance").at("input_hash") != input_hash) {
+    throw Error(
+        ExitCode::wrong_input,
+        fmt::format("'{}' holds the results of another input; start anew with --overwrite", options.folder.string()));
+  }
+  return summary;
+}
+
+}  // namespace talus::run
