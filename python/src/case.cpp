@@ -48,7 +48,7 @@ json write_block(const input::BlockEntry& block) {
 
 void bind_case(py::module_& module) {
   py::class_<input::LoadedCase>(module, "LoadedCase").def_property_readonly("echo", [](const input::LoadedCase& c) {
-    return to_python(c.echo);
+    return to_python(c.echo.get());
   });
   module.def("read_case", [](const std::string& path) { return input::read_case(path); });
   module.def("read_case_text",

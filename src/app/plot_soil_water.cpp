@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "input/read.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/plots/water_plot.hpp"
 
 namespace talus::app {
@@ -22,7 +22,7 @@ void plot_soil_water(const CaseOptions& input, const std::filesystem::path& pict
       picture.empty() ? std::filesystem::path(name + "." + (format.empty() ? "svg" : format)) : picture;
   const std::filesystem::path table = std::filesystem::path(drawn).replace_extension(".csv");
   output::draw(plot, drawn);
-  output::write_atomically(table, output::make_water_table(plot.soils));
+  write_atomically(table, output::make_water_table(plot.soils));
   fmt::print("{}\n{}\n", drawn.string(), table.string());
 }
 

@@ -1,4 +1,4 @@
-#include "output/files/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 
-namespace talus::output {
+namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,4 +92,4 @@ void write_atomically(const fs::path& path, std::string_view text, const std::st
   write_atomically(path, std::as_bytes(std::span(text.data(), text.size())), safe);
 }
 
-}  // namespace talus::output
+}  // namespace talus

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace talus::output {
+namespace talus {
 
 /// Writes `text` to `path`, replacing what was there in one go: a reader, or a machine that loses power, sees the old
 /// file or the new one, never a part. Throws Error (cannot_write) with the path, the reason and `safe`, a clause that
@@ -28,4 +28,4 @@ void make_folder(const std::filesystem::path& folder, const std::string& safe = 
 /// The sentence "cannot write 'path': reason; safe" as an Error (cannot_write). `reason` is a value of errno.
 [[noreturn]] void throw_cannot_write(const std::filesystem::path& path, int reason, const std::string& safe = "");
 
-}  // namespace talus::output
+}  // namespace talus

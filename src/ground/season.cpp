@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "ground/root_content.hpp"
 #include "ground/root_sink.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/files/history.hpp"
 
 namespace talus::ground {
@@ -218,7 +218,7 @@ void write_season(const std::filesystem::path& path, const SeasonRecord& r) {
     for (std::size_t i = 0; i < values.size(); ++i) text += (i > 0 ? "," : "") + output::to_shortest(values[i]);
     text += '\n';
   }
-  output::write_atomically(path, text);
+  write_atomically(path, text);
 }
 
 template Season<2> run_season<2>(const input::Case&, const fem::SeepageModel<2>&, const std::vector<double>&);

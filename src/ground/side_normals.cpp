@@ -85,8 +85,8 @@ std::map<int, std::vector<Vec<D>>> find_node_normals(const mpm::Body<D>& body,
     const Vec<D> n = find_wall_normal(body, elements, gravity);
     for (int node : side) {
       auto& list = sums[node];
-      const auto same = std::find_if(list.begin(), list.end(),
-                                     [&](const Vec<D>& s) { return dot(s, n) > smooth_cosine * norm(s); });
+      const auto same =
+          std::find_if(list.begin(), list.end(), [&](const Vec<D>& s) { return dot(s, n) > smooth_cosine * norm(s); });
       if (same == list.end())
         list.push_back(n);
       else

@@ -1,8 +1,7 @@
 #pragma once
 // The echo of a case: every value that a calculation used, with its unit, and whether it was given or is a default.
 
-#include <nlohmann/json.hpp>
-
+#include "base/json_tree.hpp"
 #include "input/case/case.hpp"
 #include "input/language/findings.hpp"
 
@@ -11,5 +10,12 @@ namespace talus::input {
 /// {"mesh": {"size": {"value": 0.75, "unit": "m", "given": true}, ...}, "stage": [{...}], ...}. Keys that have no
 /// meaning in the case (a cohesion of an elastic material) are left out; an optional key without a value is null.
 nlohmann::json echo(const Case& data, const Places& places);
+
+/// The case that an echo tells of, in SI and with unit directions, as read_case() gives it. What this version does not
+/// know is left out, and what the echo does not hold keeps its default.
+Case read_echo(const JsonTree& echo);
+
+/// Makes directions unit vectors; after the checks, which look for directions without length.
+void normalise_directions(Case& data);
 
 }  // namespace talus::input

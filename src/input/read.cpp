@@ -57,13 +57,6 @@ std::set<std::string> find_methods(const toml::table& root) {
   return asked;
 }
 
-/// Units of length for what was given as a direction; after the checks, which look for directions without length.
-void normalise_directions(Case& data) {
-  normalise(data.gravity.direction);
-  for (Boundary& boundary : data.boundaries)
-    if (boundary.fix == Fix::plane) normalise(boundary.normal);
-}
-
 /// Blocks of which a slope has at least one, and a file of element tests alone has none.
 const std::set<std::string> slope_blocks{"geometry", "mesh", "regions", "stage"};
 
@@ -112,8 +105,9 @@ std::optional<LoadedCase> read_once(const std::string& text, const std::string& 
   complete_calibration(loaded.data, name, findings);
   check_compare(loaded.data, findings);
   if (!findings.empty()) return std::nullopt;
-  loaded.echo = echo(loaded.data, findings.places);
-  if (!loaded.is_whole) drop_absent_blocks(loaded.echo, findings.places);
+  nlohmann::json told = echo(loaded.data, findings.places);
+  if (!loaded.is_whole) drop_absent_blocks(told, findings.places);
+  loaded.echo = JsonTree(std::move(told));
   normalise_directions(loaded.data);
   loaded.text = text;
   loaded.file = name;
@@ -162,7 +156,7 @@ void check_uncertain_numbers(const LoadedCase& loaded, const std::vector<Overrid
     }
     if (!is_good) continue;
     try {
-      resolve(number, loaded.data, loaded.echo);
+      resolve(number, loaded.data, loaded.echo.get());
     } catch (const Error& error) {
       findings.add(path, error.what());
     }
@@ -190,6 +184,12 @@ void read_test_soils(LoadedCase& loaded, const std::vector<Override>& overrides,
 }
 
 }  // namespace
+
+void normalise_directions(Case& data) {
+  normalise(data.gravity.direction);
+  for (Boundary& boundary : data.boundaries)
+    if (boundary.fix == Fix::plane) normalise(boundary.normal);
+}
 
 LoadedCase read_case_text(const std::string& text, const std::string& name, const std::vector<Override>& overrides,
                           CaseScope scope) {

@@ -1,11 +1,11 @@
 #pragma once
 // From a case file to a checked case.
 
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "base/json_tree.hpp"
 #include "input/case/case.hpp"
 #include "input/language/findings.hpp"
 #include "input/language/overrides.hpp"
@@ -15,7 +15,7 @@ namespace talus::input {
 /// A case that was read without a fault.
 struct LoadedCase {
   Case data;
-  nlohmann::json echo;   ///< every value with its unit and whether it was given, see input/echo.hpp
+  JsonTree echo;         ///< every value with its unit and whether it was given, see input/echo.hpp
   std::string text;      ///< the file as it is
   std::string file;      ///< its name, as messages show it
   Places places;         ///< where each key stands, for faults that are found later

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "laboratory/calibration_results.hpp"
 #include "laboratory/run_point_tests.hpp"
-#include "output/files/atomic_file.hpp"
 
 namespace talus::laboratory {
 
@@ -34,18 +34,18 @@ json run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run)
   run_point_tests(fitted, {run.folder, {}, run.pictures});
 
   const fs::path folder = run.folder / "calibration";
-  output::make_folder(folder);
+  make_folder(folder);
   const std::string& unit = loaded.data.output.stress_unit;
-  output::write_atomically(folder / "parameters.csv", write_parameter_table(result));
-  output::write_atomically(folder / "correlation.csv", write_correlation_table(result));
-  output::write_atomically(folder / "curves.csv", write_curve_table(result, unit));
-  output::write_atomically(folder / "solver.txt", result.log);
+  write_atomically(folder / "parameters.csv", write_parameter_table(result));
+  write_atomically(folder / "correlation.csv", write_correlation_table(result));
+  write_atomically(folder / "curves.csv", write_curve_table(result, unit));
+  write_atomically(folder / "solver.txt", result.log);
   json summary = to_json(result, unit);
   summary["format"] = 1;
   summary["title"] = loaded.data.title;
   summary["seed"] = loaded.data.calibration->seed;
   summary["wall"] = wall;
-  output::write_atomically(folder / "calibration.json", summary.dump(1) + "\n");
+  write_atomically(folder / "calibration.json", summary.dump(1) + "\n");
   return summary;
 }
 

@@ -8,12 +8,12 @@
 #include <ctime>
 #include <set>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/units.hpp"
 #include "laboratory/point_groups.hpp"
 #include "laboratory/point_results.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/plots/gnuplot.hpp"
 #include "output/plots/point_plot.hpp"
 #include "run/mpm/record/recorder.hpp"
@@ -145,13 +145,13 @@ json run_point_tests(const input::LoadedCase& loaded, const PointOptions& option
     tests.push_back({loaded.data.tests[i], run_point_test(loaded.data.test_soils[i], loaded.data.tests[i])});
   const fs::path folder = options.folder / "point";
   const std::string& stress_unit = loaded.data.output.stress_unit;
-  output::make_folder(folder);
+  make_folder(folder);
   json list = json::array(), warnings = json::array(), groups = json::array();
   std::set<std::string> files;
   std::vector<input::PointTest> shown;
   for (const Done& done : tests) {
     const std::string file = name_file(done.test.name, files);
-    output::write_atomically(folder / file, write_point_table(done.curve, stress_unit));
+    write_atomically(folder / file, write_point_table(done.curve, stress_unit));
     list.push_back(describe_point_test(done.test, done.curve, file));
     if (!done.curve.stopped.empty())
       warnings.push_back(fmt::format("Test '{}' ended early: {}.", done.test.name, done.curve.stopped));
@@ -165,8 +165,8 @@ json run_point_tests(const input::LoadedCase& loaded, const PointOptions& option
   json summary{{"format", 1},
                {"title", loaded.data.title},
                {"project", run::describe_project(loaded.data)},
-               {"input", loaded.echo},
-               {"provenance", run::describe_provenance(loaded, run::hash_text(loaded.echo.dump()), 1)},
+               {"input", loaded.echo.get()},
+               {"provenance", run::describe_provenance(loaded, run::hash_text(loaded.echo.write()), 1)},
                {"units",
                 {{"length", loaded.data.output.length_unit},
                  {"displacement", loaded.data.output.displacement_unit},
@@ -178,7 +178,7 @@ json run_point_tests(const input::LoadedCase& loaded, const PointOptions& option
   summary["comparisons"] = run::compare_results(loaded.data, summary);
   summary["timing"] = {{"wall", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
                        {"cpu", static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC}};
-  output::write_atomically(folder / "point.json", summary.dump(1) + "\n");
+  write_atomically(folder / "point.json", summary.dump(1) + "\n");
   return summary;
 }
 

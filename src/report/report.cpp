@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "output/files/atomic_file.hpp"
 #include "report/content/calibration.hpp"
 #include "report/content/curve.hpp"
 #include "report/content/finite_elements.hpp"
@@ -151,7 +151,7 @@ Content collect_report(const fs::path& path) {
 fs::path write_report(const fs::path& folder) {
   const Content content = collect_report(folder);
   const fs::path path = folder / "report.html";
-  output::write_atomically(
+  write_atomically(
       path,
       fill_page(get_page(), content.document["project"]["title"].get<std::string>(), content.document, content.arrays),
       "the results are whole");

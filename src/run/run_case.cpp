@@ -3,11 +3,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "ground/design_values.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/plane_water.hpp"
-#include "output/files/atomic_file.hpp"
 #include "run/compare/compare.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/named_results.hpp"
@@ -52,7 +52,7 @@ class StaticRun {
     bool is_open = false;
     const auto open_folder = [&] {
       clear_folder(options_);
-      output::make_folder(options_.folder);
+      make_folder(options_.folder);
       is_open = true;
     };
     try {
@@ -86,7 +86,7 @@ class StaticRun {
     add_comparison(design_.data, methods.slope(), design_.statement, summary_, options_);
     summary_["results"] = list_results(loaded_.data, summary_);
     summary_["comparisons"] = compare_results(loaded_.data, summary_);
-    output::write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");
+    write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");
   }
 
   const input::LoadedCase& loaded_;
@@ -120,7 +120,7 @@ json renew(json summary, const input::Case& data, const RunOptions& options) {
   summary["project"] = describe_project(data);
   summary["results"] = list_results(data, summary);
   summary["comparisons"] = compare_results(data, summary);
-  if (summary != before) output::write_atomically(options.folder / "summary.json", summary.dump(2) + "\n");
+  if (summary != before) write_atomically(options.folder / "summary.json", summary.dump(2) + "\n");
   return summary;
 }
 
@@ -132,7 +132,7 @@ void check_methods(const input::Case& data) {
 }
 
 json run_case(const input::LoadedCase& loaded, const RunOptions& options) {
-  const std::string hash = hash_input(loaded.echo);
+  const std::string hash = hash_input(loaded.echo.get());
   const ground::DesignValues design = ground::apply_partial_factors(loaded.data);
   if (input::uses(loaded.data, input::Method::mpm)) return run_with_points(loaded, design, options, hash);
   check_folder(loaded.data.initial, options);

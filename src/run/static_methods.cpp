@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
-#include "output/files/atomic_file.hpp"
 #include "run/fem/fields_vtu.hpp"
 
 namespace talus::run {
@@ -76,7 +76,7 @@ void StaticMethods::run_elements(const std::function<void()>& open_folder) {
   options.ready = open;
   options.keep = [&](const FemResult& result) {
     keep(fem_file, result.block, result.file);
-    output::write_atomically(options_.folder / "fem.vtu", write_vtu(result.file));
+    write_atomically(options_.folder / "fem.vtu", write_vtu(result.file));
   };
   try {
     fem_ = run_fem(data_, options);
@@ -117,7 +117,7 @@ void StaticMethods::write_to(json& summary) const {
 void StaticMethods::keep(const char* file, const json& block, json content) const {
   content["input_hash"] = hash_;
   content["summary"] = block;
-  output::write_atomically(options_.folder / file, content.dump() + "\n");
+  write_atomically(options_.folder / file, content.dump() + "\n");
 }
 
 json StaticMethods::load(const char* file) const {

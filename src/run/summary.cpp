@@ -9,9 +9,9 @@
 #include <ctime>
 #include <map>
 
+#include "base/atomic_file.hpp"
 #include "base/version.hpp"
 #include "mpm/body/observe.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/files/history.hpp"
 
 namespace talus::run {
@@ -124,7 +124,7 @@ json describe_case(const input::LoadedCase& loaded, const std::string& input_has
             {"displacement", data.output.displacement_unit},
             {"stress", data.output.stress_unit}}},
           {"outlines", std::move(outlines)},
-          {"input", loaded.echo}};
+          {"input", loaded.echo.get()}};
 }
 
 json describe_project(const input::Case& data) {
@@ -213,7 +213,7 @@ void write_profiles(const std::filesystem::path& path, const Profile& before, co
   std::string text = "x [m],ground before [m],ground after [m]\n";
   for (const auto& [x, heights] : rows)
     text += fmt::format("{},{},{}\n", output::to_shortest(x), heights.first, heights.second);
-  output::write_atomically(path, text);
+  write_atomically(path, text);
 }
 
 namespace {

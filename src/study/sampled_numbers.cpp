@@ -47,7 +47,7 @@ void tell_cut(SampledNumber& number, const input::RandomNumber& given, std::vect
 
 SampledNumber read_number(const input::LoadedCase& base, const input::RandomNumber& given,
                           std::vector<std::string>& notes) {
-  const input::UncertainNumber found = input::resolve(given, base.data, base.echo);
+  const input::UncertainNumber found = input::resolve(given, base.data, base.echo.get());
   SampledNumber number;
   number.key = found.key;
   number.unit = found.unit;

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "output/files/atomic_file.hpp"
 #include "run/run_case.hpp"
 #include "run/summary.hpp"
 #include "study/sampling_table.hpp"
@@ -80,8 +80,8 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
                   {"length", base.data.output.length_unit},
                   {"stress", base.data.output.stress_unit}}},
                 {"project", run::describe_project(base.data)},
-                {"provenance", run::describe_provenance(base, run::hash_input(base.echo), options.threads)},
-                {"input", base.echo}};
+                {"provenance", run::describe_provenance(base, run::hash_input(base.echo.get()), options.threads)},
+                {"input", base.echo.get()}};
   if (set.method == input::SampledMethod::lem) {
     calculate_slices(base, overrides, options, set);
   } else {
@@ -89,11 +89,11 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
   }
   study["mode"] = "sample";
   study["sampling"] = describe_sampling(base.data.study.sampling, set);
-  output::make_folder(options.folder);
-  output::write_atomically(options.folder / "samples.csv", write_samples(set));
-  output::write_atomically(options.folder / "study.json", study.dump(2) + "\n");
+  make_folder(options.folder);
+  write_atomically(options.folder / "samples.csv", write_samples(set));
+  write_atomically(options.folder / "study.json", study.dump(2) + "\n");
   result.markdown = write_sampling_markdown(base.data.title, study["sampling"]);
-  output::write_atomically(options.folder / "study.md", result.markdown);
+  write_atomically(options.folder / "study.md", result.markdown);
   result.study = std::move(study);
   return result;
 }

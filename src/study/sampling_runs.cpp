@@ -44,7 +44,7 @@ StudyPlan plan_samples(const input::LoadedCase& base, std::vector<input::Overrid
           fmt::format("{} is no possible case: {}; cut or correlate the distributions so that it cannot come up", label,
                       error.diagnostics().front().sentence));
     }
-    variant.input_hash = run::hash_input(variant.loaded.echo);
+    variant.input_hash = run::hash_input(variant.loaded.echo.get());
     plan.variants.push_back(std::move(variant));
   };
   add("means", "at the means", set.sampled.list_means());

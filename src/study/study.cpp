@@ -7,9 +7,9 @@
 #include <fstream>
 #include <mutex>
 
+#include "base/atomic_file.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
-#include "output/files/atomic_file.hpp"
 #include "run/run_case.hpp"
 #include "study/study_table.hpp"
 
@@ -61,7 +61,7 @@ class StudyRun {
 
   std::vector<StudyRow> run() {
     check_folder(plan_, options_);
-    output::make_folder(options_.folder);
+    make_folder(options_.folder);
     parallel_tasks(static_cast<int>(rows_.size()), options_.threads,
                    [this](int i) { run_one(static_cast<std::size_t>(i)); });
     if (options_.progress) options_.progress->clear();

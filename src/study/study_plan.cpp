@@ -216,7 +216,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
               {place.file, place.line, place.column, fmt::format("variant '{}': {}", variant.label, d.sentence)});
       continue;
     }
-    const auto [same, is_new] = known_cases.try_emplace(strip_given(variant.loaded.echo).dump(), variant.label);
+    const auto [same, is_new] = known_cases.try_emplace(strip_given(variant.loaded.echo.get()).dump(), variant.label);
     if (!is_new) {
       plan.notes.push_back(fmt::format("{} is the same case as {}.", variant.label, same->second));
       numbers[variant.label] = numbers[variant.name] = numbers.at(same->second);
@@ -225,12 +225,12 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
     const std::string name = variant.name;
     for (int i = 2; !names.insert(variant.name).second; ++i) variant.name = fmt::format("{}_{}", name, i);
     for (std::size_t k = 0; k < study.vary.size(); ++k) {
-      const json* entry = find_echo(variant.loaded.echo, study.vary[k].key);
+      const json* entry = find_echo(variant.loaded.echo.get(), study.vary[k].key);
       if (entry != nullptr && entry->contains("unit")) plan.keys[k].unit = entry->at("unit").get<std::string>();
       const std::string text = choice[k] ? strip_quotes(study.vary[k].values[*choice[k]]) : "";
       variant.values.push_back(entry != nullptr ? write_value(entry->at("value")) : text);
     }
-    variant.input_hash = run::hash_input(variant.loaded.echo);
+    variant.input_hash = run::hash_input(variant.loaded.echo.get());
     numbers[variant.label] = numbers[variant.name] = plan.variants.size();
     plan.variants.push_back(std::move(variant));
   }

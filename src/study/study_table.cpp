@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
+#include "base/atomic_file.hpp"
 #include "base/units.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/files/history.hpp"
 #include "output/plots/curve_plot.hpp"
 #include "output/plots/gnuplot.hpp"
@@ -313,9 +313,9 @@ json describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
 
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder) {
   const std::string safe = "the results of the variants are whole";
-  output::write_atomically(folder / "study.csv", write_study_csv(make_study_table(plan, rows)), safe);
-  output::write_atomically(folder / "study.json", describe_study(plan, rows).dump(2) + "\n", safe);
-  output::write_atomically(folder / "study.md", write_study_markdown(plan, rows), safe);
+  write_atomically(folder / "study.csv", write_study_csv(make_study_table(plan, rows)), safe);
+  write_atomically(folder / "study.json", describe_study(plan, rows).dump(2) + "\n", safe);
+  write_atomically(folder / "study.md", write_study_markdown(plan, rows), safe);
 }
 
 void draw_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& picture) {

@@ -112,7 +112,7 @@ TEST(CalibrationInput, NumbersComeInTheUnitsOfTheirKeysAndQuantities) {
   EXPECT_DOUBLE_EQ(plain.data.calibration->curves[0].deviation, 2e3);
   EXPECT_DOUBLE_EQ(plain.data.calibration->parameters[0].first, plain.data.materials.at("sand").cohesion);
   // A case without the block has the input, and so the hash, that it always had.
-  EXPECT_FALSE(read_case_text(slope, "case.toml").echo.contains("calibration"));
+  EXPECT_FALSE(read_case_text(slope, "case.toml").echo.get().contains("calibration"));
 }
 
 TEST(CalibrationInput, FaultsAreSaidWhereTheyAre) {

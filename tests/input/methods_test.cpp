@@ -186,13 +186,13 @@ TEST(CohesionGradient, HasALevelAndStaysPositive) {
 }
 
 TEST(Echo, LeavesOutWhatNoMethodNeeds) {
-  const nlohmann::json echo = read_case_text(slices_alone, "slope.toml").echo;
+  const nlohmann::json echo = read_case_text(slices_alone, "slope.toml").echo.get();
   for (const char* key : {"young_modulus", "poisson_ratio", "dilatancy_angle"})
     EXPECT_FALSE(echo["materials"]["soil"].contains(key)) << key;
   EXPECT_FALSE(echo["mesh"].contains("size"));
   EXPECT_EQ(echo["materials"]["soil"]["unit_weight"],
             (nlohmann::json{{"value", 20.0}, {"unit", "kN/m3"}, {"given", true}}));
-  EXPECT_TRUE(read_case_text(with_elements, "slope.toml").echo["materials"]["soil"].contains("young_modulus"));
+  EXPECT_TRUE(read_case_text(with_elements, "slope.toml").echo.get()["materials"]["soil"].contains("young_modulus"));
 }
 
 TEST(Compare, KnowsWhatEachMethodYields) {

@@ -48,7 +48,8 @@ TEST(RootContent, IsPerCentHoweverItIsWritten) {
     EXPECT_EQ(read(change(rooted_slope, "root_strength = 0.18", soil)).materials.at("loess").roots.content, 0.88);
   }
   const LoadedCase loaded = read_case_text(rooted_slope, "slope.toml");
-  EXPECT_EQ(loaded.echo["roots"][0]["content"], (nlohmann::json{{"value", 0.94}, {"unit", "%"}, {"given", true}}));
+  EXPECT_EQ(loaded.echo.get()["roots"][0]["content"],
+            (nlohmann::json{{"value", 0.94}, {"unit", "%"}, {"given", true}}));
 }
 
 TEST(RootsKeys, HaveTheirUnits) {
@@ -137,14 +138,14 @@ TEST(Season, IsCountedInDays) {
 
 TEST(Echo, OfRootsGivesTheCaseBack) {
   const LoadedCase loaded = read_case_text(with_roots("[roots.transpiration]\nrate = 4\n"), "slope.toml");
-  const nlohmann::json& soil = loaded.echo["materials"]["loess"];
+  const nlohmann::json& soil = loaded.echo.get()["materials"]["loess"];
   EXPECT_FALSE(soil.contains("porosity")) << "the void ratio was given, and both together would be refused";
   EXPECT_EQ(soil["void_ratio"]["value"], 0.6);
   EXPECT_FALSE(soil.contains("young_modulus"));
   EXPECT_FALSE(soil.contains("library"));
-  EXPECT_FALSE(loaded.echo["roots"][0].contains("bundle"));
-  EXPECT_EQ(loaded.echo["roots"][0]["transpiration"]["rate"]["value"], 4.0);
-  EXPECT_TRUE(loaded.echo["roots"][0]["age"]["value"].is_null());
+  EXPECT_FALSE(loaded.echo.get()["roots"][0].contains("bundle"));
+  EXPECT_EQ(loaded.echo.get()["roots"][0]["transpiration"]["rate"]["value"], 4.0);
+  EXPECT_TRUE(loaded.echo.get()["roots"][0]["age"]["value"].is_null());
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ std::vector<UncertainNumber> resolve_all(const std::string& text) {
   const LoadedCase loaded = read_case_text(text, "slope.toml");
   std::vector<UncertainNumber> list;
   for (const RandomNumber& number : loaded.data.study.sampling.numbers)
-    list.push_back(resolve(number, loaded.data, loaded.echo));
+    list.push_back(resolve(number, loaded.data, loaded.echo.get()));
   return list;
 }
 

@@ -34,8 +34,8 @@ TEST_F(StartFromAResult, IsTakenWithItsPathRelativeToTheCase) {
     const LoadedCase relative =
         read_case_text(start("result = \"../talus_start_test/old\"\n"), (folder_ / "case.toml").string(), overrides);
     EXPECT_EQ(relative.data.initial.result_folder, (folder_ / "old").string());
-    EXPECT_EQ(relative.echo["initial"]["result"]["value"], relative.data.initial.result) << "as it was given";
-    EXPECT_FALSE(relative.echo["initial"].contains("stress"));
+    EXPECT_EQ(relative.echo.get()["initial"]["result"]["value"], relative.data.initial.result) << "as it was given";
+    EXPECT_FALSE(relative.echo.get()["initial"].contains("stress"));
     EXPECT_EQ(relative.data.strength_reduction.frozen.meshes, 1);
   }
 }

@@ -220,7 +220,7 @@ TEST(Overrides, ReachTheWaterOfAMaterialAndACondition) {
 
 TEST(Echo, HasTheWaterWithItsUnits) {
   using nlohmann::json;
-  const json echo = read_case_text(rain("rate = [[0, \"1e-5 m/s\"], [\"1 h\", 0]]"), "slope.toml").echo;
+  const json echo = read_case_text(rain("rate = [[0, \"1e-5 m/s\"], [\"1 h\", 0]]"), "slope.toml").echo.get();
   const json& water = echo["materials"]["sand"]["water"];
   EXPECT_EQ(water["reference_pressure"], (json{{"value", 6.13}, {"unit", "kPa"}, {"given", true}}));
   EXPECT_EQ(water["permeability"]["unit"], "m2");

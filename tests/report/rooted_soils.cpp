@@ -15,7 +15,7 @@ using input::change;
 using nlohmann::json;
 
 json summarise(const std::string& text) {
-  return {{"input", input::read_case_text(text, "slope.toml").echo}, {"mesh", {{"dimension", 2}}}};
+  return {{"input", input::read_case_text(text, "slope.toml").echo.get()}, {"mesh", {{"dimension", 2}}}};
 }
 
 /// The one material of a case; `factor`: of safety.

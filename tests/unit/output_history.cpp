@@ -12,8 +12,8 @@
 #include <limits>
 #include <sstream>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/files/history.hpp"
 
 namespace {
@@ -109,9 +109,9 @@ TEST_F(HistoryFile, KeepsItsWholeRowsOnAFullDisk) {
 
 TEST_F(HistoryFile, NextToItAnyTextIsReplacedInOneGo) {
   const fs::path summary = folder_ / "summary.json";
-  output::write_atomically(summary, std::string("{}"));
-  fs::create_directory(output::temporary_name(summary));
-  EXPECT_THROW(output::write_atomically(summary, std::string("{\"a\":1}")), Error);
+  write_atomically(summary, std::string("{}"));
+  fs::create_directory(temporary_name(summary));
+  EXPECT_THROW(write_atomically(summary, std::string("{\"a\":1}")), Error);
   EXPECT_EQ(fs::file_size(summary), 2u);
 }
 

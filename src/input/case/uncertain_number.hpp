@@ -2,7 +2,7 @@
 // The uncertain numbers of a study in figures: a [[study.random]] held against the case that it is of.
 
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 

@@ -41,7 +41,7 @@ std::string join(const std::set<std::string>& names) {
 class Comparison {
  public:
   Comparison(const LoadedCase& loaded, const json& before, Findings& findings)
-      : now_(loaded.echo),
+      : now_(loaded.echo.get()),
         before_(before),
         result_(fmt::format("the result '{}'", loaded.data.initial.result)),
         findings_(findings) {}

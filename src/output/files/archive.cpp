@@ -6,8 +6,8 @@
 #include <cstring>
 #include <utility>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/files/hdf5.hpp"
 
 namespace talus::output {

@@ -6,8 +6,8 @@
 #include <cerrno>
 #include <numeric>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/files/results_folder.hpp"
 #include "output/files/xdmf.hpp"
 

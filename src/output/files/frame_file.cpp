@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/files/hdf5.hpp"
 
 namespace talus::output {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/files/frame_file.hpp"
 #include "output/files/results_folder.hpp"
 

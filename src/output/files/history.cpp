@@ -10,8 +10,8 @@
 #include <sstream>
 #include <utility>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "output/files/atomic_file.hpp"
 
 namespace talus::output {
 namespace {

@@ -13,8 +13,8 @@
 #include <cstring>
 #include <memory>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/files/history.hpp"
 
 extern char** environ;

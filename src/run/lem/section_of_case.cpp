@@ -109,13 +109,13 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
   const double weight = ground::find_water_weight(data);
   const bool has_table = !section.water_table.empty();
   std::vector<double> sum(section.soils.size(), 0.0), area(section.soils.size(), 0.0);
-  const auto ground::find_soil = [&](const ground::Point& x) {
+  const auto find_soil = [&](const ground::Point& x) {
     for (auto r = section.regions.rbegin(); r != section.regions.rend(); ++r)
       if (mesh::is_inside(x, r->polygon)) return r->soil;
     return -1;
   };
   const auto add = [&](const ground::Point& x, double pressure, double share) {
-    const int soil = pressure > 0 ? ground::find_soil(x) : -1;
+    const int soil = pressure > 0 ? find_soil(x) : -1;
     if (soil < 0) return;
     const auto s = static_cast<std::size_t>(soil);
     sum[s] += share * ground::find_unit_weight(data, data.materials.at(section.soils[s].name), pressure);

@@ -10,11 +10,11 @@
 #include <mutex>
 #include <set>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "ground/root_content.hpp"
 #include "mesh/generate.hpp"
 #include "mpm/body/observe.hpp"
-#include "output/files/atomic_file.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "run/mpm/record/onset.hpp"
@@ -72,7 +72,7 @@ void renew_finished(json& summary, const input::Case& data, const fs::path& fold
   describe_output(summary, data, folder);
   summary["results"] = list_results(data, summary);
   summary["comparisons"] = compare_results(data, summary);
-  if (summary != before) output::write_atomically(folder / "summary.json", summary.dump(2) + "\n");
+  if (summary != before) write_atomically(folder / "summary.json", summary.dump(2) + "\n");
 }
 
 template <int D>
@@ -114,7 +114,7 @@ class CaseRun {
     initial_ = find_profile(body_, profile_bin_);
 
     clear_folder(options_);
-    output::make_folder(options_.folder);
+    make_folder(options_.folder);
     keep_mesh();
     if (season) ground::write_season(options_.folder / "season.csv", *season);
     try {
@@ -172,7 +172,7 @@ class CaseRun {
   void describe_origin(const EndState& origin) {
     summary_["start"] = origin.describe();
     const std::string result = data_.initial.result;
-    if (origin.is_on_another_mesh(loaded_.echo))
+    if (origin.is_on_another_mesh(loaded_.echo.get()))
       warnings_.push_back(fmt::format(
           "[geometry] or [mesh] is not as in the case of the result '{}', and was not used: the mesh is that "
           "of the result",
@@ -191,7 +191,7 @@ class CaseRun {
 
   /// The end of the stages for whoever starts from it, and what they did without what was done before them.
   void end_stages() {
-    save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_, ground::write_root_input(data_));
+    save_end_state(options_.folder, loaded_.echo.get(), mesh_input_, hash_, body_, ground::write_root_input(data_));
     json& budgets = summary_["budgets"] = describe_budgets<D>(body_, find_gravity<D>(data_.gravity));
     budgets["plastic_work"] = body_.work.dissipated - work_before_.dissipated;
     budgets["damping_work"] = body_.work.damped - work_before_.damped;
@@ -310,7 +310,7 @@ class CaseRun {
   /// Stage reports outlive an interruption beside the checkpoint.
   fs::path stage_file() const { return options_.folder / "stages.json"; }
   void save_stage_reports() const {
-    output::write_atomically(stage_file(), json{{"stages", stages_}, {"warnings", warnings_}}.dump(2) + "\n");
+    write_atomically(stage_file(), json{{"stages", stages_}, {"warnings", warnings_}}.dump(2) + "\n");
   }
   void load_stage_reports(int count) {
     std::ifstream file(stage_file());
@@ -353,15 +353,15 @@ class CaseRun {
     if (options_.end) options_.end(summary_);
     summary_["results"] = list_results(data_, summary_);
     summary_["comparisons"] = compare_results(data_, summary_);
-    output::write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");
+    write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");
     if (summary_["status"] == "finished") fs::remove(stage_file());
   }
 
   const input::LoadedCase& loaded_;
   const input::Case& data_;
   const RunOptions& options_;
-  std::string hash_, checkpoint_hash_;  ///< of the input; together with the state that it starts from
-  json mesh_input_ = loaded_.echo;      ///< echo of the case that the mesh was made for
+  std::string hash_, checkpoint_hash_;    ///< of the input; together with the state that it starts from
+  json mesh_input_ = loaded_.echo.get();  ///< echo of the case that the mesh was made for
   mpm::Work work_before_;
   mpm::Body<D> body_;
   double slope_height_ = 0, profile_bin_ = 0, preparation_ = 0, initial_water_ = 0;
@@ -386,7 +386,7 @@ std::string hash_input(json echo) {
 }
 
 json run_points(const input::LoadedCase& loaded, const RunOptions& options) {
-  const std::string hash = hash_input(loaded.echo);
+  const std::string hash = hash_input(loaded.echo.get());
   check_folder(loaded.data.initial, options);
   if (auto finished = load_finished(options, hash)) {
     renew_finished(*finished, loaded.data, options.folder);

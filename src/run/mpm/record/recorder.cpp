@@ -6,11 +6,11 @@
 #include <limits>
 #include <string_view>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/units.hpp"
 #include "mpm/body/observe.hpp"
-#include "output/files/atomic_file.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/frame.hpp"
 
@@ -142,7 +142,7 @@ void Recorder<D>::open_histories(bool resumes) {
 
 template <int D>
 Recorder<D> Recorder<D>::start(const RecorderSettings& settings, const mpm::Body<D>& body) {
-  output::make_folder(settings.folder);
+  make_folder(settings.folder);
   Recorder r(settings, body);
   if (settings.keeps_frames) {
     output::remove_results(settings.folder);
@@ -288,7 +288,7 @@ void Recorder<D>::write_checkpoint(const mpm::Body<D>& body, const StageState& s
   put_mesh(archive, body.mesh());
   put_body(archive, body);
   put_stage(archive, state);
-  output::make_folder(settings_.folder);
+  make_folder(settings_.folder);
   archive.write(settings_.folder / name);
 }
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <map>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "output/files/atomic_file.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/record/motion.hpp"
@@ -139,10 +139,10 @@ json write_sections(const input::Case& data, const json& stages, double size, co
   for (int d = 0; d < dimension; ++d) header += fmt::format(",{} [m]", "xyz"[d]);
   header += ",points [-]";
   for (const SectionColumn& c : columns) header += fmt::format(",{} [{}]", c.name, c.unit);
-  output::make_folder(folder / "sections");
+  make_folder(folder / "sections");
   for (std::size_t s = 0; s < texts.size(); ++s) {
     const input::Section& section = data.output.sections[s];
-    output::write_atomically(folder / "sections" / (section.name + ".csv"), header + "\n" + texts[s]);
+    write_atomically(folder / "sections" / (section.name + ".csv"), header + "\n" + texts[s]);
     list.push_back(
         {{"name", section.name}, {"from", section.from}, {"to", section.to}, {"width", section.width.value_or(size)}});
   }

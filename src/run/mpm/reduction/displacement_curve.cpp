@@ -7,9 +7,9 @@
 #include <fstream>
 #include <mutex>
 
+#include "base/atomic_file.hpp"
 #include "base/parallel.hpp"
 #include "mpm/body/observe.hpp"
-#include "output/files/atomic_file.hpp"
 #include "run/mpm/record/onset.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "run/summary.hpp"

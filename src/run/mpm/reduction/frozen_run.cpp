@@ -7,10 +7,10 @@
 #include <fstream>
 #include <mutex>
 
+#include "base/atomic_file.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/body/observe.hpp"
-#include "output/files/atomic_file.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/moved_limit.hpp"
 #include "run/mpm/record/runout.hpp"
@@ -189,7 +189,7 @@ class FrozenMesh {
       if (!kept.is_discarded() && kept.value("srf", factor) < factor) return;
     }
     if (const auto line = find_frozen_limit(body); !line.empty())
-      output::write_atomically(file, nlohmann::json{{"srf", factor}, {"points", line}}.dump() + "\n");
+      write_atomically(file, nlohmann::json{{"srf", factor}, {"points", line}}.dump() + "\n");
   }
 
   const TrialContext& context_;

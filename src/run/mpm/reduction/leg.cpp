@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "output/files/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 
 namespace talus::run {
@@ -70,13 +70,13 @@ KnownTrials load_trials(const std::filesystem::path& path) {
 void save_trials(const std::filesystem::path& path, const std::vector<TrialResult>& trials) {
   nlohmann::json list = nlohmann::json::array();
   for (const TrialResult& t : trials) list.push_back(to_json(t));
-  output::make_folder(path.parent_path());
-  output::write_atomically(path, list.dump(2) + "\n");
+  make_folder(path.parent_path());
+  write_atomically(path, list.dump(2) + "\n");
 }
 
 void save_trial(const std::filesystem::path& folder, const TrialResult& trial) {
-  output::make_folder(folder);
-  output::write_atomically(folder / "trial.json", to_json(trial).dump(2) + "\n");
+  make_folder(folder);
+  write_atomically(folder / "trial.json", to_json(trial).dump(2) + "\n");
 }
 
 template <int D>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "output/files/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/reduction/frozen_run.hpp"
 
@@ -59,7 +59,7 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
                            to_json(t).at("end").get<std::string>(), output::to_shortest(t.force_ratio),
                            output::to_shortest(t.speed));
     }
-    output::write_atomically(context.folder / "curve.csv", table);
+    write_atomically(context.folder / "curve.csv", table);
     json runouts = json::array();
     for (const RunoutTrial& r : curve.runouts) {
       json j = to_json(r.trial);

@@ -176,7 +176,7 @@ bool EndState::has_roots_of(const input::Case& data) const {
 
 template <int D>
 mesh::Mesh<D> EndState::get_mesh() const {
-  return get_mesh<D>(archive_);
+  return run::get_mesh<D>(archive_);
 }
 
 template <int D>
