@@ -9,7 +9,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-FLOORS = {"base": 0, "material": 1, "mesh": 1, "input": 2, "mpm": 3, "fem": 3, "lem": 3,
+FLOORS = {"base": 0, "material": 1, "mesh": 1, "results": 1, "input": 2, "mpm": 3, "fem": 3, "lem": 3,
           "ground": 4, "run": 4, "output": 4, "report": 4, "study": 4, "laboratory": 4, "app": 5}
 LONGEST = 500
 # file → why it may be longer

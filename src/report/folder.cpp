@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "input/echo.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -52,6 +54,39 @@ void note_dimension(ResultFolder& folder) {
   bool plane = true;
   for (std::size_t i = 2; i < frame.positions.size(); i += 3) plane = plane && frame.positions[i] == 0;
   folder.summary["mesh"] = {{"dimension", plane ? 2 : 3}, {"points", frame.point_count()}};
+  results::Mesh& mesh = folder.run.mesh.emplace();
+  mesh.dimension = plane ? 2 : 3;
+  mesh.points = frame.point_count();
+}
+
+/// What a report needs of a run, element tests tell of themselves.
+results::RunResult tell_as_run(const results::PointTests& tests) {
+  results::RunResult run;
+  run.title = tests.title;
+  run.project = tests.project;
+  run.provenance = tests.provenance;
+  run.units = tests.units;
+  run.input = tests.input;
+  run.status = results::Status::finished;
+  run.warnings = tests.warnings;
+  run.comparisons = tests.comparisons;
+  run.timing = tests.timing;
+  return run;
+}
+
+/// The same files as structs.
+void read_results(ResultFolder& folder) {
+  folder.study_result = results::read_file<results::StudyResult>(folder.path / "study.json");
+  folder.tests = results::read_file<results::PointTests>(folder.path / "point" / "point.json");
+  if (folder.has_tests_alone) {
+    folder.run = tell_as_run(*folder.tests);
+  } else if (auto run = results::read_file<results::RunResult>(folder.path / "summary.json")) {
+    folder.run = std::move(*run);
+  } else if (auto record = results::read_file<results::StageRecord>(folder.path / "stages.json")) {
+    folder.run.stages = std::move(record->stages);
+    folder.run.warnings = std::move(record->warnings);
+  }
+  folder.data = input::read_echo(folder.run.input);
 }
 
 }  // namespace
@@ -89,6 +124,7 @@ ResultFolder open_folder(const fs::path& path) {
       folder.summary = folder.point;
       folder.summary["status"] = "finished";
       folder.has_tests_alone = true;
+      read_results(folder);
       return folder;
     }
     if (fs::exists(path / "study.csv"))
@@ -104,6 +140,7 @@ ResultFolder open_folder(const fs::path& path) {
     folder.summary = json::object();
     if (const json stages = read_json(path / "stages.json"); stages.is_object()) folder.summary.update(stages);
   }
+  read_results(folder);
   note_dimension(folder);
   return folder;
 }

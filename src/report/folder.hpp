@@ -8,7 +8,11 @@
 #include <optional>
 #include <vector>
 
+#include "input/case/case.hpp"
 #include "output/files/frames_reader.hpp"
+#include "results/laboratory.hpp"
+#include "results/run.hpp"
+#include "results/study.hpp"
 
 namespace talus::report {
 
@@ -29,10 +33,14 @@ struct TrialFolder {
 struct ResultFolder {
   std::filesystem::path path;
   nlohmann::json summary;           ///< summary.json; an empty object when the run did not come to write it
+  results::RunResult run;           ///< the same; of a run that did not come to write it what else tells of it
+  input::Case data;                 ///< the case that `run` tells of
   nlohmann::json study;             ///< study.json; null for a run
   std::vector<TrialFolder> trials;  ///< by factor
   std::shared_ptr<const output::ResultsReader> frames;  ///< of the stages; nullptr when there are none
   nlohmann::json point;                                 ///< point/point.json: element tests; null when there are none
+  std::optional<results::StudyResult> study_result;     ///< study.json
+  std::optional<results::PointTests> tests;             ///< point/point.json
   bool has_tests_alone = false;                         ///< neither a run nor a study
 
   bool is_study() const { return !study.is_null(); }

@@ -1,0 +1,223 @@
+#pragma once
+// The methods beside one another, design values, and results by name beside what the case expects.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/methods.hpp"
+#include "results/about.hpp"
+
+namespace talus::results {
+
+template <>
+inline constexpr auto words<Method> =
+    std::array{Word{Method::lem, "lem"}, Word{Method::fem, "fem"}, Word{Method::mpm, "mpm"}};
+
+/// One factor of the table of methods.
+struct MethodRow {
+  Method method = Method::lem;
+  std::string name;       ///< "spencer", "as_given", "frozen"
+  std::string title;      ///< "Spencer"
+  std::string criterion;  ///< "critical circle"
+  std::string surface;    ///< name of its surface; empty: none is drawn
+  std::optional<double> factor, lower, upper;
+  std::optional<double> seconds;
+  std::string note;
+};
+template <class V, As<MethodRow> R>
+void describe(V& v, R& r) {
+  v.key("method", r.method, {"", "method"});
+  v.key("name", r.name, {"", "which of its factors"});
+  v.key("title", r.title, {"", "name of the method"});
+  v.key("criterion", r.criterion, {"", "criterion"});
+  v.key("surface", r.surface, {"", "name of the surface"});
+  v.key("factor", r.factor, {"", "factor of safety"});
+  v.key("lower", r.lower, {"", "largest stable factor"});
+  v.key("upper", r.upper, {"", "smallest failed factor"});
+  v.key("seconds", r.seconds, {"s", "seconds"});
+  v.key("note", r.note, {"", "what to know"});
+}
+
+/// A surface of a method, for the section.
+struct MethodSurface {
+  std::string name, title;
+  Method method = Method::lem;
+  std::optional<double> factor;
+  std::vector<Point> points;          ///< [m]
+  std::optional<std::string> source;  ///< of material points: where the line was taken from
+};
+template <class V, As<MethodSurface> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "name of the surface"});
+  v.key("title", r.title, {"", "title"});
+  v.key("method", r.method, {"", "method"});
+  v.key("factor", r.factor, {"", "factor of safety"});
+  v.key("points", r.points, {"m", "its points"});
+  v.maybe("source", r.source, {"", "where the line was taken from"});
+}
+
+/// A surface of one method given to a method of slices.
+struct HandedSurface {
+  std::string from, to, title;
+  std::optional<double> factor;
+  std::string refusal;  ///< why a search would refuse it
+};
+template <class V, As<HandedSurface> R>
+void describe(V& v, R& r) {
+  v.key("from", r.from, {"", "name of the surface"});
+  v.key("to", r.to, {"", "method of slices"});
+  v.key("title", r.title, {"", "title"});
+  v.key("factor", r.factor, {"", "factor of safety"});
+  v.key("refusal", r.refusal, {"", "why a search would refuse it"});
+}
+
+/// A partial factor.
+struct PartialFactor {
+  std::string key, title, symbol;
+  double value = 1;
+};
+template <class V, As<PartialFactor> R>
+void describe(V& v, R& r) {
+  v.key("key", r.key, {"", "key in the case"});
+  v.key("title", r.title, {"", "what it divides or multiplies"});
+  v.key("symbol", r.symbol, {"", "symbol"});
+  v.key("value", r.value, {"", "value"});
+}
+
+/// A number of a soil before and after.
+struct DesignValue {
+  std::string material, quantity, symbol, unit;
+  double characteristic = 0, design = 0;  ///< in `unit`
+};
+template <class V, As<DesignValue> R>
+void describe(V& v, R& r) {
+  v.key("material", r.material, {"", "material"});
+  v.key("quantity", r.quantity, {"", "quantity"});
+  v.key("symbol", r.symbol, {"", "symbol"});
+  v.key("unit", r.unit, {"", "unit"});
+  v.key("characteristic", r.characteristic, {"", "characteristic value"});
+  v.key("design", r.design, {"", "design value"});
+}
+
+struct DesignLoad {
+  std::string name;
+  bool variable = false;
+  double factor = 1;
+};
+template <class V, As<DesignLoad> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "surcharge"});
+  v.key("variable", r.variable, {"", "whether it is variable"});
+  v.key("factor", r.factor, {"", "factor"});
+}
+
+/// What partial factors changed, and how far the slope is beyond what they ask.
+struct DesignStatement {
+  std::string set;
+  std::vector<PartialFactor> values;
+  std::vector<DesignValue> materials;
+  std::vector<DesignLoad> surcharges;
+  std::optional<double> over_design;
+  std::string text;
+  std::vector<std::string> notes;
+};
+template <class V, As<DesignStatement> R>
+void describe(V& v, R& r) {
+  v.key("set", r.set, {"", "set of partial factors"});
+  v.key("values", r.values, {"", "partial factors"});
+  v.key("materials", r.materials, {"", "design values of the soils"});
+  v.key("surcharges", r.surcharges, {"", "factors of the surcharges"});
+  v.key("over_design", r.over_design, {"", "degree of over-design"});
+  v.key("text", r.text, {"", "the same in words"});
+  v.key("notes", r.notes, {"", "notes"});
+}
+
+/// What a sentence of the reading is about.
+enum class Topic { agreement, slices, elements, points, mechanism, seconds };
+template <>
+inline constexpr auto words<Topic> = std::array{Word{Topic::agreement, "agreement"}, Word{Topic::slices, "slices"},
+                                                Word{Topic::elements, "elements"},   Word{Topic::points, "points"},
+                                                Word{Topic::mechanism, "mechanism"}, Word{Topic::seconds, "seconds"}};
+
+/// A sentence, with what it is about.
+struct Remark {
+  Topic topic = Topic::agreement;
+  std::string text;
+};
+template <class V, As<Remark> R>
+void describe(V& v, R& r) {
+  v.key("topic", r.topic, {"", "what it is about"});
+  v.key("text", r.text, {"", "sentence"});
+}
+
+/// "methods" of summary.json.
+struct MethodComparison {
+  std::vector<Method> asked;
+  std::vector<MethodRow> table;
+  std::vector<MethodSurface> surfaces;
+  std::vector<HandedSurface> handed;
+  std::vector<Remark> remarks;
+  std::optional<DesignStatement> partial_factors;
+};
+template <class V, As<MethodComparison> R>
+void describe(V& v, R& r) {
+  v.key("asked", r.asked, {"", "methods that the case asks for"});
+  v.key("table", r.table, {"", "factors of all methods"});
+  v.key("surfaces", r.surfaces, {"", "surfaces of all methods"});
+  v.key("handed", r.handed, {"", "surfaces that slices were given"});
+  v.key("remarks", r.remarks, {"", "what the differences say"});
+  v.key("partial_factors", r.partial_factors, {"", "design values"});
+}
+
+/// A unit as results are shown in it: value in SI = value shown × si.
+struct Unit {
+  std::string name;
+  double si = 1;
+};
+template <class V, As<Unit> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "unit"});
+  v.key("si", r.si, {"", "one of it in SI"});
+}
+
+/// A result under the name that [[compare]] calls it by.
+struct NamedResult {
+  std::string name, title;
+  double value = 0;  ///< SI
+  Unit unit;         ///< that it is shown in
+};
+template <class V, As<NamedResult> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "name"});
+  v.key("title", r.title, {"", "title"});
+  v.key("value", r.value, {"", "value in SI"});
+  v.key("unit", r.unit, {"", "unit that it is shown in"});
+}
+
+/// A result beside what the case expects.
+struct Comparison {
+  std::string name, title;
+  Unit unit;
+  std::optional<double> computed;  ///< SI
+  double published = 0;            ///< SI
+  double tolerance = 0;            ///< SI
+  std::string tolerance_text, source;
+  bool passes = false;
+  std::string note;
+};
+template <class V, As<Comparison> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "name"});
+  v.key("title", r.title, {"", "title"});
+  v.key("unit", r.unit, {"", "unit that it is shown in"});
+  v.key("computed", r.computed, {"", "computed value in SI"});
+  v.key("published", r.published, {"", "published value in SI"});
+  v.key("tolerance", r.tolerance, {"", "tolerance in SI"});
+  v.key("tolerance_text", r.tolerance_text, {"", "tolerance as the case has it"});
+  v.key("source", r.source, {"", "source"});
+  v.key("passes", r.passes, {"", "whether the difference is within the tolerance"});
+  v.key("note", r.note, {"", "what to know"});
+}
+
+}  // namespace talus::results

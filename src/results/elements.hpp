@@ -1,0 +1,119 @@
+#pragma once
+// Strength reduction by finite elements: factors, trials, slip line, and the fields at failure.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/about.hpp"
+#include "results/water.hpp"
+
+namespace talus::results {
+
+/// The flow rule of a strength reduction.
+enum class Flow { as_given, associated };
+template <>
+inline constexpr auto words<Flow> = std::array{Word{Flow::as_given, "as_given"}, Word{Flow::associated, "associated"}};
+
+struct ElementTrial {
+  double factor = 0;
+  bool converged = false;
+  int iterations = 0;
+  double force_residual = 0, displacement_residual = 0;
+  double displacement = 0;  ///< largest [m]
+  double seconds = 0;
+};
+template <class V, As<ElementTrial> R>
+void describe(V& v, R& r) {
+  v.key("factor", r.factor, {"", "factor that the strength is divided by"});
+  v.key("converged", r.converged, {"", "whether there is equilibrium"});
+  v.key("iterations", r.iterations, {"", "iterations"});
+  v.key("force_residual", r.force_residual, {"", "unbalanced force over the external force"});
+  v.key("displacement_residual", r.displacement_residual, {"", "last change of the displacement over itself"});
+  v.key("displacement", r.displacement, {"m", "largest displacement"});
+  v.key("seconds", r.seconds, {"s", "seconds"});
+}
+
+/// One strength reduction.
+struct ElementRun {
+  Flow flow = Flow::as_given;
+  std::array<double, 2> psi{};  ///< least and greatest ψ [rad]
+  double factor = 0, stable = 0, failed = 0;
+  std::optional<double> by_displacement;  ///< factor where displacements run away
+  std::vector<ElementTrial> trials;
+  std::vector<Point> slip_line;  ///< [m]; empty: there is no band
+  double seconds = 0;
+  std::vector<std::string> warnings;
+};
+template <class V, As<ElementRun> R>
+void describe(V& v, R& r) {
+  v.key("flow", r.flow, {"", "flow rule"});
+  v.key("psi", r.psi, {"rad", "least and greatest dilatancy angle"});
+  v.key("factor", r.factor, {"", "factor of safety"});
+  v.key("stable", r.stable, {"", "largest factor with equilibrium"});
+  v.key("failed", r.failed, {"", "smallest factor without equilibrium"});
+  v.key("by_displacement", r.by_displacement, {"", "factor where displacements run away"});
+  v.key("trials", r.trials, {"", "trials"});
+  v.key("slip_line", r.slip_line, {"m", "line along the band of shear strain"});
+  v.key("seconds", r.seconds, {"s", "seconds"});
+  v.key("warnings", r.warnings, {"", "warnings"});
+}
+
+/// "fem" of summary.json.
+struct ElementResult {
+  std::optional<std::string> error;  ///< why there is no answer; then nothing else but warnings
+  std::vector<std::string> warnings;
+  std::size_t elements = 0, nodes = 0, unknowns = 0;
+  double size = 0;      ///< mean, of the elements [m]
+  std::string element;  ///< "T6"
+  std::vector<ElementRun> runs;
+  std::string fields_file;
+  std::optional<Seepage> seepage;
+  std::optional<double> seconds;
+};
+template <class V, As<ElementResult> R>
+void describe(V& v, R& r) {
+  v.maybe("error", r.error, {"", "why there is no answer"});
+  v.key("warnings", r.warnings, {"", "warnings"});
+  if (r.error) return;
+  v.key("elements", r.elements, {"", "elements"});
+  v.key("nodes", r.nodes, {"", "nodes"});
+  v.key("unknowns", r.unknowns, {"", "unknowns"});
+  v.key("size", r.size, {"m", "mean size of the elements"});
+  v.key("element", r.element, {"", "kind of element"});
+  v.key("runs", r.runs, {"", "strength reductions by flow rule"});
+  v.key("fields_file", r.fields_file, {"", "file of the fields"});
+  v.maybe("seepage", r.seepage, {"", "steady seepage on this mesh"});
+  v.maybe("seconds", r.seconds, {"s", "seconds"});
+}
+
+/// Fields of one strength reduction at failure.
+struct ElementFields {
+  Flow flow = Flow::as_given;
+  std::vector<std::vector<double>> displacement;  ///< of the nodes [m]
+  std::vector<double> shear_strain;               ///< of the nodes
+  std::vector<int> yields;                        ///< of the elements: 1 where most of it yields
+};
+template <class V, As<ElementFields> R>
+void describe(V& v, R& r) {
+  v.key("flow", r.flow, {"", "flow rule"});
+  v.key("displacement", r.displacement, {"m", "displacement of the nodes"});
+  v.key("shear_strain", r.shear_strain, {"", "shear strain at the nodes"});
+  v.key("yields", r.yields, {"", "whether an element yields"});
+}
+
+/// The quadratic mesh and its fields: fem.json.
+struct ElementFile {
+  std::vector<std::vector<double>> nodes;  ///< [m]
+  std::vector<std::vector<int>> elements;  ///< numbers of nodes
+  std::vector<ElementFields> runs;
+};
+template <class V, As<ElementFile> R>
+void describe(V& v, R& r) {
+  v.key("nodes", r.nodes, {"m", "nodes"});
+  v.key("elements", r.elements, {"", "nodes of the elements"});
+  v.key("runs", r.runs, {"", "fields by flow rule"});
+}
+
+}  // namespace talus::results

@@ -1,0 +1,59 @@
+#include "results/json.hpp"
+
+#include <fstream>
+
+#include "base/atomic_file.hpp"
+#include "results/json_visitors.hpp"
+#include "results/laboratory.hpp"
+#include "results/run.hpp"
+#include "results/study.hpp"
+
+namespace talus::results {
+
+template <class T>
+nlohmann::json to_json(const T& result) {
+  return write_value(result);
+}
+
+template <class T>
+T from_json(const nlohmann::json& tree, const std::string& file) {
+  T result{};
+  read_value(tree, result, JsonPlace(file));
+  return result;
+}
+
+template <class T>
+std::optional<T> read_file(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) return std::nullopt;
+  nlohmann::json tree;
+  try {
+    tree = nlohmann::json::parse(file);
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': {}", path.string(), error.what()));
+  }
+  return from_json<T>(tree, path.string());
+}
+
+template <class T>
+void write_file(const std::filesystem::path& path, const T& result, int indent) {
+  write_atomically(path, to_json(result).dump(indent) + "\n");
+}
+
+#define TALUS_JSON(T)                                                   \
+  template nlohmann::json to_json<T>(const T&);                         \
+  template T from_json<T>(const nlohmann::json&, const std::string&);   \
+  template std::optional<T> read_file<T>(const std::filesystem::path&); \
+  template void write_file<T>(const std::filesystem::path&, const T&, int);
+TALUS_JSON(RunResult)
+TALUS_JSON(SliceTrials)
+TALUS_JSON(ElementFile)
+TALUS_JSON(Trial)
+TALUS_JSON(std::vector<Trial>)
+TALUS_JSON(StageRecord)
+TALUS_JSON(StudyResult)
+TALUS_JSON(PointTests)
+TALUS_JSON(Calibration)
+#undef TALUS_JSON
+
+}  // namespace talus::results

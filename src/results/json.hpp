@@ -1,0 +1,28 @@
+#pragma once
+// Results as JSON. This is the only place that knows how: what a struct holds, its description says.
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+namespace talus::results {
+
+/// Any struct of results/ that is a file of its own, or stands in one of the page's contract.
+template <class T>
+nlohmann::json to_json(const T& result);
+
+/// Keys that are missing keep the defaults of the struct: older versions knew fewer. Throws Error (wrong_input) with
+/// the place in `file` where something is not of its kind.
+template <class T>
+T from_json(const nlohmann::json& tree, const std::string& file);
+
+/// The file at `path`; nothing where there is none. Throws Error (wrong_input) when it is no JSON, or as from_json().
+template <class T>
+std::optional<T> read_file(const std::filesystem::path& path);
+
+/// With `indent` spaces a level; -1: on one line. Throws Error (cannot_write).
+template <class T>
+void write_file(const std::filesystem::path& path, const T& result, int indent = 2);
+
+}  // namespace talus::results

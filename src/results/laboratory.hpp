@@ -1,0 +1,223 @@
+#pragma once
+// Element tests and calibration: point/point.json and calibration/calibration.json.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json_tree.hpp"
+#include "results/comparison.hpp"
+#include "results/head.hpp"
+
+namespace talus::results {
+
+/// One element test.
+struct PointTest {
+  std::string name, material, kind, path, set, file;
+  std::size_t steps = 0;
+  std::vector<std::size_t> turns;  ///< rows where the path turns
+  std::string stopped;             ///< why it ended early; empty: it did not
+  double peak_q = 0;               ///< [Pa]
+  double peak_q_strain = 0;
+  std::map<std::string, double> end;  ///< every quantity of the last row [SI]
+};
+template <class V, As<PointTest> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "name of the test"});
+  v.key("material", r.material, {"", "material"});
+  v.key("kind", r.kind, {"", "kind"});
+  v.key("path", r.path, {"", "path in words"});
+  v.key("set", r.set, {"", "what the test sets"});
+  v.key("file", r.file, {"", "file of its rows"});
+  v.key("steps", r.steps, {"", "steps"});
+  v.key("turns", r.turns, {"", "rows where the path turns"});
+  v.key("stopped", r.stopped, {"", "why it ended early"});
+  v.key("peak_q", r.peak_q, {"Pa", "largest deviatoric stress"});
+  v.key("peak_q_strain", r.peak_q_strain, {"", "strain at the largest deviatoric stress"});
+  v.key("end", r.end, {"", "quantities at the end"});
+}
+
+struct PointPanel {
+  std::string x, y;
+  bool log_x = false;
+};
+template <class V, As<PointPanel> R>
+void describe(V& v, R& r) {
+  v.key("x", r.x, {"", "quantity along x"});
+  v.key("y", r.y, {"", "quantity along y"});
+  v.key("log_x", r.log_x, {"", "whether x is logarithmic"});
+}
+
+/// Tests that are drawn together.
+struct PointGroup {
+  std::string id, title, picture;
+  std::vector<PointPanel> panels;
+  std::vector<std::size_t> tests;
+  std::vector<int> colour, dash;
+};
+template <class V, As<PointGroup> R>
+void describe(V& v, R& r) {
+  v.key("id", r.id, {"", "group"});
+  v.key("title", r.title, {"", "title"});
+  v.key("picture", r.picture, {"", "file of the picture"});
+  v.key("panels", r.panels, {"", "diagrams"});
+  v.key("tests", r.tests, {"", "numbers of its tests"});
+  v.key("colour", r.colour, {"", "colour of each"});
+  v.key("dash", r.dash, {"", "dashes of each"});
+}
+
+/// Element tests of a case.
+struct PointTests {
+  int format = 1;
+  std::string title;
+  Project project;
+  JsonTree input;
+  Provenance provenance;
+  DisplayUnits units;
+  std::vector<PointTest> tests;
+  std::vector<PointGroup> groups;
+  std::map<std::string, double> point_results;  ///< what [[compare]] names [SI]
+  std::vector<std::string> warnings;
+  std::vector<Comparison> comparisons;
+  Timing timing;
+};
+template <class V, As<PointTests> R>
+void describe(V& v, R& r) {
+  v.key("format", r.format, {"", "version of this file"});
+  v.key("title", r.title, {"", "title of the case"});
+  v.key("project", r.project, {"", "title block"});
+  v.key("input", r.input, {"", "every key of the case"});
+  v.key("provenance", r.provenance, {"", "program, machine and input"});
+  v.key("units", r.units, {"", "units of display"});
+  v.key("tests", r.tests, {"", "element tests"});
+  v.key("groups", r.groups, {"", "tests that are drawn together"});
+  v.key("point_results", r.point_results, {"", "results that the case compares"});
+  v.key("warnings", r.warnings, {"", "warnings"});
+  v.key("comparisons", r.comparisons, {"", "results beside what the case expects"});
+  v.key("timing", r.timing, {"", "seconds"});
+}
+
+/// Whether a fitted parameter lies at a limit.
+enum class AtLimit { no, low, high };
+template <>
+inline constexpr auto words<AtLimit> =
+    std::array{Word{AtLimit::no, "no"}, Word{AtLimit::low, "low"}, Word{AtLimit::high, "high"}};
+
+/// In `unit`.
+struct CalibratedParameter {
+  std::string key, unit;
+  double start = 0, value = 0;
+  std::string text;  ///< as --set takes it
+  double low = 0, high = 0;
+  std::optional<double> error;  ///< standard error
+  AtLimit limit = AtLimit::no;
+};
+template <class V, As<CalibratedParameter> R>
+void describe(V& v, R& r) {
+  v.key("key", r.key, {"", "key"});
+  v.key("unit", r.unit, {"", "unit"});
+  v.key("start", r.start, {"", "start"});
+  v.key("value", r.value, {"", "fitted value"});
+  v.key("text", r.text, {"", "as --set takes it"});
+  v.key("low", r.low, {"", "lower limit"});
+  v.key("high", r.high, {"", "upper limit"});
+  v.key("error", r.error, {"", "standard error"});
+  v.key("limit", r.limit, {"", "limit that it lies at"});
+}
+
+/// A quantity as people read it.
+struct ShownQuantity {
+  std::string name, title, unit;
+};
+template <class V, As<ShownQuantity> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "quantity"});
+  v.key("title", r.title, {"", "title"});
+  v.key("unit", r.unit, {"", "unit"});
+}
+
+/// A measured curve with the calculated ones, in the units of its axes.
+struct CalibratedCurve {
+  std::string test;
+  ShownQuantity x, y;
+  std::vector<double> at, measured, before, fitted;
+  std::vector<Point> line, line_before;
+  double deviation = 0, weight = 1;
+  double rms = 0, rms_before = 0, mean = 0, largest = 0, largest_at = 0, missing = 0;
+};
+template <class V, As<CalibratedCurve> R>
+void describe(V& v, R& r) {
+  v.key("test", r.test, {"", "test"});
+  v.key("x", r.x, {"", "quantity along x"});
+  v.key("y", r.y, {"", "quantity along y"});
+  v.key("at", r.at, {"", "measured along x"});
+  v.key("measured", r.measured, {"", "measured along y"});
+  v.key("before", r.before, {"", "calculated with the start"});
+  v.key("fitted", r.fitted, {"", "calculated with the fitted values"});
+  v.key("line", r.line, {"", "calculated curve"});
+  v.key("line_before", r.line_before, {"", "calculated curve with the start"});
+  v.key("deviation", r.deviation, {"", "deviation of a measured value"});
+  v.key("weight", r.weight, {"", "weight"});
+  v.key("rms", r.rms, {"", "root mean square of the differences"});
+  v.key("rms_before", r.rms_before, {"", "the same with the start"});
+  v.key("mean", r.mean, {"", "mean difference"});
+  v.key("largest", r.largest, {"", "largest difference"});
+  v.key("largest_at", r.largest_at, {"", "where it is"});
+  v.key("missing", r.missing, {"", "share of the abscissae that the test does not reach"});
+}
+
+/// One of the searches.
+struct CalibrationSearch {
+  std::vector<double> from, to;
+  double misfit = 0, misfit_before = 0;
+  bool converged = false;
+  int iterations = 0;
+  std::string message;
+};
+template <class V, As<CalibrationSearch> R>
+void describe(V& v, R& r) {
+  v.key("from", r.from, {"", "start"});
+  v.key("to", r.to, {"", "end"});
+  v.key("misfit", r.misfit, {"", "half the sum of the squares at the end"});
+  v.key("misfit_before", r.misfit_before, {"", "half the sum of the squares at the start"});
+  v.key("converged", r.converged, {"", "whether it converged"});
+  v.key("iterations", r.iterations, {"", "iterations"});
+  v.key("message", r.message, {"", "what the solver said"});
+}
+
+struct Calibration {
+  int format = 1;
+  std::string title;
+  std::uint64_t seed = 0;
+  double wall = 0;  ///< [s]
+  std::vector<CalibratedParameter> parameters;
+  std::vector<CalibratedCurve> curves;
+  std::vector<std::vector<std::optional<double>>> correlation;
+  std::vector<CalibrationSearch> starts;
+  std::size_t best = 0, values = 0;
+  double scatter = 0;
+  long evaluations = 0, tests = 0;
+  std::vector<std::string> findings;
+};
+template <class V, As<Calibration> R>
+void describe(V& v, R& r) {
+  v.key("format", r.format, {"", "version of this file"});
+  v.key("title", r.title, {"", "title of the case"});
+  v.key("seed", r.seed, {"", "seed of the starts"});
+  v.key("wall", r.wall, {"s", "wall time"});
+  v.key("parameters", r.parameters, {"", "fitted parameters"});
+  v.key("curves", r.curves, {"", "curves"});
+  v.key("correlation", r.correlation, {"", "correlation of the parameters"});
+  v.key("starts", r.starts, {"", "searches"});
+  v.key("best", r.best, {"", "number of the best search"});
+  v.key("values", r.values, {"", "measured values"});
+  v.key("scatter", r.scatter, {"", "scatter of the fit"});
+  v.key("evaluations", r.evaluations, {"", "sets of parameters that were tried"});
+  v.key("tests", r.tests, {"", "tests that were run"});
+  v.key("findings", r.findings, {"", "what to distrust"});
+}
+
+}  // namespace talus::results

@@ -1,0 +1,182 @@
+#pragma once
+// All that a run tells: summary.json.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json_tree.hpp"
+#include "results/comparison.hpp"
+#include "results/elements.hpp"
+#include "results/head.hpp"
+#include "results/motion.hpp"
+#include "results/slices.hpp"
+#include "results/trial.hpp"
+#include "results/water.hpp"
+
+namespace talus::results {
+
+/// Mesh and material points at the start.
+struct Mesh {
+  int dimension = 2;
+  int nodes = 0, elements = 0, soil_elements = 0;
+  int points = 0;
+  double smallest_altitude = 0, mean_altitude = 0;  ///< [m]
+  std::vector<double> smallest_altitude_at;         ///< [m]
+  double mean_size = 0;                             ///< [m]
+  double smallest_angle = 0;                        ///< [deg]
+  double critical_time_step = 0;                    ///< [s]
+};
+template <class V, As<Mesh> R>
+void describe(V& v, R& r) {
+  v.key("dimension", r.dimension, {"", "dimension"});
+  v.key("critical_time_step", r.critical_time_step, {"s", "critical time step of the mesh"});
+  v.key("points", r.points, {"", "material points"});
+  v.key("soil_elements", r.soil_elements, {"", "elements with soil"});
+  v.key("nodes", r.nodes, {"", "nodes"});
+  v.key("elements", r.elements, {"", "elements"});
+  v.key("smallest_altitude", r.smallest_altitude, {"m", "smallest altitude of an element"});
+  v.key("mean_altitude", r.mean_altitude, {"m", "mean altitude of the elements"});
+  v.key("smallest_altitude_at", r.smallest_altitude_at, {"m", "where the altitude is smallest"});
+  v.key("mean_size", r.mean_size, {"m", "mean size of the elements"});
+  v.key("smallest_angle", r.smallest_angle, {"deg", "smallest angle"});
+}
+
+/// A point that left the grid.
+struct LostPoint {
+  int id = 0;
+  double time = 0;               ///< [s]
+  std::vector<double> position;  ///< [m]
+};
+template <class V, As<LostPoint> R>
+void describe(V& v, R& r) {
+  v.key("id", r.id, {"", "number of the point"});
+  v.key("time", r.time, {"s", "when"});
+  v.key("position", r.position, {"m", "where"});
+}
+
+struct LostPoints {
+  std::size_t points = 0;
+  double mass = 0;               ///< [kg]
+  std::vector<double> momentum;  ///< [kg m/s]
+  std::vector<LostPoint> first;  ///< at most a hundred
+};
+template <class V, As<LostPoints> R>
+void describe(V& v, R& r) {
+  v.key("points", r.points, {"", "points that left the grid"});
+  v.key("mass", r.mass, {"kg", "their mass"});
+  v.key("momentum", r.momentum, {"kg m/s", "their momentum"});
+  v.key("first", r.first, {"", "the first of them"});
+}
+
+/// Energy, momentum and mass: what came in, what is there, what was lost.
+struct Budgets {
+  double mass = 0;  ///< [kg]
+  int points = 0;
+  double kinetic_energy = 0, potential_energy = 0, elastic_energy = 0;  ///< [J]
+  double plastic_work = 0, damping_work = 0, external_work = 0;         ///< [J]
+  std::vector<double> momentum;                                         ///< [kg m/s]
+  LostPoints lost;
+};
+template <class V, As<Budgets> R>
+void describe(V& v, R& r) {
+  v.key("mass", r.mass, {"kg", "mass"});
+  v.key("points", r.points, {"", "points"});
+  v.key("kinetic_energy", r.kinetic_energy, {"J", "kinetic energy"});
+  v.key("potential_energy", r.potential_energy, {"J", "potential energy"});
+  v.key("elastic_energy", r.elastic_energy, {"J", "elastic energy"});
+  v.key("plastic_work", r.plastic_work, {"J", "plastic work"});
+  v.key("damping_work", r.damping_work, {"J", "work of the damping"});
+  v.key("external_work", r.external_work, {"J", "external work"});
+  v.key("momentum", r.momentum, {"kg m/s", "momentum"});
+  v.key("lost", r.lost, {"", "points that left the grid"});
+}
+
+/// The result that a run started from.
+struct Origin {
+  std::string result, hash, title, input_hash;
+  double time = 0;  ///< at its end [s]
+};
+template <class V, As<Origin> R>
+void describe(V& v, R& r) {
+  v.key("result", r.result, {"", "folder of the result"});
+  v.key("hash", r.hash, {"", "hash of its state"});
+  v.key("title", r.title, {"", "its title"});
+  v.key("input_hash", r.input_hash, {"", "hash of its input"});
+  v.key("time", r.time, {"s", "time at its end"});
+}
+
+struct RunResult {
+  std::string title;
+  Project project;
+  Provenance provenance;
+  DisplayUnits units;
+  std::vector<std::vector<Point>> outlines;  ///< of the soils [m]
+  JsonTree input;                            ///< the case as it was read; empty where nothing tells of it
+  Status status = Status::unfinished;
+  std::optional<std::string> error;
+  std::vector<std::string> warnings;
+  std::optional<double> slope_height;  ///< [m]
+
+  std::optional<SliceResult> slices;
+  std::optional<ElementResult> elements;
+  // Of material points.
+  std::optional<Mesh> mesh;
+  std::optional<std::vector<Stage>> stages;
+  std::optional<Origin> start;
+  std::optional<PointFactors> factor_of_safety;
+  std::optional<Curve> curve;
+  std::optional<std::vector<RunoutTrial>> runouts;
+  std::optional<Runout> runout;
+  std::optional<double> failure_time;  ///< [s]
+  std::optional<Clock> clock;
+  std::optional<Motion> motion;
+  std::optional<std::vector<SectionLine>> sections;
+  std::optional<Budgets> budgets;
+  std::optional<WaterBudget> water;
+  std::optional<Seepage> seepage;
+  std::optional<Season> season;
+
+  std::optional<MethodComparison> methods;
+  std::vector<NamedResult> results;
+  std::vector<Comparison> comparisons;
+  std::optional<Timing> timing;
+};
+template <class V, As<RunResult> R>
+void describe(V& v, R& r) {
+  v.key("title", r.title, {"", "title of the case"});
+  v.key("project", r.project, {"", "title block"});
+  v.key("provenance", r.provenance, {"", "program, machine and input"});
+  v.key("units", r.units, {"", "units of display"});
+  v.key("outlines", r.outlines, {"m", "outlines of the soils"});
+  v.key("input", r.input, {"", "every key of the case, with its unit and whether it was given"});
+  v.key("status", r.status, {"", "how the run went"});
+  v.maybe("error", r.error, {"", "why it did not finish"});
+  v.key("warnings", r.warnings, {"", "what must be known before the results are used"});
+  v.maybe("slope_height", r.slope_height, {"m", "height of the slope"});
+  v.maybe("lem", r.slices, {"", "slices"});
+  v.maybe("fem", r.elements, {"", "finite elements"});
+  v.maybe("mesh", r.mesh, {"", "mesh and material points"});
+  v.maybe("stages", r.stages, {"", "stages"});
+  v.maybe("start", r.start, {"", "result that it started from"});
+  v.maybe("factor_of_safety", r.factor_of_safety, {"", "factors of safety of the material points"});
+  v.maybe("curve", r.curve, {"", "displacement over the strength reduction factor"});
+  v.maybe("runouts", r.runouts, {"", "trials that went on until rest"});
+  v.maybe("runout", r.runout, {"", "how far the soil ran"});
+  v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
+  v.maybe("clock", r.clock, {"", "clock of onset, sections and pictures"});
+  v.maybe("motion", r.motion, {"", "movement of the monitored places"});
+  v.maybe("sections", r.sections, {"", "lines along which fields were taken"});
+  v.maybe("budgets", r.budgets, {"", "energy, momentum and mass"});
+  v.maybe("water", r.water, {"", "budget of the pore water"});
+  v.maybe("seepage", r.seepage, {"", "steady seepage"});
+  v.maybe("season", r.season, {"", "rain and transpiration before the run"});
+  v.maybe("methods", r.methods, {"", "the methods beside one another"});
+  v.key("results", r.results, {"", "results by name"});
+  v.key("comparisons", r.comparisons, {"", "results beside what the case expects"});
+  v.maybe("timing", r.timing, {"", "seconds"});
+}
+
+}  // namespace talus::results

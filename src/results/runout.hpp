@@ -1,0 +1,54 @@
+#pragma once
+// How far the soil has run.
+
+#include <vector>
+
+#include "results/about.hpp"
+
+namespace talus::results {
+
+/// Height of the ground over the horizontal coordinate x, in bins [m]. Empty bins have no entry.
+struct Profile {
+  double bin = 0;                 ///< width [m]
+  std::vector<double> x, height;  ///< bin centres and ground level [m]
+};
+template <class V, As<Profile> R>
+void describe(V& v, R& r) {
+  v.key("bin", r.bin, {"m", "width of a bin"});
+  v.key("x", r.x, {"m", "centres of the bins"});
+  v.key("height", r.height, {"m", "level of the ground"});
+}
+
+struct Runout {
+  double moved_volume = 0;          ///< of points displaced by more than the threshold [m³ or m³/m]
+  double threshold = 0;             ///< [m]
+  int direction = 1;                ///< +1: the soil moved towards larger x
+  double front_advance = 0;         ///< front that holds 99 % of the moved mass: how far it went [m]
+  double farthest_advance = 0;      ///< the same for the farthest point; a few detached points are not the front [m]
+  double toe = 0;                   ///< where the front is now, x [m]
+  double initial_toe = 0;           ///< where the ground met its lower level at the start, x [m]
+  double toe_distance = 0;          ///< how far the front is beyond that [m]; 0 while it has not passed it
+  double crest_retreat = 0;         ///< how far behind the initial crest the moved soil begins, against the motion [m]
+  double crest = 0;                 ///< x of the crest at the start [m]
+  double centre_advance = 0;        ///< of the centre of mass of the moved soil, along x [m]
+  double centre_drop = 0;           ///< and downwards [m]
+  double largest_displacement = 0;  ///< [m]
+};
+template <class V, As<Runout> R>
+void describe(V& v, R& r) {
+  v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
+  v.key("front_advance", r.front_advance, {"m", "advance of the front"});
+  v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
+  v.key("crest_retreat", r.crest_retreat, {"m", "retreat of the crest"});
+  v.key("centre_advance", r.centre_advance, {"m", "advance of the centre"});
+  v.key("centre_drop", r.centre_drop, {"m", "drop of the centre"});
+  v.key("largest_displacement", r.largest_displacement, {"m", "largest displacement"});
+  v.key("moved_threshold", r.threshold, {"m", "displacement beyond which soil counts as moved"});
+  v.key("direction", r.direction, {"", "1: towards larger x, -1: towards smaller x"});
+  v.key("farthest_advance", r.farthest_advance, {"m", "advance of the farthest point"});
+  v.key("toe", r.toe, {"m", "x of the front"});
+  v.key("initial_toe", r.initial_toe, {"m", "x of the toe at the start"});
+  v.key("crest", r.crest, {"m", "x of the crest at the start"});
+}
+
+}  // namespace talus::results

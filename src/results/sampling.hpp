@@ -1,0 +1,323 @@
+#pragma once
+// Uncertain numbers: what was drawn, the factors, the probability of failure, and what matters.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/methods.hpp"
+#include "results/comparison.hpp"
+
+namespace talus::results {
+
+enum class SampleDraw { random, latin_hypercube };
+template <>
+inline constexpr auto words<SampleDraw> =
+    std::array{Word{SampleDraw::random, "random"}, Word{SampleDraw::latin_hypercube, "latin_hypercube"}};
+
+/// Of a sample of numbers.
+struct SampleMoments {
+  double mean = 0, deviation = 0, smallest = 0, largest = 0;
+};
+template <class V, As<SampleMoments> R>
+void describe(V& v, R& r) {
+  v.key("mean", r.mean, {"", "mean"});
+  v.key("deviation", r.deviation, {"", "standard deviation"});
+  v.key("smallest", r.smallest, {"", "smallest"});
+  v.key("largest", r.largest, {"", "largest"});
+}
+
+/// An uncertain number, in its unit.
+struct UncertainNumber {
+  std::string key, name, unit, distribution, text;
+  double mean = 0, deviation = 0;
+  std::optional<double> lowest, highest;  ///< nothing: no limit
+  SampleMoments sampled;
+};
+template <class V, As<UncertainNumber> R>
+void describe(V& v, R& r) {
+  v.key("key", r.key, {"", "key"});
+  v.key("name", r.name, {"", "name"});
+  v.key("unit", r.unit, {"", "unit"});
+  v.key("distribution", r.distribution, {"", "distribution"});
+  v.key("text", r.text, {"", "as the case has it"});
+  v.key("mean", r.mean, {"", "mean"});
+  v.key("deviation", r.deviation, {"", "standard deviation"});
+  v.key("lowest", r.lowest, {"", "lower limit"});
+  v.key("highest", r.highest, {"", "upper limit"});
+  v.key("sampled", r.sampled, {"", "of the samples"});
+}
+
+struct SampledCorrelation {
+  std::array<std::string, 2> keys;
+  double asked = 0, sampled = 0;
+};
+template <class V, As<SampledCorrelation> R>
+void describe(V& v, R& r) {
+  v.key("keys", r.keys, {"", "keys"});
+  v.key("asked", r.asked, {"", "correlation that was asked for"});
+  v.key("sampled", r.sampled, {"", "correlation of the samples"});
+}
+
+struct Quantile {
+  double share = 0;
+  std::optional<double> value;
+};
+template <class V, As<Quantile> R>
+void describe(V& v, R& r) {
+  v.key("share", r.share, {"", "share of the samples below it"});
+  v.key("value", r.value, {"", "value"});
+}
+
+struct HistogramCounts {
+  std::vector<double> edges;
+  std::vector<long> counts;
+};
+template <class V, As<HistogramCounts> R>
+void describe(V& v, R& r) {
+  v.key("edges", r.edges, {"", "limits of the classes"});
+  v.key("counts", r.counts, {"", "samples in each class"});
+}
+
+/// The distribution of a result over the samples.
+struct SampledValues {
+  long count = 0, none = 0;
+  double mean = 0, deviation = 0;
+  std::optional<double> variation;
+  double skewness = 0, smallest = 0, largest = 0;
+  std::vector<Quantile> quantiles;
+  HistogramCounts histogram;
+};
+template <class V, As<SampledValues> R>
+void describe(V& v, R& r) {
+  v.key("count", r.count, {"", "samples with a value"});
+  v.key("none", r.none, {"", "samples without one"});
+  v.key("mean", r.mean, {"", "mean"});
+  v.key("deviation", r.deviation, {"", "standard deviation"});
+  v.key("variation", r.variation, {"", "coefficient of variation"});
+  v.key("skewness", r.skewness, {"", "skewness"});
+  v.key("smallest", r.smallest, {"", "smallest"});
+  v.key("largest", r.largest, {"", "largest"});
+  v.key("quantiles", r.quantiles, {"", "quantiles"});
+  v.key("histogram", r.histogram, {"", "histogram"});
+}
+
+/// A share of the samples with its interval.
+struct SampleShare {
+  long count = 0, samples = 0;
+  double probability = 0, lower = 0, upper = 0;
+};
+template <class V, As<SampleShare> R>
+void describe(V& v, R& r) {
+  v.key("count", r.count, {"", "samples that count"});
+  v.key("samples", r.samples, {"", "samples"});
+  v.key("probability", r.probability, {"", "probability"});
+  v.key("lower", r.lower, {"", "lower end of its interval"});
+  v.key("upper", r.upper, {"", "upper end of its interval"});
+}
+
+/// P(F < 1).
+struct FailureProbability {
+  SampleShare share;
+  double limit = 1, confidence = 0;
+  std::optional<double> index, index_lower, index_upper, standard_error;
+  std::string interval;                           ///< what the interval is
+  std::vector<std::array<double, 4>> growth;      ///< samples so far, probability, lower, upper
+  std::optional<double> with_largest_difference;  ///< if every factor were off by the largest difference of the check
+};
+template <class V, As<FailureProbability> R>
+void describe(V& v, R& r) {
+  describe(v, r.share);
+  v.key("limit", r.limit, {"", "factor below which a sample fails"});
+  v.key("confidence", r.confidence, {"", "confidence of the interval"});
+  v.key("index", r.index, {"", "reliability index"});
+  v.key("index_lower", r.index_lower, {"", "lower end of its interval"});
+  v.key("index_upper", r.index_upper, {"", "upper end of its interval"});
+  v.key("standard_error", r.standard_error, {"", "standard error of the probability"});
+  v.key("interval", r.interval, {"", "what the interval is"});
+  v.key("growth", r.growth, {"", "samples so far, probability and its interval"});
+  v.maybe("with_largest_difference", r.with_largest_difference,
+          {"", "probability with the largest difference of the check"});
+}
+
+/// Mean value first-order second-moment estimate.
+struct FirstOrderEstimate {
+  double mean_factor = 0, deviation = 0, index_normal = 0, index_lognormal = 0;
+};
+template <class V, As<FirstOrderEstimate> R>
+void describe(V& v, R& r) {
+  v.key("mean_factor", r.mean_factor, {"", "factor at the means"});
+  v.key("deviation", r.deviation, {"", "standard deviation of the factor"});
+  v.key("index_normal", r.index_normal, {"", "reliability index, normal factor"});
+  v.key("index_lognormal", r.index_lognormal, {"", "reliability index, lognormal factor"});
+}
+
+struct DesignPointValue {
+  std::string key, name, unit;
+  double value = 0, importance = 0;
+};
+template <class V, As<DesignPointValue> R>
+void describe(V& v, R& r) {
+  v.key("key", r.key, {"", "key"});
+  v.key("name", r.name, {"", "name"});
+  v.key("unit", r.unit, {"", "unit"});
+  v.key("value", r.value, {"", "value"});
+  v.key("importance", r.importance, {"", "importance"});
+}
+
+/// First-order reliability method.
+struct DesignPointEstimate {
+  double index = 0, probability = 0;
+  bool converged = false;
+  int iterations = 0;
+  double factor = 0;
+  std::vector<DesignPointValue> values;
+};
+template <class V, As<DesignPointEstimate> R>
+void describe(V& v, R& r) {
+  v.key("index", r.index, {"", "reliability index"});
+  v.key("probability", r.probability, {"", "probability of failure"});
+  v.key("converged", r.converged, {"", "whether the search converged"});
+  v.key("iterations", r.iterations, {"", "iterations"});
+  v.key("factor", r.factor, {"", "factor at the design point"});
+  v.key("values", r.values, {"", "design point"});
+}
+
+struct FittedLaw {
+  double index = 0, probability = 0;
+};
+template <class V, As<FittedLaw> R>
+void describe(V& v, R& r) {
+  v.key("index", r.index, {"", "reliability index"});
+  v.key("probability", r.probability, {"", "probability of failure"});
+}
+
+/// Laws with the mean and deviation of the sampled factors.
+struct FittedLaws {
+  FittedLaw normal, lognormal;
+};
+template <class V, As<FittedLaws> R>
+void describe(V& v, R& r) {
+  v.key("normal", r.normal, {"", "normal"});
+  v.key("lognormal", r.lognormal, {"", "lognormal"});
+}
+
+/// A bar of the tornado.
+struct TornadoBar {
+  std::string key, name, unit;
+  double low_value = 0, high_value = 0, low_factor = 0, high_factor = 0;
+};
+template <class V, As<TornadoBar> R>
+void describe(V& v, R& r) {
+  v.key("key", r.key, {"", "key"});
+  v.key("name", r.name, {"", "name"});
+  v.key("unit", r.unit, {"", "unit"});
+  v.key("low_value", r.low_value, {"", "low value"});
+  v.key("high_value", r.high_value, {"", "high value"});
+  v.key("low_factor", r.low_factor, {"", "factor at the low value"});
+  v.key("high_factor", r.high_factor, {"", "factor at the high value"});
+}
+
+struct RankCorrelation {
+  std::string key, name;
+  std::optional<double> coefficient;
+};
+template <class V, As<RankCorrelation> R>
+void describe(V& v, R& r) {
+  v.key("key", r.key, {"", "key"});
+  v.key("name", r.name, {"", "name"});
+  v.key("coefficient", r.coefficient, {"", "Spearman's coefficient"});
+}
+
+/// Quick factors against searches of their own.
+struct SurfaceCheck {
+  int samples = 0;
+  double largest = 0, mean = 0;  ///< by how much the quick factor lies above that of the search, relative
+};
+template <class V, As<SurfaceCheck> R>
+void describe(V& v, R& r) {
+  v.key("samples", r.samples, {"", "samples that were searched"});
+  v.key("largest", r.largest, {"", "largest difference"});
+  v.key("mean", r.mean, {"", "mean difference"});
+}
+
+/// The probability that the soil comes farther than a distance.
+struct Exceedance {
+  SampleShare share;
+  double distance = 0;  ///< [m]
+};
+template <class V, As<Exceedance> R>
+void describe(V& v, R& r) {
+  describe(v, r.share);
+  v.key("distance", r.distance, {"m", "distance"});
+}
+
+struct SampledRunout {
+  SampledValues values;
+  std::string name, unit = "m";
+  std::vector<std::array<double, 4>> curve;  ///< distance [m], probability, lower, upper
+  std::vector<Exceedance> exceedance;
+  std::vector<RankCorrelation> ranks;
+};
+template <class V, As<SampledRunout> R>
+void describe(V& v, R& r) {
+  describe(v, r.values);
+  v.key("name", r.name, {"", "result"});
+  v.key("unit", r.unit, {"", "unit"});
+  v.key("curve", r.curve, {"", "distance, probability and its interval"});
+  v.key("exceedance", r.exceedance, {"", "probability of chosen distances"});
+  v.key("ranks", r.ranks, {"", "rank correlations"});
+}
+
+/// "sampling" of study.json.
+struct Sampling {
+  int samples = 0;
+  std::uint64_t seed = 0;
+  SampleDraw plan = SampleDraw::random;
+  int replicates = 1;
+  Method method = Method::lem;
+  std::string method_title;
+  double seconds = 0;
+  std::vector<UncertainNumber> numbers;
+  std::vector<SampledCorrelation> correlations;
+  std::optional<SampledValues> factor;
+  std::optional<FailureProbability> failure;
+  std::optional<FirstOrderEstimate> first_order;
+  std::optional<DesignPointEstimate> design_point;
+  std::optional<FittedLaws> fits;
+  std::optional<std::vector<TornadoBar>> tornado;
+  std::optional<std::vector<RankCorrelation>> ranks;
+  int surfaces = 0;  ///< that every sample was evaluated on; 0: each sample was searched
+  std::optional<SurfaceCheck> check;
+  std::optional<SampledRunout> runout;
+  std::vector<std::string> notes;
+  std::string samples_file;
+};
+template <class V, As<Sampling> R>
+void describe(V& v, R& r) {
+  v.key("samples", r.samples, {"", "samples"});
+  v.key("seed", r.seed, {"", "seed"});
+  v.key("plan", r.plan, {"", "how samples were drawn"});
+  v.key("replicates", r.replicates, {"", "hypercubes that were drawn for themselves"});
+  v.key("method", r.method, {"", "method"});
+  v.key("method_title", r.method_title, {"", "method in words"});
+  v.key("seconds", r.seconds, {"s", "seconds"});
+  v.key("numbers", r.numbers, {"", "uncertain numbers"});
+  v.key("correlations", r.correlations, {"", "correlations"});
+  v.key("factor", r.factor, {"", "distribution of the factor of safety"});
+  v.key("failure", r.failure, {"", "probability of failure"});
+  v.key("first_order", r.first_order, {"", "first-order second-moment estimate"});
+  v.key("design_point", r.design_point, {"", "first-order reliability method"});
+  v.key("fits", r.fits, {"", "laws with the mean and deviation of the samples"});
+  v.key("tornado", r.tornado, {"", "factor over each number"});
+  v.key("ranks", r.ranks, {"", "rank correlations with the factor"});
+  v.key("surfaces", r.surfaces, {"", "surfaces that every sample was evaluated on"});
+  v.key("check", r.check, {"", "quick factors against searches"});
+  v.key("runout", r.runout, {"", "distribution of the runout"});
+  v.key("notes", r.notes, {"", "notes"});
+  v.key("samples_file", r.samples_file, {"", "file of the samples"});
+}
+
+}  // namespace talus::results

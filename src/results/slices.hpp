@@ -1,0 +1,259 @@
+#pragma once
+// Limit equilibrium: critical surfaces with their slices, what the search did, and its trials.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/methods.hpp"
+#include "results/about.hpp"
+#include "results/water.hpp"
+
+namespace talus::results {
+
+template <>
+inline constexpr auto words<SliceMethod> =
+    std::array{Word{SliceMethod::fellenius, "fellenius"},
+               Word{SliceMethod::bishop, "bishop"},
+               Word{SliceMethod::janbu, "janbu"},
+               Word{SliceMethod::janbu_corrected, "janbu_corrected"},
+               Word{SliceMethod::spencer, "spencer"},
+               Word{SliceMethod::morgenstern_price, "morgenstern_price"},
+               Word{SliceMethod::morgenstern_price_constant, "morgenstern_price_constant"}};
+
+struct Circle {
+  Point centre{};     ///< [m]
+  double radius = 0;  ///< [m]
+};
+template <class V, As<Circle> R>
+void describe(V& v, R& r) {
+  v.key("centre", r.centre, {"m", "centre"});
+  v.key("radius", r.radius, {"m", "radius"});
+}
+
+/// A slip surface with its factor.
+struct SlipSurface {
+  SliceMethod method = SliceMethod::spencer;
+  std::string title;  ///< of the method
+  bool circular = false;
+  std::optional<double> factor;  ///< nothing: none was found
+  std::optional<Circle> circle;
+  std::vector<Point> points;        ///< [m]
+  std::optional<std::string> name;  ///< of a surface that the case gives
+};
+template <class V, As<SlipSurface> R>
+void describe(V& v, R& r) {
+  v.key("method", r.method, {"", "method"});
+  v.key("title", r.title, {"", "name of the method"});
+  v.key("circular", r.circular, {"", "whether it is a circle"});
+  v.key("factor", r.factor, {"", "factor of safety"});
+  v.key("circle", r.circle, {"", "the circle"});
+  v.key("points", r.points, {"m", "its points"});
+  v.maybe("name", r.name, {"", "name in the case"});
+}
+
+/// Whether a surface can be believed.
+struct SurfaceChecks {
+  double smallest_m_alpha = 0, tensile_share = 0, thrust_outside = 0;
+  std::string refusal;  ///< why a search would refuse it; empty: it would not
+};
+template <class V, As<SurfaceChecks> R>
+void describe(V& v, R& r) {
+  v.key("smallest_m_alpha", r.smallest_m_alpha, {"", "smallest m_α"});
+  v.key("tensile_share", r.tensile_share, {"", "share of the base in tension"});
+  v.key("thrust_outside", r.thrust_outside, {"", "share of the sides with the thrust outside the mass"});
+  v.key("refusal", r.refusal, {"", "why a search would refuse it"});
+}
+
+/// The slices of a surface, a column for each quantity.
+struct SliceTable {
+  std::vector<double> left, right;           ///< x [m]
+  std::vector<Point> base_left, base_right;  ///< [m]
+  std::vector<double> top_left, top_right;   ///< y [m]
+  std::vector<std::string> soil;             ///< at the base
+  std::vector<double> alpha, length, weight, surface_load, surface_thrust, earthquake, pore_pressure, cohesion,
+      root_cohesion, suction_strength, tan_friction, normal, shear, m_alpha, normal_right, shear_right, thrust_right;
+  std::size_t size() const { return left.size(); }
+};
+template <class V, As<SliceTable> R>
+void describe(V& v, R& r) {
+  v.key("left", r.left, {"m", "x of the left side"});
+  v.key("right", r.right, {"m", "x of the right side"});
+  v.key("base_left", r.base_left, {"m", "left end of the base"});
+  v.key("base_right", r.base_right, {"m", "right end of the base"});
+  v.key("top_left", r.top_left, {"m", "y of the ground at the left side"});
+  v.key("top_right", r.top_right, {"m", "y of the ground at the right side"});
+  v.key("soil", r.soil, {"", "soil at the base"});
+  v.key("alpha", r.alpha, {"rad", "inclination of the base"});
+  v.key("length", r.length, {"m", "length of the base"});
+  v.key("weight", r.weight, {"N/m", "weight"});
+  v.key("surface_load", r.surface_load, {"N/m", "vertical load on the ground"});
+  v.key("surface_thrust", r.surface_thrust, {"N/m", "horizontal load on the ground"});
+  v.key("earthquake", r.earthquake, {"N/m", "horizontal force of the earthquake"});
+  v.key("pore_pressure", r.pore_pressure, {"Pa", "pore pressure at the base"});
+  v.key("cohesion", r.cohesion, {"Pa", "cohesion at the base"});
+  v.key("root_cohesion", r.root_cohesion, {"Pa", "cohesion of roots"});
+  v.key("suction_strength", r.suction_strength, {"Pa", "strength by suction"});
+  v.key("tan_friction", r.tan_friction, {"", "tangent of the friction angle"});
+  v.key("normal", r.normal, {"N/m", "normal force on the base"});
+  v.key("shear", r.shear, {"N/m", "shear force on the base"});
+  v.key("m_alpha", r.m_alpha, {"", "m_α"});
+  v.key("normal_right", r.normal_right, {"N/m", "normal force on the right side"});
+  v.key("shear_right", r.shear_right, {"N/m", "shear force on the right side"});
+  v.key("thrust_right", r.thrust_right, {"m", "y of the thrust on the right side"});
+}
+
+/// A surface with all that is known of it.
+struct CriticalSurface {
+  SlipSurface surface;
+  std::optional<double> lambda;  ///< of Spencer and of Morgenstern and Price
+  double correction = 1;         ///< f₀ of Janbu
+  double area = 0;               ///< [m²]
+  double depth = 0;              ///< greatest [m]
+  std::string volume_note = "m³ per metre of slope";
+  bool slides_left = false;
+  std::optional<double> yield_acceleration;  ///< k_y
+  SurfaceChecks checks;
+  SliceTable slices;
+  std::vector<std::string> warnings;
+};
+template <class V, As<CriticalSurface> R>
+void describe(V& v, R& r) {
+  describe(v, r.surface);
+  v.key("lambda", r.lambda, {"", "λ, the inclination of the forces between slices"});
+  v.key("correction", r.correction, {"", "f₀ of Janbu"});
+  v.key("area", r.area, {"m2", "area of the mass"});
+  v.key("depth", r.depth, {"m", "greatest depth"});
+  v.key("volume_note", r.volume_note, {"", "what the area stands for"});
+  v.key("slides_left", r.slides_left, {"", "whether it slides towards smaller x"});
+  v.key("yield_acceleration", r.yield_acceleration, {"", "yield acceleration over gravity"});
+  v.key("checks", r.checks, {"", "whether to believe it"});
+  v.key("slices", r.slices, {"", "its slices"});
+  v.key("warnings", r.warnings, {"", "warnings"});
+}
+
+enum class SearchKind { entry_exit, grid };
+template <>
+inline constexpr auto words<SearchKind> =
+    std::array{Word{SearchKind::entry_exit, "entry_exit"}, Word{SearchKind::grid, "grid"}};
+
+/// The grid of centres that was searched.
+struct GridRange {
+  Point from{}, to{};  ///< [m]
+  int columns = 0, rows = 0, radii = 0;
+  std::optional<Point> levels;  ///< lowest and highest tangent [m]
+};
+template <class V, As<GridRange> R>
+void describe(V& v, R& r) {
+  v.key("from", r.from, {"m", "one corner"});
+  v.key("to", r.to, {"m", "other corner"});
+  v.key("columns", r.columns, {"", "columns"});
+  v.key("rows", r.rows, {"", "rows"});
+  v.key("radii", r.radii, {"", "radii at each centre"});
+  v.key("levels", r.levels, {"m", "lowest and highest tangent"});
+}
+
+/// Where the search looked: by entries and exits, or on a grid.
+struct SearchRanges {
+  std::optional<Point> exit, entry;  ///< x from and to [m]
+  std::optional<int> exits, entries, depths;
+  std::optional<GridRange> grid;
+};
+template <class V, As<SearchRanges> R>
+void describe(V& v, R& r) {
+  v.maybe("exit", r.exit, {"m", "where surfaces leave the ground"});
+  v.maybe("entry", r.entry, {"m", "where surfaces enter the ground"});
+  v.maybe("exits", r.exits, {"", "exits"});
+  v.maybe("entries", r.entries, {"", "entries"});
+  v.maybe("depths", r.depths, {"", "circles between an entry and an exit"});
+  v.maybe("grid", r.grid, {"", "grid of centres"});
+}
+
+/// A critical surface that lies at a limit of the search.
+struct LimitHit {
+  std::string method;  ///< its name
+  std::string limit;   ///< "the critical circle …"
+};
+template <class V, As<LimitHit> R>
+void describe(V& v, R& r) {
+  v.key("method", r.method, {"", "name of the method"});
+  v.key("limit", r.limit, {"", "which limit"});
+}
+
+struct SliceSearch {
+  SearchKind kind = SearchKind::entry_exit;
+  std::size_t tried = 0;                                              ///< circles
+  std::map<std::string, std::map<std::string, std::size_t>> refused;  ///< by method and reason
+  std::vector<LimitHit> limit_hits;
+  SearchRanges ranges;
+  double seconds = 0, circles_per_second = 0;
+};
+template <class V, As<SliceSearch> R>
+void describe(V& v, R& r) {
+  v.key("kind", r.kind, {"", "how circles were chosen"});
+  v.key("tried", r.tried, {"", "circles that were tried"});
+  v.key("refused", r.refused, {"", "refused surfaces by method and reason"});
+  v.key("limits", r.limit_hits, {"", "critical surfaces at a limit of the search"});
+  v.key("ranges", r.ranges, {"", "where it looked"});
+  v.key("seconds", r.seconds, {"s", "seconds"});
+  v.key("circles_per_second", r.circles_per_second, {"1/s", "circles per second"});
+}
+
+/// "lem" of summary.json.
+struct SliceResult {
+  std::optional<std::string> error;  ///< why there is no answer; then nothing else but warnings
+  std::vector<std::string> warnings;
+  std::vector<SliceMethod> methods;
+  int slices = 0;  ///< of a surface
+  std::vector<CriticalSurface> critical, noncircular, given;
+  std::map<std::string, std::vector<SlipSurface>> minima;  ///< by method
+  std::optional<SliceSearch> search;
+  std::optional<std::string> trials_file;
+  double seconds = 0;
+};
+template <class V, As<SliceResult> R>
+void describe(V& v, R& r) {
+  v.maybe("error", r.error, {"", "why there is no answer"});
+  v.key("warnings", r.warnings, {"", "warnings"});
+  if (r.error) return;
+  v.key("methods", r.methods, {"", "methods of slices"});
+  v.key("slices", r.slices, {"", "slices of a surface"});
+  v.key("critical", r.critical, {"", "critical circles"});
+  v.key("noncircular", r.noncircular, {"", "critical polylines"});
+  v.key("given", r.given, {"", "surfaces that the case gives"});
+  v.key("minima", r.minima, {"", "local minima by method"});
+  v.maybe("search", r.search, {"", "what the search did"});
+  v.maybe("trials_file", r.trials_file, {"", "file of the trials"});
+  v.key("seconds", r.seconds, {"s", "seconds"});
+}
+
+/// Smallest factor over the centres of a grid.
+struct FactorMap {
+  Point from{}, to{};  ///< [m]
+  int columns = 0, rows = 0;
+  std::vector<std::optional<double>> factor;  ///< row by row; nothing where there is none
+};
+template <class V, As<FactorMap> R>
+void describe(V& v, R& r) {
+  v.key("from", r.from, {"m", "one corner"});
+  v.key("to", r.to, {"m", "other corner"});
+  v.key("columns", r.columns, {"", "columns"});
+  v.key("rows", r.rows, {"", "rows"});
+  v.key("factor", r.factor, {"", "smallest factor, row by row"});
+}
+
+/// Every circle that was tried: lem.json.
+struct SliceTrials {
+  std::vector<std::string> methods;
+  std::vector<std::vector<double>> trials;  ///< centre x, y, radius, from, to [m], factor by each method
+  std::map<std::string, FactorMap> maps;    ///< by method
+};
+template <class V, As<SliceTrials> R>
+void describe(V& v, R& r) {
+  v.key("methods", r.methods, {"", "methods of slices"});
+  v.key("trials", r.trials, {"", "centre x, y, radius, from, to [m], and the factor by each method"});
+  v.key("maps", r.maps, {"", "smallest factor over the centres"});
+}
+
+}  // namespace talus::results

@@ -1,0 +1,152 @@
+#pragma once
+// A study: its table, how each variant went, what the factors tend to, and what samples say. study.json.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json_tree.hpp"
+#include "results/head.hpp"
+#include "results/sampling.hpp"
+
+namespace talus::results {
+
+/// A key that was varied.
+struct StudyKey {
+  std::string key, unit;
+  std::vector<std::string> values;
+};
+template <class V, As<StudyKey> R>
+void describe(V& v, R& r) {
+  v.key("key", r.key, {"", "key"});
+  v.key("unit", r.unit, {"", "unit"});
+  v.key("values", r.values, {"", "values"});
+}
+
+/// One number of the table, in full and as people read it; both empty where a variant has no such result.
+struct StudyCell {
+  std::string full, shown;
+};
+template <class V, As<StudyCell> R>
+void describe(V& v, R& r) {
+  v.key("full", r.full, {"", "in full, in the unit of its column"});
+  v.key("shown", r.shown, {"", "as people read it"});
+}
+
+struct StudyColumn {
+  std::string name;              ///< in the CSV, `strength_reduction.curve.damping`
+  std::string title;             ///< in the Markdown, `damping`
+  std::string unit;              ///< empty for plain numbers and words
+  std::vector<StudyCell> cells;  ///< one per variant
+  bool is_factor = false;        ///< of safety: what is extrapolated
+};
+template <class V, As<StudyColumn> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "name"});
+  v.key("title", r.title, {"", "title"});
+  v.key("unit", r.unit, {"", "unit"});
+  v.key("cells", r.cells, {"", "cells, one for each variant"});
+}
+
+/// How a variant went.
+enum class VariantStatus { not_started, finished, interrupted, unstable, failed };
+template <>
+inline constexpr auto words<VariantStatus> =
+    std::array{Word{VariantStatus::not_started, "not started"}, Word{VariantStatus::finished, "finished"},
+               Word{VariantStatus::interrupted, "interrupted"}, Word{VariantStatus::unstable, "unstable"},
+               Word{VariantStatus::failed, "failed"}};
+
+struct StudyVariant {
+  std::string name, folder;
+  VariantStatus status = VariantStatus::not_started;
+  std::string reason;  ///< why it is not finished
+};
+template <class V, As<StudyVariant> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "name"});
+  v.key("folder", r.folder, {"", "folder"});
+  v.key("status", r.status, {"", "how it went"});
+  v.key("reason", r.reason, {"", "why it is not finished"});
+}
+
+/// One factor over the key, extrapolated to zero (docs/manual/study.md).
+struct ExtrapolatedFactor {
+  std::string criterion, variant;
+  std::vector<double> sizes, factors;
+  double linear = 0;
+  std::optional<double> standard_error;
+  double finest_pair = 0;
+  std::optional<double> order, by_order;
+};
+template <class V, As<ExtrapolatedFactor> R>
+void describe(V& v, R& r) {
+  v.key("criterion", r.criterion, {"", "factor"});
+  v.key("variant", r.variant, {"", "other keys"});
+  v.key("sizes", r.sizes, {"", "values of the key"});
+  v.key("factors", r.factors, {"", "factors"});
+  v.key("linear", r.linear, {"", "line through all"});
+  v.key("standard_error", r.standard_error, {"", "standard error of it"});
+  v.key("finest_pair", r.finest_pair, {"", "line through the finest two"});
+  v.key("order", r.order, {"", "order p"});
+  v.key("by_order", r.by_order, {"", "with order p"});
+}
+
+struct StudyExtrapolation {
+  std::string key, unit;
+  std::vector<ExtrapolatedFactor> factors;
+};
+template <class V, As<StudyExtrapolation> R>
+void describe(V& v, R& r) {
+  v.key("key", r.key, {"", "key"});
+  v.key("unit", r.unit, {"", "unit"});
+  v.key("factors", r.factors, {"", "factors"});
+}
+
+/// The units of a study; stress where samples were drawn.
+struct StudyUnits {
+  std::string displacement = "mm", length = "m";
+  std::optional<std::string> stress;
+};
+template <class V, As<StudyUnits> R>
+void describe(V& v, R& r) {
+  v.key("displacement", r.displacement, {"", "unit of displacements"});
+  v.key("length", r.length, {"", "unit of lengths"});
+  v.maybe("stress", r.stress, {"", "unit of stresses"});
+}
+
+struct StudyResult {
+  int format = 1;
+  std::string title, case_file, mode, reference;
+  std::vector<StudyKey> vary;
+  std::vector<StudyColumn> columns;
+  std::vector<StudyVariant> variants;
+  std::vector<std::string> notes;
+  StudyUnits units;
+  std::optional<StudyExtrapolation> extrapolation;
+  std::optional<Sampling> sampling;
+  // Of samples by slices, which leave no run to tell it.
+  std::optional<Project> project;
+  std::optional<Provenance> provenance;
+  std::optional<JsonTree> input;
+};
+template <class V, As<StudyResult> R>
+void describe(V& v, R& r) {
+  v.key("format", r.format, {"", "version of this file"});
+  v.key("title", r.title, {"", "title"});
+  v.key("case_file", r.case_file, {"", "case file"});
+  v.key("mode", r.mode, {"", "how values were combined"});
+  v.key("reference", r.reference, {"", "variant that displacements are divided by"});
+  v.key("vary", r.vary, {"", "keys that were varied"});
+  v.key("columns", r.columns, {"", "table, column by column"});
+  v.key("variants", r.variants, {"", "how each variant went"});
+  v.key("notes", r.notes, {"", "notes"});
+  v.key("units", r.units, {"", "units of display"});
+  v.maybe("extrapolation", r.extrapolation, {"", "factors extrapolated over a key"});
+  v.maybe("sampling", r.sampling, {"", "uncertain numbers"});
+  v.maybe("project", r.project, {"", "title block"});
+  v.maybe("provenance", r.provenance, {"", "program, machine and input"});
+  v.maybe("input", r.input, {"", "every key of the case"});
+}
+
+}  // namespace talus::results

@@ -1,0 +1,218 @@
+#pragma once
+// Stages and trials of the material points, the displacement curve, and the factors of safety from them.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/runout.hpp"
+
+namespace talus::results {
+
+enum class StageEnd { time, rest, failed };
+template <>
+inline constexpr auto words<StageEnd> =
+    std::array{Word{StageEnd::time, "time"}, Word{StageEnd::rest, "rest"}, Word{StageEnd::failed, "failed"}};
+
+/// What setting the preconsolidation of Cam-clay soils after a stage came to.
+struct Preconsolidation {
+  int points = 0;
+  double smallest = 0, largest = 0;  ///< p'_c [Pa]
+  int beyond = 0;                    ///< points whose stress was beyond the yield surface
+};
+template <class V, As<Preconsolidation> R>
+void describe(V& v, R& r) {
+  v.key("points", r.points, {"", "points"});
+  v.key("smallest", r.smallest, {"Pa", "smallest preconsolidation pressure"});
+  v.key("largest", r.largest, {"Pa", "largest preconsolidation pressure"});
+  v.key("points_beyond_yield_surface", r.beyond, {"", "points whose stress was beyond the yield surface"});
+}
+
+/// How a stage went.
+struct Stage {
+  std::string name;
+  StageEnd end = StageEnd::time;
+  double start = 0, time = 0;  ///< [s]
+  std::int64_t steps = 0;
+  double time_step = 0;     ///< last [s]
+  double displacement = 0;  ///< largest at the end [m]
+  double force_ratio = 0, speed = 0;
+  double wall = 0;  ///< [s]
+  std::optional<Preconsolidation> preconsolidation;
+};
+template <class V, As<Stage> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "name of the stage"});
+  v.key("end", r.end, {"", "what ended it"});
+  v.key("start", r.start, {"s", "start"});
+  v.key("time", r.time, {"s", "simulated time at the end"});
+  v.key("steps", r.steps, {"", "time steps"});
+  v.key("time_step", r.time_step, {"s", "last time step"});
+  v.key("displacement", r.displacement, {"m", "largest displacement at the end"});
+  v.key("force_ratio", r.force_ratio, {"", "unbalanced force over the external force"});
+  v.key("nodal_speed", r.speed, {"m/s", "largest nodal speed"});
+  v.key("wall", r.wall, {"s", "wall time"});
+  v.maybe("preconsolidation", r.preconsolidation, {"", "preconsolidation that was set at its end"});
+}
+
+/// What a run keeps of its stages until it is finished: stages.json.
+struct StageRecord {
+  std::vector<Stage> stages;
+  std::vector<std::string> warnings;
+};
+template <class V, As<StageRecord> R>
+void describe(V& v, R& r) {
+  v.key("stages", r.stages, {"", "stages that are done"});
+  v.key("warnings", r.warnings, {"", "warnings"});
+}
+
+/// One trial of the strength reduction.
+struct Trial {
+  double factor = 0;  ///< strength reduction factor
+  StageEnd end = StageEnd::time;
+  double displacement = 0;  ///< largest of a point at the end, from the trial's start [m]
+  double time = 0;          ///< simulated [s]
+  std::int64_t steps = 0;
+  double force_ratio = 0;    ///< ‖F_ext+G-F_int‖/‖F_ext+G‖ at the end
+  double speed = 0;          ///< largest nodal speed at the end [m/s]
+  double largest_speed = 0;  ///< in the whole trial [m/s]
+};
+template <class V, As<Trial> R>
+void describe(V& v, R& r) {
+  v.key("srf", r.factor, {"", "strength reduction factor"});
+  v.key("end", r.end, {"", "what ended it"});
+  v.key("displacement", r.displacement, {"m", "largest displacement"});
+  v.key("time", r.time, {"s", "simulated time"});
+  v.key("steps", r.steps, {"", "time steps"});
+  v.key("force_ratio", r.force_ratio, {"", "unbalanced force over the external force"});
+  v.key("nodal_speed", r.speed, {"m/s", "largest nodal speed at the end"});
+  v.key("largest_nodal_speed", r.largest_speed, {"m/s", "largest nodal speed"});
+}
+
+/// A trial of the curve that went on until rest.
+struct RunoutTrial {
+  Trial trial;  ///< how it ended, its whole time and steps, its largest speed
+  Runout runout;
+  Profile profile;                     ///< at the end
+  std::optional<double> failure_time;  ///< from the start of the trial [s]
+};
+template <class V, As<RunoutTrial> R>
+void describe(V& v, R& r) {
+  describe(v, r.trial);
+  v.key("runout", r.runout, {"", "how far the soil ran"});
+  v.key("profile", r.profile, {"", "the ground at the end"});
+  v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
+}
+
+/// By what a factor of safety was read off the material points.
+enum class CriterionKind { frozen, bilinear, displacement, jump };
+template <>
+inline constexpr auto words<CriterionKind> =
+    std::array{Word{CriterionKind::frozen, "frozen"}, Word{CriterionKind::bilinear, "bilinear"},
+               Word{CriterionKind::displacement, "displacement"}, Word{CriterionKind::jump, "jump"}};
+
+/// A factor of safety and the computed factors on either side of it.
+struct Criterion {
+  CriterionKind kind = CriterionKind::bilinear;
+  std::optional<double> factor, lower, upper;  ///< nothing when the curve does not hold it
+  std::string note;                            ///< why there is none, or what to know
+};
+template <class V, As<Criterion> R>
+void describe(V& v, R& r) {
+  v.key("name", r.kind, {"", "criterion"});
+  v.key("factor", r.factor, {"", "factor of safety"});
+  v.key("lower", r.lower, {"", "computed factor below it"});
+  v.key("upper", r.upper, {"", "computed factor above it"});
+  v.key("note", r.note, {"", "why there is none, or what to know"});
+}
+
+/// u = slope·SRF + intercept, fitted to the listed factors.
+struct Branch {
+  double slope = 0, intercept = 0;  ///< [m], [m]
+  std::vector<double> factors;
+};
+template <class V, As<Branch> R>
+void describe(V& v, R& r) {
+  v.key("slope", r.slope, {"m", "slope over the factor"});
+  v.key("intercept", r.intercept, {"m", "displacement at factor zero"});
+  v.key("points", r.factors, {"", "factors that it was fitted to"});
+}
+
+/// The construction of Feng and Xu (2021): lines through the first and the last branch, and where they meet.
+struct BilinearLines {
+  double factor = 0;
+  Branch first, second;
+};
+template <class V, As<BilinearLines> R>
+void describe(V& v, R& r) {
+  v.key("factor", r.factor, {"", "where the lines meet"});
+  v.key("first", r.first, {"", "first line"});
+  v.key("second", r.second, {"", "second line"});
+}
+
+/// The displacement curve on moving geometry, with every criterion.
+struct Curve {
+  std::vector<Trial> points;
+  std::vector<Criterion> criteria;
+  std::optional<BilinearLines> bilinear;
+};
+template <class V, As<Curve> R>
+void describe(V& v, R& r) {
+  v.key("points", r.points, {"", "trials by factor"});
+  v.key("criteria", r.criteria, {"", "factors by every criterion"});
+  v.maybe("bilinear", r.bilinear, {"", "the two lines"});
+}
+
+/// The factor on one mesh at frozen geometry.
+struct MeshFactor {
+  double size = 0;  ///< element size h [m]
+  int points = 0;
+  double lower = 0, upper = 0;  ///< largest stable and smallest failed factor
+  bool undecided = false;       ///< some trial neither rested nor ran away; it counts as failed
+  std::vector<Trial> trials;    ///< in the order of their factors
+  double factor() const { return 0.5 * (lower + upper); }
+};
+template <class V, As<MeshFactor> R>
+void describe(V& v, R& r) {
+  v.key("size", r.size, {"m", "size of the elements"});
+  v.key("points", r.points, {"", "material points"});
+  v.told("factor", r.factor(), {"", "factor of safety on this mesh"});
+  v.key("lower", r.lower, {"", "largest factor that came to rest"});
+  v.key("upper", r.upper, {"", "smallest factor that ran away"});
+  v.key("undecided", r.undecided, {"", "whether a trial neither rested nor ran away"});
+  v.key("trials", r.trials, {"", "trials by factor"});
+}
+
+/// Rest or run-away at frozen geometry.
+struct FrozenFactor {
+  double factor = 0;
+  double uncertainty = 0;              ///< half the width of the brackets as the extrapolation passes them on
+  std::optional<double> extrapolated;  ///< linear in h to h = 0, from two meshes
+  std::vector<MeshFactor> meshes;      ///< coarse to fine
+  double dilatancy_angle_min = 0, dilatancy_angle_max = 0;  ///< [deg]
+};
+template <class V, As<FrozenFactor> R>
+void describe(V& v, R& r) {
+  v.key("factor", r.factor, {"", "factor of safety"});
+  v.key("uncertainty", r.uncertainty, {"", "half the width of the brackets"});
+  v.key("extrapolated", r.extrapolated, {"", "factor extrapolated to elements of no size"});
+  v.key("meshes", r.meshes, {"", "factors by mesh"});
+  v.key("dilatancy_angle_min", r.dilatancy_angle_min, {"deg", "smallest dilatancy angle"});
+  v.key("dilatancy_angle_max", r.dilatancy_angle_max, {"deg", "largest dilatancy angle"});
+}
+
+/// Factors of safety of the material points.
+struct PointFactors {
+  std::optional<double> value;  ///< the frozen one
+  std::optional<FrozenFactor> frozen;
+  std::optional<std::vector<Criterion>> criteria;  ///< on the displacement curve
+};
+template <class V, As<PointFactors> R>
+void describe(V& v, R& r) {
+  v.maybe("value", r.value, {"", "factor of safety"});
+  v.maybe("frozen", r.frozen, {"", "rest or run-away at frozen geometry"});
+  v.maybe("criteria", r.criteria, {"", "constructions on the displacement curve"});
+}
+
+}  // namespace talus::results

@@ -1,0 +1,174 @@
+#pragma once
+// Pore water: the budget of a run, steady seepage, and the season before it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/about.hpp"
+
+namespace talus::results {
+
+/// What a surface is to water.
+enum class SurfaceCondition { open, seepage_face, rain, flux, total_head, pressure };
+template <>
+inline constexpr auto words<SurfaceCondition> = std::array{Word{SurfaceCondition::open, "open"},
+                                                           Word{SurfaceCondition::seepage_face, "seepage_face"},
+                                                           Word{SurfaceCondition::rain, "rain"},
+                                                           Word{SurfaceCondition::flux, "flux"},
+                                                           Word{SurfaceCondition::total_head, "total_head"},
+                                                           Word{SurfaceCondition::pressure, "pressure"}};
+
+/// Water through one surface [kg; per metre in plane strain].
+struct SurfaceWater {
+  std::string name;
+  SurfaceCondition condition = SurfaceCondition::open;
+  double entered = 0, left = 0, supplied = 0, runoff = 0;
+};
+template <class V, As<SurfaceWater> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "surface"});
+  v.key("condition", r.condition, {"", "what it is to water"});
+  v.key("entered", r.entered, {"kg", "water that came in"});
+  v.key("left", r.left, {"kg", "water that left"});
+  v.key("supplied", r.supplied, {"kg", "water that was offered"});
+  v.key("runoff", r.runoff, {"kg", "water that ran off"});
+}
+
+/// The water of a run [kg; per metre in plane strain].
+struct WaterBudget {
+  double density = 0;  ///< [kg/m³]
+  double initial = 0, stored = 0, entered = 0, left = 0, runoff = 0, lost_between = 0, left_grid = 0, pressed_in = 0;
+  double error = 0;                                  ///< what the parts do not explain, over the water in the model
+  double largest_pressure = 0, largest_suction = 0;  ///< at the end [Pa]
+  std::vector<double> largest_suction_at;            ///< [m]
+  std::vector<SurfaceWater> surfaces;
+  std::optional<double> transpired;
+};
+template <class V, As<WaterBudget> R>
+void describe(V& v, R& r) {
+  v.key("density", r.density, {"kg/m3", "density of water"});
+  v.key("initial", r.initial, {"kg", "water at the start"});
+  v.key("stored", r.stored, {"kg", "water at the end"});
+  v.key("entered", r.entered, {"kg", "water that came in"});
+  v.key("left", r.left, {"kg", "water that left"});
+  v.key("runoff", r.runoff, {"kg", "rain that ran off"});
+  v.key("lost_between", r.lost_between, {"kg", "water that was cut off between elements"});
+  v.key("left_grid", r.left_grid, {"kg", "water of points that left the grid"});
+  v.key("pressed_in", r.pressed_in, {"kg", "water that pressures at the surface pressed in"});
+  v.key("error", r.error, {"", "error of the water budget over the water in the model"});
+  v.key("largest_pressure", r.largest_pressure, {"Pa", "largest pore pressure at the end"});
+  v.key("largest_suction", r.largest_suction, {"Pa", "largest suction at the end"});
+  v.key("largest_suction_at", r.largest_suction_at, {"m", "where the suction is largest"});
+  v.key("surfaces", r.surfaces, {"", "water by surface"});
+  v.maybe("transpired", r.transpired, {"kg", "water that roots drew"});
+}
+
+/// Flow through a named side [m³/s; per metre in plane strain]; of a season the volume [m³].
+struct Discharge {
+  std::string name;
+  double inflow = 0, outflow = 0, runoff = 0;
+};
+template <class V, As<Discharge> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "side"});
+  v.key("inflow", r.inflow, {"m3/s", "flow in"});
+  v.key("outflow", r.outflow, {"m3/s", "flow out"});
+  v.key("runoff", r.runoff, {"m3/s", "flow that runs off"});
+}
+
+/// Where water comes out of a seepage face.
+struct SeepageExit {
+  std::string name;
+  std::vector<double> highest, lowest;  ///< [m]
+};
+template <class V, As<SeepageExit> R>
+void describe(V& v, R& r) {
+  v.key("name", r.name, {"", "seepage face"});
+  v.key("highest", r.highest, {"m", "highest wet place"});
+  v.key("lowest", r.lowest, {"m", "lowest wet place"});
+}
+
+/// Steady seepage by finite elements.
+struct Seepage {
+  double inflow = 0, outflow = 0;  ///< [m³/s; per metre in plane strain]
+  double balance_error = 0;
+  int iterations = 0;
+  int undecided = 0;                       ///< nodes of the ground that fit neither a dry nor a wet surface
+  double largest_suction = 0;              ///< [Pa]
+  std::vector<double> largest_suction_at;  ///< [m]
+  std::vector<Discharge> discharges;
+  std::vector<SeepageExit> exits;
+  std::vector<std::vector<std::vector<double>>> water_table;  ///< lines of points [m]
+};
+template <class V, As<Seepage> R>
+void describe(V& v, R& r) {
+  v.key("inflow", r.inflow, {"m3/s", "flow through"});
+  v.key("outflow", r.outflow, {"m3/s", "flow out"});
+  v.key("balance_error", r.balance_error, {"", "difference of both over the flow"});
+  v.key("iterations", r.iterations, {"", "iterations"});
+  v.key("undecided", r.undecided, {"", "nodes that fit neither a dry nor a wet surface"});
+  v.key("largest_suction", r.largest_suction, {"Pa", "largest suction in steady seepage"});
+  v.key("largest_suction_at", r.largest_suction_at, {"m", "where the suction is largest"});
+  v.key("discharges", r.discharges, {"", "flow by side"});
+  v.key("exits", r.exits, {"", "where water comes out"});
+  v.key("water_table", r.water_table, {"m", "lines of zero pressure"});
+}
+
+/// What plants on one ground drew [m³].
+struct PlantWater {
+  std::string ground;
+  double potential = 0, transpired = 0;
+};
+template <class V, As<PlantWater> R>
+void describe(V& v, R& r) {
+  v.key("ground", r.ground, {"", "ground that they stand on"});
+  v.key("potential", r.potential, {"m3", "potential transpiration"});
+  v.key("transpired", r.transpired, {"m3", "transpiration"});
+}
+
+/// Suction in a layer below the ground [Pa].
+struct SuctionLayer {
+  double depth = 0;  ///< of its lower end [m]
+  double initial = 0, mean = 0, least = 0, greatest = 0, driest = 0;
+};
+template <class V, As<SuctionLayer> R>
+void describe(V& v, R& r) {
+  v.key("depth", r.depth, {"m", "depth of the lower end"});
+  v.key("initial", r.initial, {"Pa", "mean suction at the start"});
+  v.key("mean", r.mean, {"Pa", "mean suction at the end"});
+  v.key("least", r.least, {"Pa", "least suction at the end"});
+  v.key("greatest", r.greatest, {"Pa", "greatest suction at the end"});
+  v.key("driest", r.driest, {"Pa", "greatest suction of the season"});
+}
+
+/// Rain and transpiration before the run [m³; per metre in plane strain].
+struct Season {
+  double duration = 0;  ///< [s]
+  double initial = 0, growth = 0, inflow = 0, outflow = 0, runoff = 0, potential = 0, transpired = 0;
+  double error = 0;  ///< of the budget, relative
+  int steps = 0, rejected = 0, iterations = 0;
+  std::vector<Discharge> surfaces;
+  std::vector<PlantWater> plants;
+  std::vector<SuctionLayer> layers;
+};
+template <class V, As<Season> R>
+void describe(V& v, R& r) {
+  v.key("duration", r.duration, {"s", "length of the season"});
+  v.key("initial", r.initial, {"m3", "water at the start"});
+  v.key("growth", r.growth, {"m3", "growth of the stored water"});
+  v.key("inflow", r.inflow, {"m3", "water that came in"});
+  v.key("outflow", r.outflow, {"m3", "water that left"});
+  v.key("runoff", r.runoff, {"m3", "rain that ran off"});
+  v.key("potential", r.potential, {"m3", "potential transpiration"});
+  v.key("transpired", r.transpired, {"m3", "transpiration"});
+  v.key("error", r.error, {"", "error of the budget"});
+  v.key("steps", r.steps, {"", "time steps"});
+  v.key("rejected", r.rejected, {"", "time steps that were repeated"});
+  v.key("iterations", r.iterations, {"", "iterations"});
+  v.key("surfaces", r.surfaces, {"", "water by side"});
+  v.key("plants", r.plants, {"", "water that plants drew"});
+  v.key("layers", r.layers, {"", "suction by depth"});
+}
+
+}  // namespace talus::results
