@@ -2,7 +2,7 @@
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
-import type { Calibration, CalibratedParameter } from "../contractCalibration";
+import type { Calibration, CalibratedParameter } from "../contract";
 import { DataTable } from "../page/DataTable";
 import { report } from "../state";
 import { centred, describeAxis, formatLogTick, titleWithPower } from "./axes";

@@ -1,5 +1,5 @@
 /** Numbers of the charts of a calibration. */
-import type { CalibratedCurve, Calibration } from "../contractCalibration";
+import type { CalibratedCurve, Calibration } from "../contract";
 import type { CsvColumn } from "./csv";
 import { type SeriesStyle, styleOf } from "./styles";
 

@@ -1,6 +1,6 @@
 /** All methods beside each other: factors by criterion with computing times, handed surfaces, how to read it. */
 import { CsvButton } from "../charts/Legend";
-import type { MethodRow, MethodTable } from "../contractMethods";
+import type { MethodRow, MethodTable } from "../contract";
 import { methodNames } from "../page/FactorTable";
 import { formatDifference, formatDuration, formatFactor, formatSentence } from "../page/format";
 import { Scroller } from "../page/Scroller";

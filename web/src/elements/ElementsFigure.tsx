@@ -3,7 +3,7 @@ import { useMemo, useState } from "preact/hooks";
 
 import { Choice } from "../charts/Legend";
 import { formatNumber, titleWithUnit } from "../charts/numbers";
-import type { FiniteElements, FlowRun } from "../contractMethods";
+import type { FiniteElements, FlowRun } from "../contract";
 import { drawOutlines, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";

@@ -3,7 +3,7 @@ import { useState } from "preact/hooks";
 
 import { Choice } from "../charts/Legend";
 import { formatNumber, formatQuantity } from "../charts/numbers";
-import type { FlowRun } from "../contractMethods";
+import type { FlowRun } from "../contract";
 import { formatSentence } from "../page/format";
 import { Scroller } from "../page/Scroller";
 import { report } from "../state";

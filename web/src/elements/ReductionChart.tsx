@@ -7,7 +7,7 @@ import { Chart } from "../charts/Chart";
 import { Choice, Legend } from "../charts/Legend";
 import { formatQuantity } from "../charts/numbers";
 import { styleOf } from "../charts/styles";
-import type { FlowRun } from "../contractMethods";
+import type { FlowRun } from "../contract";
 import { report } from "../state";
 
 export function ReductionChart({ runs }: { runs: FlowRun[] }) {

@@ -1,7 +1,7 @@
 /** The trials of the strength reduction with their residuals. */
 import { CsvButton } from "../charts/Legend";
 import { formatNumber, titleWithUnit } from "../charts/numbers";
-import type { FlowRun } from "../contractMethods";
+import type { FlowRun } from "../contract";
 import { Scroller } from "../page/Scroller";
 import { report } from "../state";
 

@@ -6,7 +6,7 @@ import { centred } from "../charts/axes";
 import { Chart } from "../charts/Chart";
 import { CsvButton, Legend } from "../charts/Legend";
 import { formatNumber, titleWithUnit } from "../charts/numbers";
-import type { SampledValues } from "../contractSampling";
+import type { SampledValues } from "../contract";
 import { findDensity, formatShare } from "./probability";
 
 interface Props {

@@ -5,7 +5,7 @@ import { centred } from "../charts/axes";
 import { Chart } from "../charts/Chart";
 import { CsvButton, Legend } from "../charts/Legend";
 import { formatNumber } from "../charts/numbers";
-import type { Sampling } from "../contractSampling";
+import type { Sampling } from "../contract";
 import { showName, showValue } from "./names";
 
 const low = { colour: "var(--series-2)", dash: "", symbol: "circle" } as const;

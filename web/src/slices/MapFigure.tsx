@@ -2,7 +2,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 
 import { formatNumber } from "../charts/numbers";
-import type { FactorMap, SlicedSurface, Slices } from "../contractMethods";
+import type { FactorMap, SlicedSurface, Slices } from "../contract";
 import { useDark } from "../drawing/dark";
 import { drawOutlines, drawSoils, drawWater } from "../drawing/ground";
 import { LineKey } from "../drawing/Keys";

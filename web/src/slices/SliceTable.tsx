@@ -3,7 +3,7 @@ import { useState } from "preact/hooks";
 
 import { CsvButton } from "../charts/Legend";
 import { formatNumber, titleWithUnit } from "../charts/numbers";
-import type { SlicedSurface } from "../contractMethods";
+import type { SlicedSurface } from "../contract";
 import { SymbolText } from "../page/DataTable";
 import { Scroller } from "../page/Scroller";
 import { orderValues } from "./order";

@@ -3,7 +3,7 @@ import { useMemo, useState } from "preact/hooks";
 
 import { Choice } from "../charts/Legend";
 import { formatNumber } from "../charts/numbers";
-import type { LocalMinimum, SlicedSurface, Slices } from "../contractMethods";
+import type { LocalMinimum, SlicedSurface, Slices } from "../contract";
 import { useDark } from "../drawing/dark";
 import { clipToSoil, drawOutlines, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";

@@ -2,7 +2,7 @@
 import { describe, expect, it } from "vitest";
 
 import { findRange, groupCurves, makeCurveCsv, makeParameterCsv, shortenKey } from "../../src/charts/calibrationData";
-import type { CalibratedCurve, Calibration } from "../../src/contractCalibration";
+import type { CalibratedCurve, Calibration } from "../../src/contract";
 
 const quantity = (name: string, unit: string) => ({ name, title: name, unit });
 const curve = (test: string, x: string, y: string, at: number[], measured: number[]): CalibratedCurve => ({

@@ -5,12 +5,10 @@
  * that schema, the tests of the page hold a real report against it too. Numbers are SI; `Unit.si` converts for display.
  */
 
-import type { Calibration } from "./contractCalibration";
-import type { FiniteElements, MethodTable, Slices } from "./contractMethods";
-import type { Sampling } from "./contractSampling";
-import type { SoilWater, Water } from "./contractWater";
-
-export type { HydraulicCondition, Season, SoilWater, SteadySeepage, Water, WaterBudget } from "./contractWater";
+import type { Calibration } from "./calibration";
+import type { FiniteElements, MethodTable, Slices } from "./methods";
+import type { Sampling } from "./sampling";
+import type { SoilWater, Water } from "./water";
 
 /** How a quantity is shown: value in SI = value shown × si. */
 export interface Unit {

@@ -1,5 +1,5 @@
 /** The part of the data contract that slices, finite elements and their comparison with material points have. */
-import type { PackedArray } from "./contract";
+import type { PackedArray } from "./report";
 
 /** Factors of safety by method, and the surfaces that the methods found. */
 export interface MethodTable {
