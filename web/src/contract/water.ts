@@ -1,5 +1,5 @@
-/** The part of the data contract that pore water has: soils, conditions, start, weather before the run, budget. */
-import type { Unit } from "./report";
+/** Pore water: soils, conditions, start, weather before the run, budget. */
+import type { Unit } from "./units";
 
 /** What a soil does with water: the laws in words, their parameters, and their curves. */
 export interface SoilWater {

@@ -1,3 +1,44 @@
+/** Soil by itself: element tests, and the calibration on measured ones. */
+import type { Column } from "./units";
+
+/** Element tests: one point of soil each, without a mesh. */
+export interface PointTests {
+  tests: PointTest[];
+  groups: PointGroup[];
+}
+
+export interface PointTest {
+  name: string;
+  material: string;
+  /** "drained triaxial compression". */
+  kind: string;
+  /** "from 100 kPa all round to an axial strain of 25 %, strain-controlled". */
+  path: string;
+  /** What the test changes of its material: "root_content = 0.44". */
+  set: string;
+  /** Why it ended before its goal; empty when it did not. */
+  stopped: string;
+  /** Largest deviatoric stress [Pa], and the axial (of simple shear: shear) strain there [-]. */
+  peak_q: number;
+  peak_q_strain: number;
+  /** Of the last row: stresses [Pa]. */
+  end: { q: number; p: number; volumetric_strain: number; void_ratio: number; preconsolidation: number };
+  /** What the diagrams show; all of one length. */
+  columns: Column[];
+}
+
+/** Tests of one kind of apparatus, and the diagrams that show them. */
+export interface PointGroup {
+  id: string;
+  title: string;
+  /** Names of columns. */
+  panels: { x: string; y: string; log_x: boolean }[];
+  /** Numbers of its tests, and of each the number of its colour and of its dashes. */
+  tests: number[];
+  colour: number[];
+  dash: number[];
+}
+
 /** The part of the data contract that `talus calibrate` has. */
 
 export interface CalibratedQuantity {
