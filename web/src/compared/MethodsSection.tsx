@@ -1,5 +1,5 @@
 /** All methods beside each other: factors by criterion with computing times, handed surfaces, how to read it. */
-import { CsvButton } from "../charts/Legend";
+import { CsvButton } from "../charts/base/Legend";
 import type { MethodRow, MethodTable } from "../contract";
 import { methodNames } from "../page/FactorTable";
 import { formatDifference, formatDuration, formatFactor, formatSentence } from "../page/format";

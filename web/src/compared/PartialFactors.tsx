@@ -1,5 +1,5 @@
 /** Partial factors, design values and the over-design factor. */
-import { formatNumber } from "../charts/numbers";
+import { formatNumber } from "../charts/base/numbers";
 import type { MethodTable } from "../contract";
 import { SymbolText } from "../page/DataTable";
 import { formatFactor, formatSentence } from "../page/format";

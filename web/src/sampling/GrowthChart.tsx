@@ -1,5 +1,5 @@
 /** How the estimate of the probability of failure settled as the samples grew. */
-import { formatNumber } from "../charts/numbers";
+import { formatNumber } from "../charts/base/numbers";
 import type { FailureProbability } from "../contract";
 import { BandChart } from "./BandChart";
 

@@ -1,5 +1,5 @@
 /** The uncertain numbers: as asked, as sampled, and how the factor follows them. */
-import { formatNumber } from "../charts/numbers";
+import { formatNumber } from "../charts/base/numbers";
 import type { Sampling } from "../contract";
 import { formatUnit } from "../page/format";
 import { Scroller } from "../page/Scroller";

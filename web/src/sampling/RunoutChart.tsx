@@ -1,5 +1,5 @@
 /** How probable it is that the soil comes farther than a distance beyond the toe. */
-import { formatNumber } from "../charts/numbers";
+import { formatNumber } from "../charts/base/numbers";
 import type { Runout } from "../contract";
 import { Scroller } from "../page/Scroller";
 import { BandChart } from "./BandChart";

@@ -1,5 +1,5 @@
 /** A study with sampled numbers: probability of failure, distribution of the factor, sensitivities, runout. */
-import { formatNumber, formatQuantity } from "../charts/numbers";
+import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { Sampling } from "../contract";
 import { Facts } from "../page/DataTable";
 import { formatSentence } from "../page/format";

@@ -1,7 +1,7 @@
 // CSV of the charts: what a reader after RFC 4180 gets back is what was put in, to the last digit.
 import { expect, test } from "vitest";
 
-import { makeFileName, writeCsv } from "../../src/charts/csv";
+import { makeFileName, writeCsv } from "../../src/charts/base/csv";
 
 /** A reader after the grammar of RFC 4180, which knows nothing of the writer. */
 function readCsv(text: string): string[][] {
