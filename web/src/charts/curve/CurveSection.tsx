@@ -78,7 +78,7 @@ function CurveChart({ curve }: { curve: Curve }) {
     const flags = placeFlags(at, found.map((c) => label(c).length * characterWidth + 14), width - 2);
     // The title of the axis has the row next to the frame when a label would stand in it.
     const reach = found.map((c, i) => at[i]! - (flags.side === "left" ? label(c).length * characterWidth : 0));
-    if (reach.some((x) => x < margin.left + titleWidth)) flags.rows = flags.rows.map((row) => row + 1);
+    if (reach.some((end) => end < margin.left + titleWidth)) flags.rows = flags.rows.map((row) => row + 1);
     const rows = Math.max(0, ...flags.rows) + 1;
     const line = (branch: NonNullable<Curve["bilinear"]>["first"]) =>
       sampleBranch(branch, x[0], x[1], y[0] * unit.si, y[1] * unit.si).map(([f, u]) => [f, u / unit.si]);

@@ -105,12 +105,12 @@ export function ProfileChart({ lines, field, vertical, onRemove }: ProfileProps)
         showReading
         hint="Point at a height to read it."
         read={(i) => {
-          const bins = lines.map((l) => ({ line: l, bin: l.bins.find((b) => b.layer === layers[i]) }));
+          const hits = lines.map((l) => ({ line: l, bin: l.bins.find((b) => b.layer === layers[i]) }));
           const tell = (bin?: Bin) => formatQuantity(bin && bin.mean / unit.si, unit.name);
-          const values = bins.map(({ line, bin }) => `${line.title}: ${tell(bin)}`);
+          const values = hits.map(({ line, bin }) => `${line.title}: ${tell(bin)}`);
           return {
             text: `${letter} = ${formatQuantity(heights[i], length.name)}; ${values.join("; ")}`,
-            marks: bins.flatMap(({ line, bin }) =>
+            marks: hits.flatMap(({ line, bin }) =>
               bin ? [{ value: bin.mean / unit.si, at: bin.height / length.si, colour: line.style.colour }] : [],
             ),
           };
