@@ -10,7 +10,7 @@ import { PartialFactors } from "./PartialFactors";
 /** Others are compared with Spencer's critical circle, else with the first factor there is. */
 function chooseReference(rows: MethodRow[]): MethodRow | undefined {
   const found = rows.filter((row) => row.factor !== null);
-  return found.find((row) => row.method === "lem" && row.name.replace(/^lem\./, "") === "spencer") ?? found[0];
+  return found.find((row) => row.method === "lem" && row.name === "spencer") ?? found[0];
 }
 
 interface RowsProps {
@@ -48,12 +48,12 @@ function RowTable({ rows, reference, compare, label }: RowsProps) {
         <tbody>
           {rows.map((row, i) => {
             const difference = compare(row);
+            // The titles of the other methods begin with the method.
+            const before = row.method === "lem" && <span class="chart-missing">{methodNames.lem}: </span>;
             return (
               <tr key={i}>
                 <th scope="row">
-                  {!row.title.startsWith(methodNames[row.method] ?? row.method) && (
-                    <span class="chart-missing">{methodNames[row.method] ?? row.method}: </span>
-                  )}
+                  {before}
                   {row.title}
                 </th>
                 <td>{row.criterion}</td>

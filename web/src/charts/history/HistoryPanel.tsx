@@ -40,14 +40,17 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
   const visible = series.filter((s) => !hidden.has(s.name));
   const times = useMemo(() => panel.x.values.map((t) => t ?? Number.NaN), [panel]);
   const limits = useMemo(() => findRestLimits(report.value.input, report.value.model.slope_height), [report.value]);
-  const name = panel.series[0]?.name;
-  const limit = name === "force_ratio" ? limits.forceRatio : name === "nodal_speed" ? limits.nodalSpeed : null;
+  const limit =
+    panel.kind === "force_ratio" ? limits.forceRatio
+    : panel.kind === "nodal_speed" ? limits.nodalSpeed
+    : null;
   const shape = (v: number | null) => (v === null || !log ? v : Math.abs(v) > 0 ? Math.abs(v) : null);
   const drawn = visible.flatMap((s) => s.values.map(shape)).filter((v): v is number => Number.isFinite(v));
   const domain: [number, number] = drawn.length ? findDomain(drawn, log, limit) : [log ? 0.1 : 0, 1];
   const below = drawn.some((v) => v < domain[0]) ? "Smaller values lie below the axis; the CSV holds them." : undefined;
   const at = cross.value === null || printing.value ? -1 : findNearest(times, cross.value);
-  const signed = panel.series.some((s) => s.values.some((v) => (v ?? 0) < 0)) && !/magnitude/.test(panel.title);
+  // The title of the momentum says already that it is a magnitude.
+  const signed = panel.series.some((s) => s.values.some((v) => (v ?? 0) < 0)) && panel.kind !== "momentum";
   const title = log && signed ? `${panel.title}, magnitude` : panel.title;
 
   const tellTime = (i: number) => `${panel.x.title} ${formatQuantity(times[i], panel.x.unit)}`;
@@ -59,7 +62,7 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
     const ticks = log ? findLogTicks(domain, 6) : 5;
     const stages = own === sequenceOfStages() ? findStageSpans(report.value.model.stages) : [];
     return {
-      height: panel.id.endsWith(".energy") || monitors ? 250 : 200,
+      height: panel.kind === "energy" || monitors ? 250 : 200,
       marginLeft: 58,
       marginRight: 12,
       marginTop: 26,

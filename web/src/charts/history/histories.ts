@@ -3,6 +3,24 @@ import type { Column, Report, Sequence, Table } from "../../contract";
 import { findEnergyBalance, takeChange } from "./energy";
 import { findLargest, scaleUnit } from "../base/numbers";
 
+/** What a panel shows; "other" for a quantity that stands alone. */
+export type PanelKind =
+  | "energy"
+  | "force_ratio"
+  | "nodal_speed"
+  | "momentum"
+  | "largest_pressure"
+  | "water_flow"
+  | "water_mass"
+  | "pore_pressure"
+  | "saturation"
+  | "largest"
+  | "displacement"
+  | "stress"
+  | "velocity"
+  | "strain"
+  | "other";
+
 export interface Series {
   name: string;
   title: string;
@@ -12,6 +30,7 @@ export interface Series {
 
 export interface Panel {
   id: string;
+  kind: PanelKind;
   title: string;
   unit: string;
   log: boolean;
@@ -59,7 +78,7 @@ const isFlow = (name: string) => /\.(inflow|outflow|runoff)$/.test(name);
 const leastFlow = 1e-9;
 
 interface Kind {
-  id: string;
+  id: PanelKind;
   title: string;
   log: boolean;
   first: boolean;
@@ -99,7 +118,7 @@ function makeEnergyPanel(table: Table): Panel | null {
     balance && last !== undefined && balance.work > 0 ?
       `Residual at the end: ${((100 * Math.abs(last)) / balance.work).toPrecision(2)} % of the largest external work.`
     : undefined;
-  const head = { id: `${table.id}.energy`, title: "Energies and work", log: false, first: true };
+  const head = { id: `${table.id}.energy`, kind: "energy" as const, title: "Energies and work", log: false, first: true };
   return { ...head, unit, x: table.x, series, note };
 }
 
@@ -118,16 +137,16 @@ export function makePanels(table: Table): Panel[] {
     let panel = rest.get(key);
     if (!panel) {
       const title = kind?.title ?? column.title.replace(/ [xyz]$/, "");
-      const head = { id: `${table.id}.${key}`, title, unit: column.unit, x: table.x, series: [] as Series[] };
-      rest.set(key, (panel = { ...head, log: kind?.log ?? false, first: kind?.first ?? false }));
+      const head = { id: `${table.id}.${key}`, kind: kind?.id ?? "other", title, unit: column.unit, x: table.x };
+      rest.set(key, (panel = { ...head, log: kind?.log ?? false, first: kind?.first ?? false, series: [] }));
     }
     // "crest.displacement_x" is read as "crest, displacement x".
     const title = column.title.replace(/^([^.]+)\.(?=\D)/, "$1, ").replaceAll("_", " ");
     panel.series.push({ name: column.name, title, values: column.values });
   }
-  const order = (p: Panel) => kinds.findIndex((k) => k.title === p.title) + (p.first ? 0 : 100);
-  const known = [...rest.values()].filter((p) => kinds.some((k) => k.title === p.title));
-  const other = [...rest.values()].filter((p) => !known.includes(p));
+  const order = (p: Panel) => kinds.findIndex((k) => k.id === p.kind) + (p.first ? 0 : 100);
+  const known = [...rest.values()].filter((p) => p.kind !== "other");
+  const other = [...rest.values()].filter((p) => p.kind === "other");
   return [...panels, ...known.sort((a, b) => order(a) - order(b)), ...other];
 }
 
