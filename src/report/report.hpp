@@ -9,7 +9,7 @@
 
 namespace talus::report {
 
-/// The document of web/src/contract.ts and the arrays beside it.
+/// The document of web/src/contract/ and the arrays beside it.
 struct Content {
   nlohmann::json document;
   std::vector<PackedText> arrays;

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The reports of the dry slope, of a small wet bank, of a slope by three methods, and of two studies, as the program
-# writes them: held against their contract and their results by the tests of web/, then opened and used in a headless
-# Chromium. The second argument is a folder for results and screenshots.
+# The code of web/ after the rules of its linter (web/.oxlintrc.jsonc). Then the reports of the dry slope, of a small wet
+# bank, of a slope by three methods, and of two studies, as the program writes them: held against their contract and
+# their results by the tests of web/, then opened and used in a headless Chromium. The second argument is a folder for
+# results and screenshots.
 set -euo pipefail
 talus=$1
 folder=$2
@@ -12,6 +13,7 @@ skip() {
 }
 command -v node >/dev/null || skip "there is no Node, so the page of the reports is not tested"
 [ -d "$root/web/node_modules" ] || skip "web/node_modules is not there (the build installs it), so the page is not tested"
+(cd "$root/web" && npx --no-install oxlint)
 
 "$talus" run "$root/examples/dry_slope/case.toml" -o "$folder/results" --overwrite --quiet
 size=$(stat -c %s "$folder/results/report.html")

@@ -67,9 +67,9 @@ try {
   await list.group("Print", async () => checkPrint(list, await open(), out));
   for (const colorScheme of ["light", "dark"])
     await list.group(`Accessibility, ${colorScheme}`, async () => {
-      const page = await open({ colorScheme });
-      await scrollThrough(page);
-      await checkAccessibility(list, page, colorScheme);
+      const coloured = await open({ colorScheme });
+      await scrollThrough(coloured);
+      await checkAccessibility(list, coloured, colorScheme);
     });
   await list.group("Words", async () => {
     // Last: every part of these pages has been drawn, used and scrolled through.

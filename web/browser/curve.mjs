@@ -16,13 +16,13 @@ export async function checkCurve(list, page, folder, out) {
   const download = await downloading;
   const path = join(out, "curve.csv");
   await download.saveAs(path);
-  list.expect(/\.csv$/.test(download.suggestedFilename()), `the download is called ${download.suggestedFilename()}`);
+  list.expect(download.suggestedFilename().endsWith(".csv"), `the download is called ${download.suggestedFilename()}`);
   const original = join(folder, "curve.csv");
   if (!existsSync(original)) return list.note("no curve.csv in the results folder to compare with");
   const [expected, got] = [original, path].map((file) => readCsv(readFileSync(file, "utf8")));
   const rows = `${got.length}, not ${expected.length}`;
   list.expect(got.length === expected.length, "the CSV has a row for every trial", rows);
-  const header = (rows) => rows[0].map((name) => String(name).toLowerCase());
+  const header = (table) => table[0].map((name) => String(name).toLowerCase());
   for (const [column, name] of header(expected).entries()) {
     const place = header(got).findIndex((other) => other.split(" [")[0] === name.split(" [")[0]);
     if (!list.expect(place >= 0, `the CSV has the column '${name}'`, header(got).join(", "))) continue;

@@ -53,7 +53,7 @@ async function checkSlices(list, page, report, out) {
     await stage.scrollIntoViewIfNeeded();
     const { x, y, width, height } = await stage.boundingBox();
     let reading = "";
-    for (let share = 0.3; share < 0.8 && !/^F = /.test(reading); share += 0.02) {
+    for (let share = 0.3; share < 0.8 && !reading.startsWith("F = "); share += 0.02) {
       await page.mouse.move(x + 0.5 * width, y + share * height);
       await page.waitForTimeout(30);
       reading = await page.locator("#slices .drawing .chart-reading").first().innerText();

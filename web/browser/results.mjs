@@ -29,7 +29,7 @@ export async function readFrame(page, array, frame) {
     for (let k = width - 1; k >= 0; --k) number = number * 256 + bytes[array.planes ? k * count + i : i * width + k];
     return number;
   };
-  const values = new Array(row).fill(0);
+  const values = Array.from({ length: row }, () => 0);
   for (let f = array.delta ? 0 : frame; f <= frame; ++f)
     for (let i = 0; i < row; ++i) values[i] = (values[i] + read(f * row + i)) % 256 ** width;
   if (!array.range) return values;

@@ -1,4 +1,4 @@
-/** contract/report.schema.json is what contract.ts says: the C++ tests hold what they write against that file. */
+/** contract/report.schema.json is what src/contract/ says: the C++ tests hold what they write against that file. */
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { createGenerator } from "ts-json-schema-generator";
@@ -8,7 +8,7 @@ const inWeb = (path: string) => fileURLToPath(new URL(`../${path}`, import.meta.
 
 it("contract/report.schema.json is up to date (else: npm run schema)", () => {
   const generator = createGenerator({
-    path: inWeb("src/contract.ts"),
+    path: inWeb("src/contract/report.ts"),
     type: "Report",
     tsconfig: inWeb("tsconfig.json"),
   });

@@ -1,5 +1,5 @@
 #pragma once
-// A calibration of a folder (`Calibration` in web/src/contractCalibration.ts).
+// A calibration of a folder (`Calibration` in web/src/contract/).
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The displacement curve of a run (`Curve` in web/src/contract.ts).
+// The displacement curve of a run (`Curve` in web/src/contract/).
 
 #include <nlohmann/json.hpp>
 

@@ -6,7 +6,7 @@
 
 namespace talus::report {
 
-/// `FiniteElements` of web/src/contractMethods.ts; null when the run has none. Fields that cannot be read cost their
+/// `FiniteElements` of web/src/contract/; null when the run has none. Fields that cannot be read cost their
 /// picture and add a warning.
 nlohmann::json make_finite_elements(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 

@@ -6,7 +6,7 @@
 
 namespace talus::report {
 
-/// Project, Provenance and Timing of web/src/contract.ts.
+/// Project, Provenance and Timing of web/src/contract/.
 nlohmann::json make_project(const nlohmann::json& summary);
 nlohmann::json make_provenance(const nlohmann::json& summary, const std::filesystem::path& folder);
 nlohmann::json make_timing(const nlohmann::json& summary);

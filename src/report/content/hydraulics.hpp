@@ -1,5 +1,5 @@
 #pragma once
-// The hydraulic conditions of a case as a person reads them (`HydraulicCondition` in web/src/contract.ts).
+// The hydraulic conditions of a case as a person reads them (`HydraulicCondition` in web/src/contract/).
 
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -6,7 +6,7 @@
 
 namespace talus::report {
 
-/// MaterialRow of web/src/contract.ts. `factor_of_safety`: what the strength is divided by "at failure".
+/// MaterialRow of web/src/contract/. `factor_of_safety`: what the strength is divided by "at failure".
 nlohmann::json list_materials(const nlohmann::json& summary, std::optional<double> factor_of_safety);
 
 }  // namespace talus::report

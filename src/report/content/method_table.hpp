@@ -6,10 +6,10 @@
 
 namespace talus::report {
 
-/// `MethodTable` of web/src/contractMethods.ts; null for a run of material points alone.
+/// `MethodTable` of web/src/contract/; null for a run of material points alone.
 nlohmann::json make_method_table(const nlohmann::json& summary);
 
-/// `Factor`s of web/src/contract.ts by slices and finite elements; given and handed surfaces only where no critical one
+/// `Factor`s of web/src/contract/ by slices and finite elements; given and handed surfaces only where no critical one
 /// was sought. Of each method one is marked as main: Spencer's critical circle, else the first with a value; of finite
 /// elements the first.
 nlohmann::json list_other_factors(const nlohmann::json& summary);

@@ -1,5 +1,5 @@
 #pragma once
-// The calculation model as the report shows it (`Model` in web/src/contract.ts).
+// The calculation model as the report shows it (`Model` in web/src/contract/).
 
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-// Element tests of a folder (`PointTests` in web/src/contract.ts).
+// Element tests of a folder (`PointTests` in web/src/contract/).
 
 #include <nlohmann/json.hpp>
 

@@ -20,7 +20,7 @@ std::optional<double> find_void_ratio(const nlohmann::json& soil);
 /// M of a critical state whose tan φ is divided by a factor [-].
 double reduce_slope(double slope, double factor);
 
-/// Rows of one material (`properties` of MaterialRow in web/src/contract.ts).
+/// Rows of one material (`properties` of MaterialRow in web/src/contract/).
 class Properties {
  public:
   /// `design`, `failure`: what the strength is divided by in the last stage, and at failure.

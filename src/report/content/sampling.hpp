@@ -5,7 +5,7 @@
 
 namespace talus::report {
 
-/// `Sampling` of web/src/contractSampling.ts from the block of study.json.
+/// `Sampling` of web/src/contract/ from the block of study.json.
 nlohmann::json make_sampling(const nlohmann::json& block);
 
 /// The answer of a sampling in words, the most important sentence first.

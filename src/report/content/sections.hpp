@@ -6,7 +6,7 @@
 
 namespace talus::report {
 
-/// `Section[]` of web/src/contract.ts from sections/*.csv in `folder`, at the times that are shown; empty when there
+/// `Section[]` of web/src/contract/ from sections/*.csv in `folder`, at the times that are shown; empty when there
 /// are none. A table that cannot be read adds a warning.
 nlohmann::json make_sections(const std::filesystem::path& folder, const nlohmann::json& summary,
                              nlohmann::json& warnings);

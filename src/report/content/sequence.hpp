@@ -1,5 +1,5 @@
 #pragma once
-// Frames that belong together, thinned and packed (`Sequence` in web/src/contract.ts).
+// Frames that belong together, thinned and packed (`Sequence` in web/src/contract/).
 
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -6,7 +6,7 @@
 
 namespace talus::report {
 
-/// `Slices` of web/src/contractMethods.ts; null when the run has none. What of the trials cannot be read costs them and
+/// `Slices` of web/src/contract/; null when the run has none. What of the trials cannot be read costs them and
 /// adds a warning.
 nlohmann::json make_slices(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the soils of a run do with pore water, from the echo of its input (`SoilWater` in web/src/contract.ts).
+// What the soils of a run do with pore water, from the echo of its input (`SoilWater` in web/src/contract/).
 
 #include <nlohmann/json.hpp>
 #include <optional>

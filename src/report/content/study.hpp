@@ -12,7 +12,7 @@ namespace talus::report {
 struct StudyContent {
   ResultFolder first;     ///< of the first variant that has a summary: its model and input stand for all
   std::string status;     ///< finished when all variants are
-  nlohmann::json answer;  ///< `Answer` of web/src/contract.ts
+  nlohmann::json answer;  ///< `Answer` of web/src/contract/
   nlohmann::json warnings, timing;
   nlohmann::json table;      ///< `Study`
   nlohmann::json sequences;  ///< frames of the variants, for pictures side by side

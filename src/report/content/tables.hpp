@@ -1,5 +1,5 @@
 #pragma once
-// Histories and ground profiles as columns (`Table` in web/src/contract.ts).
+// Histories and ground profiles as columns (`Table` in web/src/contract/).
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Pore water of a run: what it is, how it began, what it met, and where it went (`Water` in web/src/contractWater.ts).
+// Pore water of a run: what it is, how it began, what it met, and where it went (`Water` in web/src/contract/).
 
 #include "report/folder.hpp"
 

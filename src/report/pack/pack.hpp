@@ -1,5 +1,5 @@
 #pragma once
-// Arrays of a report as text: quantised, compressed, in base64 (`PackedArray` in web/src/contract.ts).
+// Arrays of a report as text: quantised, compressed, in base64 (`PackedArray` in web/src/contract/).
 
 #include <cstddef>
 #include <cstdint>

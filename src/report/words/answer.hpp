@@ -12,7 +12,7 @@ namespace talus::report {
 /// criterion of the curve that found one; without material points of slices, else of finite elements.
 std::optional<double> find_main_factor(const nlohmann::json& summary);
 
-/// `Answer` of web/src/contract.ts.
+/// `Answer` of web/src/contract/.
 nlohmann::json make_answer(const ResultFolder& folder);
 
 /// finished, interrupted, unstable, failed; "unfinished" for a run that was killed.

@@ -1,5 +1,5 @@
 #pragma once
-// Which paragraphs of the methods section apply to a run (`Method` in web/src/contract.ts).
+// Which paragraphs of the methods section apply to a run (`Method` in web/src/contract/).
 
 #include <nlohmann/json.hpp>
 

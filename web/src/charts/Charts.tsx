@@ -1,11 +1,11 @@
 /** The charts of the page. */
 import "./charts.css";
 
-export { CalibrationSection } from "./CalibrationSection";
-export { CompareSection } from "./CompareSection";
-export { CurveSection } from "./CurveSection";
-export { HistorySection } from "./HistorySection";
-export { PointSection } from "./PointSection";
-export { ProfileSection } from "./ProfileSection";
-export { SoilWaterSection } from "./SoilWaterSection";
-export { StudySection } from "./StudySection";
+export { CalibrationSection } from "./laboratory/CalibrationSection";
+export { CompareSection } from "./compare/CompareSection";
+export { CurveSection } from "./curve/CurveSection";
+export { HistorySection } from "./history/HistorySection";
+export { PointSection } from "./laboratory/PointSection";
+export { ProfileSection } from "./profile/ProfileSection";
+export { SoilWaterSection } from "./water/SoilWaterSection";
+export { StudySection } from "./study/StudySection";

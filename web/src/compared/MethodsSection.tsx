@@ -1,6 +1,6 @@
 /** All methods beside each other: factors by criterion with computing times, handed surfaces, how to read it. */
-import { CsvButton } from "../charts/Legend";
-import type { MethodRow, MethodTable } from "../contractMethods";
+import { CsvButton } from "../charts/base/Legend";
+import type { MethodRow, MethodTable } from "../contract";
 import { methodNames } from "../page/FactorTable";
 import { formatDifference, formatDuration, formatFactor, formatSentence } from "../page/format";
 import { Scroller } from "../page/Scroller";
@@ -10,7 +10,7 @@ import { PartialFactors } from "./PartialFactors";
 /** Others are compared with Spencer's critical circle, else with the first factor there is. */
 function chooseReference(rows: MethodRow[]): MethodRow | undefined {
   const found = rows.filter((row) => row.factor !== null);
-  return found.find((row) => row.method === "lem" && row.name.replace(/^lem\./, "") === "spencer") ?? found[0];
+  return found.find((row) => row.method === "lem" && row.name === "spencer") ?? found[0];
 }
 
 interface RowsProps {
@@ -48,12 +48,12 @@ function RowTable({ rows, reference, compare, label }: RowsProps) {
         <tbody>
           {rows.map((row, i) => {
             const difference = compare(row);
+            // The titles of the other methods begin with the method.
+            const before = row.method === "lem" && <span class="chart-missing">{methodNames.lem}: </span>;
             return (
               <tr key={i}>
                 <th scope="row">
-                  {!row.title.startsWith(methodNames[row.method] ?? row.method) && (
-                    <span class="chart-missing">{methodNames[row.method] ?? row.method}: </span>
-                  )}
+                  {before}
                   {row.title}
                 </th>
                 <td>{row.criterion}</td>

@@ -1,6 +1,6 @@
 /** Partial factors, design values and the over-design factor. */
-import { formatNumber } from "../charts/numbers";
-import type { MethodTable } from "../contractMethods";
+import { formatNumber } from "../charts/base/numbers";
+import type { MethodTable } from "../contract";
 import { SymbolText } from "../page/DataTable";
 import { formatFactor, formatSentence } from "../page/format";
 import { Scroller } from "../page/Scroller";

@@ -1,5 +1,5 @@
 /** The two canvases of a drawing, its view, and when they are drawn. */
-import { printing } from "../charts/printing";
+import { printing } from "../charts/base/printing";
 import { Camera } from "../viewer/camera";
 import { drawRulers } from "../viewer/rulers";
 import { drawScaleBar, uprightFrom, type Bar, type Key } from "../viewer/scaleBar";

@@ -1,9 +1,9 @@
 /** The finite elements at failure: shear strain or displacement, deformed if wanted, plastic elements, slip line. */
 import { useMemo, useState } from "preact/hooks";
 
-import { Choice } from "../charts/Legend";
-import { formatNumber, titleWithUnit } from "../charts/numbers";
-import type { FiniteElements, FlowRun } from "../contractMethods";
+import { Choice } from "../charts/base/Legend";
+import { formatNumber, titleWithUnit } from "../charts/base/numbers";
+import type { FiniteElements, FlowRun } from "../contract";
 import { drawOutlines, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";

@@ -1,9 +1,9 @@
 /** Strength reduction by finite elements: factors by both criteria, the picture at failure, the trials. */
 import { useState } from "preact/hooks";
 
-import { Choice } from "../charts/Legend";
-import { formatNumber, formatQuantity } from "../charts/numbers";
-import type { FlowRun } from "../contractMethods";
+import { Choice } from "../charts/base/Legend";
+import { formatNumber, formatQuantity } from "../charts/base/numbers";
+import type { FlowRun } from "../contract";
 import { formatSentence } from "../page/format";
 import { Scroller } from "../page/Scroller";
 import { report } from "../state";

@@ -2,12 +2,12 @@
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
-import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../charts/axes";
-import { Chart } from "../charts/Chart";
-import { Choice, Legend } from "../charts/Legend";
-import { formatQuantity } from "../charts/numbers";
-import { styleOf } from "../charts/styles";
-import type { FlowRun } from "../contractMethods";
+import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../charts/base/axes";
+import { Chart } from "../charts/base/Chart";
+import { Choice, Legend } from "../charts/base/Legend";
+import { formatQuantity } from "../charts/base/numbers";
+import { styleOf } from "../charts/base/styles";
+import type { FlowRun } from "../contract";
 import { report } from "../state";
 
 export function ReductionChart({ runs }: { runs: FlowRun[] }) {

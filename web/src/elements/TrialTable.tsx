@@ -1,7 +1,7 @@
 /** The trials of the strength reduction with their residuals. */
-import { CsvButton } from "../charts/Legend";
-import { formatNumber, titleWithUnit } from "../charts/numbers";
-import type { FlowRun } from "../contractMethods";
+import { CsvButton } from "../charts/base/Legend";
+import { formatNumber, titleWithUnit } from "../charts/base/numbers";
+import type { FlowRun } from "../contract";
 import { Scroller } from "../page/Scroller";
 import { report } from "../state";
 

@@ -1,7 +1,7 @@
 /** Decodes mesh and fields of the finite elements. */
 import { useEffect, useState } from "preact/hooks";
 
-import type { FiniteElements, FlowRun } from "../contractMethods";
+import type { FiniteElements, FlowRun } from "../contract";
 import { load, loadIntegers } from "../state";
 import type { QuadraticMesh } from "./fieldPainter";
 

@@ -1,6 +1,6 @@
 /** What the viewer opens on where slip surfaces of other methods lie over the material points. */
 import { effect } from "@preact/signals";
-import { findRestLimits, judgeTrial } from "../charts/rest";
+import { findRestLimits, judgeTrial } from "../charts/curve/rest";
 import type { Report } from "../contract";
 import { fieldName, frameIndex, sequenceIndex } from "../state";
 import { limitMode } from "../viewer/settings";

@@ -2,10 +2,10 @@
 import * as Plot from "@observablehq/plot";
 import { useState } from "preact/hooks";
 
-import { centred, findLogTicks, formatLogTick } from "../charts/axes";
-import { Chart } from "../charts/Chart";
-import { Choice, CsvButton } from "../charts/Legend";
-import { formatNumber } from "../charts/numbers";
+import { centred, findLogTicks, formatLogTick } from "../charts/base/axes";
+import { Chart } from "../charts/base/Chart";
+import { Choice, CsvButton } from "../charts/base/Legend";
+import { formatNumber } from "../charts/base/numbers";
 import { formatShare } from "./probability";
 
 interface Props {

@@ -1,6 +1,6 @@
 /** How the estimate of the probability of failure settled as the samples grew. */
-import { formatNumber } from "../charts/numbers";
-import type { FailureProbability } from "../contractSampling";
+import { formatNumber } from "../charts/base/numbers";
+import type { FailureProbability } from "../contract";
 import { BandChart } from "./BandChart";
 
 export function GrowthChart({ failure }: { failure: FailureProbability }) {

@@ -2,11 +2,11 @@
 import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";
 
-import { centred } from "../charts/axes";
-import { Chart } from "../charts/Chart";
-import { CsvButton, Legend } from "../charts/Legend";
-import { formatNumber, titleWithUnit } from "../charts/numbers";
-import type { SampledValues } from "../contractSampling";
+import { centred } from "../charts/base/axes";
+import { Chart } from "../charts/base/Chart";
+import { CsvButton, Legend } from "../charts/base/Legend";
+import { formatNumber, titleWithUnit } from "../charts/base/numbers";
+import type { SampledValues } from "../contract";
 import { findDensity, formatShare } from "./probability";
 
 interface Props {

@@ -1,6 +1,6 @@
 /** The uncertain numbers: as asked, as sampled, and how the factor follows them. */
-import { formatNumber } from "../charts/numbers";
-import type { Sampling } from "../contractSampling";
+import { formatNumber } from "../charts/base/numbers";
+import type { Sampling } from "../contract";
 import { formatUnit } from "../page/format";
 import { Scroller } from "../page/Scroller";
 import { showName } from "./names";

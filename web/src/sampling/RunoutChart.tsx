@@ -1,6 +1,6 @@
 /** How probable it is that the soil comes farther than a distance beyond the toe. */
-import { formatNumber } from "../charts/numbers";
-import type { Runout } from "../contractSampling";
+import { formatNumber } from "../charts/base/numbers";
+import type { Runout } from "../contract";
 import { Scroller } from "../page/Scroller";
 import { BandChart } from "./BandChart";
 import { formatShare } from "./probability";

@@ -1,6 +1,6 @@
 /** A study with sampled numbers: probability of failure, distribution of the factor, sensitivities, runout. */
-import { formatNumber, formatQuantity } from "../charts/numbers";
-import type { Sampling } from "../contractSampling";
+import { formatNumber, formatQuantity } from "../charts/base/numbers";
+import type { Sampling } from "../contract";
 import { Facts } from "../page/DataTable";
 import { formatSentence } from "../page/format";
 import { report } from "../state";

@@ -1,11 +1,11 @@
 /** How far each number alone moves the factor, one deviation down and up: the longest bar first. */
 import * as Plot from "@observablehq/plot";
 
-import { centred } from "../charts/axes";
-import { Chart } from "../charts/Chart";
-import { CsvButton, Legend } from "../charts/Legend";
-import { formatNumber } from "../charts/numbers";
-import type { Sampling } from "../contractSampling";
+import { centred } from "../charts/base/axes";
+import { Chart } from "../charts/base/Chart";
+import { CsvButton, Legend } from "../charts/base/Legend";
+import { formatNumber } from "../charts/base/numbers";
+import type { Sampling } from "../contract";
 import { showName, showValue } from "./names";
 
 const low = { colour: "var(--series-2)", dash: "", symbol: "circle" } as const;

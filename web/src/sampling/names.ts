@@ -1,6 +1,6 @@
 /** Names and units of sampled numbers as they are read. */
 import { formatUnit } from "../page/format";
-import { formatNumber } from "../charts/numbers";
+import { formatNumber } from "../charts/base/numbers";
 
 /** "friction_angle" → "friction angle". */
 export const showName = (name: string) => name.replaceAll("_", " ");

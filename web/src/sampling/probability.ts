@@ -1,5 +1,5 @@
 /** Probabilities as text, and the curves that are laid over a histogram. */
-import { formatNumber } from "../charts/numbers";
+import { formatNumber } from "../charts/base/numbers";
 
 /** "2.4 %", "0.031 %", "3.2×10⁻⁶"; "0" for none. */
 export function formatShare(share: number | null): string {

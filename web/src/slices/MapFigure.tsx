@@ -1,8 +1,8 @@
 /** The smallest factor over the centres of the circles, above the slope. */
 import { useEffect, useMemo, useState } from "preact/hooks";
 
-import { formatNumber } from "../charts/numbers";
-import type { FactorMap, SlicedSurface, Slices } from "../contractMethods";
+import { formatNumber } from "../charts/base/numbers";
+import type { FactorMap, SlicedSurface, Slices } from "../contract";
 import { useDark } from "../drawing/dark";
 import { drawOutlines, drawSoils, drawWater } from "../drawing/ground";
 import { LineKey } from "../drawing/Keys";

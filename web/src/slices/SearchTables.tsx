@@ -1,6 +1,6 @@
 /** How the search went: what was tried and refused, limits that were hit, and separate local minima. */
-import { formatNumber, formatQuantity } from "../charts/numbers";
-import type { LocalMinimum, SlicedSurface, Slices } from "../contractMethods";
+import { formatNumber, formatQuantity } from "../charts/base/numbers";
+import type { LocalMinimum, SlicedSurface, Slices } from "../contract";
 import { formatSentence } from "../page/format";
 import { Scroller } from "../page/Scroller";
 import { report } from "../state";

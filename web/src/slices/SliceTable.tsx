@@ -1,9 +1,9 @@
 /** The slice table: sortable, to be saved as CSV; symbols in its head, their meaning below. */
 import { useState } from "preact/hooks";
 
-import { CsvButton } from "../charts/Legend";
-import { formatNumber, titleWithUnit } from "../charts/numbers";
-import type { SlicedSurface } from "../contractMethods";
+import { CsvButton } from "../charts/base/Legend";
+import { formatNumber, titleWithUnit } from "../charts/base/numbers";
+import type { SlicedSurface } from "../contract";
 import { SymbolText } from "../page/DataTable";
 import { Scroller } from "../page/Scroller";
 import { orderValues } from "./order";

@@ -1,7 +1,7 @@
 /** Methods of slices: the critical surfaces, every trial, the map of centres, the slices of the selected surface. */
 import { useState } from "preact/hooks";
 
-import type { LocalMinimum, SlicedSurface } from "../contractMethods";
+import type { LocalMinimum, SlicedSurface } from "../contract";
 import { formatSentence } from "../page/format";
 import { report } from "../state";
 import { MapFigure } from "./MapFigure";

@@ -1,7 +1,7 @@
 /** The surfaces that have a factor: by method, with what the checks say and the yield acceleration; one is selected. */
-import { CsvButton } from "../charts/Legend";
-import { formatNumber, titleWithUnit } from "../charts/numbers";
-import type { SlicedSurface, Slices } from "../contractMethods";
+import { CsvButton } from "../charts/base/Legend";
+import { formatNumber, titleWithUnit } from "../charts/base/numbers";
+import type { SlicedSurface, Slices } from "../contract";
 import { Scroller } from "../page/Scroller";
 import { report } from "../state";
 import { formatFactor, nameReason, nameSurface } from "./sliceData";

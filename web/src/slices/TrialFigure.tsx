@@ -1,9 +1,9 @@
 /** The section with every trial surface coloured by its factor, the critical ones, slices and line of thrust. */
 import { useMemo, useState } from "preact/hooks";
 
-import { Choice } from "../charts/Legend";
-import { formatNumber } from "../charts/numbers";
-import type { LocalMinimum, SlicedSurface, Slices } from "../contractMethods";
+import { Choice } from "../charts/base/Legend";
+import { formatNumber } from "../charts/base/numbers";
+import type { LocalMinimum, SlicedSurface, Slices } from "../contract";
 import { useDark } from "../drawing/dark";
 import { clipToSoil, drawOutlines, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";

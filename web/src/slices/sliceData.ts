@@ -1,5 +1,5 @@
 /** Slices as the figures and tables need them: titles, columns with their units, colours of the trials. */
-import type { SlicedSurface, Slices } from "../contractMethods";
+import type { SlicedSurface, Slices } from "../contract";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
 

@@ -1,8 +1,7 @@
 /** Slices: the table, the trials, the map of centres. */
 import { beforeEach, describe, expect, it } from "vitest";
 
-import type { Report } from "../contract";
-import type { SlicedSurface } from "../contractMethods";
+import type { Report, SlicedSurface } from "../contract";
 import { report } from "../state";
 import { binTrials } from "./centreMap";
 import { traceContour } from "./contours";

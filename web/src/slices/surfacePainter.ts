@@ -1,5 +1,5 @@
 /** Draws one sliced surface: the slices, the surface, the line of thrust, the circle's centre. */
-import type { SlicedSurface } from "../contractMethods";
+import type { SlicedSurface } from "../contract";
 import type { Pen } from "../drawing/pen";
 import { drawSurface } from "../drawing/surfaceLines";
 import { strokeLine } from "../viewer/lines";

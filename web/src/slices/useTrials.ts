@@ -1,7 +1,7 @@
 /** The arrays of the trials, once they are decoded. */
 import { useEffect, useState } from "preact/hooks";
 
-import type { Slices } from "../contractMethods";
+import type { Slices } from "../contract";
 import { load } from "../state";
 
 export interface TrialArrays {

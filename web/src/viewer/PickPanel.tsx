@@ -51,7 +51,7 @@ function Position(props: { now: Shown; point: number; stage: Stage }) {
 function MaterialName(props: { now: Shown; point: number }) {
   const [name, setName] = useState("");
   useEffect(() => {
-    load(props.now.sequence.materials).then((materials) => {
+    void load(props.now.sequence.materials).then((materials) => {
       const index = materials[props.point];
       setName(report.value.model.materials.find((m) => m.index === index)?.name ?? `material ${index}`);
     });

@@ -17,6 +17,7 @@ import { Toolbar } from "./Toolbar";
 import { startTracing } from "./tracedLines";
 import { Transport } from "./Transport";
 import "./viewer.css";
+import "./narrow.css";
 
 const help =
   "Space plays, arrow keys step through the frames, plus and minus zoom, 0 fits, " +

@@ -107,7 +107,10 @@ export function findCells(
   for (let start = 0; start < triangles.length; ++start) {
     if (seen[start] || !isEnd(start)) continue;
     const edges: number[] = [];
-    for (let e = start; !seen[e]; e = follow(e)) edges.push((seen[e] = 1) && e);
+    for (let e = start; !seen[e]; e = follow(e)) {
+      seen[e] = 1;
+      edges.push(e);
+    }
     const line = edges.map((e, i) => moveOut(edges.at(i - 1)!, e));
     edges.forEach((e, i) => {
       const [a, b] = [triangles[e]!, triangles[next(e)]!];

@@ -1,14 +1,20 @@
 /** Pictures of the stage for outside: a file, a sheet of paper. */
 import { drawCaption, captionHeight } from "./caption";
-import type { Stage } from "./stage";
 import type { Theme } from "./theme";
 import { paperTheme } from "./theme";
 
 /** Width that the picture is laid out in for paper [px], so that its texts can be read there. */
 const paperWidth = 760;
 
+/** What a picture needs of the stage. */
+interface Pictured {
+  readonly camera: { width: number; height: number };
+  drawInto(context: CanvasRenderingContext2D, theme: Theme, density: number): void;
+  drawElsewhere(wanted: number | null, draw: () => void): boolean;
+}
+
 /** Draws everything onto one canvas, on a filled ground, with `head` pixels free above. */
-function compose(stage: Stage, canvas: HTMLCanvasElement, theme: Theme, density: number, head = 0): void {
+function compose(stage: Pictured, canvas: HTMLCanvasElement, theme: Theme, density: number, head = 0): void {
   const { width, height } = stage.camera;
   canvas.width = Math.round(width * density);
   canvas.height = Math.round((height + head) * density);
@@ -22,12 +28,12 @@ function compose(stage: Stage, canvas: HTMLCanvasElement, theme: Theme, density:
 }
 
 /** Paper is white whatever the screen is, and a canvas of WebGL does not survive every printing. */
-export function drawOnPaper(stage: Stage, paper: HTMLCanvasElement): boolean {
+export function drawOnPaper(stage: Pictured, paper: HTMLCanvasElement): boolean {
   return stage.drawElsewhere(paperWidth, () => compose(stage, paper, paperTheme, 2.5));
 }
 
 /** Saves the picture as it is seen, at twice the resolution, under a head that says what it is. */
-export function savePicture(stage: Stage, theme: Theme, name: string): void {
+export function savePicture(stage: Pictured, theme: Theme, name: string): void {
   const canvas = document.createElement("canvas");
   if (!stage.drawElsewhere(null, () => compose(stage, canvas, theme, 2, captionHeight))) return;
   canvas.toBlob((blob) => blob && saveFile(blob, name), "image/png");

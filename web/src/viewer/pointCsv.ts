@@ -1,5 +1,5 @@
 /** The history of a point as a table. */
-import { makeFileName, writeCsv, type CsvColumn } from "../charts/csv";
+import { makeFileName, writeCsv, type CsvColumn } from "../charts/base/csv";
 import { report } from "../state";
 import type { Shown } from "./shown";
 

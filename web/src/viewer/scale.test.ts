@@ -32,7 +32,7 @@ describe("a logarithmic scale", () => {
 it("bands have one colour each, and change at their ends", () => {
   const table = tabulateColours("viridis");
   const banded = bandColours(table, [0, 0.25, 0.5, 1]);
-  const at = (table: Uint8Array, place: number) => [...table.subarray(4 * place, 4 * place + 3)].join();
+  const at = (colours: Uint8Array, place: number) => [...colours.subarray(4 * place, 4 * place + 3)].join();
   expect(new Set(Array.from({ length: 256 }, (_, i) => at(banded, i))).size).toBe(3);
   expect(at(banded, 63)).not.toBe(at(banded, 64));
   expect(at(banded, 64)).toBe(at(banded, 127));

@@ -47,9 +47,9 @@ export const field = computed<SequenceField | null>(
 export const frame = computed(() => Math.min(frameIndex.value, (shown.value?.sequence.frames.length ?? 1) - 1));
 
 /** One frame of an array with `size` numbers per point; a view, not a copy. */
-export function takeFrame(array: Float32Array, frame: number, count: number, size = 1): Float32Array {
+export function takeFrame(array: Float32Array, index: number, count: number, size = 1): Float32Array {
   if (array.length === count * size) return array;
-  return array.subarray(frame * count * size, (frame + 1) * count * size);
+  return array.subarray(index * count * size, (index + 1) * count * size);
 }
 
 /** Positions [point][dimension] of a frame. */

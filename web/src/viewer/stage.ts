@@ -146,8 +146,8 @@ export class Stage {
     const depth = findDepth();
     this.camera.fit([low[0], low[1], depth[0]], [high[0], high[1], depth[1]]);
     this.fitted = { id: now.sequence.id, space: inSpace.value };
-    const { scale } = this.camera;
-    this.camera.scales = [scale / 8, Math.max(scale, largestSpacing / (now.spacing * this.density))];
+    const whole = this.camera.scale;
+    this.camera.scales = [whole / 8, Math.max(whole, largestSpacing / (now.spacing * this.density))];
   }
 
   /** Where a point stands in a frame, the shown one if none is named [m]; NaN where it is not there. */
@@ -224,7 +224,7 @@ export class Stage {
   drawElsewhere(wanted: number | null, draw: () => void): boolean {
     if (!shown.value || !this.lines.width) return false;
     const { camera, fitted } = this;
-    const { width, height, margins, scale } = camera;
+    const { width, height, margins, scale: magnification } = camera;
     const target: Vec = [...camera.target];
     if (wanted !== null) {
       this.layOut(wanted);
@@ -232,7 +232,7 @@ export class Stage {
       else this.fitOnce();
     }
     draw();
-    Object.assign(camera, { width, height, margins, scale, target });
+    Object.assign(camera, { width, height, margins, scale: magnification, target });
     this.fitted = fitted;
     this.painter.resize(width, height, this.density);
     this.draw();

@@ -45,7 +45,7 @@ function joinPieces(pieces: [number, number][], place: (edge: number) => [number
     if (line.length > 1) lines.push(line);
   };
   // Ends first, so that no open line begins in its middle; what is left is closed.
-  for (const [edge, pieces] of at) if (pieces.length === 1) walk(edge);
+  for (const [edge, touching] of at) if (touching.length === 1) walk(edge);
   for (const edge of at.keys()) walk(edge);
   return lines;
 }

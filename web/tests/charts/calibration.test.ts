@@ -1,8 +1,8 @@
 /** Numbers of the charts of a calibration. */
 import { describe, expect, it } from "vitest";
 
-import { findRange, groupCurves, makeCurveCsv, makeParameterCsv, shortenKey } from "../../src/charts/calibrationData";
-import type { CalibratedCurve, Calibration } from "../../src/contractCalibration";
+import { findRange, groupCurves, makeCurveCsv, makeParameterCsv, shortenKey } from "../../src/charts/laboratory/calibrationData";
+import type { CalibratedCurve, Calibration } from "../../src/contract";
 
 const quantity = (name: string, unit: string) => ({ name, title: name, unit });
 const curve = (test: string, x: string, y: string, at: number[], measured: number[]): CalibratedCurve => ({

@@ -1,7 +1,7 @@
 // CSV of the charts: what a reader after RFC 4180 gets back is what was put in, to the last digit.
 import { expect, test } from "vitest";
 
-import { makeFileName, writeCsv } from "../../src/charts/csv";
+import { makeFileName, writeCsv } from "../../src/charts/base/csv";
 
 /** A reader after the grammar of RFC 4180, which knows nothing of the writer. */
 function readCsv(text: string): string[][] {
@@ -10,16 +10,19 @@ function readCsv(text: string): string[][] {
   let quoted = false;
   for (let i = 0; i < text.length; ++i) {
     const c = text[i]!;
-    if (quoted && c === '"' && text[i + 1] === '"') (cell += '"'), ++i;
-    else if (c === '"') quoted = !quoted;
-    else if (!quoted && c === ",") rows[rows.length - 1]!.push(cell), (cell = "");
-    else if (!quoted && c === "\r" && text[i + 1] === "\n") {
+    if (quoted && c === '"' && text[i + 1] === '"') {
+      cell += '"';
+      ++i;
+    } else if (c === '"') quoted = !quoted;
+    else if (!quoted && c === ",") {
+      rows[rows.length - 1]!.push(cell);
+      cell = "";
+    } else if (!quoted && c === "\r" && text[i + 1] === "\n") {
       rows[rows.length - 1]!.push(cell);
       rows.push([]);
       cell = "";
       ++i;
-    }
-    else cell += c;
+    } else cell += c;
   }
   expect(cell).toBe("");
   return rows.slice(0, -1);

@@ -1,8 +1,8 @@
 // The displacement curve: which trials rest, where the fitted lines run, and labels that cover nothing.
 import { expect, test } from "vitest";
 
-import { placeFlags, sampleBranch } from "../../src/charts/curveData";
-import { findRestLimits, judgeTrial } from "../../src/charts/rest";
+import { placeFlags, sampleBranch } from "../../src/charts/curve/curveData";
+import { findRestLimits, judgeTrial } from "../../src/charts/curve/rest";
 
 test("labels cover no other label and no other line, on either side", () => {
   // A small generator with a fixed seed, so that a failure can be repeated.

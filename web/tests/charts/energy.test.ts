@@ -1,7 +1,7 @@
 // The residual of the energy balance: zero for exact mechanics, and exactly the energy that was put aside.
 import { expect, test } from "vitest";
 
-import { findEnergyBalance } from "../../src/charts/energy";
+import { findEnergyBalance } from "../../src/charts/history/energy";
 
 const column = (name: string, values: (number | null)[]) => ({ name, title: name, unit: "J", values });
 const times = Array.from({ length: 50 }, (_, i) => i * 0.02);

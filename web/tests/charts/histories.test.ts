@@ -2,7 +2,7 @@
 import { expect, test } from "vitest";
 
 import type { Report, Table } from "../../src/contract";
-import { findStageSpans, groupHistories, makePanels } from "../../src/charts/histories";
+import { findStageSpans, groupHistories, makePanels } from "../../src/charts/history/histories";
 
 const names: [string, string][] = [
   ["step", "-"], ["kinetic_energy", "J"], ["potential_energy", "J"], ["elastic_energy", "J"], ["plastic_work", "J"],

@@ -1,9 +1,9 @@
 // Monitors and sections of the variants of a study: what belongs onto one chart, and what a crosshair reads there.
 import { expect, test } from "vitest";
 
-import { interpolate, makeMotionCharts, makeMotionColumns, nameRow } from "../../src/charts/motionData";
-import { joinScales, listPictures } from "../../src/charts/pictureData";
-import { chooseField, findAxis, listSectionsOf, makeSectionCharts, nameTime } from "../../src/charts/sectionData";
+import { interpolate, makeMotionCharts, makeMotionColumns, nameRow } from "../../src/charts/study/motionData";
+import { joinScales, listPictures } from "../../src/charts/study/pictureData";
+import { chooseField, findAxis, listSectionsOf, makeSectionCharts, nameTime } from "../../src/charts/sections/sectionData";
 import type { Section, SequenceField, Study } from "../../src/contract";
 
 const paths = (scale: number) => ({

@@ -1,8 +1,8 @@
 // Numbers and axes: what is printed reads back as the value, ticks of an axis differ from each other.
 import { expect, test } from "vitest";
 
-import { describeAxis, findLogTicks, findStep, formatLogTick } from "../../src/charts/axes";
-import { formatNumber, scaleUnit } from "../../src/charts/numbers";
+import { describeAxis, findLogTicks, findStep, formatLogTick } from "../../src/charts/base/axes";
+import { formatNumber, scaleUnit } from "../../src/charts/base/numbers";
 
 /** Reads "−3.6×10⁻¹⁵" and "10⁻³" back. */
 function readNumber(text: string): number {

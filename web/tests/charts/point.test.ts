@@ -1,7 +1,7 @@
 /** Numbers of the charts of element tests. */
 import { describe, expect, it } from "vitest";
 
-import { findSpan, listTicks, makeLines, makePointCsv, makeStops, readLines } from "../../src/charts/pointData";
+import { findSpan, listTicks, makeLines, makePointCsv, makeStops, readLines } from "../../src/charts/laboratory/pointData";
 import type { PointTests } from "../../src/contract";
 
 const test = (name: string, x: number[], y: number[]) => ({

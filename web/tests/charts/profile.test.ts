@@ -1,7 +1,7 @@
 // Profiles along a vertical section: a field that is linear in height is found again, from the right points.
 import { expect, test } from "vitest";
 
-import { findLayer, makeProfile, selectPoints, takeFrame } from "../../src/charts/profileData";
+import { findLayer, makeProfile, selectPoints, takeFrame } from "../../src/charts/profile/profileData";
 
 /** A regular cloud over [0, 20] × [0, 10] at distance 0.25 with the stress −20 kPa/m × depth, and 1e9 left of x = 5. */
 function makeCloud() {

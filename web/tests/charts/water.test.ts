@@ -1,8 +1,8 @@
 /** Charts of soil water, and the water in the histories. */
 import { describe, expect, it } from "vitest";
 
-import { makePanels } from "../../src/charts/histories";
-import { chooseTimeUnit, findChanging, makeCurves } from "../../src/charts/soilWaterData";
+import { makePanels } from "../../src/charts/history/histories";
+import { chooseTimeUnit, findChanging, makeCurves } from "../../src/charts/water/soilWaterData";
 import type { HydraulicCondition, SoilWater, Table } from "../../src/contract";
 
 const column = (name: string, unit: string, values: number[]) => ({ name, title: name, unit, values });

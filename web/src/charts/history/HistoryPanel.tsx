@@ -1,0 +1,221 @@
+/** One chart of a history: the quantities of one unit over time. */
+import * as Plot from "@observablehq/plot";
+import type { Signal } from "@preact/signals";
+import { useMemo, useState } from "preact/hooks";
+
+import { frameIndex, report, sequence, sequenceIndex } from "../../state";
+import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
+import { Chart } from "../base/Chart";
+import { findStageSpans, type Panel } from "./histories";
+import { Choice, Legend } from "../base/Legend";
+import { findNearest, findNearestFrame } from "../base/nearest";
+import { findLargest, formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
+import { printing } from "../base/printing";
+import { findRestLimits } from "../curve/rest";
+import { styleOf } from "../base/styles";
+import { pickRows } from "../base/thin";
+
+interface PanelProps {
+  panel: Panel;
+  /** Time under the crosshair [s]. */
+  cross: Signal<number | null>;
+  /** Id of the sequence that runs along the same time. */
+  sequence: string;
+  monitors: boolean;
+}
+
+/** In the plane energies and momenta are those of a slice of one metre. */
+function nameUnit(unit: string): string {
+  const shown = unit === "m3/s" ? "m³/s" : unit;
+  const perMetre = /^([kMG]?J|kg|kg m\/s|m³\/s)$/.test(shown);
+  return report.value.model.dimension === 2 && perMetre ? `${shown} per m` : shown;
+}
+
+export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelProps) {
+  const [log, setLog] = useState(panel.log);
+  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const unit = nameUnit(panel.unit);
+  const series = useMemo(() => panel.series.map((s, i) => ({ ...s, style: styleOf(i) })), [panel]);
+  const single = series.length === 1 ? series[0] : undefined;
+  const visible = series.filter((s) => !hidden.has(s.name));
+  const times = useMemo(() => panel.x.values.map((t) => t ?? Number.NaN), [panel]);
+  const limits = useMemo(() => findRestLimits(report.value.input, report.value.model.slope_height), [report.value]);
+  const limit =
+    panel.kind === "force_ratio" ? limits.forceRatio
+    : panel.kind === "nodal_speed" ? limits.nodalSpeed
+    : null;
+  const shape = (v: number | null) => (v === null || !log ? v : Math.abs(v) > 0 ? Math.abs(v) : null);
+  const drawn = visible.flatMap((s) => s.values.map(shape)).filter((v): v is number => Number.isFinite(v));
+  const domain: [number, number] = drawn.length ? findDomain(drawn, log, limit) : [log ? 0.1 : 0, 1];
+  const below = drawn.some((v) => v < domain[0]) ? "Smaller values lie below the axis; the CSV holds them." : undefined;
+  const at = cross.value === null || printing.value ? -1 : findNearest(times, cross.value);
+  // The title of the momentum says already that it is a magnitude.
+  const signed = panel.series.some((s) => s.values.some((v) => (v ?? 0) < 0)) && panel.kind !== "momentum";
+  const title = log && signed ? `${panel.title}, magnitude` : panel.title;
+
+  const tellTime = (i: number) => `${panel.x.title} ${formatQuantity(times[i], panel.x.unit)}`;
+
+  const draw = (width: number): Plot.PlotOptions => {
+    const first = times[0] ?? 0;
+    const last = times[times.length - 1] ?? 1;
+    const axis = describeAxis(domain[0], domain[1], 5);
+    const ticks = log ? findLogTicks(domain, 6) : 5;
+    const stages = own === sequenceOfStages() ? findStageSpans(report.value.model.stages) : [];
+    return {
+      height: panel.kind === "energy" || monitors ? 250 : 200,
+      marginLeft: 58,
+      marginRight: 12,
+      marginTop: 26,
+      marginBottom: 44,
+      x: { domain: [first, last], label: titleWithUnit(panel.x.title, panel.x.unit), ...centred, ticks: 6 },
+      y: {
+        type: log ? "log" : "linear",
+        domain,
+        label: titleWithPower(title, unit, log ? "" : axis.power),
+        labelArrow: "none",
+        ticks,
+        tickFormat: log ? formatLogTick : axis.format,
+      },
+      marks: [
+        Plot.gridY({ ticks, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+        log ? [] : Plot.ruleY([0], { stroke: "var(--chart-muted)", strokeWidth: 1 }),
+        stages.slice(1).map((s) => Plot.ruleX([s.start], { stroke: "var(--chart-muted)", strokeDasharray: "1 3" })),
+        Plot.text(
+          stages.filter((s) => stages.length > 1 && (s.end - s.start) / (last - first) > findRoom(s.name) / width),
+          {
+            x: "start",
+            text: "name",
+            frameAnchor: "top",
+            dx: 4,
+            dy: 3,
+            textAnchor: "start",
+            lineAnchor: "top",
+            fill: "var(--chart-muted)",
+          },
+        ),
+        visible.map((s) =>
+          Plot.line(
+            pickRows(s.values, width).map((i) => [times[i]!, shape(s.values[i] ?? null) ?? Number.NaN]),
+            { stroke: s.style.colour, strokeWidth: 1.6, strokeDasharray: s.style.dash, clip: true },
+          ),
+        ),
+        limit !== null && log ?
+          [
+            Plot.ruleY([limit], { stroke: "var(--chart-ink)", strokeWidth: 1, strokeDasharray: "2 2" }),
+            Plot.text([limit], {
+              y: (d: number) => d,
+              text: () => `rest: below ${formatNumber(limit, 2)}`,
+              frameAnchor: "right",
+              textAnchor: "end",
+              dy: -7,
+              fill: "var(--chart-ink)",
+              stroke: "var(--chart-ground)",
+              strokeWidth: 3,
+            }),
+          ]
+        : [],
+        Plot.ruleX([first], { stroke: "var(--chart-muted)" }),
+      ],
+    };
+  };
+
+  const show = (stop: number) => {
+    const index = report.value.sequences.findIndex((s) => s.id === own);
+    const frame = findNearestFrame(report.value.sequences[index]?.frames ?? [], (f) => f.time, times[stop]!);
+    if (index < 0 || frame < 0) return;
+    sequenceIndex.value = index;
+    frameIndex.value = frame;
+  };
+
+  return (
+    <figure aria-label={panel.title}>
+      <div class="chart-head">
+        <h4>{panel.title}</h4>
+        <Choice
+          label={`Axis of ${panel.title}`}
+          value={log ? "log" : "linear"}
+          options={[
+            { value: "linear", title: "lin" },
+            { value: "log", title: "log" },
+          ]}
+          onChange={(v) => setLog(v === "log")}
+        />
+      </div>
+      {!single && (
+        <Legend
+          hidden={hidden}
+          onToggle={(id) => {
+            const next = new Set(hidden);
+            if (!next.delete(id)) next.add(id);
+            setHidden(next);
+          }}
+          items={series.map((s) => ({
+            id: s.name,
+            title: s.title,
+            style: s.style,
+            value: at < 0 ? "" : formatNumber(s.values[at]),
+          }))}
+        />
+      )}
+      <Chart
+        label={panel.title}
+        draw={draw}
+        depends={[panel, log, hidden, report.value]}
+        stops={times}
+        cross={cross}
+        printWidth={330}
+        read={(i) => ({
+          text: `${tellTime(i)}: ${visible.map((s) => `${s.title} ${formatQuantity(s.values[i], unit)}`).join(", ")}`,
+          marks: visible.flatMap((s) => {
+            const y = shape(s.values[i] ?? null);
+            return y === null ? [] : [{ value: y, colour: s.style.colour }];
+          }),
+        })}
+        onPick={own ? show : undefined}
+        ruler={() => {
+          const shown = sequence.value;
+          return own && shown?.id === own ? (shown.frames[frameIndex.value]?.time ?? null) : null;
+        }}
+      />
+      <p class="chart-note">
+        {at < 0 ?
+          (panel.note ?? below ?? "\u00a0")
+        : single ?
+          `${tellTime(at)}: ${formatQuantity(single.values[at], unit)}`
+        : tellTime(at)}
+      </p>
+    </figure>
+  );
+}
+
+/** Width that the name of a stage takes on a chart, with its gaps [px]; at most, for fonts differ. */
+function findRoom(name: string): number {
+  return name.length * 8 + 8;
+}
+
+function sequenceOfStages(): string | undefined {
+  return report.value.sequences.find((s) => s.axis === "time")?.id;
+}
+
+function findDomain(values: number[], log: boolean, limit: number | null): [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const v of values) {
+    low = Math.min(low, v);
+    high = Math.max(high, v);
+  }
+  if (log) {
+    if (limit !== null) {
+      low = Math.min(low, limit);
+      high = Math.max(high, limit);
+    }
+    // Ten decades show all that is not round-off; what lies lower leaves the frame.
+    return [Math.max(low / 1.5, high * 1e-10), high * 1.5];
+  }
+  // Zero belongs on the axis unless the values change little in comparison with their size, as the mass does.
+  const spread = high - low;
+  if (low > 0 && spread > 0.2 * high) low = 0;
+  if (high < 0 && spread > 0.2 * -low) high = 0;
+  const pad = 0.05 * (high - low) || 0.05 * findLargest(values) || 1;
+  return [low === 0 ? 0 : low - pad, high === 0 ? 0 : high + pad];
+}

@@ -1,0 +1,38 @@
+/** The balance of energy of a history, see "Budgets" in the theory: what goes in, where it goes, what is left over. */
+import type { Column, Table } from "../../contract";
+
+const stores = ["kinetic_energy", "elastic_energy", "plastic_work", "damping_work"] as const;
+
+export interface EnergyBalance {
+  /** external work − (kinetic + elastic + plastic + damping), all as changes since the first row [J]. */
+  residual: (number | null)[];
+  /** Largest change of the external work [J]. */
+  work: number;
+}
+
+/** The values as changes since the first row that has one. */
+export function takeChange(values: readonly (number | null)[]): (number | null)[] {
+  const first = values.find((v) => v !== null) ?? 0;
+  return values.map((v) => (v === null ? null : v - first));
+}
+
+/** null when the table lacks one of the columns. */
+export function findEnergyBalance(table: Pick<Table, "columns">): EnergyBalance | null {
+  const find = (name: string): Column | undefined => table.columns.find((c) => c.name === name);
+  const work = find("external_work");
+  const parts = stores.map(find);
+  if (!work || parts.some((p) => !p)) return null;
+  const changes = parts.map((p) => takeChange(p!.values));
+  const done = takeChange(work.values);
+  const residual = done.map((w, i) => {
+    if (w === null) return null;
+    let sum = w;
+    for (const change of changes) {
+      const part = change[i];
+      if (part === null || part === undefined) return null;
+      sum -= part;
+    }
+    return sum;
+  });
+  return { residual, work: Math.max(0, ...done.map((w) => Math.abs(w ?? 0))) };
+}

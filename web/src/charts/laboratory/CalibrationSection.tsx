@@ -1,0 +1,239 @@
+/** A calibration: the fitted parameters with their errors and correlations, and measured points over fitted curves. */
+import * as Plot from "@observablehq/plot";
+import { useMemo, useState } from "preact/hooks";
+
+import type { Calibration, CalibratedParameter } from "../../contract";
+import { DataTable } from "../../page/DataTable";
+import { report } from "../../state";
+import { centred, describeAxis, formatLogTick, titleWithPower } from "../base/axes";
+import { type CurveGroup, findRange, groupCurves, makeCurveCsv, makeParameterCsv, shortenKey } from "./calibrationData";
+import { Chart } from "../base/Chart";
+import { CsvButton, Legend } from "../base/Legend";
+import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
+import { listTicks } from "./pointData";
+
+const margins = { marginLeft: 62, marginRight: 14, marginTop: 26, marginBottom: 44 };
+
+function capitalise(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+function Diagram({ group }: { group: CurveGroup }) {
+  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const shown = group.lines.filter(({ curve }) => !hidden.has(curve.test));
+  const { x, y } = group.lines[0]!.curve;
+  const [low, high] = findRange(group.lines, 1);
+  const [left, right] = findRange(group.lines, 0);
+  const axis = describeAxis(low, high, 5);
+  const stops = useMemo(
+    () => [...new Set(group.lines.flatMap(({ curve }) => curve.at))].sort((a, b) => a - b),
+    [group],
+  );
+  const title = `${y.title} over ${x.title}`;
+  const draw = (): Plot.PlotOptions => ({
+    height: 300,
+    ...margins,
+    x: {
+      type: group.logX ? "log" : "linear",
+      domain: group.logX ? [left / 1.1, right * 1.1] : [left, right],
+      label: titleWithUnit(capitalise(x.title), x.unit),
+      ...centred,
+      inset: 6,
+      ticks: group.logX ? listTicks(left / 1.1, right * 1.1) : 6,
+      tickFormat: group.logX ? formatLogTick : describeAxis(left, right, 6).format,
+    },
+    y: {
+      domain: [low, high],
+      label: titleWithPower(capitalise(y.title), y.unit, axis.power),
+      labelArrow: "none",
+      ticks: 5,
+      tickFormat: axis.format,
+      inset: 6,
+    },
+    symbol: { type: "identity" },
+    marks: [
+      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      low < 0 && high > 0 ? Plot.ruleY([0], { stroke: "var(--chart-muted)" }) : [],
+      shown.flatMap(({ curve, style }) => [
+        Plot.line(curve.line_before, { stroke: style.colour, strokeWidth: 1, strokeOpacity: 0.35, clip: true }),
+        Plot.line(curve.line, { stroke: style.colour, strokeWidth: 1.7, strokeDasharray: style.dash, clip: true }),
+        Plot.dot(
+          curve.at.map((v, i) => [v, curve.measured[i]!] as [number, number]),
+          { stroke: style.colour, fill: "var(--chart-ground)", symbol: style.symbol, r: 3.6, strokeWidth: 1.6 },
+        ),
+      ]),
+    ],
+  });
+  return (
+    <figure class="chart-figure" aria-label={title}>
+      <div class="chart-head">
+        <h4>{capitalise(title)}</h4>
+        <CsvButton part={`calibration_${group.id}`} what="points" columns={() => makeCurveCsv(group.lines)} />
+      </div>
+      <Legend
+        markers
+        hidden={hidden}
+        onToggle={(id) => {
+          const next = new Set(hidden);
+          if (!next.delete(id)) next.add(id);
+          setHidden(next);
+        }}
+        items={group.lines.map(({ curve, style }) => ({
+          id: curve.test,
+          title: curve.weight > 0 ? curve.test : `${curve.test} (not fitted)`,
+          style,
+        }))}
+      />
+      <Chart
+        label={`Measured and fitted ${title}`}
+        draw={draw}
+        depends={[group, hidden]}
+        stops={stops}
+        printWidth={520}
+        showReading
+        hint="Symbols: measured. Lines: fitted; faint: with the parameters at the start."
+        read={(i) => {
+          const here = shown.flatMap(({ curve, style }) => {
+            const k = curve.at.indexOf(stops[i]!);
+            return k < 0 ? [] : [{ curve, style, k }];
+          });
+          const parts = here
+            .slice(0, 3)
+            .map(
+              ({ curve, k }) =>
+                `${curve.test} measured ${formatQuantity(curve.measured[k], y.unit)}, ` +
+                `fitted ${formatNumber(curve.fitted[k])}`,
+            );
+          const rest = here.length > parts.length ? `, and ${here.length - parts.length} more` : "";
+          return {
+            text: `${capitalise(x.title)} ${formatQuantity(stops[i], x.unit, 3)}: ${parts.join("; ")}${rest}`,
+            marks: here.map(({ curve, style, k }) => ({ value: curve.measured[k]!, colour: style.colour })),
+          };
+        }}
+      />
+    </figure>
+  );
+}
+
+function describeError(p: CalibratedParameter): string {
+  if (p.error === null) return "–";
+  const share = p.value === 0 ? "" : ` (${formatNumber((100 * p.error) / Math.abs(p.value), 2)} %)`;
+  return `± ${formatNumber(p.error, 3)}${share}`;
+}
+
+function ParameterTable({ calibration }: { calibration: Calibration }) {
+  const { parameters, correlation } = calibration;
+  return (
+    <DataTable caption="Fitted parameters" class="point-table">
+      <thead>
+        <tr>
+          <th scope="col">Parameter</th>
+          <th scope="col" class="number">Fitted</th>
+          <th scope="col" class="number">Standard error</th>
+          <th scope="col" class="number">Start</th>
+          <th scope="col" class="number">Range</th>
+          {parameters.map((p, j) => (
+            <th key={p.key} scope="col" class="number">
+              Corr. with {j + 1}
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {parameters.map((p, i) => (
+          <tr key={p.key}>
+            <th scope="row">
+              {i + 1} {titleWithUnit(shortenKey(p.key), p.unit)}
+            </th>
+            <td class="number">
+              {formatNumber(p.value, 5)}
+              {p.limit !== "no" && <strong> at its limit</strong>}
+            </td>
+            <td class="number">{describeError(p)}</td>
+            <td class="number">{formatNumber(p.start)}</td>
+            <td class="number">
+              {formatNumber(p.low)} to {formatNumber(p.high)}
+            </td>
+            {parameters.map((other, j) => {
+              const c = correlation[i]?.[j] ?? null;
+              const text = i === j || c === null ? "–" : c.toFixed(2).replace("-", "−");
+              return (
+                <td key={other.key} class="number">
+                  {i !== j && c !== null && Math.abs(c) > 0.95 ? <strong>{text}</strong> : text}
+                </td>
+              );
+            })}
+          </tr>
+        ))}
+      </tbody>
+    </DataTable>
+  );
+}
+
+function ResidualTable({ calibration }: { calibration: Calibration }) {
+  return (
+    <DataTable caption="Differences, calculated minus measured" class="point-table">
+      <thead>
+        <tr>
+          <th scope="col">Test</th>
+          <th scope="col">Curve</th>
+          <th scope="col" class="number">Points</th>
+          <th scope="col" class="number">Root mean square</th>
+          <th scope="col" class="number">At the start</th>
+          <th scope="col" class="number">Mean</th>
+          <th scope="col" class="number">Largest</th>
+          <th scope="col" class="number">Stated error</th>
+          <th scope="col" class="number">Weight</th>
+        </tr>
+      </thead>
+      <tbody>
+        {calibration.curves.map((c, i) => (
+          <tr key={i}>
+            <th scope="row">{c.test}</th>
+            <td>
+              {titleWithUnit(c.y.title, c.y.unit)} over {c.x.title}
+              {c.missing > 1e-6 && <strong>; {formatNumber(100 * c.missing, 2)} % not reached</strong>}
+            </td>
+            <td class="number">{c.at.length}</td>
+            <td class="number">{formatNumber(c.rms, 3)}</td>
+            <td class="number">{formatNumber(c.rms_before, 3)}</td>
+            <td class="number">{formatNumber(c.mean, 3)}</td>
+            <td class="number">
+              {formatNumber(c.largest, 3)} at {formatQuantity(c.largest_at, c.x.unit, 3)}
+            </td>
+            <td class="number">{formatNumber(c.deviation, 3)}</td>
+            <td class="number">{formatNumber(c.weight, 3)}</td>
+          </tr>
+        ))}
+      </tbody>
+    </DataTable>
+  );
+}
+
+export function CalibrationSection() {
+  const { calibration } = report.value;
+  const groups = useMemo(() => groupCurves(calibration?.curves ?? []), [calibration]);
+  if (!calibration) return null;
+  const { starts, best } = calibration;
+  const converged = starts.filter((start) => start.converged).length;
+  return (
+    <section class="chart-section" aria-labelledby="chart-calibration-title">
+      <div class="chart-head">
+        <h3 id="chart-calibration-title">Calibration</h3>
+        <CsvButton part="calibration" what="parameters" columns={() => makeParameterCsv(calibration)} />
+      </div>
+      <p class="chart-note">
+        {starts.length} searches by least squares between the bounds, {converged} of which converged; number {best + 1}{" "}
+        came nearest, after {starts[best]!.iterations} iterations ({calibration.evaluations} sets of parameters,{" "}
+        {calibration.tests} tests in all). The {calibration.values} measured values lie{" "}
+        {formatNumber(calibration.scatter, 3)} times their stated errors from the fitted curves; the standard errors are
+        scaled with that, and take the errors of all values as independent of each other.
+      </p>
+      <ParameterTable calibration={calibration} />
+      {groups.map((group) => (
+        <Diagram key={group.id} group={group} />
+      ))}
+      <ResidualTable calibration={calibration} />
+    </section>
+  );
+}

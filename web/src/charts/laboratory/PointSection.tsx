@@ -1,0 +1,184 @@
+/** Element tests: diagrams of each kind of apparatus, with one legend, and what came out in a table. */
+import * as Plot from "@observablehq/plot";
+import { useMemo, useState } from "preact/hooks";
+
+import type { PointGroup, PointTest, PointTests } from "../../contract";
+import { DataTable, SymbolText } from "../../page/DataTable";
+import { report } from "../../state";
+import { centred, describeAxis, formatLogTick, titleWithPower } from "../base/axes";
+import { Chart } from "../base/Chart";
+import { CsvButton, Legend } from "../base/Legend";
+import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
+import { findSpan, listTicks, makeLines, makePointCsv, makeStops, type PointLine, readLines } from "./pointData";
+
+const margins = { marginLeft: 62, marginRight: 14, marginTop: 26, marginBottom: 44 };
+
+function Diagram(props: {
+  group: PointGroup;
+  panel: PointGroup["panels"][number];
+  lines: PointLine[];
+  shown: PointLine[];
+}) {
+  const { group, panel, lines, shown } = props;
+  const first = lines[0]!;
+  const x = first.columns.get(panel.x)!;
+  const y = first.columns.get(panel.y)!;
+  const [low, high] = findSpan(lines, panel.y);
+  const [left, right] = findSpan(lines, panel.x, panel.log_x);
+  const stops = makeStops(left, right, panel.log_x);
+  const axis = describeAxis(low, high, 5);
+  const ticks = listTicks(left / 1.1, right * 1.1);
+  const draw = (): Plot.PlotOptions => ({
+    height: 260,
+    ...margins,
+    x: {
+      type: panel.log_x ? "log" : "linear",
+      domain: panel.log_x ? [left / 1.1, right * 1.1] : [left, right],
+      label: titleWithUnit(capitalise(x.title), x.unit),
+      ...centred,
+      inset: 4,
+      ticks: panel.log_x ? ticks : 6,
+      tickFormat: panel.log_x ? formatLogTick : describeAxis(left, right, 6).format,
+    },
+    y: {
+      domain: [low, high],
+      label: titleWithPower(capitalise(y.title), y.unit, axis.power),
+      labelArrow: "none",
+      ticks: 5,
+      tickFormat: axis.format,
+      inset: 4,
+    },
+    marks: [
+      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      low < 0 && high > 0 ? Plot.ruleY([0], { stroke: "var(--chart-muted)" }) : [],
+      shown.map((line) => {
+        const ys = line.columns.get(panel.y)!.values;
+        return Plot.line(
+          line.columns.get(panel.x)!.values.map((v, i) => [v, ys[i] ?? null]),
+          { stroke: line.style.colour, strokeDasharray: line.style.dash, strokeWidth: 1.7, clip: true },
+        );
+      }),
+    ],
+  });
+  const title = `${y.title} over ${x.title}`;
+  return (
+    <Chart
+      label={`${group.title}: ${title}`}
+      draw={draw}
+      depends={[group, shown]}
+      stops={stops}
+      printWidth={320}
+      showReading
+      hint={`${capitalise(title)}.`}
+      read={(i) => {
+        const here = readLines(shown, panel.x, panel.y, stops[i]!);
+        const few = here.slice(0, 4).map(({ line, value }) => `${line.test.name} ${formatQuantity(value, y.unit)}`);
+        const rest = here.length > few.length ? `, and ${here.length - few.length} more` : "";
+        return {
+          text: `${capitalise(x.title)} ${formatQuantity(stops[i], x.unit, 3)}: ${few.join(", ")}${rest}`,
+          marks: here.map(({ line, value }) => ({ value, colour: line.style.colour })),
+        };
+      }}
+    />
+  );
+}
+
+function Group({ tests, group }: { tests: PointTests; group: PointGroup }) {
+  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const lines = useMemo(() => makeLines(tests, group), [tests, group]);
+  const shown = lines.filter((line) => !hidden.has(line.test.name));
+  return (
+    <figure class="chart-figure" aria-label={group.title}>
+      <div class="chart-head">
+        <h4>{group.title}</h4>
+        <CsvButton part={`point_${group.id}`} what="curves" columns={() => makePointCsv(lines)} />
+      </div>
+      <Legend
+        hidden={hidden}
+        onToggle={(id) => {
+          const next = new Set(hidden);
+          if (!next.delete(id)) next.add(id);
+          setHidden(next);
+        }}
+        items={lines.map((line) => ({ id: line.test.name, title: line.test.name, style: line.style }))}
+      />
+      <div class="chart-grid">
+        {group.panels.map((panel) => (
+          <Diagram key={`${panel.x}-${panel.y}`} group={group} panel={panel} lines={lines} shown={shown} />
+        ))}
+      </div>
+    </figure>
+  );
+}
+
+function ResultTable({ tests }: { tests: PointTest[] }) {
+  const { stress } = report.value.units;
+  return (
+    <DataTable caption="What came out" class="point-table">
+      <thead>
+        <tr>
+          <th scope="col">Test</th>
+          <th scope="col">Path</th>
+          <th scope="col" class="number">
+            Peak q [{stress.name}]
+          </th>
+          <th scope="col" class="number">
+            at strain [%]
+          </th>
+          <th scope="col" class="number">
+            End q [{stress.name}]
+          </th>
+          <th scope="col" class="number">
+            End p′ [{stress.name}]
+          </th>
+          <th scope="col" class="number">
+            End <SymbolText text="ε_v" /> [%]
+          </th>
+          <th scope="col" class="number">
+            End e [-]
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {tests.map((test) => (
+          <tr key={test.name}>
+            <th scope="row">{test.name}</th>
+            <td>
+              {capitalise(test.kind)} of {test.material}
+              {test.set && `, ${test.set}`}; {test.path}.
+              {test.stopped && <strong> Ended early: {test.stopped}.</strong>}
+            </td>
+            <td class="number">{formatNumber(test.peak_q / stress.si)}</td>
+            <td class="number">{formatNumber(test.peak_q_strain * 100, 3)}</td>
+            <td class="number">{formatNumber(test.end.q / stress.si)}</td>
+            <td class="number">{formatNumber(test.end.p / stress.si)}</td>
+            <td class="number">{formatNumber(test.end.volumetric_strain * 100, 3)}</td>
+            <td class="number">{formatNumber(test.end.void_ratio)}</td>
+          </tr>
+        ))}
+      </tbody>
+    </DataTable>
+  );
+}
+
+function capitalise(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+export function PointSection() {
+  const tests = report.value.point_tests;
+  if (!tests) return null;
+  return (
+    <section class="chart-section" aria-labelledby="chart-point-title">
+      <h3 id="chart-point-title">Element tests</h3>
+      <p class="chart-note">
+        One point of soil each. Stresses are effective, compression and contraction are positive; q is negative where
+        the axial stress is the smaller.
+      </p>
+      {tests.groups.map((group) => (
+        <Group key={group.id} tests={tests} group={group} />
+      ))}
+      <ResultTable tests={tests.tests} />
+    </section>
+  );
+}

@@ -1,0 +1,95 @@
+/** The line of the ground before and after, true to scale where that leaves a readable height. */
+import * as Plot from "@observablehq/plot";
+import { useMemo } from "preact/hooks";
+
+import type { Table } from "../../contract";
+import { centred } from "../base/axes";
+import { Chart } from "../base/Chart";
+import { CsvButton, Legend } from "../base/Legend";
+import { formatQuantity, titleWithUnit } from "../base/numbers";
+import { styleOf } from "../base/styles";
+
+const margin = { left: 52, right: 16, top: 28, bottom: 46 };
+
+export function GroundChart({ table }: { table: Table }) {
+  const x = useMemo(() => table.x.values.map((v) => v ?? Number.NaN), [table]);
+  // The first line is the old ground: dashed and grey, the others are solid.
+  const lines = table.columns.map((c, i) => ({
+    ...c,
+    style: i === 0 ? { ...styleOf(0), colour: "var(--chart-muted)", dash: "5 3" } : styleOf(i - 1),
+  }));
+  const abscissa = table.x.title.length === 1 ? table.x.title.toLowerCase() : table.x.title;
+  const unit = table.columns[0]?.unit ?? "m";
+  const all = lines.flatMap((l) => l.values).filter((v): v is number => v !== null);
+  const first = lines[0];
+  const last = lines[lines.length - 1];
+  if (!first || !last || all.length === 0) return null;
+  const low = Math.min(...all);
+  const high = Math.max(...all);
+  const pad = 0.08 * (high - low) || 1;
+  const length = (x[x.length - 1] ?? 1) - (x[0] ?? 0);
+
+  /** Height of the frame that is true to scale [px], and the one that is taken. */
+  const findHeight = (width: number) => {
+    const scaled = ((width - margin.left - margin.right) * (high - low + 2 * pad)) / (length || 1);
+    return { scaled, taken: Math.min(460, Math.max(140, scaled)) };
+  };
+  const change = x.map((at, i) => [at, first.values[i] ?? Number.NaN, last.values[i] ?? Number.NaN]);
+
+  const draw = (width: number): Plot.PlotOptions => {
+    const height = findHeight(width);
+    const exaggeration = height.taken / height.scaled;
+    return {
+      height: height.taken + margin.top + margin.bottom,
+      marginLeft: margin.left,
+      marginRight: margin.right,
+      marginTop: margin.top,
+      marginBottom: margin.bottom,
+      x: { label: titleWithUnit(abscissa, table.x.unit), ...centred, ticks: width < 480 ? 5 : 8 },
+      y: { domain: [low - pad, high + pad], label: titleWithUnit("Height", unit), labelArrow: "none", ticks: 5 },
+      marks: [
+        Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+        Plot.areaY(change, { x: "0", y1: "1", y2: "2", fill: lines[1]?.style.colour ?? "none", fillOpacity: 0.12 }),
+        lines.map((l) =>
+          Plot.line(
+            x.map((at, i) => [at, l.values[i] ?? Number.NaN]),
+            { stroke: l.style.colour, strokeWidth: 1.8, strokeDasharray: l.style.dash },
+          ),
+        ),
+        Plot.text([Math.abs(exaggeration - 1) < 0.01 ? "true to scale" : `heights × ${exaggeration.toPrecision(2)}`], {
+          frameAnchor: "top-right",
+          dy: 4,
+          fill: "var(--chart-muted)",
+        }),
+        Plot.ruleX([x[0] ?? 0], { stroke: "var(--chart-muted)" }),
+      ],
+    };
+  };
+
+  return (
+    <figure aria-label={table.title} class="chart-figure">
+      <div class="chart-head">
+        <h4>{table.title}</h4>
+        <CsvButton part={table.id} columns={() => [table.x, ...table.columns]} />
+      </div>
+      <Legend items={lines.map((l) => ({ id: l.name, title: l.title, style: l.style }))} />
+      <Chart
+        label={table.title}
+        draw={draw}
+        depends={[table]}
+        stops={x}
+        showReading
+        hint="Point at the ground to read it."
+        read={(i) => ({
+          text: `${abscissa} = ${formatQuantity(x[i], table.x.unit)}: ${lines
+            .map((l) => `${l.title.toLowerCase()} ${formatQuantity(l.values[i], l.unit)}`)
+            .join(", ")}`,
+          marks: lines.flatMap((l) => {
+            const value = l.values[i] ?? null;
+            return value === null ? [] : [{ value, colour: l.style.colour }];
+          }),
+        })}
+      />
+    </figure>
+  );
+}

@@ -1,0 +1,212 @@
+/** Sections that the case names: a field along a line at chosen times, of one run or of the variants of a study. */
+import * as Plot from "@observablehq/plot";
+import { type Signal, signal } from "@preact/signals";
+import { useMemo, useState } from "preact/hooks";
+
+import { report } from "../../state";
+import { centred, describeAxis, titleWithPower } from "../base/axes";
+import { Chart } from "../base/Chart";
+import { Choice, CsvButton, Legend } from "../base/Legend";
+import { interpolate } from "../study/motionData";
+import { formatQuantity, titleWithUnit } from "../base/numbers";
+import {
+  chooseField, findAxis, makeSectionCharts, makeSectionColumns, type SectionChart, type SectionOfRun,
+} from "./sectionData";
+import { styleOf } from "../base/styles";
+
+const stopCount = 81;
+
+interface PanelProps {
+  chart: SectionChart;
+  names: string[];
+  hidden: ReadonlySet<string>;
+  field: { title: string; unit: { name: string; si: number } };
+  axis: { title: string; steep: boolean };
+  /** Ends of the place [length unit] and of the value [unit of the field]. */
+  ends: { place: [number, number]; value: [number, number] };
+  cross: Signal<number | null>;
+}
+
+function SectionPanel({ chart, names, hidden, field, axis, ends, cross }: PanelProps) {
+  const length = report.value.units.length;
+  const { unit } = field;
+  const lines = chart.lines
+    .filter((l) => !hidden.has(l.name))
+    .map((l) => ({
+      ...l,
+      style: styleOf(names.indexOf(l.name)),
+      // Ascending for reading.
+      points: l.place
+        .map((s, i) => ({ s: s / length.si, v: l.values[i] === null ? null : l.values[i]! / unit.si }))
+        .sort((a, b) => a.s - b.s),
+    }));
+  const [first, last] = ends.place;
+  const stops = useMemo(
+    () => Array.from({ length: stopCount }, (_, i) => first + ((last - first) * i) / (stopCount - 1)),
+    [first, last],
+  );
+  const text = describeAxis(...ends.value, 5);
+  const value = {
+    domain: ends.value,
+    label: titleWithPower(field.title, unit.name, text.power),
+    ticks: 5,
+    tickFormat: text.format,
+  };
+  const place = { domain: ends.place, label: titleWithUnit(axis.title, length.name), ticks: 6 };
+  const draw = (width: number): Plot.PlotOptions => ({
+    height: axis.steep ? Math.max(280, Math.min(380, width * 0.8)) : Math.max(230, Math.min(300, width * 0.6)),
+    marginLeft: 58,
+    marginRight: 18,
+    marginTop: 26,
+    marginBottom: 46,
+    x: axis.steep ? { ...value, ...centred } : { ...place, ...centred },
+    y: axis.steep ? { ...place, labelArrow: "none" } : { ...value, labelArrow: "none" },
+    marks: [
+      axis.steep ?
+        Plot.gridX({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 })
+      : Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      axis.steep ?
+        Plot.ruleX([0], { stroke: "var(--chart-muted)" })
+      : Plot.ruleY([0], { stroke: "var(--chart-muted)" }),
+      lines.map((l) =>
+        Plot.line(
+          l.points.map((p) => {
+            const v = p.v ?? Number.NaN;
+            return axis.steep ? [v, p.s] : [p.s, v];
+          }),
+          { stroke: l.style.colour, strokeWidth: 1.6, strokeDasharray: l.style.dash },
+        ),
+      ),
+    ],
+  });
+  return (
+    <figure aria-label={chart.title}>
+      {chart.title && <h4>{chart.title}</h4>}
+      <Chart
+        along={axis.steep ? "y" : "x"}
+        label={`${field.title} along the section${chart.title && `: ${chart.title}`}`}
+        draw={draw}
+        depends={[chart, hidden, field, ends]}
+        stops={stops}
+        cross={cross}
+        showReading
+        hint={axis.steep ? "Point at a height to read it." : "Point at a place to read it."}
+        printWidth={330}
+        read={(i) => {
+          const at = stops[i]!;
+          const here = lines.flatMap((l) => {
+            const v = interpolate(l.points.map((p) => p.s), l.points.map((p) => p.v), at);
+            return v === null ? [] : [{ l, v }];
+          });
+          return {
+            text: `${axis.title} ${formatQuantity(at, length.name, 3)}: ${here
+              .map(({ l, v }) => `${l.name} ${formatQuantity(v, unit.name, 3)}`)
+              .join(", ")}`,
+            marks: here.map(({ l, v }) => ({ value: v, at, colour: l.style.colour })),
+          };
+        }}
+      />
+    </figure>
+  );
+}
+
+/** One section: of one run, or of several side by side. */
+export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
+  const section = runs[0]!.section;
+  const [name, setName] = useState(() => chooseField(section));
+  const [by, setBy] = useState<"run" | "time">("run");
+  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const cross = useMemo(() => signal<number | null>(null), [section]);
+  const charts = useMemo(() => makeSectionCharts(runs, name, by), [runs, name, by]);
+  const field = section.fields.find((f) => f.name === name) ?? section.fields[0];
+  const length = report.value.units.length;
+  if (!field) return null;
+  const axis = findAxis(section);
+  const names = [...new Set(charts.flatMap((c) => c.lines.map((l) => l.name)))];
+  const lines = charts.flatMap((c) => c.lines);
+  const places = lines.flatMap((l) => l.place).map((s) => s / length.si);
+  const values = lines.flatMap((l) => l.values).filter((v) => v !== null).map((v) => v / field.unit.si);
+  // Zero is on the axis unless the values change little in comparison with their size, as a porosity does.
+  let [low, high] = [Math.min(...values), Math.max(...values)];
+  if (!(low <= high)) [low, high] = [0, 1];
+  const pad = 0.05 * (high - low) || 0.05 * Math.abs(high) || 1;
+  const near = high - low < 0.2 * Math.max(Math.abs(low), Math.abs(high));
+  const value: [number, number] =
+    near ? [low - pad, high + pad] : [low >= 0 ? 0 : low - pad, high <= 0 ? 0 : high + pad];
+  const ends = { place: [Math.min(...places), Math.max(...places)] as [number, number], value };
+  const tell = (p: number[]) =>
+    `(${p.slice(0, report.value.model.dimension).map((x) => Number((x / length.si).toPrecision(4))).join(", ")})`;
+  return (
+    <figure aria-label={`Section ${section.name}`} class="chart-figure section-figure">
+      <div class="chart-head">
+        <h4>Section {section.name}</h4>
+        <CsvButton part={`section-${section.name}`} columns={() => makeSectionColumns(runs)} />
+      </div>
+      <div class="chart-bar">
+        <label>
+          Field{" "}
+          <select value={field.name} onChange={(e) => setName(e.currentTarget.value)}>
+            {section.fields.map((f) => (
+              <option key={f.name} value={f.name}>{titleWithUnit(f.title, f.unit.name)}</option>
+            ))}
+          </select>
+        </label>
+        {runs.length > 1 && (
+          <Choice
+            label="One chart for each"
+            value={by}
+            options={[
+              { value: "run", title: "by variant" },
+              { value: "time", title: "by time" },
+            ]}
+            onChange={(v) => {
+              setBy(v);
+              setHidden(new Set<string>());
+            }}
+          />
+        )}
+      </div>
+      <Legend
+        hidden={hidden}
+        onToggle={(id) => {
+          const next = new Set(hidden);
+          if (!next.delete(id)) next.add(id);
+          setHidden(next);
+        }}
+        items={names.map((n, i) => ({ id: n, title: n, style: styleOf(i) }))}
+      />
+      <div class="chart-grid">
+        {charts.map((c) => (
+          <SectionPanel
+            key={`${by} ${c.title}`}
+            chart={c}
+            names={names}
+            hidden={hidden}
+            field={field}
+            axis={axis}
+            ends={ends}
+            cross={cross}
+          />
+        ))}
+      </div>
+      <p class="chart-note">
+        Means over the points within {formatQuantity((0.5 * section.width) / length.si, length.name, 3)} of the line
+        from {tell(section.from)} to {tell(section.to)} {length.name}, in parts of{" "}
+        {formatQuantity(section.width / length.si, length.name, 3)}.
+      </p>
+    </figure>
+  );
+}
+
+/** The sections of a run. */
+export function SectionCharts() {
+  const sections = report.value.sections ?? [];
+  if (sections.length === 0) return null;
+  return (
+    <>
+      {sections.map((s) => (
+        <SectionFigure key={s.name} runs={[{ title: "", section: s }]} />
+      ))}
+    </>
+  );
+}

@@ -1,0 +1,60 @@
+/** When the monitored points of each variant began to move, and in which order. */
+import type { Study } from "../../contract";
+import { Scroller } from "../../page/Scroller";
+import { CsvButton } from "../base/Legend";
+import { formatNumber } from "../base/numbers";
+
+export function OrderTable({ study }: { study: Study }) {
+  const rows = study.rows.filter((r) => r.motion);
+  const monitors = [...new Set(rows.flatMap((r) => r.motion!.monitors.map((m) => m.name)))];
+  if (rows.length === 0 || monitors.length === 0) return null;
+  const onset = (row: (typeof rows)[number], name: string) =>
+    row.motion!.monitors.find((m) => m.name === name)?.onset ?? null;
+  return (
+    <figure aria-label="Order of movement" class="chart-figure">
+      <div class="chart-head">
+        <h4>Order of movement</h4>
+        <CsvButton
+          part="study-onsets"
+          what="onsets"
+          columns={() => [
+            { name: "variant", values: rows.map((r) => r.name) },
+            ...monitors.map((name) => ({ name, unit: "s", values: rows.map((r) => onset(r, name)) })),
+            { name: "pattern", values: rows.map((r) => r.motion!.pattern) },
+          ]}
+        />
+      </div>
+      <Scroller class="chart-scroll" label="When the monitored points began to move">
+        <table class="chart-table">
+          <thead>
+            <tr>
+              <th scope="col">Variant</th>
+              {monitors.map((name) => (
+                <th key={name} scope="col" class="chart-number">
+                  {name} [s]
+                </th>
+              ))}
+              <th scope="col">In words</th>
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((r) => (
+              <tr key={r.name}>
+                <th scope="row">{r.name}</th>
+                {monitors.map((name) => {
+                  const time = onset(r, name);
+                  return (
+                    <td key={name} class="chart-number">
+                      {time === null ? <span class="chart-missing">at rest</span> : formatNumber(time, 3)}
+                    </td>
+                  );
+                })}
+                <td>{r.motion!.sentence}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </Scroller>
+    </figure>
+  );
+}

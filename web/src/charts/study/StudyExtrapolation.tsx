@@ -1,0 +1,163 @@
+/** Factors of safety over the size that the study extrapolates, and where their lines meet size zero. */
+import * as Plot from "@observablehq/plot";
+
+import type { Study } from "../../contract";
+import { Scroller } from "../../page/Scroller";
+import { centred } from "../base/axes";
+import { Chart } from "../base/Chart";
+import { CsvButton, Legend } from "../base/Legend";
+import { formatNumber, titleWithUnit } from "../base/numbers";
+import { styleOf } from "../base/styles";
+
+const format = (value: number | null) => (value === null ? "–" : value.toFixed(3));
+
+export function StudyExtrapolation({ study }: { study: Study }) {
+  const { extrapolation } = study;
+  if (!extrapolation || extrapolation.factors.length === 0) return null;
+  const { key, unit, factors } = extrapolation;
+  const title = (f: (typeof factors)[number]) => [f.criterion, f.variant].filter(Boolean).join("; ");
+  const points = factors
+    .flatMap((f, k) => [
+      { k, x: 0, y: f.linear, name: title(f), extrapolated: true },
+      ...f.sizes.map((x, i) => ({ k, x, y: f.factors[i]!, name: title(f), extrapolated: false })),
+    ])
+    .sort((a, b) => a.x - b.x);
+  const largest = Math.max(...points.map((p) => p.x));
+  const draw = (width: number): Plot.PlotOptions => ({
+    height: Math.max(280, Math.min(380, width * 0.5)),
+    marginLeft: 58,
+    marginRight: 20,
+    marginTop: 28,
+    marginBottom: 46,
+    x: {
+      domain: [0, largest * 1.05],
+      label: titleWithUnit(key, unit),
+      ...centred,
+      ticks: width < 420 ? 4 : 7,
+      inset: 8,
+    },
+    y: { label: "Factor of safety", labelArrow: "none", ticks: 6, inset: 10, zero: false },
+    symbol: { type: "identity" },
+    marks: [
+      Plot.gridY({ ticks: 6, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      factors.map((f, k) => {
+        const { colour, dash, symbol } = styleOf(k);
+        const [n, sum] = [f.sizes.length, (values: number[]) => values.reduce((a, b) => a + b, 0)];
+        // The least squares line passes through the mean of the sizes and of the factors.
+        const [x, y] = [sum(f.sizes) / n, sum(f.factors) / n];
+        const slope = x > 0 ? (y - f.linear) / x : 0;
+        return [
+          Plot.line(
+            [
+              [0, f.linear],
+              [largest, f.linear + slope * largest],
+            ],
+            {
+              stroke: colour,
+              strokeWidth: 1.4,
+              strokeDasharray: dash || "5 3",
+            },
+          ),
+          Plot.dot(
+            f.sizes.map((size, i) => [size, f.factors[i]!]),
+            {
+              stroke: colour,
+              strokeWidth: 1.6,
+              fill: "var(--chart-ground)",
+              symbol,
+              r: 4.2,
+            },
+          ),
+          Plot.dot([[0, f.linear]], { stroke: colour, fill: colour, symbol, r: 4.6 }),
+        ];
+      }),
+    ],
+  });
+  return (
+    <figure aria-label={`Factors extrapolated to ${key} = 0`} class="chart-figure">
+      <div class="chart-head">
+        <h4>Extrapolated to {key} = 0</h4>
+        <CsvButton
+          part="study-extrapolation"
+          what="extrapolation"
+          columns={() => [
+            { name: "factor", values: points.map((p) => p.name) },
+            { name: key, unit: unit || "-", values: points.map((p) => p.x) },
+            { name: "factor of safety", unit: "-", values: points.map((p) => p.y) },
+          ]}
+        />
+      </div>
+      <Legend markers items={factors.map((f, k) => ({ id: title(f), title: title(f), style: styleOf(k) }))} />
+      <Chart
+        label={`Factors of safety over ${key}`}
+        draw={draw}
+        depends={[extrapolation]}
+        stops={[...new Set(points.map((p) => p.x))]}
+        showReading
+        hint="Point at a size to read it; filled marks are extrapolated."
+        read={(i) => {
+          const x = [...new Set(points.map((p) => p.x))][i]!;
+          const here = points.filter((p) => p.x === x);
+          return {
+            text: here.map((p) => `${p.name}: ${format(p.y)}`).join("; "),
+            marks: here.map((p) => ({ value: p.y, at: x, colour: styleOf(p.k).colour })),
+          };
+        }}
+      />
+      <Scroller class="chart-scroll" label="Extrapolated factors of safety">
+        <table class="chart-table">
+          <thead>
+            <tr>
+              <th scope="col">Factor</th>
+              <th scope="col" class="chart-number">
+                Sizes
+              </th>
+              <th scope="col" class="chart-number">
+                Coarsest
+              </th>
+              <th scope="col" class="chart-number">
+                Finest
+              </th>
+              <th scope="col" class="chart-number chart-wrap">
+                At zero, line through all
+              </th>
+              <th scope="col" class="chart-number">
+                ±
+              </th>
+              <th scope="col" class="chart-number chart-wrap">
+                Line through the finest two
+              </th>
+              <th scope="col" class="chart-number">
+                Order p
+              </th>
+              <th scope="col" class="chart-number">
+                with p
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {factors.map((f) => (
+              <tr key={title(f)}>
+                <th scope="row">{title(f)}</th>
+                <td class="chart-number">{f.sizes.length}</td>
+                <td class="chart-number">{format(f.factors[0] ?? null)}</td>
+                <td class="chart-number">{format(f.factors.at(-1) ?? null)}</td>
+                <td class="chart-number">
+                  <strong>{format(f.linear)}</strong>
+                </td>
+                <td class="chart-number">{format(f.standard_error)}</td>
+                <td class="chart-number">{format(f.finest_pair)}</td>
+                <td class="chart-number">{formatNumber(f.order, 3)}</td>
+                <td class="chart-number">{format(f.by_order)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </Scroller>
+      <p class="chart-note">
+        ± is the standard error from the scatter of the meshes about the line. The order p is the exponent of the size
+        that fits best, where there are four sizes.
+      </p>
+    </figure>
+  );
+}

@@ -1,0 +1,125 @@
+/** A study: its table, any of its results over a varied key, and the displacement curves of all variants. */
+import { useState } from "preact/hooks";
+
+import type { Study } from "../../contract";
+import { report } from "../../state";
+import { CsvButton } from "../base/Legend";
+import { titleWithUnit } from "../base/numbers";
+import { OrderTable } from "./OrderTable";
+import { SectionFigure } from "../sections/SectionCharts";
+import { listSectionsOf } from "../sections/sectionData";
+import { StudyCurves } from "./StudyCurves";
+import { makeStudyColumns, orderRows } from "./studyData";
+import { StudyExtrapolation } from "./StudyExtrapolation";
+import { StudyMotion } from "./StudyMotion";
+import { StudyPictures } from "./StudyPictures";
+import { StudyPlot } from "./StudyPlot";
+
+export function StudySection() {
+  const study = report.value.study;
+  if (!study) return null;
+  const sections = [...new Set(study.rows.flatMap((r) => (r.sections ?? []).map((s) => s.name)))];
+  const failed = study.rows.filter((r) => r.status !== "finished").length;
+  return (
+    <section class="chart-section" aria-labelledby="chart-study-title">
+      <div class="chart-head">
+        <h3 id="chart-study-title">Variants of the study</h3>
+        <CsvButton part="study" columns={() => makeStudyColumns(study)} />
+      </div>
+      <p>
+        {study.rows.length} variants of {study.vary.map((v) => v.key).join(", ")}
+        {study.mode && ` (${study.mode.replaceAll("_", " ")})`}
+        {failed > 0 && `; ${failed} without a result`}.
+      </p>
+      <OrderTable study={study} />
+      <StudyTable study={study} />
+      <StudyExtrapolation study={study} />
+      <StudyPlot study={study} />
+      {study.rows.some((r) => r.curve) && <StudyCurves study={study} />}
+      {study.rows.some((r) => r.paths) && <StudyMotion study={study} />}
+      <StudyPictures study={study} />
+      {sections.map((name) => (
+        <SectionFigure key={name} runs={listSectionsOf(study, name)} />
+      ))}
+    </section>
+  );
+}
+
+/** Columns of the study's files that every row of the table says anyway. */
+const repeated = new Set(["variant", "result"]);
+
+function StudyTable({ study }: { study: Study }) {
+  const [sort, setSort] = useState<{ by: number | null; down: boolean }>({ by: null, down: false });
+  const order = orderRows(sort.by === null ? null : study.columns[sort.by]!, study.rows.length, sort.down);
+  const columns = study.columns.map((c, i) => ({ c, i })).filter(({ c }) => !repeated.has(c.name));
+  const varied = study.vary.map((v) => v.key);
+  const isNumeric = study.columns.map((c) => c.values.some((v) => v !== null));
+  // Reasons and warnings in full; the table has room for their number only.
+  const notes = study.rows.flatMap((r) => [r.reason, ...r.warnings].filter(Boolean).map((t) => `${r.name}: ${t}`));
+  const press = (i: number) => setSort({ by: i, down: sort.by === i ? !sort.down : false });
+  return (
+    <>
+      <div class="chart-scroll" tabIndex={0} role="group" aria-label="Table of variants">
+        <table class="chart-table">
+          <thead>
+            <tr>
+              <th scope="col">Variant</th>
+              {columns.map(({ c, i }) => (
+                <th
+                  key={c.name}
+                  scope="col"
+                  class={isNumeric[i] ? "chart-number chart-wrap" : undefined}
+                  aria-sort={sort.by === i ? (sort.down ? "descending" : "ascending") : "none"}
+                >
+                  <button type="button" onClick={() => press(i)}>
+                    {titleWithUnit(c.title, c.unit)}{" "}
+                    <span aria-hidden="true" class="chart-missing">
+                      {sort.by === i ? (sort.down ? "▼" : "▲") : "↕"}
+                    </span>
+                  </button>
+                </th>
+              ))}
+              <th scope="col">Status</th>
+            </tr>
+          </thead>
+          <tbody>
+            {order.map((row) => {
+              const r = study.rows[row]!;
+              return (
+                <tr key={row}>
+                  <th scope="row">{r.name}</th>
+                  {columns.map(({ c, i }) => (
+                    <td key={c.name} class={isNumeric[i] ? "chart-number" : undefined}>
+                      {c.shown[row] ?
+                        c.shown[row]
+                      : <span class="chart-missing" title={r.reason || "this variant has no such result"}>
+                          {varied.includes(c.name) ? "as in the case" : "none"}
+                        </span>
+                      }
+                    </td>
+                  ))}
+                  <td>
+                    {r.status}
+                    {r.reason && <div class="chart-bad chart-reason">{r.reason}</div>}
+                    {r.warnings.length > 0 && (
+                      <div class="chart-missing">
+                        {r.warnings.length === 1 ? "1 warning" : `${r.warnings.length} warnings`}
+                      </div>
+                    )}
+                  </td>
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </div>
+      {notes.length > 0 && (
+        <ul class="chart-note">
+          {notes.map((n) => (
+            <li key={n}>{n}</li>
+          ))}
+        </ul>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,54 @@
+/** The table of a study: order of its rows, and what of it can be drawn. */
+import type { Study } from "../../contract";
+import type { CsvColumn } from "../base/csv";
+
+type StudyColumn = Study["columns"][number];
+
+/** Row numbers ordered by a column; rows without a value stand last whichever way. */
+export function orderRows(column: StudyColumn | null, rows: number, descending: boolean): number[] {
+  const order = Array.from({ length: rows }, (_, i) => i);
+  if (!column) return descending ? order.reverse() : order;
+  const numeric = column.values.some((v) => v !== null);
+  const missing = (i: number) => (numeric ? (column.values[i] ?? null) === null : !column.shown[i]);
+  const sign = descending ? -1 : 1;
+  return order.sort((a, b) => {
+    if (missing(a) || missing(b)) return Number(missing(a)) - Number(missing(b)) || a - b;
+    const difference =
+      numeric ?
+        column.values[a]! - column.values[b]!
+      : column.shown[a]!.localeCompare(column.shown[b]!, "en", { numeric: true });
+    return sign * difference || a - b;
+  });
+}
+
+/** The varied keys' columns, in the order of the study. */
+export function findVaried(study: Study): StudyColumn[] {
+  return study.vary.map((v) => study.columns.find((c) => c.name === v.key)).filter((c) => c !== undefined);
+}
+
+/** Columns of results that have at least one number. */
+export function findNumeric(study: Study): StudyColumn[] {
+  const varied = findVaried(study);
+  return study.columns.filter((c) => !varied.includes(c) && c.values.some((v) => v !== null));
+}
+
+export function makeStudyColumns(study: Study): CsvColumn[] {
+  const take = (c: StudyColumn): CsvColumn =>
+    c.values.some((v) => v !== null) ?
+      { name: c.title, unit: c.unit || "-", values: study.rows.map((_, i) => c.values[i] ?? null) }
+    : { name: c.title, values: study.rows.map((_, i) => c.shown[i] ?? "") };
+  return [
+    { name: "variant", values: study.rows.map((r) => r.name) },
+    ...study.columns.map(take),
+    { name: "status", values: study.rows.map((r) => r.status) },
+    { name: "reason", values: study.rows.map((r) => r.reason) },
+  ];
+}
+
+/** What tells one row's group from another when the first key is on the axis: the values of the other varied keys. */
+export function nameGroup(study: Study, row: number, onAxis: string): string {
+  return findVaried(study)
+    .filter((c) => c.name !== onAxis)
+    .map((c) => `${c.title} ${c.shown[row] ?? ""}${c.unit && c.unit !== "-" ? ` ${c.unit}` : ""}`)
+    .join(", ");
+}

@@ -1,0 +1,199 @@
+/** Soil water: retention and conductivity of each soil, and what changes with time at the border. */
+import * as Plot from "@observablehq/plot";
+
+import type { HydraulicCondition, MaterialRow, SoilWater } from "../../contract";
+import { SymbolText } from "../../page/DataTable";
+import { report } from "../../state";
+import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
+import { Chart } from "../base/Chart";
+import { CsvButton } from "../base/Legend";
+import { formatQuantity, titleWithUnit } from "../base/numbers";
+import { chooseTimeUnit, findChanging, makeCurves, type SoilWaterCurve, toUnit } from "./soilWaterData";
+
+const margins = { marginLeft: 58, marginRight: 14, marginTop: 26, marginBottom: 44 };
+
+function CurveChart({ name, curve, water }: { name: string; curve: SoilWaterCurve; water: SoilWater }) {
+  const { stress } = report.value.units;
+  const suction = toUnit(water.curves.suction, stress);
+  const most = water.curves.largest_suction === null ? null : water.curves.largest_suction / stress.si;
+  const domain: [number, number] = [suction[0] ?? 1, suction.at(-1) ?? 10];
+  const draw = (): Plot.PlotOptions => {
+    const ticks = curve.log ? findLogTicks(curve.domain, 5) : 5;
+    return {
+      height: 210,
+      ...margins,
+      x: {
+        type: "log",
+        domain,
+        label: titleWithUnit("Suction s", stress.name),
+        ...centred,
+        ticks: findLogTicks(domain, 6),
+        tickFormat: formatLogTick,
+      },
+      y: {
+        type: curve.log ? "log" : "linear",
+        domain: curve.domain,
+        label: titleWithUnit(curve.title, curve.unit),
+        labelArrow: "none",
+        ticks,
+        tickFormat: curve.log ? formatLogTick : undefined,
+      },
+      marks: [
+        Plot.gridY({ ticks, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+        most === null ?
+          []
+        : [
+            Plot.ruleX([most], { stroke: "var(--chart-muted)", strokeDasharray: "3 3" }),
+            Plot.text([most], {
+              x: (d: number) => d,
+              text: () => "largest in the model",
+              frameAnchor: "bottom",
+              textAnchor: "end",
+              dx: -5,
+              dy: -4,
+              fill: "var(--chart-muted)",
+            }),
+          ],
+        Plot.line(
+          suction.map((s, i) => [s, curve.values[i] ?? Number.NaN]),
+          { stroke: "var(--series-1)", strokeWidth: 1.8, clip: true },
+        ),
+      ],
+    };
+  };
+  return (
+    <Chart
+      label={`${name}: ${curve.title.toLowerCase()} over suction`}
+      draw={draw}
+      depends={[curve, water]}
+      stops={suction}
+      printWidth={320}
+      showReading
+      hint="Point at the curve to read it."
+      read={(i) => ({
+        text: `s = ${formatQuantity(suction[i], stress.name)}: ${formatQuantity(curve.values[i], curve.unit)}`,
+        marks: [{ value: curve.values[i]!, colour: "var(--series-1)" }],
+      })}
+    />
+  );
+}
+
+/** What the curves are, in words and with their parameters. */
+function Laws({ water }: { water: SoilWater }) {
+  return (
+    <p class="chart-note">
+      Retention: {water.retention}. Conductivity: {water.conductivity}.{" "}
+      {water.parameters.map((p, i) => (
+        <span key={p.key}>
+          {i > 0 && ", "}
+          <SymbolText text={p.symbol} /> = {formatQuantity(p.value, p.unit)}
+        </span>
+      ))}
+    </p>
+  );
+}
+
+function SoilCharts({ material, water }: { material: MaterialRow; water: SoilWater }) {
+  const { stress } = report.value.units;
+  const curves = makeCurves(water);
+  const columns = () => [
+    { name: "suction", unit: stress.name, values: toUnit(water.curves.suction, stress) },
+    ...curves.map((c, i) => ({ name: i ? "conductivity" : "saturation", unit: c.unit, values: c.values })),
+  ];
+  return (
+    <figure class="chart-figure" aria-label={`Soil water of ${material.name}`}>
+      <div class="chart-head">
+        <h4>{material.name}</h4>
+        <CsvButton part={`soil_water_${material.name}`} what={`curves of ${material.name}`} columns={columns} />
+      </div>
+      <Laws water={water} />
+      <div class="chart-grid">
+        {curves.map((curve) => (
+          <CurveChart key={curve.title} name={material.name} curve={curve} water={water} />
+        ))}
+      </div>
+    </figure>
+  );
+}
+
+function SeriesChart({ condition }: { condition: HydraulicCondition }) {
+  const series = condition.series!;
+  const span = series.time.at(-1)! - series.time[0]!;
+  const unit = chooseTimeUnit(span);
+  const time = toUnit(series.time, unit);
+  const low = Math.min(0, ...series.values);
+  const high = Math.max(...series.values, low + 1e-12);
+  const title = `${condition.on}: ${series.title}`;
+  const fromZero = condition.condition === "rain" || condition.condition === "flux";
+  const domain: [number, number] = fromZero ? [low, high * 1.05] : padded(Math.min(...series.values), high);
+  const axis = describeAxis(domain[0], domain[1], 5);
+  const tellTime = (i: number) => formatQuantity(time[i], unit.name);
+  const draw = (): Plot.PlotOptions => ({
+    height: 190,
+    ...margins,
+    x: { label: titleWithUnit("Time", unit.name), ...centred, ticks: 6 },
+    y: {
+      domain,
+      label: titleWithPower(title, series.unit.name, axis.power),
+      labelArrow: "none",
+      ticks: 5,
+      tickFormat: axis.format,
+    },
+    marks: [
+      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      fromZero ?
+        Plot.areaY(
+          time.map((t, i) => [t, series.values[i]!]),
+          { x: "0", y: "1", fill: "var(--series-1)", fillOpacity: 0.18 },
+        )
+      : [],
+      Plot.line(
+        time.map((t, i) => [t, series.values[i]!]),
+        { stroke: "var(--series-1)", strokeWidth: 1.8 },
+      ),
+    ],
+  });
+  return (
+    <Chart
+      label={`${title} over time`}
+      draw={draw}
+      depends={[condition]}
+      stops={time}
+      printWidth={320}
+      showReading
+      hint={`${title}.`}
+      read={(i) => ({
+        text: `${title} at ${tellTime(i)}: ${formatQuantity(series.values[i], series.unit.name)}`,
+        marks: [{ value: series.values[i]!, colour: "var(--series-1)" }],
+      })}
+    />
+  );
+}
+
+function padded(low: number, high: number): [number, number] {
+  const pad = 0.08 * (high - low) || 1;
+  return [low - pad, high + pad];
+}
+
+export function SoilWaterSection() {
+  const { model, water } = report.value;
+  const changing = findChanging(water?.conditions ?? []);
+  return (
+    <section class="chart-section" aria-labelledby="chart-water-title">
+      <h3 id="chart-water-title">Soil water</h3>
+      {model.materials.map((m) => m.water && <SoilCharts key={m.name} material={m} water={m.water} />)}
+      {changing.length > 0 && (
+        <figure class="chart-figure" aria-label="Hydraulic conditions over time">
+          <div class="chart-head">
+            <h4>Hydraulic conditions over time</h4>
+          </div>
+          <div class="chart-grid">
+            {changing.map((condition, i) => (
+              <SeriesChart key={i} condition={condition} />
+            ))}
+          </div>
+        </figure>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,53 @@
+/** What was asked for: factors of safety, other numbers, and published values beside them. */
+import type { Unit } from "./units";
+
+export interface Answer {
+  /** The answer in words, the most important sentence first. */
+  sentences: string[];
+  factors: Factor[];
+  results: NamedResult[];
+}
+
+/** A factor of safety by one method and criterion. */
+export interface Factor {
+  /** "mpm", "lem", "fem". */
+  method: string;
+  /** As in results: "factor_of_safety.frozen". */
+  name: string;
+  /** "rest or run-away at frozen geometry". */
+  title: string;
+  /** null: this criterion found none, `note` says why. */
+  value: number | null;
+  lower: number | null;
+  upper: number | null;
+  note: string;
+  /** The one that the first sentence names. */
+  main: boolean;
+  /** What pore water did in the trials: absent where the ground is dry. */
+  water?: "flows" | "held";
+}
+
+/** A number that a [[compare]] of the case may name. */
+export interface NamedResult {
+  name: string;
+  title: string;
+  value: number;
+  unit: Unit;
+}
+
+/** A [[compare]] of the case. */
+export interface Comparison {
+  name: string;
+  title: string;
+  unit: Unit;
+  /** null: the run has no such result. */
+  computed: number | null;
+  published: number;
+  /** Largest difference that passes: absolute [SI]. */
+  tolerance: number;
+  /** As the case states it: "5 %", "0.02". */
+  tolerance_text: string;
+  source: string;
+  passes: boolean;
+  note: string;
+}

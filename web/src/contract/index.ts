@@ -1,0 +1,14 @@
+/** The data contract between the program and this page, as the page imports it: every room of this folder. */
+export type * from "./answer";
+export type * from "./elements";
+export type * from "./head";
+export type * from "./laboratory";
+export type * from "./methods";
+export type * from "./model";
+export type * from "./report";
+export type * from "./run";
+export type * from "./sampling";
+export type * from "./slices";
+export type * from "./study";
+export type * from "./units";
+export type * from "./water";

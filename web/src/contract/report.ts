@@ -1,0 +1,97 @@
+/**
+ * The data contract between the C++ side (src/report/) and this page: what a report holds.
+ *
+ * `npm run schema` writes it as JSON Schema to contract/report.schema.json; the C++ tests hold what they write against
+ * that schema, the tests of the page hold a real report against it too. Numbers are SI; `Unit.si` converts for display.
+ */
+import type { Answer, Comparison } from "./answer";
+import type { FiniteElements } from "./elements";
+import type { InputTable, Project, Provenance, Timing } from "./head";
+import type { Calibration, PointTests } from "./laboratory";
+import type { MethodTable } from "./methods";
+import type { Model } from "./model";
+import type { Curve, Motion, Section, Sequence, Table } from "./run";
+import type { Slices } from "./slices";
+import type { Study } from "./study";
+import type { Unit } from "./units";
+import type { Water } from "./water";
+
+/** A report: of one run, of a study, or of element tests alone. */
+export interface Report {
+  format: 1;
+  kind: "run" | "study" | "tests";
+  project: Project;
+  status: "finished" | "interrupted" | "unstable" | "failed" | "unfinished";
+  /** Why the run did not finish. */
+  error?: string;
+  units: { length: Unit; displacement: Unit; stress: Unit };
+  answer: Answer;
+  warnings: string[];
+  model: Model;
+  sequences: Sequence[];
+  curve?: Curve;
+  tables: Table[];
+  comparisons: Comparison[];
+  study?: Study;
+  /** Absent where the folder holds no element tests. */
+  point_tests?: PointTests;
+  /** Of `talus calibrate`. */
+  calibration?: Calibration;
+  /** Of a run with monitors. */
+  motion?: Motion;
+  /** Of a run whose case has sections. */
+  sections?: Section[];
+  /** Absent where the ground is dry. */
+  water?: Water;
+  /** Of a case that asks for several methods, or for others than material points. */
+  method_table?: MethodTable;
+  slices?: Slices;
+  finite_elements?: FiniteElements;
+  /** Sentences: what the numbers rest on, and where they end. */
+  assumptions: string[];
+  /** Names of the paragraphs of the methods section that apply. */
+  methods: Method[];
+  /** The case as it was understood: nested tables whose leaves are InputValue. */
+  input: InputTable;
+  provenance: Provenance;
+  timing: Timing;
+}
+
+export type Method =
+  | "material_point_method"
+  | "time_step"
+  | "mixed_integration"
+  | "point_integration"
+  | "strain_smoothing"
+  | "stable_smoothing"
+  | "local_damping"
+  | "mass_scaling"
+  | "mohr_coulomb"
+  | "root_cohesion"
+  | "modified_cam_clay"
+  | "rooted_cam_clay"
+  | "external_model"
+  | "linear_elastic"
+  | "strength_reduction"
+  | "displacement_curve"
+  | "frozen_factor"
+  | "runout"
+  | "two_phase"
+  | "water_storage"
+  | "soil_water"
+  | "pressure_smoothing"
+  | "hydraulic_conditions"
+  | "steady_seepage"
+  | "held_pressures"
+  | "limit_equilibrium"
+  | "slip_search"
+  | "fellenius"
+  | "bishop"
+  | "janbu"
+  | "spencer"
+  | "morgenstern_price"
+  | "yield_acceleration"
+  | "finite_elements"
+  | "finite_element_reduction"
+  | "partial_factors"
+  | "sampling";

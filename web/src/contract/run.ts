@@ -1,0 +1,91 @@
+/** What one run has: frames, the displacement curve, tables over time, motion, sections. */
+import type { Column, PackedArray, Unit } from "./units";
+
+/** Frames that belong together: the stages, the trials of the curve, one runout. */
+export interface Sequence {
+  /** "stages", "curve", "runout_1.75". */
+  id: string;
+  title: string;
+  /** What runs along the frames: simulated time, or the strength reduction factor. */
+  axis: "time" | "factor";
+  frames: { time: number; factor: number | null; stage: string; label: string }[];
+  /** One sentence: which frames and points of the results are shown here. */
+  thinning: string;
+  point_count: number;
+  /** [point] u32: number of each point, as in the results file. */
+  ids: PackedArray;
+  /** [point] u8. */
+  materials: PackedArray;
+  /** [frame][point][dimension] u16 with range, one range for all axes [m]. */
+  positions: PackedArray;
+  fields: SequenceField[];
+}
+
+export interface SequenceField {
+  /** "deviatoric_strain", "displacement", "displacement_x", "stress_xx". */
+  name: string;
+  title: string;
+  unit: Unit;
+  /** [frame][point] u16 with range. */
+  values: PackedArray;
+  /** Limits of a useful colour scale over all frames (SI): outliers do not stretch it. */
+  scale: [number, number];
+  /** Whether the colours should run from one end, or from the middle (signed quantities). */
+  diverging: boolean;
+}
+
+export interface Curve {
+  points: { srf: number; displacement: number; end: string; force_ratio: number; nodal_speed: number }[];
+  bilinear?: { first: Branch; last: Branch; factor: number | null };
+  criteria: { name: string; factor: number | null; lower: number | null; upper: number | null; note: string }[];
+}
+
+/** displacement = slope × SRF + intercept [m]. */
+export interface Branch {
+  slope: number;
+  intercept: number;
+  /** The factors that the line was fitted to. */
+  factors: number[];
+}
+
+/** A table with a common abscissa: a history, a profile. */
+export interface Table {
+  /** "history", "monitors", "history_runout_1.75", "profile_runout_1.75". */
+  id: string;
+  title: string;
+  kind: "history" | "monitors" | "ground";
+  x: Column;
+  columns: Column[];
+}
+
+/** When the monitored points began to move. */
+export interface Motion {
+  stage: string;
+  /** Where the clock of onset and sections starts, in the time of the run [s]. */
+  start: number;
+  /** Displacement beyond which a point has begun to move [m]. */
+  threshold: number;
+  /** Onset on that clock [s], null for a point that did not move; displacement at the end [m]. */
+  monitors: { name: string; onset: number | null; displacement: number | null }[];
+  pattern: "none" | "single" | "together" | "upwards" | "downwards" | "mixed";
+  sentence: string;
+}
+
+/** The fields along a line of the case at some of its stored frames. */
+export interface Section {
+  name: string;
+  /** Ends of the line [m]. */
+  from: number[];
+  to: number[];
+  /** Width of the band around the line whose points count [m]. */
+  width: number;
+  fields: { name: string; title: string; unit: Unit }[];
+  profiles: {
+    /** On the clock [s]. */
+    time: number;
+    /** From `from` [m]. */
+    distance: number[];
+    /** [field][row], SI; null where there is no value. */
+    values: (number | null)[][];
+  }[];
+}
