@@ -9,8 +9,29 @@ import sys
 import tempfile
 from pathlib import Path
 
-FLOORS = {"base": 0, "material": 1, "mesh": 1, "results": 1, "input": 2, "mpm": 3, "fem": 3, "lem": 3,
-          "ground": 4, "run": 4, "output": 4, "report": 4, "study": 4, "laboratory": 4, "app": 5}
+# Who may include whom (docs/architecture.md), from the ground up; every floor may include its own files. What is not here
+# is refused: the engines do not know each other, output knows no engine, results know nobody.
+ALLOWED = {
+    "base": [],
+    "material": ["base"],
+    "mesh": ["base"],
+    "results": ["base"],
+    "input": ["base", "material", "mesh", "results"],
+    "mpm": ["base", "material", "mesh", "input"],
+    "fem": ["base", "material", "mesh", "input"],
+    "lem": ["base", "mesh"],
+    "output": ["base", "results", "input"],
+    "ground": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "output"],
+    "run": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "output", "ground"],
+    "laboratory": ["base", "material", "results", "input", "output", "ground", "run"],
+    "study": ["base", "results", "input", "lem", "output", "run"],
+    "report": ["base", "material", "mesh", "results", "input", "output", "run"],
+    "app": ["base", "results", "input", "output", "run", "laboratory", "study", "report"],
+}
+# Rooms of one floor that do not know each other: no method owns the run.
+APART = [("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("output/files", "output/plots")]
+# One of them may use the other.
+MAY_USE = {("output/plots", "output/files")}
 LONGEST = 500
 # file → why it may be longer
 MAY_BE_LONGER = {}
@@ -27,6 +48,15 @@ def list_sources(root, folders):
                 yield path, path.relative_to(root).as_posix()
 
 
+def find_neighbours(name, target):
+    """The fault of a room that includes one that it must not know; None without one."""
+    for pair in APART:
+        for one, other in (pair, pair[::-1]):
+            if name.startswith(f"src/{one}/") and target.startswith(other + "/") and (one, other) not in MAY_USE:
+                return f"{one}/ and {other}/ do not know each other"
+    return None
+
+
 def check_line(root, name, floor, line):
     """The faults of one line of a file in src/<floor>/."""
     include = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
@@ -34,10 +64,12 @@ def check_line(root, name, floor, line):
         target = include[1]
         other = target.split("/")[0]
         generated = (root / "src" / (target + ".in")).is_file()
-        if other not in FLOORS or "/" not in target:
+        if other not in ALLOWED or "/" not in target:
             yield f'"{target}" must be written "floor/file.hpp"'
-        elif FLOORS[other] > FLOORS[floor]:
-            yield f"{floor} (floor {FLOORS[floor]}) includes {target} from floor {FLOORS[other]}"
+        elif other != floor and other not in ALLOWED[floor]:
+            yield f"{floor}/ may not include {other}/"
+        elif fault := find_neighbours(name, target):
+            yield fault
         elif not generated and not (root / "src" / target).is_file():
             yield f"there is no src/{target}"
     if floor != "base":
@@ -56,8 +88,8 @@ def find_faults(root):
         parts = name.split("/")
         if parts[0] != "src" or len(parts) < 3:
             continue
-        if parts[1] not in FLOORS:
-            faults.append(f"{name}: src/{parts[1]}/ has no floor in tools/check_floors.py")
+        if parts[1] not in ALLOWED:
+            faults.append(f"{name}: src/{parts[1]}/ is not in the list of tools/check_floors.py")
             continue
         for number, line in enumerate(lines, 1):
             faults += [f"{name}:{number}: {fault}" for fault in check_line(root, name, parts[1], line)]
@@ -72,12 +104,15 @@ def run_self_test():
     tree = {
         "src/base/low.hpp": '#include "mpm/high.hpp"\n',
         "src/mpm/high.hpp": '#include "base/low.hpp"\n#include "low.hpp"\n#include "base/missing.hpp"\n',
+        "src/fem/neighbour.cpp": '#include "mpm/high.hpp"\n',
+        "src/run/mpm/owner.cpp": '#include "run/lem/search.hpp"\n',
+        "src/run/lem/search.hpp": "\n",
         "src/mesh/threads.cpp": "#include <omp.h>\n#ifdef __AVX__\n#endif\n",
         "src/odd/file.cpp": "\n",
         "tests/unit/long.cpp": "\n" * (LONGEST + 1),
     }
     expected = ["base/low.hpp:1", "mpm/high.hpp:2", "mpm/high.hpp:3", "mesh/threads.cpp:1", "mesh/threads.cpp:2",
-                "odd/file.cpp", "unit/long.cpp"]
+                "odd/file.cpp", "unit/long.cpp", "fem/neighbour.cpp:1", "run/mpm/owner.cpp:1"]
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         for name, text in tree.items():

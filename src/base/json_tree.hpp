@@ -13,6 +13,9 @@ class JsonTree {
   JsonTree() = default;
   explicit JsonTree(nlohmann::json tree);
 
+  /// From a text that was written by write(). Throws Error (wrong_input) when it is no JSON.
+  static JsonTree parse(const std::string& text);
+
   bool is_empty() const { return tree_ == nullptr; }
   /// The tree; an empty object where there is none.
   const nlohmann::json& get() const;

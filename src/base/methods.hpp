@@ -7,13 +7,13 @@ namespace talus {
 enum class Method { lem, fem, mpm };
 
 enum class SliceMethod {
-  fellenius,
-  bishop,
-  janbu,
-  janbu_corrected,
-  spencer,
-  morgenstern_price,
-  morgenstern_price_constant
+  fellenius,                  ///< ordinary method; with water N' = W cosα - u l (the classical form)
+  bishop,                     ///< simplified; polylines: moments about the centre of the fitted circle, says so
+  janbu,                      ///< simplified, f_0 = 1
+  janbu_corrected,            ///< simplified times f_0
+  spencer,                    ///< parallel interslice forces
+  morgenstern_price,          ///< half-sine interslice function
+  morgenstern_price_constant  ///< constant interslice function: Spencer's forces by the other formulation
 };
 
 }  // namespace talus

@@ -9,7 +9,8 @@
 //
 // which names key, unit and title once. What writes JSON, reads it, makes its schema, the manual's table and the names
 // of [[compare]] visits that function. `key` is always there, and null where an optional holds nothing; `maybe` is left
-// out where there is nothing to say; `merge` puts the keys of a block beside those of its owner.
+// out where there is nothing to say; `merge` puts the keys of a block beside those of its owner, and knows by the key
+// `sign` whether the block is there.
 
 #include <array>
 #include <concepts>

@@ -64,7 +64,8 @@ void describe(V& v, R& r) {
 struct ElementResult {
   std::optional<std::string> error;  ///< why there is no answer; then nothing else but warnings
   std::vector<std::string> warnings;
-  std::size_t elements = 0, nodes = 0, unknowns = 0;
+  std::size_t elements = 0, nodes = 0;
+  int unknowns = 0;
   double size = 0;      ///< mean, of the elements [m]
   std::string element;  ///< "T6"
   std::vector<ElementRun> runs;
@@ -103,17 +104,30 @@ void describe(V& v, R& r) {
   v.key("yields", r.yields, {"", "whether an element yields"});
 }
 
-/// The quadratic mesh and its fields: fem.json.
-struct ElementFile {
+/// The quadratic mesh and its fields.
+struct ElementMesh {
   std::vector<std::vector<double>> nodes;  ///< [m]
   std::vector<std::vector<int>> elements;  ///< numbers of nodes
   std::vector<ElementFields> runs;
 };
-template <class V, As<ElementFile> R>
+template <class V, As<ElementMesh> R>
 void describe(V& v, R& r) {
   v.key("nodes", r.nodes, {"m", "nodes"});
   v.key("elements", r.elements, {"", "nodes of the elements"});
   v.key("runs", r.runs, {"", "fields by flow rule"});
+}
+
+/// fem.json: what an interrupted run need not calculate again, and the fields for the report.
+struct ElementFile {
+  std::string input_hash;
+  ElementResult summary;
+  ElementMesh mesh;
+};
+template <class V, As<ElementFile> R>
+void describe(V& v, R& r) {
+  v.key("input_hash", r.input_hash, {"", "hash of the input"});
+  v.key("summary", r.summary, {"", "finite elements"});
+  describe(v, r.mesh);
 }
 
 }  // namespace talus::results

@@ -36,6 +36,15 @@ std::optional<T> read_file(const std::filesystem::path& path) {
 }
 
 template <class T>
+std::optional<T> find_file(const std::filesystem::path& path) {
+  try {
+    return read_file<T>(path);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+template <class T>
 void write_file(const std::filesystem::path& path, const T& result, int indent) {
   write_atomically(path, to_json(result).dump(indent) + "\n");
 }
@@ -44,12 +53,14 @@ void write_file(const std::filesystem::path& path, const T& result, int indent) 
   template nlohmann::json to_json<T>(const T&);                         \
   template T from_json<T>(const nlohmann::json&, const std::string&);   \
   template std::optional<T> read_file<T>(const std::filesystem::path&); \
+  template std::optional<T> find_file<T>(const std::filesystem::path&); \
   template void write_file<T>(const std::filesystem::path&, const T&, int);
 TALUS_JSON(RunResult)
-TALUS_JSON(SliceTrials)
+TALUS_JSON(SliceFile)
 TALUS_JSON(ElementFile)
 TALUS_JSON(Trial)
 TALUS_JSON(std::vector<Trial>)
+TALUS_JSON(SlipLine)
 TALUS_JSON(StageRecord)
 TALUS_JSON(StudyResult)
 TALUS_JSON(PointTests)

@@ -21,6 +21,10 @@ T from_json(const nlohmann::json& tree, const std::string& file);
 template <class T>
 std::optional<T> read_file(const std::filesystem::path& path);
 
+/// Likewise; nothing also where it is damaged or of another version: what is only a help may be calculated again.
+template <class T>
+std::optional<T> find_file(const std::filesystem::path& path);
+
 /// With `indent` spaces a level; -1: on one line. Throws Error (cannot_write).
 template <class T>
 void write_file(const std::filesystem::path& path, const T& result, int indent = 2);

@@ -54,6 +54,12 @@ class JsonWriter {
     key(name, value, about);
   }
 
+  /// The keys of a block, beside those of its owner.
+  template <class T>
+  void merge(const char* /*sign*/, const std::optional<T>& block) {
+    if (block) describe(*this, *block);
+  }
+
   nlohmann::json object = nlohmann::json::object();
 };
 
@@ -126,6 +132,10 @@ class JsonReader {
   }
   template <class T>
   void told(const char* /*name*/, const T& /*value*/, const About& /*about*/) {}
+  template <class T>
+  void merge(const char* sign, std::optional<T>& block) {
+    if (object_.contains(sign)) describe(*this, block.emplace());
+  }
 
  private:
   const nlohmann::json& object_;

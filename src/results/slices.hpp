@@ -183,8 +183,8 @@ void describe(V& v, R& r) {
 
 struct SliceSearch {
   SearchKind kind = SearchKind::entry_exit;
-  std::size_t tried = 0;                                              ///< circles
-  std::map<std::string, std::map<std::string, std::size_t>> refused;  ///< by method and reason
+  long tried = 0;                                              ///< circles
+  std::map<std::string, std::map<std::string, long>> refused;  ///< by method and reason
   std::vector<LimitHit> limit_hits;
   SearchRanges ranges;
   double seconds = 0, circles_per_second = 0;
@@ -243,7 +243,7 @@ void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "smallest factor, row by row"});
 }
 
-/// Every circle that was tried: lem.json.
+/// Every circle that was tried.
 struct SliceTrials {
   std::vector<std::string> methods;
   std::vector<std::vector<double>> trials;  ///< centre x, y, radius, from, to [m], factor by each method
@@ -254,6 +254,19 @@ void describe(V& v, R& r) {
   v.key("methods", r.methods, {"", "methods of slices"});
   v.key("trials", r.trials, {"", "centre x, y, radius, from, to [m], and the factor by each method"});
   v.key("maps", r.maps, {"", "smallest factor over the centres"});
+}
+
+/// lem.json: what an interrupted run need not calculate again, and the trials for the report.
+struct SliceFile {
+  std::string input_hash;
+  SliceResult summary;
+  std::optional<SliceTrials> trials;
+};
+template <class V, As<SliceFile> R>
+void describe(V& v, R& r) {
+  v.key("input_hash", r.input_hash, {"", "hash of the input"});
+  v.key("summary", r.summary, {"", "slices"});
+  v.merge("trials", r.trials);
 }
 
 }  // namespace talus::results

@@ -17,9 +17,9 @@ inline constexpr auto words<StageEnd> =
 
 /// What setting the preconsolidation of Cam-clay soils after a stage came to.
 struct Preconsolidation {
-  int points = 0;
-  double smallest = 0, largest = 0;  ///< p'_c [Pa]
-  int beyond = 0;                    ///< points whose stress was beyond the yield surface
+  int points = 0;                    ///< that were given one
+  double smallest = 0, largest = 0;  ///< p'_c of these, with suction and roots [Pa]
+  int beyond = 0;                    ///< of these, whose stress lies outside the yield surface that follows
 };
 template <class V, As<Preconsolidation> R>
 void describe(V& v, R& r) {
@@ -65,6 +65,17 @@ template <class V, As<StageRecord> R>
 void describe(V& v, R& r) {
   v.key("stages", r.stages, {"", "stages that are done"});
   v.key("warnings", r.warnings, {"", "warnings"});
+}
+
+/// The slip line of the smallest factor that failed on a mesh: slip_line.json.
+struct SlipLine {
+  double factor = 0;
+  std::vector<Point> points;  ///< [m]
+};
+template <class V, As<SlipLine> R>
+void describe(V& v, R& r) {
+  v.key("srf", r.factor, {"", "strength reduction factor"});
+  v.key("points", r.points, {"m", "its points"});
 }
 
 /// One trial of the strength reduction.
