@@ -13,29 +13,22 @@
 namespace talus::ground {
 namespace {
 
-using nlohmann::json;
-
 constexpr double kilo = 1e3, degree = std::numbers::pi / 180;
 
-json list_values(const input::PartialFactorValues& v) {
-  json list = json::array();
-  const auto add = [&](const char* key, const char* title, const char* symbol, double value) {
-    list.push_back({{"key", key}, {"title", title}, {"symbol", symbol}, {"value", value}});
-  };
-  add("cohesion", "effective cohesion", "γ_c'", v.cohesion);
-  add("friction", "tangent of the friction angle", "γ_φ'", v.friction);
-  add("undrained", "undrained shear strength", "γ_cu", v.undrained);
-  add("weight", "unit weight", "γ_γ", v.weight);
-  add("permanent_load", "permanent actions", "γ_G", v.permanent_load);
-  add("variable_load", "variable actions", "γ_Q", v.variable_load);
-  add("resistance", "resistance", "γ_R;e", v.resistance);
-  return list;
+std::vector<results::PartialFactor> list_values(const input::PartialFactorValues& v) {
+  return {{"cohesion", "effective cohesion", "γ_c'", v.cohesion},
+          {"friction", "tangent of the friction angle", "γ_φ'", v.friction},
+          {"undrained", "undrained shear strength", "γ_cu", v.undrained},
+          {"weight", "unit weight", "γ_γ", v.weight},
+          {"permanent_load", "permanent actions", "γ_G", v.permanent_load},
+          {"variable_load", "variable actions", "γ_Q", v.variable_load},
+          {"resistance", "resistance", "γ_R;e", v.resistance}};
 }
 
 /// Changes numbers of one soil and tells of each that it changed.
 class SoilFactors {
  public:
-  SoilFactors(const std::string& name, json& told) : name_(name), told_(told) {}
+  SoilFactors(const std::string& name, std::vector<results::DesignValue>& told) : name_(name), told_(told) {}
 
   void divide(double& value, double factor, const char* quantity, const char* symbol, const char* unit,
               double unit_si) {
@@ -59,18 +52,14 @@ class SoilFactors {
   void tell(const char* quantity, const char* symbol, const char* unit, double before, double after) {
     // 30° is 0.5235… rad and comes back as 29.999999999999996.
     const auto round = [](double x) { return std::strtod(fmt::format("{:.12g}", x).c_str(), nullptr); };
-    told_.push_back({{"material", name_},
-                     {"quantity", quantity},
-                     {"symbol", symbol},
-                     {"unit", unit},
-                     {"characteristic", round(before)},
-                     {"design", round(after)}});
+    told_.push_back({name_, quantity, symbol, unit, round(before), round(after)});
   }
   const std::string& name_;
-  json& told_;
+  std::vector<results::DesignValue>& told_;
 };
 
-void factor_soil(const std::string& name, input::Material& m, const input::PartialFactorValues& v, json& told) {
+void factor_soil(const std::string& name, input::Material& m, const input::PartialFactorValues& v,
+                 std::vector<results::DesignValue>& told) {
   switch (m.model) {
     case input::MaterialModel::linear_elastic:
       break;
@@ -104,25 +93,23 @@ void factor_soil(const std::string& name, input::Material& m, const input::Parti
   soil.divide(m.grain_density, v.weight, "density of the grains", "ρ_s", "kg/m3", 1);
 }
 
-std::string list_words(const json& values) {
+std::string list_words(const std::vector<results::PartialFactor>& values) {
   std::string text;
-  for (const json& v : values)
-    if (v["value"] != 1.0)
-      text += fmt::format("{}{} = {:g}", text.empty() ? "" : ", ", v["symbol"].get<std::string>(),
-                          v["value"].get<double>());
+  for (const results::PartialFactor& v : values)
+    if (v.value != 1.0) text += fmt::format("{}{} = {:g}", text.empty() ? "" : ", ", v.symbol, v.value);
   return text.empty() ? "all factors are 1" : text;
 }
 
 }  // namespace
 
 DesignValues apply_partial_factors(const input::Case& data) {
-  DesignValues result{data, 1, nullptr};
+  DesignValues result{data, 1, std::nullopt};
   const input::PartialFactorValues given = input::find_partial_factors(data.partial_factors);
   if (!given.is_active()) return result;
   result.resistance = given.resistance;
   const input::PartialFactorValues v = input::divide_by_permanent(given);
-  json materials = json::array(), surcharges = json::array(), notes = json::array();
-  for (auto& [name, m] : result.data.materials) factor_soil(name, m, v, materials);
+  results::DesignStatement& told = result.statement.emplace();
+  for (auto& [name, m] : result.data.materials) factor_soil(name, m, v, told.materials);
   for (input::Roots& roots : result.data.roots) {
     if (roots.cohesion) *roots.cohesion /= v.cohesion;
     if (roots.bundle)  // the cohesion of a bundle is proportional to the roots' strength
@@ -133,37 +120,30 @@ DesignValues apply_partial_factors(const input::Case& data) {
   for (input::Surcharge& s : result.data.surcharges) {
     const double factor = s.variable ? v.variable_load : 1;
     for (double& q : s.load) q *= factor;
-    surcharges.push_back({{"name", s.name}, {"variable", s.variable}, {"factor", factor}});
+    told.surcharges.push_back({s.name, s.variable, factor});
   }
   if (given.permanent_load != 1)
-    notes.push_back(
+    told.notes.push_back(
         fmt::format("γ_G = {:g} multiplies the weight of soil and water and the permanent loads alike, one "
                     "source with one factor. The same factor of safety follows when strengths in kPa are "
                     "divided by it and variable loads are multiplied by γ_Q/γ_G = {:g}: so it is calculated.",
                     given.permanent_load, v.variable_load));
   if (!data.surcharges.empty())
-    notes.push_back(
+    told.notes.push_back(
         "All surcharges are taken as unfavourable. Leave out of the case a variable one that holds the slope.");
-  const json values = list_values(given);
-  result.statement = {
-      {"set", given.set},       {"values", values},
-      {"materials", materials}, {"surcharges", surcharges},
-      {"over_design", nullptr}, {"text", fmt::format("Partial factors {}: {}.", given.set, list_words(values))},
-      {"notes", notes}};
+  told.set = given.set;
+  told.values = list_values(given);
+  told.text = fmt::format("Partial factors {}: {}.", given.set, list_words(told.values));
   return result;
 }
 
-void state_over_design(json& statement, double factor) {
-  if (statement.is_null()) return;
-  double resistance = 1;
-  for (const json& v : statement["values"])
-    if (v["key"] == "resistance") resistance = v["value"];
+void state_over_design(results::DesignStatement& statement, double resistance, double factor) {
   const double over_design = factor / resistance;
-  statement["over_design"] = over_design;
-  statement["text"] = fmt::format(
+  statement.over_design = over_design;
+  statement.text = fmt::format(
       "Partial factors {}: {}. The factor of safety with design values is {:.3f}{}: the over-design factor is "
       "{:.3f}, {}.",
-      statement["set"].get<std::string>(), list_words(statement["values"]), factor,
+      statement.set, list_words(statement.values), factor,
       resistance == 1 ? "" : fmt::format(", the resistance factor {:g}", resistance), over_design,
       over_design >= 1 ? "which is at least 1 as required" : "below the 1 that is required");
 }

@@ -8,7 +8,7 @@
 
 #include "ground/initial_water.hpp"
 #include "ground/pore_water.hpp"
-#include "run/mpm/water_summary.hpp"
+#include "ground/tell_seepage.hpp"
 
 namespace talus::ground {
 namespace {
@@ -112,12 +112,13 @@ input::Case close_sides(input::Case data) {
 }
 
 template <int D>
-std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh, nlohmann::json* seepage) {
+std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh,
+                                        std::optional<results::Seepage>* seepage) {
   std::vector<double> pressure(mesh.nodes.size(), 0.0);
   const input::InitialWater& initial = data.initial.water;
   if (needs_seepage(data)) {
     const InitialWater<D> water = find_initial_water<D>(data, mesh);
-    if (water.seepage && seepage != nullptr) *seepage = run::describe_seepage<D>(mesh, *water.seepage);
+    if (water.seepage && seepage != nullptr) *seepage = tell_seepage<D>(mesh, *water.seepage);
     if (water.seepage && !water.season) return water.seepage->pressure;
     // A season leaves means of elements.
     std::vector<double> volume(mesh.nodes.size(), 0.0);
@@ -232,7 +233,9 @@ Polyline add_ponds(const Polyline& table, const std::vector<Pond>& ponds, const 
   return line;
 }
 
-template std::vector<double> find_nodal_pressure<2>(const input::Case&, const mesh::Mesh<2>&, nlohmann::json*);
-template std::vector<double> find_nodal_pressure<3>(const input::Case&, const mesh::Mesh<3>&, nlohmann::json*);
+template std::vector<double> find_nodal_pressure<2>(const input::Case&, const mesh::Mesh<2>&,
+                                                    std::optional<results::Seepage>*);
+template std::vector<double> find_nodal_pressure<3>(const input::Case&, const mesh::Mesh<3>&,
+                                                    std::optional<results::Seepage>*);
 
 }  // namespace talus::ground

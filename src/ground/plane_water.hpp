@@ -2,7 +2,6 @@
 // Pore water at the start as slices and finite elements take it: pressures at the nodes of a mesh, or a water table,
 // and the water that stands on the ground.
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "input/case/case.hpp"
 #include "lem/section/section.hpp"
 #include "mesh/mesh.hpp"
+#include "results/water.hpp"
 
 namespace talus::ground {
 
@@ -37,11 +37,10 @@ bool needs_seepage(const input::Case& data);
 bool takes_water(const input::Case& data, const input::Material& soil);
 
 /// Pore pressure at the nodes of a mesh, positive in tension [Pa]; zero in a case without water. With a season before
-/// the run: of its end. `seepage` receives the steady seepage that they are from, as in summary.json, where there is
-/// one.
+/// the run: of its end. `seepage` receives the steady seepage that they are from, where there is one.
 template <int D>
 std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh,
-                                        nlohmann::json* seepage = nullptr);
+                                        std::optional<results::Seepage>* seepage = nullptr);
 
 /// The case with bottom, left and right side held where it names no boundary at all: water does not pass them unless a
 /// [[hydraulic]] opens them.

@@ -15,8 +15,6 @@
 namespace talus::ground {
 namespace {
 
-using nlohmann::json;
-
 constexpr int intervals = 100;
 /// Error of a step by which seepage chooses the next one [m of water]; a tenth of a kilopascal. Suctions of a dry
 /// season are a thousand times as high.
@@ -166,39 +164,30 @@ Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model,
   return {history.states.back(), std::move(record)};
 }
 
-json describe_season(const SeasonRecord& r) {
+results::Season tell_season(const SeasonRecord& r) {
   const SeasonRecord::Row& last = r.rows.back();
-  json surfaces = json::array(), plants = json::array(), layers = json::array();
-  for (const fem::Discharge& d : r.discharges)
-    surfaces.push_back({{"name", d.name}, {"inflow", d.inflow}, {"outflow", d.outflow}, {"runoff", d.runoff}});
-  for (const fem::Uptake& u : r.uptakes)
-    plants.push_back({{"ground", u.name}, {"potential", u.potential}, {"transpired", u.actual}});
+  results::Season told;
+  told.duration = -r.rows.front().time;
+  told.initial = r.initial;
+  told.growth = last.stored;
+  told.inflow = last.inflow;
+  told.outflow = last.outflow;
+  told.runoff = last.runoff;
+  told.potential = last.potential;
+  told.transpired = last.transpired;
+  told.error = r.find_error();
+  told.steps = r.steps;
+  told.rejected = r.rejected;
+  told.iterations = r.iterations;
+  for (const fem::Discharge& d : r.discharges) told.surfaces.push_back({d.name, d.inflow, d.outflow, d.runoff});
+  for (const fem::Uptake& u : r.uptakes) told.plants.push_back({u.name, u.potential, u.actual});
   for (std::size_t i = 0; i < r.depths.size(); ++i) {
     const auto &first = r.rows.front().layers[i], &now = last.layers[i];
     double driest = 0;
     for (const SeasonRecord::Row& row : r.rows) driest = std::max(driest, row.layers[i].greatest);
-    layers.push_back({{"depth", r.depths[i]},
-                      {"initial", first.mean},
-                      {"mean", now.mean},
-                      {"least", now.least},
-                      {"greatest", now.greatest},
-                      {"driest", driest}});
+    told.layers.push_back({r.depths[i], first.mean, now.mean, now.least, now.greatest, driest});
   }
-  return {{"duration", -r.rows.front().time},
-          {"initial", r.initial},
-          {"growth", last.stored},
-          {"inflow", last.inflow},
-          {"outflow", last.outflow},
-          {"runoff", last.runoff},
-          {"potential", last.potential},
-          {"transpired", last.transpired},
-          {"error", r.find_error()},
-          {"steps", r.steps},
-          {"rejected", r.rejected},
-          {"iterations", r.iterations},
-          {"surfaces", surfaces},
-          {"plants", plants},
-          {"layers", layers}};
+  return told;
 }
 
 void write_season(const std::filesystem::path& path, const SeasonRecord& r) {

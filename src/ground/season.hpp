@@ -2,13 +2,13 @@
 // The weather before the run: transient seepage with rain and transpiration in soil at rest, docs/theory/16-season.md.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "fem/seepage/seepage.hpp"
 #include "input/case/case.hpp"
+#include "results/water.hpp"
 
 namespace talus::ground {
 
@@ -46,8 +46,8 @@ struct Season {
 template <int D>
 Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial);
 
-/// For summary.json.
-nlohmann::json describe_season(const SeasonRecord& record);
+/// What results tell of it.
+results::Season tell_season(const SeasonRecord& record);
 
 /// season.csv: the rows. Throws Error (cannot_write).
 void write_season(const std::filesystem::path& path, const SeasonRecord& record);

@@ -15,6 +15,18 @@ nlohmann::json echo(const Case& data, const Places& places);
 /// know is left out, and what the echo does not hold keeps its default.
 Case read_echo(const JsonTree& echo);
 
+/// Hash of what decides the state of a run. A run may be resumed with other outputs, and after an instability with a
+/// smaller Courant number, so neither counts.
+std::string hash_input(const JsonTree& echo);
+
+/// Whether the meshes of both cases are made from the same keys.
+bool has_same_mesh_input(const JsonTree& a, const JsonTree& b);
+/// `echo` with the geometry and the mesh of another one.
+JsonTree replace_mesh_input(const JsonTree& echo, const JsonTree& other);
+/// The models of the materials by number, which is in the order of their names. `source` names the result in the Error
+/// (wrong_input) for a model that this version does not know.
+std::vector<MaterialModel> list_material_models(const JsonTree& echo, const std::string& source);
+
 /// Makes directions unit vectors; after the checks, which look for directions without length.
 void normalise_directions(Case& data);
 

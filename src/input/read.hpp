@@ -41,7 +41,7 @@ void check_against_mesh(const LoadedCase& loaded, const std::set<std::string>& s
 /// Checks a case against the result that it starts from: dimension, points per element, regions, and that the soil of
 /// each region has the water and the mass that it had. `input` is the echo of the result's case; its points per element
 /// count where this case gives none. Throws InputError with all faults.
-void check_against_result(const LoadedCase& loaded, const nlohmann::json& input);
+void check_against_result(const LoadedCase& loaded, const JsonTree& input);
 
 /// The reference of every key, as Markdown.
 std::string write_manual();

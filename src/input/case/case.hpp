@@ -172,8 +172,7 @@ struct Stage {
 };
 
 enum class AnalysisKind { run, strength_reduction };
-/// What answers: slices, finite elements, material points.
-enum class Method { lem, fem, mpm };
+using talus::Method;
 
 /// The displacement–SRF curve on moving geometry and the constructions on it (chapter 3 of the source).
 struct Curve {

@@ -6,17 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "base/methods.hpp"
+
 namespace talus::input {
 
-enum class SliceMethod {
-  fellenius,
-  bishop,
-  janbu,
-  janbu_corrected,
-  spencer,
-  morgenstern_price,
-  morgenstern_price_constant
-};
+using talus::SliceMethod;
 enum class SurfaceSearch { none, entry_exit, grid };
 
 /// A surface that the user gives: a circle or a polyline.

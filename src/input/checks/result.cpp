@@ -156,7 +156,8 @@ void check_result(const Case& data, Findings& findings) {
                                      data.strength_reduction.frozen.meshes));
 }
 
-void check_against_result(const LoadedCase& loaded, const json& input) {
+void check_against_result(const LoadedCase& loaded, const JsonTree& echo) {
+  const json& input = echo.get();
   Places places = loaded.places;
   Findings findings(places);
   Comparison(loaded, input, findings).check();

@@ -210,8 +210,8 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
     const Method method = options.methods[m];
     for (const auto& found : minima[m]) result.minima[m].push_back(finish(slope, options, found.surface, method));
     if (result.minima[m].empty()) {
-      result.limit_hits.push_back(fmt::format("{}: no admissible circle, {}", title_method(method),
-                                              describe_refusals(result.refused[m], result.tried)));
+      result.limit_hits.push_back(
+          {method, fmt::format("no admissible circle, {}", describe_refusals(result.refused[m], result.tried))});
       continue;
     }
     Critical& critical = result.minima[m].front();

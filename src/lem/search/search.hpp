@@ -61,6 +61,12 @@ struct Critical {
   std::optional<double> yield_acceleration;
 };
 
+/// A critical surface that lies at a limit of the search.
+struct LimitHit {
+  Method method;
+  std::string limit;  ///< "the entry of the critical circle lies at x = 3 m, …"
+};
+
 struct SearchResult {
   std::vector<Critical> circular;             ///< per method that found one
   std::vector<Critical> noncircular;          ///< per method (of those that suit polylines), when asked for
@@ -75,7 +81,7 @@ struct SearchResult {
   std::vector<Map> maps;
   std::vector<std::map<Refusal, long>> refused;  ///< per method
   long tried = 0;
-  std::vector<std::string> limit_hits;  ///< e.g. "the critical circle's entry lies at the end of the searched range"
+  std::vector<LimitHit> limit_hits;
   double seconds = 0;
   /// Where it was searched, as used.
   std::optional<GridSearch> grid;

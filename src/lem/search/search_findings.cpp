@@ -34,10 +34,11 @@ std::string describe_refusals(const std::map<Refusal, long>& refused, long tried
   return fmt::format("of {} surfaces tried, refused: {}", group_digits(tried), text.empty() ? "none" : text);
 }
 
-std::vector<std::string> find_limit_hits(const Slope& slope, const SearchOptions& options, const SearchResult& result,
-                                         const TrialCircles& circles, const Critical& critical, int best_trial) {
-  std::vector<std::string> hits;
-  const std::string title = title_method(critical.method), what = critical.circular ? "circle" : "non-circular surface";
+std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& options, const SearchResult& result,
+                                      const TrialCircles& circles, const Critical& critical, int best_trial) {
+  std::vector<LimitHit> hits;
+  const auto add = [&](std::string limit) { hits.push_back({critical.method, std::move(limit)}); };
+  const std::string what = critical.circular ? "circle" : "non-circular surface";
   const double near = close * (slope.right() - slope.left());
   const auto ends = find_ends(critical.surface);
   const bool slides_left = critical.cut.slides_left;
@@ -45,12 +46,12 @@ std::vector<std::string> find_limit_hits(const Slope& slope, const SearchOptions
     for (double limit : range) {
       if (std::abs(x - limit) > near) continue;
       const bool edge = std::abs(limit - slope.left()) < near || std::abs(limit - slope.right()) < near;
-      hits.push_back(edge ? fmt::format("{}: the {} of the critical {} lies at x = {:.4g} m, the edge of the model; "
-                                        "extend the ground beyond it",
-                                        title, end, what, x)
-                          : fmt::format("{}: the {} of the critical {} lies at x = {:.4g} m, an end of the range "
-                                        "searched ({:.4g} to {:.4g} m); widen [lem.entry_exit] {}",
-                                        title, end, what, x, range[0], range[1], key));
+      add(edge ? fmt::format("the {} of the critical {} lies at x = {:.4g} m, the edge of the model; "
+                             "extend the ground beyond it",
+                             end, what, x)
+               : fmt::format("the {} of the critical {} lies at x = {:.4g} m, an end of the range "
+                             "searched ({:.4g} to {:.4g} m); widen [lem.entry_exit] {}",
+                             end, what, x, range[0], range[1], key));
     }
   };
   check(ends[slides_left ? 0 : 1], slides_left ? circles.left : circles.right, "exit", "exit");
@@ -59,16 +60,16 @@ std::vector<std::string> find_limit_hits(const Slope& slope, const SearchOptions
     const Circle& c = *critical.surface.circle;
     const double bottom = c.centre[1] - c.radius, base = slope.section().base;
     if (bottom < base + near && c.centre[0] > ends[0] && c.centre[0] < ends[1])
-      hits.push_back(
-          fmt::format("{}: the critical circle {} the base at {:.4g} m; a deeper model may give a smaller "
+      add(
+          fmt::format("the critical circle {} the base at {:.4g} m; a deeper model may give a smaller "
                       "factor unless firm ground begins there",
-                      title, bottom < base - near ? "is cut level at" : "touches", base));
+                      bottom < base - near ? "is cut level at" : "touches", base));
   }
   if (options.checks.smallest_depth > 0 && critical.cut.depth < 1.005 * options.checks.smallest_depth)
-    hits.push_back(
-        fmt::format("{}: the critical circle is as shallow as the smallest depth of {:.4g} m allows; the "
+    add(
+        fmt::format("the critical circle is as shallow as the smallest depth of {:.4g} m allows; the "
                     "factor depends on it",
-                    title, options.checks.smallest_depth));
+                    options.checks.smallest_depth));
   if (result.grid && best_trial >= 0 && critical.circular) {
     const Circle& c = *circles.surfaces[static_cast<std::size_t>(best_trial)].circle;
     const GridSearch& g = *result.grid;
@@ -77,17 +78,17 @@ std::vector<std::string> find_limit_hits(const Slope& slope, const SearchOptions
       const double low = std::min(g.from[a], g.to[a]), high = std::max(g.from[a], g.to[a]),
                    tolerance = 1e-6 * (high - low);
       if (c.centre[a] < low + tolerance || c.centre[a] > high - tolerance)
-        hits.push_back(
-            fmt::format("{}: the best trial circle has its centre on the border of the grid, at {} = {:.4g} "
+        add(
+            fmt::format("the best trial circle has its centre on the border of the grid, at {} = {:.4g} "
                         "m ({:.4g} to {:.4g} m searched); enlarge the corners of [lem.grid]",
-                        title, axis == 0 ? "x" : "y", c.centre[a], low, high));
+                        axis == 0 ? "x" : "y", c.centre[a], low, high));
     }
     const double bottom = c.centre[1] - c.radius, tolerance = 1e-6 * std::abs(*g.highest - *g.lowest);
     if (bottom<*g.lowest + tolerance&& * g.lowest> slope.section().base + near)
-      hits.push_back(
-          fmt::format("{}: the best trial circle reaches down to {:.4g} m, the lowest level searched; lower the levels "
+      add(
+          fmt::format("the best trial circle reaches down to {:.4g} m, the lowest level searched; lower the levels "
                       "of [lem.grid]",
-                      title, bottom));
+                      bottom));
   }
   return hits;
 }

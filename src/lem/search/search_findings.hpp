@@ -12,10 +12,10 @@ namespace talus::lem {
 /// "12,000 of 18,375 … go below the base, …" for the reasons of one method.
 std::string describe_refusals(const std::map<Refusal, long>& refused, long tried);
 
-/// Sentences on limits that the critical circle of a method reaches: ends of searched ranges, the model's edge, the
+/// Limits that the critical circle of a method reaches: ends of searched ranges, the model's edge, the
 /// base, the smallest depth; on a grid search also the border of the grid and of the radii, by the best trial circle.
-std::vector<std::string> find_limit_hits(const Slope& slope, const SearchOptions& options, const SearchResult& result,
-                                         const TrialCircles& circles, const Critical& critical, int best_trial);
+std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& options, const SearchResult& result,
+                                      const TrialCircles& circles, const Critical& critical, int best_trial);
 
 /// Warnings on one critical surface: m_α, tension, line of thrust, edge of the model.
 std::vector<std::string> find_warnings(const Slope& slope, const Checks& checks, const Critical& critical);

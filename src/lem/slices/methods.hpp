@@ -6,20 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "base/methods.hpp"
 #include "lem/section/slope.hpp"
 #include "lem/surface/surface.hpp"
 
 namespace talus::lem {
 
-enum class Method {
-  fellenius,                  ///< ordinary method; with water N' = W cosα - u l (the classical form)
-  bishop,                     ///< simplified; polylines: moments about the centre of the fitted circle, says so
-  janbu,                      ///< simplified, f_0 = 1
-  janbu_corrected,            ///< simplified times f_0
-  spencer,                    ///< parallel interslice forces
-  morgenstern_price,          ///< half-sine interslice function
-  morgenstern_price_constant  ///< constant interslice function: Spencer's forces by the other formulation
-};
+using Method = SliceMethod;
 inline constexpr int method_count = 7;
 const char* name_method(Method method);   ///< "spencer"
 const char* title_method(Method method);  ///< "Spencer"
