@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "input/case/method_names.hpp"
-#include "run/compare/look_up.hpp"
 #include "run/compare/reading.hpp"
 #include "run/compare/slip_line.hpp"
 #include "run/lem/run_lem.hpp"
@@ -17,160 +16,143 @@ namespace talus::run {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// The methods that a surface of another method is given to: Spencer and Morgenstern–Price, which satisfy all
 /// equilibrium, and those of the case that suit polylines.
-std::vector<lem::Method> list_takers(const input::LimitEquilibrium& settings) {
-  std::vector<lem::Method> takers{lem::Method::spencer, lem::Method::morgenstern_price};
-  for (const input::SliceMethod m : settings.methods) {
-    const lem::Method method = to_lem(m);
-    if (input::suits_polylines(m) && std::find(takers.begin(), takers.end(), method) == takers.end())
+std::vector<SliceMethod> list_takers(const input::LimitEquilibrium& settings) {
+  std::vector<SliceMethod> takers{SliceMethod::spencer, SliceMethod::morgenstern_price};
+  for (const SliceMethod method : settings.methods)
+    if (input::suits_polylines(method) && std::find(takers.begin(), takers.end(), method) == takers.end())
       takers.push_back(method);
-  }
   return takers;
 }
 
-json make_row(const char* method, const std::string& name, const std::string& title, const std::string& criterion,
-              const std::string& surface, const json& factor) {
-  return {{"method", method}, {"name", name},     {"title", title},   {"criterion", criterion}, {"surface", surface},
-          {"factor", factor}, {"lower", nullptr}, {"upper", nullptr}, {"seconds", nullptr},     {"note", ""}};
+std::optional<double> get_factor(const lem::Critical& critical) {
+  return critical.solution.factor > 0 ? std::optional(critical.solution.factor) : std::nullopt;
 }
 
-json make_surface_entry(const std::string& name, const std::string& title, const char* method, const json& factor,
-                        const json& points) {
-  return {{"name", name}, {"title", title}, {"method", method}, {"factor", factor}, {"points", points}};
-}
-
-ground::Polyline to_line(const json& points) {
-  ground::Polyline line;
-  for (const json& x : points) line.push_back({x.at(0).get<double>(), x.at(1).get<double>()});
-  return line;
-}
-
-json to_points(const ground::Polyline& line) {
-  json points = json::array();
-  for (const ground::Point& x : line) points.push_back({x[0], x[1]});
-  return points;
+results::MethodRow begin_row(Method method, std::string name, std::string title, std::string criterion,
+                             std::string surface) {
+  results::MethodRow row;
+  row.method = method;
+  row.name = std::move(name);
+  row.title = std::move(title);
+  row.criterion = std::move(criterion);
+  row.surface = std::move(surface);
+  return row;
 }
 
 class Comparison {
  public:
-  Comparison(const input::Case& data, const lem::Slope* slope, const json& summary, const fs::path& folder, int threads)
-      : data_(data), slope_(slope), summary_(summary), folder_(folder), threads_(threads) {}
+  Comparison(const input::Case& data, const lem::Slope* slope, const results::RunResult& run, const fs::path& folder,
+             int threads)
+      : data_(data), slope_(slope), run_(run), folder_(folder), threads_(threads) {}
 
-  json make() {
-    add_slices();
-    add_elements();
-    add_points();
+  results::MethodComparison make() {
+    told_.asked = data_.methods;
+    if (run_.slices) add_slices(*run_.slices);
+    if (run_.elements) add_elements(*run_.elements);
+    if (input::uses(data_, Method::mpm)) add_points();
     if (slope_ != nullptr) hand_over();
-    json asked = json::array();
-    for (const input::Method m : data_.methods)
-      asked.push_back(m == input::Method::lem ? "lem" : (m == input::Method::fem ? "fem" : "mpm"));
-    json block{{"asked", asked}, {"table", table_}, {"surfaces", surfaces_}, {"handed", handed_}};
-    block["reading"] = read_differences(data_, summary_, block);
-    block["partial_factors"] = nullptr;
-    return block;
+    told_.remarks = read_differences(data_, run_, told_);
+    return std::move(told_);
   }
 
  private:
-  void add_critical(const json& c, const std::string& name, const std::string& criterion) {
-    const std::string method = c.at("method"), title = c.at("title");
-    json row = make_row("lem", method, title, criterion, name, c.at("factor"));
-    if (const auto lambda = get_number(c, "lambda")) row["note"] = fmt::format("λ = {:.3g}", *lambda);
-    if (const double f = c.at("correction"); f != 1) row["note"] = fmt::format("f₀ = {:.3f}", f);
-    if (const std::string why = c.at("checks").at("refusal"); !why.empty()) row["note"] = why;
-    table_.push_back(std::move(row));
-    surfaces_.push_back(
-        make_surface_entry(name, fmt::format("{}, {}", title, criterion), "lem", c.at("factor"), c.at("points")));
+  void add_critical(const results::CriticalSurface& c, const std::string& name, const std::string& criterion) {
+    const results::SlipSurface& s = c.surface;
+    results::MethodRow row = begin_row(Method::lem, results::to_word(s.method), s.title, criterion, name);
+    row.factor = s.factor;
+    if (c.lambda) row.note = fmt::format("λ = {:.3g}", *c.lambda);
+    if (c.correction != 1) row.note = fmt::format("f₀ = {:.3f}", c.correction);
+    if (!c.checks.refusal.empty()) row.note = c.checks.refusal;
+    told_.table.push_back(std::move(row));
+    told_.surfaces.push_back({name, fmt::format("{}, {}", s.title, criterion), Method::lem, s.factor, s.points, {}});
   }
 
-  void add_slices() {
-    const json& lem = get(summary_, "lem");
-    if (!lem.is_object()) return;
-    const std::size_t first = table_.size();
-    for (const json& c : list(lem, "critical"))
-      add_critical(c, "lem." + c.at("method").get<std::string>(), "critical circle");
-    for (const json& c : list(lem, "noncircular"))
-      add_critical(c, "lem.noncircular." + c.at("method").get<std::string>(), "critical polyline");
-    for (const json& c : list(lem, "given"))
-      add_critical(
-          c, fmt::format("lem.surface[{}].{}", c.at("name").get<std::string>(), c.at("method").get<std::string>()),
-          fmt::format("given surface '{}'", c.at("name").get<std::string>()));
-    if (table_.size() > first) table_[first]["seconds"] = lem.value("seconds", 0.0);  // of all of them together
+  void add_slices(const results::SliceResult& slices) {
+    const std::size_t first = told_.table.size();
+    for (const auto& c : slices.critical)
+      add_critical(c, fmt::format("lem.{}", results::to_word(c.surface.method)), "critical circle");
+    for (const auto& c : slices.noncircular)
+      add_critical(c, fmt::format("lem.noncircular.{}", results::to_word(c.surface.method)), "critical polyline");
+    for (const auto& c : slices.given) {
+      const std::string given = c.surface.name.value_or("");
+      add_critical(c, fmt::format("lem.surface[{}].{}", given, results::to_word(c.surface.method)),
+                   fmt::format("given surface '{}'", given));
+    }
+    if (told_.table.size() > first) told_.table[first].seconds = slices.seconds;  // of all of them together
   }
 
-  void add_elements() {
-    const json& fem = get(summary_, "fem");
-    for (const json& run : list(fem, "runs")) {
-      const bool associated = run.at("flow") == "associated";
-      const std::string words = describe_flow(run), stem = associated ? "fem.associated" : "fem";
-      json row = make_row("fem", associated ? "associated" : "as_given", fmt::format("Finite elements, {}", words),
-                          "no equilibrium", stem + ".band", run.at("factor"));
-      row["lower"] = run.at("stable");
-      row["upper"] = run.at("failed");
-      row["seconds"] = run.at("seconds");
-      row["note"] = fmt::format("{}, {} elements of {:.3g} m", fem.at("element").get<std::string>(),
-                                fem.at("elements").get<int>(), fem.at("size").get<double>());
-      if (run.at("slip_line").empty()) row["surface"] = "";
-      table_.push_back(row);
-      if (run.at("by_displacement").is_number()) {
-        json other = row;
-        other["criterion"] = "displacement runs away";
-        other["factor"] = run.at("by_displacement");
-        other["lower"] = other["upper"] = other["seconds"] = nullptr;
-        table_.push_back(std::move(other));
+  void add_elements(const results::ElementResult& fem) {
+    for (const results::ElementRun& run : fem.runs) {
+      const std::string words = describe_flow(run), band = name_band(run.flow);
+      results::MethodRow row = begin_row(Method::fem, results::to_word(run.flow), "Finite elements, " + words,
+                                         "no equilibrium", run.slip_line.empty() ? "" : band);
+      row.factor = run.factor;
+      row.lower = run.stable;
+      row.upper = run.failed;
+      row.seconds = run.seconds;
+      row.note = fmt::format("{}, {} elements of {:.3g} m", fem.element, fem.elements, fem.size);
+      told_.table.push_back(row);
+      if (run.by_displacement) {
+        row.criterion = "displacement runs away";
+        row.factor = run.by_displacement;
+        row.lower = row.upper = row.seconds = std::nullopt;
+        told_.table.push_back(row);
       }
-      if (!run.at("slip_line").empty())
-        surfaces_.push_back(make_surface_entry(stem + ".band", fmt::format("Band of the finite elements, {}", words),
-                                               "fem", run.at("factor"), run.at("slip_line")));
+      if (!run.slip_line.empty())
+        told_.surfaces.push_back(
+            {band, "Band of the finite elements, " + words, Method::fem, run.factor, run.slip_line, {}});
     }
   }
 
   void add_points() {
-    if (!input::uses(data_, input::Method::mpm)) return;
-    const json& factors = get(summary_, "factor_of_safety");
     const PointsSlipLine line = find_line();
     const std::string surface = line.line.empty() ? "" : "mpm.slip_line";
-    const std::size_t first = table_.size();
-    const json& frozen = get(factors, "frozen");
-    if (frozen.is_object()) {
-      const double f = frozen.at("factor"), width = frozen.at("uncertainty");
-      json row = make_row("mpm", "frozen", "Material points", "rest or run-away at frozen geometry", surface, f);
-      row["lower"] = f - width;
-      row["upper"] = f + width;
-      std::string note;
-      for (const json& m : frozen.at("meshes"))
-        note += fmt::format("{}{:.3f} at h = {:g} m", note.empty() ? "" : ", ", m.at("factor").get<double>(),
-                            m.at("size").get<double>());
-      if (!frozen.at("extrapolated").is_null()) note += ", extrapolated to h = 0";
-      row["note"] = note;
-      table_.push_back(std::move(row));
-    }
-    for (const json& c : list(factors, "criteria")) {
-      json row = make_row("mpm", c.at("name"), "Material points",
-                          fmt::format("{} criterion on the displacement curve", c.at("name").get<std::string>()),
-                          surface, c.at("factor"));
-      for (const char* key : {"lower", "upper"}) row[key] = c.at(key);
-      row["note"] = c.at("note");
-      table_.push_back(std::move(row));
-    }
-    if (table_.size() > first) {
-      const double wall = get(summary_, "timing").value("wall", 0.0);
-      table_[first]["seconds"] = std::max(0.0, wall - find_seconds(summary_, "lem") - find_seconds(summary_, "fem"));
+    const std::size_t first = told_.table.size();
+    if (run_.factor_of_safety) add_point_factors(*run_.factor_of_safety, surface);
+    if (told_.table.size() > first) {
+      double others = run_.slices ? run_.slices->seconds : 0;
+      if (run_.elements) others += run_.elements->seconds.value_or(0);
+      told_.table[first].seconds = std::max(0.0, (run_.timing ? run_.timing->wall : 0) - others);
     }
     if (line.line.empty()) return;
-    surfaces_.push_back(
-        make_surface_entry("mpm.slip_line",
-                           line.factor > 1 ? fmt::format("Slip line of the material points at SRF {:.4g}", line.factor)
-                                           : std::string("Slip line of the material points"),
-                           "mpm", line.factor, to_points(line.line)));
-    surfaces_.back()["source"] = line.source;
+    told_.surfaces.push_back({"mpm.slip_line",
+                              line.factor > 1
+                                  ? fmt::format("Slip line of the material points at SRF {:.4g}", line.factor)
+                                  : std::string("Slip line of the material points"),
+                              Method::mpm, line.factor, line.line, line.source});
+  }
+
+  void add_point_factors(const results::PointFactors& factors, const std::string& surface) {
+    if (const auto& frozen = factors.frozen) {
+      results::MethodRow row =
+          begin_row(Method::mpm, "frozen", "Material points", "rest or run-away at frozen geometry", surface);
+      row.factor = frozen->factor;
+      row.lower = frozen->factor - frozen->uncertainty;
+      row.upper = frozen->factor + frozen->uncertainty;
+      for (const results::MeshFactor& m : frozen->meshes)
+        row.note += fmt::format("{}{:.3f} at h = {:g} m", row.note.empty() ? "" : ", ", m.factor(), m.size);
+      if (frozen->extrapolated) row.note += ", extrapolated to h = 0";
+      told_.table.push_back(std::move(row));
+    }
+    if (!factors.criteria) return;
+    for (const results::Criterion& c : *factors.criteria) {
+      const std::string word = results::to_word(c.kind);
+      results::MethodRow row =
+          begin_row(Method::mpm, word, "Material points", word + " criterion on the displacement curve", surface);
+      row.factor = c.factor;
+      row.lower = c.lower;
+      row.upper = c.upper;
+      row.note = c.note;
+      told_.table.push_back(std::move(row));
+    }
   }
 
   PointsSlipLine find_line() const {
     try {
-      return find_points_slip_line(data_, summary_, folder_);
+      return find_points_slip_line(data_, run_, folder_);
     } catch (const Error&) {  // frames of a run that was stopped may be damaged
       return {};
     }
@@ -179,85 +161,68 @@ class Comparison {
   /// Surfaces of the other methods on slices.
   void hand_over() {
     const lem::SearchOptions options = make_search_options(data_.lem, threads_);
-    const json given = surfaces_;
-    for (const json& s : given) {
-      if (s.at("method") == "lem") continue;
-      const std::string from = s.at("name"), of = s.at("title");
-      const auto surface = make_surface(*slope_, to_line(s.at("points")));
-      for (const lem::Method method : list_takers(data_.lem)) {
-        const std::string name = lem::name_method(method);
+    const std::vector<results::MethodSurface> given = told_.surfaces;
+    for (const results::MethodSurface& s : given) {
+      if (s.method == Method::lem) continue;
+      const auto surface = make_surface(*slope_, s.points);
+      for (const SliceMethod method : list_takers(data_.lem)) {
+        const std::string name = lem::name_method(method),
+                          title = fmt::format("{} on: {}", lem::title_method(method), s.title);
         if (!surface) {
-          add_handed(from, name, fmt::format("{} on: {}", lem::title_method(method), of), nullptr,
-                     "the line does not part a mass from the ground");
+          told_.handed.push_back({s.name, name, title, {}, "the line does not part a mass from the ground"});
           continue;
         }
         const lem::Critical found = solve_surface(*slope_, *surface, method, options);
-        const bool has_factor = found.solution.factor > 0;
         const lem::Refusal why = found.cut.refusal != lem::Refusal::none ? found.cut.refusal : found.solution.refusal;
         const std::string refusal = why == lem::Refusal::none ? "" : lem::name_refusal(why);
-        add_handed(from, name, fmt::format("{} on: {}", lem::title_method(method), of),
-                   has_factor ? json(found.solution.factor) : json(nullptr), refusal);
-        if (method != lem::Method::spencer && method != lem::Method::morgenstern_price) continue;
-        table_.push_back(make_row("lem", name, lem::title_method(method), "on: " + of, from,
-                                  has_factor ? json(found.solution.factor) : json(nullptr)));
-        table_.back()["note"] = refusal;
+        told_.handed.push_back({s.name, name, title, get_factor(found), refusal});
+        if (method != SliceMethod::spencer && method != SliceMethod::morgenstern_price) continue;
+        results::MethodRow row = begin_row(Method::lem, name, lem::title_method(method), "on: " + s.title, s.name);
+        row.factor = get_factor(found);
+        row.note = refusal;
+        told_.table.push_back(std::move(row));
       }
-      if (surface) optimise(*surface, from, of, options);
+      if (surface) optimise(*surface, s, options);
     }
   }
 
-  void optimise(const lem::Surface& surface, const std::string& from, const std::string& of,
-                const lem::SearchOptions& options) {
-    const lem::Critical best = lem::optimise(*slope_, surface, lem::Method::spencer, options);
-    if (!(best.solution.factor > 0)) return;
-    const std::string title = "Spencer, optimised from: " + of;
-    add_handed(from, "spencer_optimised", title, best.solution.factor, "");
-    const std::string name = fmt::format("lem.handed[{}].spencer_optimised", from);
-    table_.push_back(
-        make_row("lem", "spencer_optimised", "Spencer", "optimised from: " + of, name, best.solution.factor));
-    json points = json::array();
-    for (const lem::Point& x : best.surface.line) points.push_back({x[0], x[1]});
-    surfaces_.push_back(make_surface_entry(name, title, "lem", best.solution.factor, points));
-  }
-
-  void add_handed(const std::string& from, const std::string& to, const std::string& title, const json& factor,
-                  const std::string& refusal) {
-    handed_.push_back({{"from", from}, {"to", to}, {"title", title}, {"factor", factor}, {"refusal", refusal}});
+  void optimise(const lem::Surface& surface, const results::MethodSurface& of, const lem::SearchOptions& options) {
+    const lem::Critical best = lem::optimise(*slope_, surface, SliceMethod::spencer, options);
+    const std::optional<double> factor = get_factor(best);
+    if (!factor) return;
+    const std::string title = "Spencer, optimised from: " + of.title,
+                      name = fmt::format("lem.handed[{}].spencer_optimised", of.name);
+    told_.handed.push_back({of.name, "spencer_optimised", title, factor, ""});
+    results::MethodRow row =
+        begin_row(Method::lem, "spencer_optimised", "Spencer", "optimised from: " + of.title, name);
+    row.factor = factor;
+    told_.table.push_back(std::move(row));
+    told_.surfaces.push_back({name, title, Method::lem, factor, best.surface.line, {}});
   }
 
   const input::Case& data_;
   const lem::Slope* slope_;
-  const json& summary_;
+  const results::RunResult& run_;
   const fs::path& folder_;
   int threads_;
-  json table_ = json::array(), surfaces_ = json::array(), handed_ = json::array();
+  results::MethodComparison told_;
 };
 
 }  // namespace
 
-json compare_methods(const input::Case& data, const lem::Slope* slope, const json& summary, const fs::path& folder,
-                     int threads) {
-  return Comparison(data, slope, summary, folder, threads).make();
+const char* name_band(results::Flow flow) {
+  return flow == results::Flow::associated ? "fem.associated.band" : "fem.band";
 }
 
-double find_main_factor(const json& summary) {
-  if (const auto f = get_number(get(summary, "factor_of_safety"), "value")) return *f;
-  for (const json& c : list(get(summary, "factor_of_safety"), "criteria"))
-    if (const auto f = get_number(c, "factor")) return *f;
-  for (const json& run : list(get(summary, "fem"), "runs"))
-    if (const auto f = get_number(run, "factor")) return *f;
-  double rigorous = 0, any = 0;
-  const auto take = [](double f, double& least) { least = least == 0 ? f : std::min(least, f); };
-  for (const char* key : {"critical", "noncircular", "given"}) {
-    for (const json& c : list(get(summary, "lem"), key)) {
-      const auto f = get_number(c, "factor");
-      if (!f || *f <= 0) continue;
-      take(*f, any);
-      const std::string method = c.at("method");
-      if (method == "spencer" || method.starts_with("morgenstern")) take(*f, rigorous);
-    }
-  }
-  return rigorous > 0 ? rigorous : any;
+std::string describe_flow(const results::ElementRun& run) {
+  if (run.flow == results::Flow::associated) return "ψ = φ";
+  const double low = run.psi[0], high = run.psi[1], degrees = 180 / std::numbers::pi;
+  return std::abs(high - low) < 1e-9 ? fmt::format("ψ = {:.3g}°", low * degrees) : "ψ as given";
+}
+
+results::MethodComparison compare_methods(const input::Case& data, const lem::Slope* slope,
+                                          const results::RunResult& run, const fs::path& folder, int threads) {
+  return Comparison(data, slope, run, folder, threads).make();
 }
 
 }  // namespace talus::run

@@ -6,13 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "run/compare/look_up.hpp"
+#include "run/compare/compare.hpp"
 #include "run/compare/slip_line.hpp"
 
 namespace talus::run {
 namespace {
-
-using nlohmann::json;
 
 /// Factors that differ by less are the same [-].
 constexpr double same = 0.01;
@@ -34,51 +32,75 @@ std::string compare(double factor, double other) {
   return fmt::format("{} {}", format_share(factor / other - 1), factor >= other ? "above" : "below");
 }
 
+/// The critical surface of a method; nullptr where there is none.
+const results::CriticalSurface* find_surface(const std::vector<results::CriticalSurface>& list, SliceMethod method) {
+  for (const results::CriticalSurface& c : list)
+    if (c.surface.method == method) return &c;
+  return nullptr;
+}
+
 class Reading {
  public:
-  Reading(const input::Case& data, const json& summary, const json& methods)
-      : data_(data), summary_(summary), methods_(methods), height_(summary.value("slope_height", 0.0)) {
-    for (const char* name : {"spencer", "morgenstern_price", "morgenstern_price_constant", "bishop", "janbu_corrected",
-                             "janbu", "fellenius"}) {
-      circle_ = find_slices(summary, "critical", name);
-      if (!circle_) continue;
-      circle_name_ = find_critical(summary, "critical", name).at("title").get<std::string>();
-      circle_key_ = name;
+  Reading(const input::Case& data, const results::RunResult& run, const results::MethodComparison& methods)
+      : data_(data), run_(run), methods_(methods), height_(run.slope_height.value_or(0)) {
+    using enum SliceMethod;
+    for (const SliceMethod method :
+         {spencer, morgenstern_price, morgenstern_price_constant, bishop, janbu_corrected, janbu, fellenius}) {
+      const results::CriticalSurface* found = find_circle(method);
+      if (found == nullptr || !found->surface.factor) continue;
+      critical_ = found;
+      circle_ = found->surface.factor;
+      circle_name_ = found->surface.title;
       break;
     }
-    for (const json& run : list(get(summary, "fem"), "runs"))
-      (run.at("flow") == "associated" ? associated_ : given_) = &run;
-    frozen_ = get_number(get(get(summary, "factor_of_safety"), "frozen"), "factor");
+    if (run.elements)
+      for (const results::ElementRun& r : run.elements->runs)
+        (r.flow == results::Flow::associated ? associated_ : given_) = &r;
+    if (run.factor_of_safety && run.factor_of_safety->frozen) frozen_ = run.factor_of_safety->frozen->factor;
   }
 
-  json read() {
+  std::vector<results::Remark> read() {
+    topic_ = results::Topic::agreement;
     read_range();
+    topic_ = results::Topic::slices;
     read_search();
     read_slices();
     read_suction();
+    topic_ = results::Topic::elements;
     read_flow();
     read_element_criterion();
     read_elements();
+    topic_ = results::Topic::points;
     read_points_mesh();
     read_points_criterion();
     read_points();
+    topic_ = results::Topic::mechanism;
     read_surfaces();
+    topic_ = results::Topic::seconds;
     read_seconds();
-    return sentences_;
+    return std::move(remarks_);
   }
 
  private:
   template <class... Arguments>
   void say(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-    sentences_.push_back(fmt::format(text, std::forward<Arguments>(arguments)...));
+    remarks_.push_back({topic_, fmt::format(text, std::forward<Arguments>(arguments)...)});
+  }
+
+  const results::CriticalSurface* find_circle(SliceMethod method) const {
+    return run_.slices ? find_surface(run_.slices->critical, method) : nullptr;
+  }
+  std::optional<double> find_circle_factor(SliceMethod method) const {
+    const results::CriticalSurface* found = find_circle(method);
+    return found == nullptr ? std::nullopt : found->surface.factor;
   }
 
   /// One factor of each kind of method: Spencer's circle, finite elements, material points.
   void read_range() {
     std::vector<std::pair<std::string, double>> parts;
     if (circle_) parts.emplace_back(fmt::format("slices ({}) {:.3f}", circle_name_, *circle_), *circle_);
-    if (const json* run = given_ ? given_ : associated_) {
-      const double f = run->at("factor");
+    if (const results::ElementRun* run = given_ ? given_ : associated_) {
+      const double f = run->factor;
       parts.emplace_back(fmt::format("finite elements ({}) {:.3f}", describe_flow(*run), f), f);
     }
     if (frozen_) parts.emplace_back(fmt::format("material points (frozen geometry) {:.3f}", *frozen_), *frozen_);
@@ -95,26 +117,22 @@ class Reading {
   }
 
   void read_search() {
-    const json& hits = list(get(get(summary_, "lem"), "search"), "limit_hits");
-    // "Spencer: the critical circle …": one sentence for all methods that ended at the same limit.
+    if (!run_.slices || !run_.slices->search) return;
+    // One sentence for all methods that ended at the same limit.
     std::vector<std::pair<std::string, std::vector<std::string>>> limits;
-    for (const json& hit : hits) {
-      const std::string text = hit.get<std::string>();
-      const std::size_t colon = std::min(text.find(": "), text.size());
-      const std::string method = text.substr(0, colon), what = colon < text.size() ? text.substr(colon + 2) : "";
-      auto known = std::find_if(limits.begin(), limits.end(), [&](const auto& l) { return l.first == what; });
-      if (known == limits.end()) known = limits.insert(limits.end(), {what, {}});
-      if (std::find(known->second.begin(), known->second.end(), method) == known->second.end())
-        known->second.push_back(method);
+    for (const results::LimitHit& hit : run_.slices->search->limit_hits) {
+      auto known = std::find_if(limits.begin(), limits.end(), [&](const auto& l) { return l.first == hit.limit; });
+      if (known == limits.end()) known = limits.insert(limits.end(), {hit.limit, {}});
+      if (std::find(known->second.begin(), known->second.end(), hit.method) == known->second.end())
+        known->second.push_back(hit.method);
     }
     for (const auto& [what, methods] : limits)
       say("The search of the slices ended at a limit ({}): {}.", fmt::join(methods, ", "), what);
   }
 
   void read_slices() {
-    const auto bishop = find_slices(summary_, "critical", "bishop"),
-               spencer = find_slices(summary_, "critical", "spencer"),
-               janbu = find_slices(summary_, "critical", "janbu");
+    const auto bishop = find_circle_factor(SliceMethod::bishop), spencer = find_circle_factor(SliceMethod::spencer),
+               janbu = find_circle_factor(SliceMethod::janbu);
     if (bishop && spencer) {
       if (std::abs(*bishop / *spencer - 1) < same)
         say("Bishop ({:.3f}) and Spencer ({:.3f}) agree within {}: on circles the interslice forces matter little "
@@ -126,15 +144,17 @@ class Reading {
             *bishop, compare(*bishop, *spencer), *spencer);
     }
     if (janbu && spencer && *janbu / *spencer < 1 - noticeable) {
-      const double f0 = find_critical(summary_, "critical", "janbu").at("correction");
-      const auto corrected = find_slices(summary_, "critical", "janbu_corrected");
+      const double f0 = find_circle(SliceMethod::janbu)->correction;
+      const auto corrected = find_circle_factor(SliceMethod::janbu_corrected);
       say("Simplified Janbu ({:.3f}) lies {} Spencer, as it leaves the shear between slices out{}.", *janbu,
           compare(*janbu, *spencer),
           corrected ? fmt::format("; with its correction it is {:.3f}", *corrected)
                     : (f0 != 1 ? fmt::format("; its correction would be {:.3f}", f0) : ""));
     }
-    const auto polyline = find_slices(summary_, "noncircular", circle_key_);
-    if (!circle_ || !polyline) return;
+    if (!circle_) return;
+    const results::CriticalSurface* other = find_surface(run_.slices->noncircular, critical_->surface.method);
+    const std::optional<double> polyline = other == nullptr ? std::nullopt : other->surface.factor;
+    if (!polyline) return;
     if (*polyline / *circle_ < 1 - same)
       say("The best polyline ({}, {:.3f}) lies {} the best circle ({:.3f}): the weakest surface is no circle.",
           circle_name_, *polyline, compare(*polyline, *circle_), *circle_);
@@ -146,15 +166,14 @@ class Reading {
 
   /// How much of the resistance on the critical circle is suction's.
   void read_suction() {
-    const json& slices = get(find_critical(summary_, "critical", circle_key_), "slices");
-    if (!slices.is_object()) return;
+    if (critical_ == nullptr) return;
+    const results::SliceTable& slices = critical_->slices;
     double suction = 0, all = 0;
-    for (std::size_t i = 0; i < slices.at("length").size(); ++i) {
-      const double length = slices.at("length")[i], u = slices.at("pore_pressure")[i];
-      const double friction = slices.at("tan_friction")[i], normal = slices.at("normal")[i];
-      suction += slices.at("suction_strength")[i].get<double>() * length;
-      all += slices.at("cohesion")[i].get<double>() * length +
-             std::max(0.0, normal - std::max(0.0, u) * length) * friction;
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+      const double length = slices.length[i], u = slices.pore_pressure[i];
+      suction += slices.suction_strength[i] * length;
+      all += slices.cohesion[i] * length +
+             std::max(0.0, slices.normal[i] - std::max(0.0, u) * length) * slices.tan_friction[i];
     }
     if (!(all > 0) || suction < noticeable_suction * all) return;
     bool by_angle = false, by_saturation = false;
@@ -173,7 +192,7 @@ class Reading {
 
   void read_flow() {
     if (given_ && associated_) {
-      const double a = given_->at("factor"), b = associated_->at("factor");
+      const double a = given_->factor, b = associated_->factor;
       if (std::abs(a / b - 1) < same / 2)
         say("The flow rule hardly matters: finite elements give {:.3f} with {} and {:.3f} with ψ = φ.", a,
             describe_flow(*given_), b);
@@ -182,7 +201,7 @@ class Reading {
             "flow rule; their answer belongs to ψ = φ.",
             b, a, compare(a, b), describe_flow(*given_));
     } else if (given_ && circle_ && is_nonassociated()) {
-      const double f = given_->at("factor");
+      const double f = given_->factor;
       if (f / *circle_ < 1 - same)
         say("The finite elements flow with {} < φ, slices know no flow rule: [fem] flow = \"both\" shows how much of "
             "the "
@@ -199,10 +218,10 @@ class Reading {
   }
 
   void read_element_criterion() {
-    for (const json* run : {given_, associated_}) {
+    for (const results::ElementRun* run : {given_, associated_}) {
       if (run == nullptr) continue;
-      const auto other = get_number(*run, "by_displacement");
-      const double f = run->at("factor");
+      const auto other = run->by_displacement;
+      const double f = run->factor;
       if (!other || std::abs(*other / f - 1) < same) continue;
       say("With {} the criteria of the finite elements differ: displacements run away at {:.3f}, {} the factor without "
           "equilibrium ({:.3f}).",
@@ -212,9 +231,9 @@ class Reading {
 
   /// Finite elements against slices.
   void read_elements() {
-    const json* run = associated_ ? associated_ : given_;
+    const results::ElementRun* run = associated_ ? associated_ : given_;
     if (run == nullptr || !circle_) return;
-    const double f = run->at("factor"), half = (run->at("failed").get<double>() - run->at("stable").get<double>()) / 2;
+    const double f = run->factor, half = (run->failed - run->stable) / 2;
     if (std::abs(f - *circle_) <= half + same * *circle_)
       say("Finite elements ({}, {:.3f}) and {} ({:.3f}) agree within {}.", describe_flow(*run), f, circle_name_,
           *circle_, format_share(f / *circle_ - 1));
@@ -225,11 +244,11 @@ class Reading {
   }
 
   void read_points_mesh() {
-    const json& frozen = get(get(summary_, "factor_of_safety"), "frozen");
-    const json& meshes = list(frozen, "meshes");
+    if (!frozen_) return;
+    const results::FrozenFactor& frozen = *run_.factor_of_safety->frozen;
+    const std::vector<results::MeshFactor>& meshes = frozen.meshes;
     if (meshes.size() < 2) return;
-    const double coarse = meshes[0].at("factor"), fine = meshes[1].at("factor"),
-                 bracket = get_number(frozen, "uncertainty").value_or(0);
+    const double coarse = meshes[0].factor(), fine = meshes[1].factor(), bracket = frozen.uncertainty;
     if (std::abs(coarse - fine) <= bracket)
       say("Material points: halving the elements changes the factor by less than the width of the bracket ({:.3f} and "
           "{:.3f}).",
@@ -237,14 +256,14 @@ class Reading {
     else
       say("Material points: {:.3f} on elements of {:g} m and {:.3f} on {:g} m, {:.3f} at size zero; {} is the share of "
           "the mesh in the factor on the coarse one.",
-          coarse, meshes[0].at("size").get<double>(), fine, meshes[1].at("size").get<double>(), *frozen_,
-          format_share(coarse / *frozen_ - 1));
+          coarse, meshes[0].size, fine, meshes[1].size, *frozen_, format_share(coarse / *frozen_ - 1));
   }
 
   void read_points_criterion() {
-    for (const json& c : list(get(summary_, "factor_of_safety"), "criteria")) {
-      const auto f = get_number(c, "factor");
-      if (c.at("name") != "bilinear" || !f) continue;
+    if (!run_.factor_of_safety || !run_.factor_of_safety->criteria) return;
+    for (const results::Criterion& c : *run_.factor_of_safety->criteria) {
+      const auto f = c.factor;
+      if (c.kind != results::CriterionKind::bilinear || !f) continue;
       if (!frozen_) {
         if (circle_ && std::abs(*f / *circle_ - 1) > noticeable)
           say("The bilinear construction on the displacement curve of the material points gives {:.3f}, {} {}: it "
@@ -264,9 +283,9 @@ class Reading {
 
   void read_points() {
     if (!frozen_) return;
-    const json* run = given_ ? given_ : associated_;
+    const results::ElementRun* run = given_ ? given_ : associated_;
     if (run == nullptr && !circle_) return;
-    const double other = run ? run->at("factor").get<double>() : *circle_;
+    const double other = run ? run->factor : *circle_;
     const std::string words = run ? fmt::format("finite elements ({})", describe_flow(*run)) : circle_name_;
     if (std::abs(*frozen_ / other - 1) < noticeable)
       say("Material points at frozen geometry ({:.3f}) confirm {} ({:.3f}).", *frozen_, words, other);
@@ -278,74 +297,59 @@ class Reading {
               : "; they are those of one mesh, and [strength_reduction.frozen] meshes = 2 shows its share");
   }
 
-  bool is_extrapolated() const {
-    return get(get(get(summary_, "factor_of_safety"), "frozen"), "extrapolated").is_number();
-  }
+  bool is_extrapolated() const { return run_.factor_of_safety->frozen->extrapolated.has_value(); }
 
   /// Whether the methods see one mechanism, and what slices say on the surfaces of the others.
   void read_surfaces() {
-    if (circle_key_.empty() || !(height_ > 0)) return;
-    const ground::Polyline circle = find_surface("lem." + circle_key_);
+    if (critical_ == nullptr || !(height_ > 0)) return;
+    const ground::Polyline& circle = critical_->surface.points;
     if (circle.size() < 2) return;
-    for (const json& s : list(methods_, "surfaces")) {
-      if (s.at("method") == "lem") continue;
-      const ground::Polyline line = find_surface(s.at("name"));
-      if (line.size() < 2) continue;
-      const double mean = find_mean_distance(circle, line);
-      const bool both = given_ && associated_;
-      const std::string rule = s.at("name").get<std::string>().find("associated") != std::string::npos
-                                   ? " with ψ = φ"
-                                   : (given_ ? " with " + describe_flow(*given_) : "");
-      const std::string of = s.at("method") == "fem" ? "band of the finite elements" + (both ? rule : "")
-                                                     : "slip line of the material points";
-      const std::string handed = describe_handed(s.at("name"));
-      const double size = s.at("method") == "fem" ? get_number(get(summary_, "fem"), "size").value_or(0)
-                                                  : get_number(get(summary_, "mesh"), "mean_size").value_or(0);
+    for (const results::MethodSurface& s : methods_.surfaces) {
+      if (s.method == Method::lem || s.points.size() < 2) continue;
+      const double mean = find_mean_distance(circle, s.points);
+      const bool by_elements = s.method == Method::fem;
+      const std::string of =
+          by_elements ? "band of the finite elements" + name_rule(s) : "slip line of the material points";
+      const std::string handed = describe_handed(s.name);
+      const double size = by_elements ? run_.elements->size : run_.mesh ? run_.mesh->mean_size : 0;
       if (mean < std::max(same_surface * height_, size))
         say("One mechanism: the {} is on average {:.2g} m ({} of the height) from the critical circle of {}{}.", of,
             mean, format_share(mean / height_), circle_name_, handed);
       else
         say("The {} is on average {:.2g} m ({} of the height) from the critical circle of {}: the mechanisms "
             "differ{}{}.",
-            of, mean, format_share(mean / height_), circle_name_, handed, describe_near_minimum(line, size));
+            of, mean, format_share(mean / height_), circle_name_, handed, describe_near_minimum(s.points, size));
     }
+  }
+
+  /// Which of two bands a surface of the finite elements is; empty where there is one.
+  std::string name_rule(const results::MethodSurface& s) const {
+    if (given_ == nullptr || associated_ == nullptr) return "";
+    return " with " + describe_flow(s.name == name_band(results::Flow::associated) ? *associated_ : *given_);
   }
 
   /// Another local minimum of the slices that is this mechanism.
   std::string describe_near_minimum(const ground::Polyline& line, double size) const {
+    const auto minima = run_.slices->minima.find(results::to_word(critical_->surface.method));
+    if (minima == run_.slices->minima.end()) return "";
     double nearest = std::max(same_surface * height_, size);
     std::string words;
-    for (const json& m : list(get(get(summary_, "lem"), "minima"), circle_key_.c_str())) {
-      const auto f = get_number(m, "factor");
-      const ground::Polyline other = to_line(m.at("points"));
-      if (!f || other.size() < 2) continue;
-      const double mean = find_mean_distance(other, line);
+    for (const results::SlipSurface& m : minima->second) {
+      if (!m.factor || m.points.size() < 2) continue;
+      const double mean = find_mean_distance(m.points, line);
       if (mean >= nearest) continue;
       nearest = mean;
-      words = fmt::format("; a local minimum of {} ({:.3f}) lies {:.2g} m from it", circle_name_, *f, mean);
+      words = fmt::format("; a local minimum of {} ({:.3f}) lies {:.2g} m from it", circle_name_, *m.factor, mean);
     }
     return words;
   }
 
-  static ground::Polyline to_line(const json& points) {
-    ground::Polyline line;
-    for (const json& x : points) line.push_back({x.at(0).get<double>(), x.at(1).get<double>()});
-    return line;
-  }
-
-  ground::Polyline find_surface(const std::string& name) const {
-    for (const json& s : list(methods_, "surfaces"))
-      if (s.at("name") == name) return to_line(s.at("points"));
-    return {};
-  }
-
   std::string describe_handed(const std::string& from) const {
-    for (const json& h : list(methods_, "handed")) {
-      const auto f = get_number(h, "factor");
-      if (h.at("from") != from || h.at("to") != "spencer" || !f) continue;
-      const auto own = find_slices(summary_, "critical", "spencer");
-      return fmt::format(", and Spencer on it gives {:.3f}{}", *f,
-                         own ? ", " + compare(*f, *own) + " that of the circle" : "");
+    for (const results::HandedSurface& h : methods_.handed) {
+      if (h.from != from || h.to != results::to_word(SliceMethod::spencer) || !h.factor) continue;
+      const auto own = find_circle_factor(SliceMethod::spencer);
+      return fmt::format(", and Spencer on it gives {:.3f}{}", *h.factor,
+                         own ? ", " + compare(*h.factor, *own) + " that of the circle" : "");
     }
     return "";
   }
@@ -355,26 +359,30 @@ class Reading {
     const auto add = [&](const char* words, double seconds) {
       if (seconds > 0) parts.push_back(fmt::format("{} {:.3g} s", words, seconds));
     };
-    add("slices", find_seconds(summary_, "lem"));
-    add("finite elements", find_seconds(summary_, "fem"));
-    for (const json& row : list(methods_, "table"))
-      if (row.at("method") == "mpm" && row.at("seconds").is_number()) add("material points", row.at("seconds"));
+    add("slices", run_.slices ? run_.slices->seconds : 0);
+    add("finite elements", run_.elements ? run_.elements->seconds.value_or(0) : 0);
+    for (const results::MethodRow& row : methods_.table)
+      if (row.method == Method::mpm && row.seconds) add("material points", *row.seconds);
     if (parts.size() > 1) say("Computing time: {}.", fmt::join(parts, ", "));
   }
 
   const input::Case& data_;
-  const json &summary_, &methods_;
+  const results::RunResult& run_;
+  const results::MethodComparison& methods_;
   double height_;
+  const results::CriticalSurface* critical_ = nullptr;  ///< the circle that stands for slices
   std::optional<double> circle_, frozen_;
-  std::string circle_name_, circle_key_;
-  const json *given_ = nullptr, *associated_ = nullptr;
-  json sentences_ = json::array();
+  std::string circle_name_;
+  const results::ElementRun *given_ = nullptr, *associated_ = nullptr;
+  results::Topic topic_ = results::Topic::agreement;
+  std::vector<results::Remark> remarks_;
 };
 
 }  // namespace
 
-json read_differences(const input::Case& data, const json& summary, const json& methods) {
-  return Reading(data, summary, methods).read();
+std::vector<results::Remark> read_differences(const input::Case& data, const results::RunResult& run,
+                                              const results::MethodComparison& methods) {
+  return Reading(data, run, methods).read();
 }
 
 }  // namespace talus::run

@@ -1,14 +1,16 @@
 #pragma once
-// What the differences between the methods say, in the sentences an engineer would write.
+// What the numbers of the methods say about one another, in sentences.
 
-#include <nlohmann/json.hpp>
+#include <vector>
 
 #include "input/case/case.hpp"
+#include "results/run.hpp"
 
 namespace talus::run {
 
-/// Each sentence states what was measured in this case; causes are named only where the numbers show them. `methods`:
-/// table, surfaces and handed surfaces of summary.json.
-nlohmann::json read_differences(const input::Case& data, const nlohmann::json& summary, const nlohmann::json& methods);
+/// Each sentence states what was measured in this case; causes are named only where the numbers show them. From the
+/// results of the methods in `run` and from their table, surfaces and surfaces handed over in `methods`.
+std::vector<results::Remark> read_differences(const input::Case& data, const results::RunResult& run,
+                                              const results::MethodComparison& methods);
 
 }  // namespace talus::run

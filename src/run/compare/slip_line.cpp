@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 
 #include "base/error.hpp"
 #include "mesh/planar.hpp"
 #include "output/files/frames_reader.hpp"
+#include "results/json.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "run/mpm/record/moved_limit.hpp"
 #include "run/mpm/reduction/frozen_run.hpp"
@@ -18,7 +18,6 @@ namespace talus::run {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// Distance that a simplified line may keep from the full one, over the width of the line.
 constexpr double simplified = 0.004;
@@ -97,10 +96,10 @@ std::optional<MovedPoints> read_last_frame(const fs::path& folder) {
 
 }  // namespace
 
-PointsSlipLine find_points_slip_line(const input::Case& data, const json& summary, const fs::path& folder) {
+PointsSlipLine find_points_slip_line(const input::Case& data, const results::RunResult& run, const fs::path& folder) {
   PointsSlipLine result;
   if (data.mesh.dimension != 2) return result;
-  const double height = summary.value("slope_height", 0.0);
+  const double height = run.slope_height.value_or(0);
   if (data.analysis == input::AnalysisKind::run) {
     if (const auto moved = read_last_frame(folder)) {
       result.line = find_moved_limit(moved->positions, moved->displacement, moved->spacing,
@@ -112,19 +111,19 @@ PointsSlipLine find_points_slip_line(const input::Case& data, const json& summar
   }
   // The failed end of the bracket on the finest mesh is nearest to the onset of failure.
   for (const int mesh : {1, 0}) {
-    std::ifstream file(folder / "frozen" / fmt::format("mesh_{}", mesh) / slip_line_file);
-    const json kept = file ? json::parse(file, nullptr, false) : json();
-    if (!kept.is_object()) continue;
-    result.factor = kept.at("srf");
-    result.line = kept.at("points").get<ground::Polyline>();
+    const auto kept =
+        results::find_file<results::SlipLine>(folder / "frozen" / fmt::format("mesh_{}", mesh) / slip_line_file);
+    if (!kept) continue;
+    result.factor = kept->factor;
+    result.line = kept->points;
     result.source = fmt::format("lower limit of the soil that runs away at SRF {:.3f}", result.factor);
     return result;
   }
-  if (!summary.contains("curve")) return result;
+  if (!run.curve) return result;
   const double failed = data.strength_reduction.curve.displacement_ratio * height;
-  for (const json& trial : summary.at("curve").at("points")) {
-    const double factor = trial.at("srf"), u = trial.at("displacement");
-    if (u < failed) continue;
+  for (const results::Trial& trial : run.curve->points) {
+    const double factor = trial.factor;
+    if (trial.displacement < failed) continue;
     const auto moved = read_last_frame(folder / "trials" / fmt::format("srf_{:.4f}", factor));
     if (!moved) continue;
     result.line = find_moved_limit(moved->positions, moved->displacement, moved->spacing, moved_share * moved->largest);

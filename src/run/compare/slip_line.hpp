@@ -2,7 +2,6 @@
 // Slip lines of finite elements and material points as surfaces that slices can be put on.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "input/case/case.hpp"
 #include "lem/section/slope.hpp"
 #include "lem/surface/surface.hpp"
+#include "results/run.hpp"
 
 namespace talus::run {
 
@@ -24,7 +24,7 @@ struct PointsSlipLine {
 /// From the trial at frozen geometry that failed with the smallest factor; else from the trial of the displacement
 /// curve whose largest displacement first reaches the share of the slope's height that counts as failure; of a run
 /// without strength reduction from its last frame.
-PointsSlipLine find_points_slip_line(const input::Case& data, const nlohmann::json& summary,
+PointsSlipLine find_points_slip_line(const input::Case& data, const results::RunResult& run,
                                      const std::filesystem::path& folder);
 
 /// A line made into a surface: from left to right without turning back, its ends led on to the ground, with few

@@ -5,8 +5,6 @@
 namespace talus::run {
 namespace {
 
-using nlohmann::json;
-
 /// VTK's numbers of quadratic cells.
 constexpr int quadratic_triangle = 22, quadratic_tetrahedron = 24;
 
@@ -16,23 +14,25 @@ std::string write_array(const std::string& name, const char* type, int component
 }
 
 /// Vectors with three components, whatever the dimension.
-std::string list_vectors(const json& rows) {
+std::string list_vectors(const std::vector<std::vector<double>>& rows) {
   std::string text;
-  for (const json& row : rows)
-    for (std::size_t d = 0; d < 3; ++d) text += fmt::format(" {}", d < row.size() ? row[d].get<double>() : 0.0);
+  for (const std::vector<double>& row : rows)
+    for (std::size_t d = 0; d < 3; ++d) text += fmt::format(" {}", d < row.size() ? row[d] : 0.0);
   return text;
 }
 
-std::string list_numbers(const json& values) {
+template <class T>
+std::string list_numbers(const std::vector<T>& values) {
   std::string text;
-  for (const json& v : values) text += fmt::format(" {}", v.get<double>());
+  for (const T v : values) text += fmt::format(" {}", static_cast<double>(v));
   return text;
 }
 
 }  // namespace
 
-std::string write_vtu(const json& file) {
-  const json &nodes = file.at("nodes"), &elements = file.at("elements");
+std::string write_vtu(const results::ElementMesh& file) {
+  const auto& nodes = file.nodes;
+  const auto& elements = file.elements;
   const std::size_t per = elements.empty() ? 6 : elements[0].size();
   std::string connectivity, offsets, types, point_data, cell_data;
   for (std::size_t e = 0; e < elements.size(); ++e) {
@@ -40,11 +40,11 @@ std::string write_vtu(const json& file) {
     offsets += fmt::format(" {}", per * (e + 1));
     types += fmt::format(" {}", per == 6 ? quadratic_triangle : quadratic_tetrahedron);
   }
-  for (const json& run : file.at("runs")) {
-    const std::string flow = run.at("flow");
-    point_data += write_array("displacement_" + flow, "Float64", 3, list_vectors(run.at("displacement")));
-    point_data += write_array("shear_strain_" + flow, "Float64", 1, list_numbers(run.at("shear_strain")));
-    cell_data += write_array("yields_" + flow, "Int32", 1, list_numbers(run.at("yields")));
+  for (const results::ElementFields& run : file.runs) {
+    const std::string flow = results::to_word(run.flow);
+    point_data += write_array("displacement_" + flow, "Float64", 3, list_vectors(run.displacement));
+    point_data += write_array("shear_strain_" + flow, "Float64", 1, list_numbers(run.shear_strain));
+    cell_data += write_array("yields_" + flow, "Int32", 1, list_numbers(run.yields));
   }
   return fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">\n<UnstructuredGrid>\n"

@@ -1,13 +1,14 @@
 #pragma once
 // Fields of the finite elements as a file that ParaView opens.
 
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "results/elements.hpp"
 
 namespace talus::run {
 
 /// fem.json as VTK's XML format (.vtu) with quadratic triangles or tetrahedra: displacement and shear strain of each
 /// flow rule at the nodes, plastic elements.
-std::string write_vtu(const nlohmann::json& file);
+std::string write_vtu(const results::ElementMesh& file);
 
 }  // namespace talus::run

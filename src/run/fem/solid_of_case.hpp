@@ -2,13 +2,13 @@
 // A case as the finite elements for stress see it.
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "fem/solid/solid.hpp"
 #include "input/case/case.hpp"
+#include "results/water.hpp"
 
 namespace talus::run {
 
@@ -16,7 +16,7 @@ template <int D>
 struct SolidOfCase {
   std::shared_ptr<const mesh::Mesh<D>> mesh;  ///< that the model points to
   fem::SolidModel<D> model;                   ///< with the dilatancy angles as given
-  nlohmann::json seepage;                     ///< "seepage" of summary.json; null without
+  std::optional<results::Seepage> seepage;    ///< that pore pressures are from
   std::vector<std::string> notes;             ///< what finite elements cannot take as the case says it, in sentences
 };
 

@@ -7,13 +7,11 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "run/lem/lem_json.hpp"
 #include "run/lem/section_of_case.hpp"
+#include "run/lem/tell_slices.hpp"
 
 namespace talus::run {
 namespace {
-
-using nlohmann::json;
 
 bool is_check(lem::Refusal refusal) {
   return refusal == lem::Refusal::m_alpha || refusal == lem::Refusal::tension || refusal == lem::Refusal::thrust ||
@@ -42,41 +40,22 @@ void lead_through_ends(const lem::Slope& slope, const std::string& name, lem::Su
   circle.centre = centre;
 }
 
-json solve_given(const input::Case& data, const lem::Slope& slope, const lem::SearchOptions& options) {
-  json list = json::array();
+std::vector<results::CriticalSurface> solve_given(const input::Case& data, const lem::Slope& slope,
+                                                  const lem::SearchOptions& options) {
+  std::vector<results::CriticalSurface> list;
   for (const input::SlipSurface& given : data.lem.surfaces) {
     const lem::Surface surface = make_surface(slope, given);
     for (const lem::Method method : options.methods) {
       lem::Critical critical = solve_surface(slope, surface, method, options);
       if (data.lem.yield_acceleration && critical.solution.factor > 0)
         critical.yield_acceleration = lem::find_yield_acceleration(slope, critical.cut, method, options.checks);
-      list.push_back(to_json(slope, critical));
+      list.push_back(tell_critical(slope, critical));
     }
   }
   return list;
 }
 
 }  // namespace
-
-lem::Method to_lem(input::SliceMethod method) {
-  switch (method) {
-    case input::SliceMethod::fellenius:
-      return lem::Method::fellenius;
-    case input::SliceMethod::bishop:
-      return lem::Method::bishop;
-    case input::SliceMethod::janbu:
-      return lem::Method::janbu;
-    case input::SliceMethod::janbu_corrected:
-      return lem::Method::janbu_corrected;
-    case input::SliceMethod::spencer:
-      return lem::Method::spencer;
-    case input::SliceMethod::morgenstern_price:
-      return lem::Method::morgenstern_price;
-    case input::SliceMethod::morgenstern_price_constant:
-      break;
-  }
-  return lem::Method::morgenstern_price_constant;
-}
 
 PreparedSlope prepare_slope(const input::Case& data) {
   SectionOfCase made = make_section(data);
@@ -109,8 +88,7 @@ lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, 
   between.depths = settings.entry_exit.depths;
   options.entry_exit = between;
   options.slices = settings.slices;
-  options.methods.clear();
-  for (const input::SliceMethod m : settings.methods) options.methods.push_back(to_lem(m));
+  options.methods = settings.methods;
   options.checks.smallest_m_alpha = settings.smallest_m_alpha;
   options.checks.most_tension = settings.most_tension;
   options.checks.most_thrust_outside = settings.most_thrust_outside;
@@ -185,39 +163,35 @@ lem::Critical solve_surface(const lem::Slope& slope, const lem::Surface& surface
   return result;
 }
 
-LemResult run_lem(const input::Case& data, const PreparedSlope& prepared, int threads) {
+SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int threads) {
   const auto start = std::chrono::steady_clock::now();
   const lem::Slope& slope = *prepared.slope;
   const lem::SearchOptions options = make_search_options(data.lem, threads);
-  LemResult result;
-  json names = json::array(), critical = json::array(), noncircular = json::array(), minima = json::object();
-  for (const lem::Method m : options.methods) names.push_back(lem::name_method(m));
-  json& block = result.block;
-  block = {{"methods", names}, {"slices", options.slices}, {"warnings", prepared.notes}};
-  block["given"] = solve_given(data, slope, options);
+  SliceOutcome outcome;
+  results::SliceResult& result = outcome.result;
+  result.methods = options.methods;
+  result.slices = options.slices;
+  result.warnings = prepared.notes;
+  result.given = solve_given(data, slope, options);
   if (data.lem.search != input::SurfaceSearch::none) {
     lem::SearchResult found = lem::search(slope, options);
-    const auto take = [&](lem::Critical& c, json& list) {
+    const auto take = [&](lem::Critical& c, std::vector<results::CriticalSurface>& list) {
       if (data.lem.yield_acceleration)
         c.yield_acceleration = lem::find_yield_acceleration(slope, c.cut, c.method, options.checks);
-      list.push_back(to_json(slope, c));
+      list.push_back(tell_critical(slope, c));
     };
-    for (lem::Critical& c : found.circular) take(c, critical);
-    for (lem::Critical& c : found.noncircular) take(c, noncircular);
+    for (lem::Critical& c : found.circular) take(c, result.critical);
+    for (lem::Critical& c : found.noncircular) take(c, result.noncircular);
     for (std::size_t m = 0; m < found.minima.size(); ++m) {
-      json list = json::array();
-      for (const lem::Critical& c : found.minima[m]) list.push_back(to_short_json(c));
-      minima[lem::name_method(options.methods[m])] = std::move(list);
+      auto& list = result.minima[lem::name_method(options.methods[m])];
+      for (const lem::Critical& c : found.minima[m]) list.push_back(tell_surface(c));
     }
-    block["search"] = describe_search(options, found);
-    result.file = describe_trials(options, found);
-    block["trials_file"] = "lem.json";
+    result.search = tell_search(options, found);
+    outcome.trials = tell_trials(options, found);
+    result.trials_file = "lem.json";
   }
-  block["critical"] = std::move(critical);
-  block["noncircular"] = std::move(noncircular);
-  block["minima"] = std::move(minima);
-  block["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return outcome;
 }
 
 }  // namespace talus::run

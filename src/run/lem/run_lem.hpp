@@ -1,28 +1,28 @@
 #pragma once
-// Limit equilibrium on a case: search, surfaces of the user's choice, and what summary.json and lem.json tell of them.
+// Limit equilibrium on a case: the search, and surfaces of the user's choice.
 
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "input/case/case.hpp"
 #include "lem/search/search.hpp"
+#include "results/slices.hpp"
 
 namespace talus::run {
 
 /// The slope of a case, ready for any surface.
 struct PreparedSlope {
   std::shared_ptr<const lem::Slope> slope;
-  std::vector<std::string> notes;  ///< of make_section()
-  nlohmann::json seepage;          ///< likewise
+  std::vector<std::string> notes;           ///< of make_section()
+  std::optional<results::Seepage> seepage;  ///< likewise
 };
 /// Throws what make_section() and lem::Slope do.
 PreparedSlope prepare_slope(const input::Case& data);
 
 /// The settings of [lem] for the search.
 lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads);
-lem::Method to_lem(input::SliceMethod method);
 
 /// A surface of [[lem.surface]]. Throws Error (wrong_input) when it does not cut the ground, naming it.
 lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& given);
@@ -32,12 +32,13 @@ lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& giv
 lem::Critical solve_surface(const lem::Slope& slope, const lem::Surface& surface, lem::Method method,
                             const lem::SearchOptions& options);
 
-struct LemResult {
-  nlohmann::json block;  ///< "lem" of summary.json
-  nlohmann::json file;   ///< lem.json
+/// What slices found, and the trials of the search where there was one.
+struct SliceOutcome {
+  results::SliceResult result;
+  std::optional<results::SliceTrials> trials;
 };
 
 /// Throws Error (wrong_input) when no surface is admissible.
-LemResult run_lem(const input::Case& data, const PreparedSlope& prepared, int threads);
+SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int threads);
 
 }  // namespace talus::run

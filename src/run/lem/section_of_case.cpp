@@ -154,7 +154,7 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
   }
 }
 
-void add_water(const input::Case& data, lem::Section& section, nlohmann::json& seepage) {
+void add_water(const input::Case& data, lem::Section& section, std::optional<results::Seepage>& seepage) {
   section.water_unit_weight = ground::find_water_weight(data);
   const std::vector<ground::Pond> ponds = ground::find_ponds(data, section.ground);
   if (ground::needs_seepage(data)) {

@@ -1,19 +1,20 @@
 #pragma once
 // A case as the methods of slices see it.
 
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "input/case/case.hpp"
 #include "lem/section/section.hpp"
+#include "results/water.hpp"
 
 namespace talus::run {
 
 struct SectionOfCase {
   lem::Section section;
-  std::vector<std::string> notes;  ///< what slices cannot take as the case says it, in sentences
-  nlohmann::json seepage;          ///< "seepage" of summary.json; null without
+  std::vector<std::string> notes;           ///< what slices cannot take as the case says it, in sentences
+  std::optional<results::Seepage> seepage;  ///< that pore pressures are from
 };
 
 /// Ground, soils, water and loads of a plane case. Pore pressures of steady seepage are calculated on the case's mesh.

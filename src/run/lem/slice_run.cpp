@@ -1,0 +1,52 @@
+#include "run/lem/slice_run.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "results/json.hpp"
+
+namespace talus::run {
+namespace {
+
+constexpr const char *file_name = "lem.json", *title = "limit equilibrium";
+
+}  // namespace
+
+SliceRun::SliceRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
+    : data_(data), options_(options), hash_(std::move(input_hash)), alone_(alone), prepared_(prepare_slope(data)) {}
+
+void SliceRun::calculate() {
+  if (options_.resume) {
+    auto known = results::find_file<results::SliceFile>(options_.folder / file_name);
+    if (known && known->input_hash == hash_) {
+      outcome_.result = std::move(known->summary);
+      is_kept_ = is_done_ = true;
+      return;
+    }
+  }
+  if (options_.progress) options_.progress->show("limit equilibrium: searching for the critical slip surface");
+  try {
+    outcome_ = run_lem(data_, prepared_, options_.threads);
+  } catch (const Error& error) {
+    if (alone_ || error.code() == ExitCode::interrupted) throw;
+    outcome_.result.error = error.what();
+    outcome_.result.warnings = {fmt::format("{}: {}", title, error.what())};
+  }
+  if (options_.progress) options_.progress->clear();
+  is_done_ = true;
+}
+
+void SliceRun::keep() const {
+  if (is_done_ && !is_kept_)
+    results::write_file(options_.folder / file_name, results::SliceFile{hash_, outcome_.result, outcome_.trials}, -1);
+}
+
+void SliceRun::tell(results::RunResult& run) const {
+  if (!is_done_) return;
+  run.slices = outcome_.result;
+  for (const std::string& warning : outcome_.result.warnings)
+    run.warnings.push_back(outcome_.result.error ? warning : fmt::format("{}: {}", title, warning));
+  if (!run.seepage) run.seepage = prepared_.seepage;
+}
+
+}  // namespace talus::run

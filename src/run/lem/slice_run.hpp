@@ -1,0 +1,38 @@
+#pragma once
+// Slices in a run: calculated or taken from what an interrupted run has left, and kept in the folder.
+
+#include <optional>
+#include <string>
+
+#include "results/run.hpp"
+#include "run/lem/run_lem.hpp"
+#include "run/options.hpp"
+
+namespace talus::run {
+
+class SliceRun {
+ public:
+  /// Prepares the slope; throws what prepare_slope() throws. `data`: what is calculated. `alone`: no other method
+  /// answers.
+  SliceRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
+
+  /// Throws Error (interrupted), and Error (wrong_input) where slices answer alone and no surface is admissible; beside
+  /// others the reason stands in the result.
+  void calculate();
+  /// lem.json; nothing where it is that of an earlier run.
+  void keep() const;
+  void tell(results::RunResult& run) const;
+
+  const lem::Slope* slope() const { return prepared_.slope.get(); }
+
+ private:
+  const input::Case& data_;
+  const RunOptions& options_;
+  std::string hash_;
+  bool alone_, is_kept_ = false;
+  PreparedSlope prepared_;
+  SliceOutcome outcome_;
+  bool is_done_ = false;
+};
+
+}  // namespace talus::run

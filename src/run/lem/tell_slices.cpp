@@ -1,0 +1,134 @@
+#include "run/lem/tell_slices.hpp"
+
+#include <cmath>
+
+namespace talus::run {
+namespace {
+
+/// Numbers that files need not keep to the last digit.
+double round_to(double value, double digits) {
+  return std::round(value * digits) / digits;
+}
+
+results::SliceTable tell_table(const lem::Slope& slope, const lem::CutSurface& cut) {
+  results::SliceTable t;
+  for (const lem::Slice& s : cut.slices) {
+    t.left.push_back(s.left);
+    t.right.push_back(s.right);
+    t.base_left.push_back(s.base_left);
+    t.base_right.push_back(s.base_right);
+    t.top_left.push_back(s.top_left);
+    t.top_right.push_back(s.top_right);
+    t.soil.push_back(slope.section().soils.at(static_cast<std::size_t>(s.soil)).name);
+    t.alpha.push_back(s.alpha);
+    t.length.push_back(s.length);
+    t.weight.push_back(s.weight);
+    t.surface_load.push_back(s.surface_load);
+    t.surface_thrust.push_back(s.surface_thrust);
+    t.earthquake.push_back(s.earthquake);
+    t.pore_pressure.push_back(s.pore_pressure);
+    t.cohesion.push_back(s.cohesion);
+    t.root_cohesion.push_back(s.root_cohesion);
+    t.suction_strength.push_back(s.suction_strength);
+    t.tan_friction.push_back(s.tan_friction);
+    t.normal.push_back(s.normal);
+    t.shear.push_back(s.shear);
+    t.m_alpha.push_back(s.m_alpha);
+    t.normal_right.push_back(s.normal_right);
+    t.shear_right.push_back(s.shear_right);
+    t.thrust_right.push_back(s.thrust_right);
+  }
+  return t;
+}
+
+}  // namespace
+
+std::vector<lem::Point> list_points(const lem::CutSurface& cut) {
+  std::vector<lem::Point> points;
+  for (const lem::Slice& s : cut.slices) {
+    if (points.empty()) points.push_back(s.base_left);
+    points.push_back(s.base_right);
+  }
+  return points.empty() ? cut.surface.line : points;
+}
+
+results::SlipSurface tell_surface(const lem::Critical& c) {
+  results::SlipSurface told;
+  told.method = c.method;
+  told.title = lem::title_method(c.method);
+  told.circular = c.surface.circle.has_value();
+  if (c.solution.factor > 0) told.factor = c.solution.factor;
+  if (c.surface.circle) told.circle = {c.surface.circle->centre, c.surface.circle->radius};
+  told.points = list_points(c.cut);
+  if (!c.surface.name.empty()) told.name = c.surface.name;
+  return told;
+}
+
+results::CriticalSurface tell_critical(const lem::Slope& slope, const lem::Critical& c) {
+  results::CriticalSurface told;
+  told.surface = tell_surface(c);
+  const bool has_lambda = c.method == lem::Method::spencer || c.method == lem::Method::morgenstern_price ||
+                          c.method == lem::Method::morgenstern_price_constant;
+  if (has_lambda) told.lambda = c.solution.lambda;
+  told.correction = c.solution.correction;
+  told.area = c.cut.area;
+  told.depth = c.cut.depth;
+  told.slides_left = c.cut.slides_left;
+  told.yield_acceleration = c.yield_acceleration;
+  const lem::Refusal refusal = c.cut.refusal != lem::Refusal::none ? c.cut.refusal : c.solution.refusal;
+  told.checks = {c.solution.smallest_m_alpha, c.solution.tensile_share, c.solution.thrust_outside,
+                 refusal == lem::Refusal::none ? "" : lem::name_refusal(refusal)};
+  told.slices = tell_table(slope, c.cut);
+  told.warnings = c.warnings;
+  return told;
+}
+
+results::SliceSearch tell_search(const lem::SearchOptions& options, const lem::SearchResult& result) {
+  results::SliceSearch told;
+  told.kind = options.kind == lem::SearchKind::grid ? results::SearchKind::grid : results::SearchKind::entry_exit;
+  told.tried = result.tried;
+  for (std::size_t m = 0; m < result.refused.size(); ++m) {
+    auto& counts = told.refused[lem::name_method(options.methods[m])];
+    for (const auto& [why, count] : result.refused[m]) counts[lem::name_refusal(why)] = count;
+  }
+  for (const lem::LimitHit& hit : result.limit_hits)
+    told.limit_hits.push_back({lem::title_method(hit.method), hit.limit});
+  if (const auto& e = result.entry_exit; e && options.kind == lem::SearchKind::entry_exit) {
+    told.ranges.exit = e->exit;
+    told.ranges.entry = e->entry;
+    told.ranges.exits = e->exits;
+    told.ranges.entries = e->entries;
+    told.ranges.depths = e->depths;
+  }
+  if (const auto& g = result.grid; g && options.kind == lem::SearchKind::grid) {
+    told.ranges.grid = {g->from, g->to, g->columns, g->rows, g->radii, std::nullopt};
+    if (g->lowest && g->highest) told.ranges.grid->levels = {*g->lowest, *g->highest};
+  }
+  told.seconds = result.seconds;
+  told.circles_per_second = result.seconds > 0 ? static_cast<double>(result.tried) / result.seconds : 0;
+  return told;
+}
+
+results::SliceTrials tell_trials(const lem::SearchOptions& options, const lem::SearchResult& result) {
+  constexpr double digits = 1e4;
+  results::SliceTrials told;
+  for (const lem::Method m : options.methods) told.methods.emplace_back(lem::name_method(m));
+  for (const lem::Trial& t : result.trials) {
+    if (!t.surface.circle) continue;
+    std::vector<double>& row = told.trials.emplace_back();
+    for (const double x : {t.surface.circle->centre[0], t.surface.circle->centre[1], t.surface.circle->radius,
+                           t.surface.from, t.surface.to})
+      row.push_back(round_to(x, digits));
+    for (const float f : t.factors) row.push_back(round_to(f, digits));
+  }
+  for (std::size_t m = 0; m < result.maps.size(); ++m) {
+    const auto& map = result.maps[m];
+    results::FactorMap& shown = told.maps[lem::name_method(options.methods[m])];
+    shown = {map.from, map.to, map.columns, map.rows, {}};
+    for (const float f : map.factor)
+      shown.factor.push_back(std::isfinite(f) ? std::optional(round_to(f, digits)) : std::nullopt);
+  }
+  return told;
+}
+
+}  // namespace talus::run
