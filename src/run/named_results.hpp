@@ -1,22 +1,27 @@
 #pragma once
-// The numbers of a run under the names of input/case/result_names.hpp, and how they compare with what the case expects.
+// Results under the names of input/case/result_names.hpp, and how they compare with what the case expects.
 
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "input/case/case.hpp"
+#include "results/laboratory.hpp"
+#include "results/run.hpp"
 
 namespace talus::run {
 
-/// The result `name` of the run that `summary` tells about [SI]; nothing when the run did not come to it. The
-/// displacement of a trial that was not calculated is interpolated between its neighbours on the curve.
-std::optional<double> find_result(const nlohmann::json& summary, const std::string& name);
+/// The result `name` of a run [SI]; nothing when the run did not come to it. The displacement of a trial that was not
+/// calculated is interpolated between its neighbours on the curve.
+std::optional<double> find_result(const results::RunResult& run, const std::string& name);
 
-/// All results that the run came to: [{name, title, value, unit: {name, si}}]. `value` is SI, `unit` says how it is
-/// shown.
-nlohmann::json list_results(const input::Case& data, const nlohmann::json& summary);
+/// All results that the case yields and the run came to, with the units that they are shown in.
+std::vector<results::NamedResult> list_results(const input::Case& data, const results::RunResult& run);
 
-/// The case's [[compare]], each with the computed value, the tolerance in SI, and whether it passes.
-nlohmann::json compare_results(const input::Case& data, const nlohmann::json& summary);
+/// The case's [[compare]] of results of a run, each with the computed value, the tolerance in SI, and whether it
+/// passes.
+std::vector<results::Comparison> compare_results(const input::Case& data, const results::RunResult& run);
+/// The same of element tests: a run has none of theirs, and they are no part of a run.
+std::vector<results::Comparison> compare_results(const input::Case& data, const results::PointTests& tests);
 
 }  // namespace talus::run

@@ -1,143 +1,185 @@
 #include "run/run_case.hpp"
 
 #include <chrono>
-#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "ground/design_values.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/plane_water.hpp"
+#include "input/echo.hpp"
+#include "results/json.hpp"
+#include "results/named.hpp"
 #include "run/compare/compare.hpp"
+#include "run/fem/element_run.hpp"
 #include "run/fem/solid_of_case.hpp"
+#include "run/head.hpp"
+#include "run/lem/slice_run.hpp"
+#include "run/mpm/point_run.hpp"
 #include "run/named_results.hpp"
 #include "run/run_folder.hpp"
-#include "run/static_methods.hpp"
-#include "run/summary.hpp"
 
 namespace talus::run {
 namespace {
 
-using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
-double find_seconds(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+constexpr const char* summary_file = "summary.json";
 
-/// Fills "methods" and what follows from it: all that needs no further calculation but a few surfaces.
-void add_comparison(const input::Case& data, const lem::Slope* slope, json statement, json& summary,
-                    const RunOptions& options) {
-  json block = compare_methods(data, slope, summary, options.folder, options.threads);
-  if (const double factor = find_main_factor(summary); factor > 0) ground::state_over_design(statement, factor);
-  block["partial_factors"] = std::move(statement);
-  summary["methods"] = std::move(block);
-}
-
-/// A case without material points.
-class StaticRun {
+/// One case in D dimensions.
+template <int D>
+class CaseRun {
  public:
-  StaticRun(const input::LoadedCase& loaded, const ground::DesignValues& design, const RunOptions& options,
-            std::string hash)
-      : loaded_(loaded), design_(design), options_(options), hash_(std::move(hash)) {}
+  CaseRun(const input::LoadedCase& loaded, ground::DesignValues design, const RunOptions& options, std::string hash)
+      : loaded_(loaded), design_(std::move(design)), options_(options), hash_(std::move(hash)) {}
 
-  json run() {
-    const auto start = Clock::now();
-    StaticMethods methods(design_.data, hash_, options_);
-    const mesh::Plan& plan = loaded_.data.mesh;
-    summary_ = describe_case(loaded_, hash_, options_.threads);
-    summary_["warnings"] = json::array();
-    if (plan.dimension == 2 && !plan.polygons.empty())
-      summary_["slope_height"] = ground::find_slope_height(plan, ground::find_ground(plan));
-    bool is_open = false;
-    const auto open_folder = [&] {
-      clear_folder(options_);
-      make_folder(options_.folder);
-      is_open = true;
-    };
+  results::RunResult run() {
+    prepare();
     try {
-      methods.run(open_folder);
-      summary_["status"] = "finished";
-      finish(methods, start);
+      calculate();
+      run_.status = results::Status::finished;
     } catch (const Error& error) {
       if (options_.progress) options_.progress->clear();
-      if (!is_open || summary_.value("status", "") == "finished") throw;
-      summary_["status"] = error.code() == ExitCode::interrupted ? "interrupted" : "failed";
-      summary_["error"] = error.what();
+      if (!is_open_) throw;
+      run_.status = find_status(error.code());
+      run_.error = error.what();
+      // A disk that is full for the results is full for this too; the first error is the one to report.
       try {
-        finish(methods, start);
-      } catch (const Error&) {  // the first error is the one to report
+        finish();
+      } catch (const Error&) {
       }
       throw;
     }
-    return summary_;
+    if (options_.progress) options_.progress->clear();
+    finish();
+    return std::move(run_);
   }
 
  private:
-  void finish(const StaticMethods& methods, Clock::time_point start) {
-    methods.write_to(summary_);
-    const double wall = find_seconds(start);
-    summary_["timing"] = {{"wall", wall}, {"parts", json::array()}};
-    for (const auto& [name, title] : {std::pair{"lem", "limit equilibrium"}, {"fem", "finite elements"}}) {
-      if (!summary_.contains(name)) continue;
-      summary_["timing"]["parts"].push_back(
-          {{"name", name}, {"title", title}, {"seconds", summary_[name].value("seconds", 0.0)}});
+  static results::Status find_status(ExitCode code) {
+    if (code == ExitCode::interrupted) return results::Status::interrupted;
+    return code == ExitCode::unstable ? results::Status::unstable : results::Status::failed;
+  }
+
+  /// All that can be wrong with the case is found here, before anything is written.
+  void prepare() {
+    const input::Case& data = design_.data;
+    const bool alone = data.methods.size() == 1;
+    const bool has_points = input::uses(data, Method::mpm), has_elements = input::uses(data, Method::fem);
+    // A fault of the finite elements is told before the hours that material points may take.
+    if (has_points && has_elements) check_solid(data);
+    if (input::uses(data, Method::lem)) slices_.emplace(data, alone, options_, hash_);
+    if (has_elements) elements_.emplace(data, alone, options_, hash_);
+    run_ = begin_result(loaded_, hash_, options_.threads);
+    if (has_points) {
+      points_.emplace(loaded_, data, options_, hash_);
+      points_->prepare(run_);
+    } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
+      run_.slope_height = ground::find_slope_height(data.mesh, ground::find_ground(data.mesh));
     }
-    add_comparison(design_.data, methods.slope(), design_.statement, summary_, options_);
-    summary_["results"] = list_results(loaded_.data, summary_);
-    summary_["comparisons"] = compare_results(loaded_.data, summary_);
-    write_atomically(options_.folder / "summary.json", summary_.dump(2) + "\n");
+  }
+
+  void calculate() {
+    if (slices_ && !points_) slices_->calculate();  // alone they may find no surface: then nothing is written
+    if (points_ || !elements_) open();
+    if (slices_ && points_) {
+      slices_->calculate();
+      slices_->keep();
+    }
+    if (elements_) elements_->calculate([this] { open(); });
+    if (points_) points_->calculate(run_);
+  }
+
+  /// The folder, before the first result.
+  void open() {
+    if (is_open_) return;
+    clear_folder(options_);
+    make_folder(options_.folder);
+    is_open_ = true;
+    if (points_)
+      points_->open();
+    else if (slices_)
+      slices_->keep();
+  }
+
+  void finish() {
+    if (points_) points_->finish(run_);
+    results::Timing& timing = run_.timing.emplace();
+    timing.wall = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (points_) {
+      timing.cpu = find_process_seconds() - cpu_start_;
+      timing.stage_steps = points_->tell_stage_seconds();
+      timing.parts = points_->list_parts(*timing.cpu);
+    }
+    if (slices_) slices_->tell(run_);
+    if (elements_) elements_->tell(run_);
+    if (!points_) timing.parts = list_parts();
+    compare();
+    run_.results = list_results(loaded_.data, run_);
+    run_.comparisons = compare_results(loaded_.data, run_);
+    results::write_file(options_.folder / summary_file, run_);
+    if (points_ && run_.status == results::Status::finished) points_->forget();
+  }
+
+  /// Seconds of a run without material points.
+  std::vector<results::TimedPart> list_parts() const {
+    std::vector<results::TimedPart> parts;
+    if (run_.slices) parts.push_back({"lem", "limit equilibrium", run_.slices->seconds});
+    if (run_.elements) parts.push_back({"fem", "finite elements", run_.elements->seconds.value_or(0)});
+    return parts;
+  }
+
+  /// Material points that answer alone, with the values of the case, have nothing to be compared with.
+  void compare() {
+    if (points_ && !slices_ && !elements_ && !design_.statement) return;
+    run_.methods =
+        compare_methods(design_.data, slices_ ? slices_->slope() : nullptr, run_, options_.folder, options_.threads);
+    run_.methods->partial_factors = design_.statement;
+    if (const auto factor = results::find_main_factor(run_); factor && design_.statement)
+      ground::state_over_design(*run_.methods->partial_factors, design_.resistance, *factor);
   }
 
   const input::LoadedCase& loaded_;
-  const ground::DesignValues& design_;
+  const ground::DesignValues design_;
   const RunOptions& options_;
-  std::string hash_;
-  json summary_;
+  const std::string hash_;
+  const Clock::time_point start_ = Clock::now();
+  const double cpu_start_ = find_process_seconds();
+  bool is_open_ = false;
+  std::optional<SliceRun> slices_;
+  std::optional<ElementRun> elements_;
+  std::optional<PointRun<D>> points_;
+  results::RunResult run_;
 };
 
-/// Material points with what else is asked for.
-json run_with_points(const input::LoadedCase& loaded, const ground::DesignValues& design, const RunOptions& options,
-                     const std::string& hash) {
-  input::LoadedCase factored = loaded;
-  factored.data = design.data;
-  if (loaded.data.methods.size() == 1 && design.statement.is_null()) return run_points(loaded, options);
-  if (input::uses(design.data, input::Method::fem)) check_methods(design.data);
-  StaticMethods methods(design.data, hash, options);
-  RunOptions with = options;
-  with.begin = [&](json&) { methods.run([] {}); };
-  with.end = [&](json& summary) {
-    methods.write_to(summary);
-    add_comparison(design.data, methods.slope(), design.statement, summary, options);
-  };
-  return run_points(factored, with);
-}
-
-/// What a finished run without material points compares with may have changed since.
-json renew(json summary, const input::Case& data, const RunOptions& options) {
-  const json before = summary;
-  summary["title"] = data.title;
-  summary["project"] = describe_project(data);
-  summary["results"] = list_results(data, summary);
-  summary["comparisons"] = compare_results(data, summary);
-  if (summary != before) write_atomically(options.folder / "summary.json", summary.dump(2) + "\n");
-  return summary;
+/// What a finished run compares with, what is read off its files, and its title block, may have changed since: none
+/// needs the run again.
+results::RunResult renew(results::RunResult run, const input::Case& data, const RunOptions& options) {
+  const nlohmann::json before = results::to_json(run);
+  run.title = data.title;
+  run.project = tell_project(data);
+  if (run.mesh) read_output(run, data, options.folder);
+  run.results = list_results(data, run);
+  run.comparisons = compare_results(data, run);
+  if (results::to_json(run) != before) results::write_file(options.folder / summary_file, run);
+  return run;
 }
 
 }  // namespace
 
 void check_methods(const input::Case& data) {
-  if (input::uses(data, input::Method::lem) && !ground::needs_seepage(data)) prepare_slope(data);
-  if (input::uses(data, input::Method::fem)) check_solid(data);
+  if (input::uses(data, Method::lem) && !ground::needs_seepage(data)) prepare_slope(data);
+  if (input::uses(data, Method::fem)) check_solid(data);
 }
 
-json run_case(const input::LoadedCase& loaded, const RunOptions& options) {
-  const std::string hash = hash_input(loaded.echo.get());
-  const ground::DesignValues design = ground::apply_partial_factors(loaded.data);
-  if (input::uses(loaded.data, input::Method::mpm)) return run_with_points(loaded, design, options, hash);
+results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& options) {
+  const std::string hash = input::hash_input(loaded.echo);
+  ground::DesignValues design = ground::apply_partial_factors(loaded.data);
   check_folder(loaded.data.initial, options);
   if (auto finished = load_finished(options, hash)) return renew(std::move(*finished), loaded.data, options);
-  return StaticRun(loaded, design, options, hash).run();
+  if (loaded.data.mesh.dimension == 2) return CaseRun<2>(loaded, std::move(design), options, hash).run();
+  return CaseRun<3>(loaded, std::move(design), options, hash).run();
 }
 
 }  // namespace talus::run

@@ -1,15 +1,19 @@
 #pragma once
 // A whole case by all the methods that [analysis] names: the one entry behind `talus run` and `talus study`.
 
-#include "run/mpm/run_points.hpp"
+#include "input/read.hpp"
+#include "results/run.hpp"
+#include "run/options.hpp"
 
 namespace talus::run {
 
-/// Slices and finite elements first, then material points, then what they have in common. Writes summary.json,
-/// lem.json, fem.json and all that run_points() writes; returns the summary. With options.resume parts that are
-/// done are kept. Throws what make_section(), lem::search(), run_fem() and run_points() throw; where slices or
-/// finite elements find no answer beside another method, the reason stands in the summary and the run goes on.
-nlohmann::json run_case(const input::LoadedCase& loaded, const RunOptions& options);
+/// Each method is prepared, then slices, finite elements and material points are calculated one after the other, then
+/// they are compared. Writes summary.json and what each method leaves in the folder, also when a method ends early;
+/// with options.resume parts that are done are kept. Nothing is written before every method is prepared and slices that
+/// answer alone have found a surface. Throws InputError when names do not fit the mesh, Error (wrong_input) for what a
+/// method cannot take, Error (folder_exists, cannot_write, unstable, interrupted) as its code says; where slices or
+/// finite elements find no answer beside another method, the reason stands in the results and the run goes on.
+results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& options);
 
 /// Throws Error (wrong_input) when the case cannot be taken by the methods that it names, without calculating: what
 /// `talus check` says beside the faults of the file.

@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <regex>
 
 #include "base/error.hpp"
+#include "results/json.hpp"
 #include "run/mpm/start/end_state.hpp"
 
 namespace talus::run {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 namespace {
 
@@ -53,18 +52,16 @@ void clear_folder(const RunOptions& options) {
   }
 }
 
-std::optional<json> load_finished(const RunOptions& options, const std::string& input_hash) {
+std::optional<results::RunResult> load_finished(const RunOptions& options, const std::string& input_hash) {
   if (!options.resume) return std::nullopt;
-  std::ifstream file(options.folder / "summary.json");
-  if (!file) return std::nullopt;
-  json summary = json::parse(file, nullptr, false);
-  if (summary.is_discarded() || summary.value("status", "") != "finished") return std::nullopt;
-  if (summary.at("provenance").at("input_hash") != input_hash) {
+  auto run = results::find_file<results::RunResult>(options.folder / "summary.json");
+  if (!run || run->status != results::Status::finished) return std::nullopt;
+  if (run->provenance.input_hash != input_hash) {
     throw Error(
         ExitCode::wrong_input,
         fmt::format("'{}' holds the results of another input; start anew with --overwrite", options.folder.string()));
   }
-  return summary;
+  return run;
 }
 
 }  // namespace talus::run

@@ -3,7 +3,9 @@
 
 #include <optional>
 
-#include "run/mpm/run_points.hpp"
+#include "input/case/case.hpp"
+#include "results/run.hpp"
+#include "run/options.hpp"
 
 namespace talus::run {
 
@@ -14,7 +16,7 @@ void check_folder(const input::Initial& initial, const RunOptions& options);
 /// Removes the results that --overwrite replaces, and nothing else.
 void clear_folder(const RunOptions& options);
 
-/// The summary of a finished run that --resume keeps. Throws Error (wrong_input) when it is of another input.
-std::optional<nlohmann::json> load_finished(const RunOptions& options, const std::string& input_hash);
+/// A finished run that --resume keeps. Throws Error (wrong_input) when it is of another input.
+std::optional<results::RunResult> load_finished(const RunOptions& options, const std::string& input_hash);
 
 }  // namespace talus::run

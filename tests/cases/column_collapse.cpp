@@ -18,8 +18,8 @@ namespace {
 
 struct Collapse {
   mpm::Totals<2> before, after;
-  run::Runout runout;
-  run::Profile profile;
+  results::Runout runout;
+  results::Profile profile;
   double external_work = 0;  ///< [J]
   std::size_t lost = 0;
 };
@@ -35,12 +35,12 @@ Collapse run_example(double aspect) {
   mpm::Body<2> body = run::prepare<2>(data, mesh::generate<2>(data.mesh));
   const double height = run::find_soil_height(body, data.gravity);
   const Vec<2> gravity = run::find_gravity<2>(data.gravity);
-  const run::Profile initial = run::find_profile(body, data.mesh.size);
+  const results::Profile initial = run::find_profile(body, data.mesh.size);
   Collapse c;
   c.before = mpm::sum_points(body, gravity);
   for (const input::Stage& stage : data.stages) {
     run::StageState state;
-    EXPECT_EQ(run::run_stage(body, run::make_plan<2>(data, stage, height, 1), state), run::StageEnd::time);
+    EXPECT_EQ(run::run_stage(body, run::make_plan<2>(data, stage, height, 1), state), results::StageEnd::time);
   }
   c.after = mpm::sum_points(body, gravity);
   c.runout = run::find_runout(body, initial, 0.01 * height);

@@ -124,10 +124,10 @@ set = ")";
     EXPECT_NEAR(d.data.surcharges[0].load[0], 20e3, 1e-9);
     EXPECT_NEAR(d.data.surcharges[1].load[0], 10e3 * 1.5 / 1.35, 1e-9);
     EXPECT_EQ(d.resistance, 1.1);
-    nlohmann::json statement = d.statement;
-    state_over_design(statement, 1.21);
-    EXPECT_NEAR(statement.at("over_design").get<double>(), 1.1, 1e-12);
-    EXPECT_NE(statement.at("text").get<std::string>().find("1.100, which is at least 1"), std::string::npos);
+    results::DesignStatement statement = *d.statement;
+    state_over_design(statement, d.resistance, 1.21);
+    EXPECT_NEAR(statement.over_design.value_or(0), 1.1, 1e-12);
+    EXPECT_NE(statement.text.find("1.100, which is at least 1"), std::string::npos);
   }
   {
     const DesignValues d = apply("by_hand", "friction = 1.3\nweight = 1.1\n");
@@ -142,14 +142,13 @@ set = ")";
 TEST(DesignValues, StatementSaysWhatWasChanged) {
   const DesignValues d = apply_partial_factors(read("[partial_factors]\nset = \"DA3\"\n"));
   std::map<std::string, std::pair<double, double>> told;
-  for (const nlohmann::json& row : d.statement.at("materials"))
-    told[row.at("symbol")] = {row.at("characteristic"), row.at("design")};
+  for (const results::DesignValue& row : d.statement->materials) told[row.symbol] = {row.characteristic, row.design};
   EXPECT_NEAR(told.at("c'").first, 2, 1e-12);
   EXPECT_NEAR(told.at("c'").second, 1.6, 1e-12);
   EXPECT_NEAR(told.at("φ'").first, 30, 1e-10);
   EXPECT_NEAR(told.at("φ'").second, 24.7913, 1e-4);
   EXPECT_FALSE(told.contains("γ"));  // its factor is 1
-  EXPECT_TRUE(apply_partial_factors(read("")).statement.is_null());
+  EXPECT_FALSE(apply_partial_factors(read("")).statement);
 }
 
 TEST(DesignValues, ASoilWithoutFrictionAngleIsRefusedByName) {

@@ -11,7 +11,7 @@
 
 #include "base/parallel.hpp"
 #include "run/mpm/reduction/trial.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 
 namespace talus {
 namespace {
@@ -31,7 +31,7 @@ json run(const std::string& file, const std::vector<input::Override>& overrides)
   options.threads = default_threads();
   options.overwrite = true;
   json summary =
-      run::run_case(input::read_case(std::string(TALUS_SOURCE_DIR) + "/examples/" + file, overrides), options);
+      support::run_case(input::read_case(std::string(TALUS_SOURCE_DIR) + "/examples/" + file, overrides), options);
   fs::remove_all(folder);
   return summary;
 }

@@ -5,7 +5,7 @@
 
 #include "base/interrupt.hpp"
 #include "cases/methods_slope.hpp"
-#include "run/named_results.hpp"
+#include "support/run_json.hpp"
 
 namespace talus {
 namespace {
@@ -23,8 +23,8 @@ TEST_F(MethodsTest, SlicesGiveTheFactorsOfTable32) {
   EXPECT_NEAR(find_factor(summary, "morgenstern_price"), 1.439, 0.005);
   EXPECT_NEAR(find_factor(summary, "janbu"), 1.386, 0.01);
   // The same numbers under the names that [[compare]] uses.
-  EXPECT_EQ(run::find_result(summary, "lem.bishop"), find_factor(summary, "bishop"));
-  EXPECT_TRUE(run::find_result(summary, "lem.yield_acceleration.spencer").has_value());
+  EXPECT_EQ(support::find_result(summary, "lem.bishop"), find_factor(summary, "bishop"));
+  EXPECT_TRUE(support::find_result(summary, "lem.yield_acceleration.spencer").has_value());
 }
 
 TEST_F(MethodsTest, ASlopeThatFacesLeftOrIsGivenInPartsHasTheSameFactor) {
@@ -56,12 +56,12 @@ resolution = 0.02
   EXPECT_LE(fem.at("stable").get<double>(), fem.at("factor").get<double>());
   EXPECT_FALSE(fem.at("slip_line").empty());
   // Spencer's own circle is the weakest, and the band is near it: no less, and little more.
-  const auto handed = run::find_result(summary, "lem.handed[fem.associated.band].spencer");
+  const auto handed = support::find_result(summary, "lem.handed[fem.associated.band].spencer");
   ASSERT_TRUE(handed.has_value());
   EXPECT_GT(*handed, 0.985 * spencer);
   EXPECT_LT(*handed, 1.08 * spencer);
   // Polylines are freer than circles: what is optimised from the band is not above the band itself.
-  const auto best = run::find_result(summary, "lem.handed[fem.associated.band].spencer_optimised");
+  const auto best = support::find_result(summary, "lem.handed[fem.associated.band].spencer_optimised");
   ASSERT_TRUE(best.has_value());
   EXPECT_LE(*best, *handed + 1e-6);
   EXPECT_FALSE(summary.at("methods").at("reading").empty());
@@ -159,7 +159,7 @@ centre = [35.04, 38.15]
 radius = 33.29
 ends = [11.12, 32]
 )"));
-  EXPECT_NEAR(run::find_result(summary, "lem.surface[known].bishop").value_or(0), 1.440, 0.004);
+  EXPECT_NEAR(support::find_result(summary, "lem.surface[known].bishop").value_or(0), 1.440, 0.004);
   EXPECT_TRUE(summary.at("lem").at("critical").empty());
 }
 

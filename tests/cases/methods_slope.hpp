@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 
 namespace talus {
 
@@ -67,7 +67,7 @@ class MethodsTest : public ::testing::Test {
     options.folder = folder_;
     options.overwrite = !resume;
     options.resume = resume;
-    return run::run_case(input::read_case_text(text, "slope.toml", overrides), options);
+    return support::run_case(input::read_case_text(text, "slope.toml", overrides), options);
   }
 
   /// The sentence that the case ends with.

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "run/mpm/record/onset.hpp"
-#include "run/named_results.hpp"
+#include "support/run_json.hpp"
 
 namespace talus::run {
 namespace {
@@ -15,14 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const json summary = json::parse(R"({
+const results::RunResult summary = support::to_run(json::parse(R"({
   "curve": {"points": [{"srf": 1.0, "displacement": 0.0}, {"srf": 1.4, "displacement": 0.016},
                        {"srf": 1.5, "displacement": 0.066}]},
   "factor_of_safety": {"value": 1.39, "frozen": {"factor": 1.39}, "criteria": [{"name": "bilinear", "factor": 1.58},
                        {"name": "jump", "factor": null}]},
   "stages": [{"name": "real strength", "displacement": 0.001, "time": 20.0, "end": "time"}],
   "runouts": [{"srf": 1.75, "end": "rest", "time": 8.2, "failure_time": 0.88, "runout": {"moved_volume": 91.3}}]
-})");
+})"));
 
 TEST(NamedResults, AreFoundWhereTheSummaryHoldsThem) {
   EXPECT_EQ(find_result(summary, "factor_of_safety"), 1.39);
@@ -52,17 +52,17 @@ TEST(Comparison, PassesWithinItsToleranceAndNotBeyond) {
   add("curve.displacement[1.4]", {17, "mm", "17 mm"}, {6, "%", "6 %"});
   add("factor_of_safety.jump", {1.6, "", "1.6"}, {10, "%", "10 %"});
   add("curve.displacement[1.45]", {41, "mm", "41 mm"}, {6, "%", "6 %"});
-  const json list = compare_results(data, summary);
+  const std::vector<results::Comparison> list = compare_results(data, summary);
   ASSERT_EQ(list.size(), 5u);
-  EXPECT_TRUE(list[0].at("passes"));
-  EXPECT_FALSE(list[1].at("passes"));
-  EXPECT_TRUE(list[2].at("passes"));
-  EXPECT_DOUBLE_EQ(list[2].at("published"), 0.017);
-  EXPECT_EQ(list[2].at("unit").at("name"), "mm");
-  EXPECT_FALSE(list[3].at("passes"));
-  EXPECT_TRUE(list[3].at("computed").is_null());
-  EXPECT_EQ(list[2].at("note"), "");
-  EXPECT_EQ(list[4].at("note"), "no trial at SRF 1.45: interpolated between those at 1.4 and 1.5");
+  EXPECT_TRUE(list[0].passes);
+  EXPECT_FALSE(list[1].passes);
+  EXPECT_TRUE(list[2].passes);
+  EXPECT_DOUBLE_EQ(list[2].published, 0.017);
+  EXPECT_EQ(list[2].unit.name, "mm");
+  EXPECT_FALSE(list[3].passes);
+  EXPECT_FALSE(list[3].computed);
+  EXPECT_EQ(list[2].note, "");
+  EXPECT_EQ(list[4].note, "no trial at SRF 1.45: interpolated between those at 1.4 and 1.5");
 }
 
 TEST(FailureTime, IsTheLastCrossingOfTheLimit) {

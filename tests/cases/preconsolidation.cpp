@@ -13,7 +13,7 @@
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
 #include "output/files/frames_reader.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 
 namespace talus {
 namespace {
@@ -96,7 +96,7 @@ class PreconsolidationOfARun : public testing::Test {
     options.folder = folder_ / name;
     options.threads = default_threads();
     options.resume = resume;
-    return run::run_case(input::read_case_text(head + text, (folder_ / "case.toml").string(), {}), options);
+    return support::run_case(input::read_case_text(head + text, (folder_ / "case.toml").string(), {}), options);
   }
   const fs::path folder_ = fs::temp_directory_path() / ("talus_preconsolidation_" + std::to_string(getpid()));
 };

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "base/parallel.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 
 namespace talus {
 namespace {
@@ -70,7 +70,7 @@ class RootedBank : public testing::Test {
     options.folder = folder_;
     options.threads = default_threads();
     options.overwrite = true;
-    const json summary = run::run_case(input::read_case_text(head + soil, "bank.toml", {}), options);
+    const json summary = support::run_case(input::read_case_text(head + soil, "bank.toml", {}), options);
     EXPECT_EQ(summary.at("stages")[0].at("end"), "rest");
     return summary.at("factor_of_safety").at("frozen").at("factor");
   }

@@ -42,7 +42,7 @@ Slide run_example(const std::string& file, const std::string& plane, double fric
     before = mpm::sum_points<2>(body, {});
     start = body.time;
     run::StageState state;
-    EXPECT_EQ(run::run_stage(body, run::make_plan<2>(loaded.data, stage, height, 1), state), run::StageEnd::time);
+    EXPECT_EQ(run::run_stage(body, run::make_plan<2>(loaded.data, stage, height, 1), state), results::StageEnd::time);
   }
   const mpm::Totals<2> after = mpm::sum_points<2>(body, {});
   EXPECT_TRUE(body.lost.empty());

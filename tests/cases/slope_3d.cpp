@@ -28,9 +28,9 @@ double find_factor(const std::string& file, std::vector<input::Override> overrid
     stage.step.smoothing = data.strength_reduction.frozen.step_settings.smoothing;
     run::set_strength(body, data, stage.cohesion, 1);
     run::StageState state;
-    EXPECT_EQ(run::run_stage(body, run::make_plan<D>(data, stage, height, 1), state), run::StageEnd::rest);
+    EXPECT_EQ(run::run_stage(body, run::make_plan<D>(data, stage, height, 1), state), results::StageEnd::rest);
   }
-  const run::MeshFactor factor = run::find_frozen_factor(body, data, data.strength_reduction.frozen, height, 1);
+  const results::MeshFactor factor = run::find_frozen_factor(body, data, data.strength_reduction.frozen, height, 1);
   EXPECT_FALSE(factor.undecided);
   return factor.factor();
 }

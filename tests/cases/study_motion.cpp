@@ -4,7 +4,7 @@
 
 #include "output/files/history.hpp"
 #include "run/mpm/record/motion.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 #include "study_slope.hpp"
 #include "support/sliding_bank.hpp"
 
@@ -57,7 +57,7 @@ TEST(StudyOfRuns, RefusesAReferenceThatIsNoVariant) {
 TEST(Sections, HoldTheStressUnderTheWeightOfTheSoil) {
   run::RunOptions options;
   options.folder = make_test_folder();
-  const json summary = run::run_case(input::read_case_text(sliding_bank, "bank.toml", {}), options);
+  const json summary = support::run_case(input::read_case_text(sliding_bank, "bank.toml", {}), options);
   EXPECT_EQ(summary.at("sections")[0].at("width"), 1.0);
   const auto table = output::read_history(options.folder / "sections" / "A.csv");
   const auto get = [&](const char* name) {
@@ -79,7 +79,7 @@ TEST(Sections, HoldTheStressUnderTheWeightOfTheSoil) {
   options.resume = true;
   const auto time = fs::last_write_time(options.folder / "monitors.csv");
   const json again =
-      run::run_case(input::read_case_text(sliding_bank, "bank.toml",
+      support::run_case(input::read_case_text(sliding_bank, "bank.toml",
                                           {{"output.section.0.name", "B"}, {"output.onset_displacement", "1 m"}}),
                     options);
   EXPECT_TRUE(fs::exists(options.folder / "sections" / "B.csv"));

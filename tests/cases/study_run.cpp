@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/interrupt.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 #include "study_slope.hpp"
 
 namespace talus::study {
@@ -41,7 +41,7 @@ TEST(Study, TableHoldsWhatEachVariantAloneGives) {
     alone.folder = folder.string() + "_alone_" + cohesions[i];
     alone.threads = 2;
     fs::remove_all(alone.folder);
-    run::run_case(input::read_case_text(coarse_slope, "slope.toml", {{"materials.sand.cohesion", cohesions[i]}}),
+    support::run_case(input::read_case_text(coarse_slope, "slope.toml", {{"materials.sand.cohesion", cohesions[i]}}),
                   alone);
     EXPECT_EQ(std::stod(small.cells[i].full), read_displacement(alone.folder / "curve.csv", "1.4") / 0.001);
     EXPECT_EQ(std::stod(large.cells[i].full), read_displacement(alone.folder / "curve.csv", "2") / 0.001);

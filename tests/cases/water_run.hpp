@@ -14,7 +14,7 @@
 #include "input/read.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 
 namespace talus {
 
@@ -28,7 +28,7 @@ class WaterRun {
     options.threads = 1;
     options.overwrite = true;
     const std::string path = std::string(TALUS_SOURCE_DIR) + "/examples/verification/" + file;
-    summary = run::run_case(input::read_case(path, overrides), options);
+    summary = support::run_case(input::read_case(path, overrides), options);
     // Water is never made or destroyed, whatever the problem; in frozen geometry pores do not count as they are
     // strained.
     budget_error = summary.at("water").at("error").get<double>();

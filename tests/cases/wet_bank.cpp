@@ -11,7 +11,7 @@
 #include "base/parallel.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 
 namespace talus {
 namespace {
@@ -109,7 +109,7 @@ class WetBank : public testing::Test {
     options.folder = folder_;
     options.threads = default_threads();
     options.overwrite = true;
-    return run::run_case(input::read_case_text(bank, "bank.toml", overrides), options);
+    return support::run_case(input::read_case_text(bank, "bank.toml", overrides), options);
   }
   void TearDown() override { fs::remove_all(folder_); }
   fs::path folder_;

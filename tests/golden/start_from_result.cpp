@@ -17,7 +17,7 @@
 #include "run/mpm/stage.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/mpm/start/prepare.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 
 namespace talus {
 namespace {
@@ -41,7 +41,7 @@ class StartFromResult : public testing::Test {
   json run(const Bank& bank, const std::string& result, const std::vector<input::Override>& changes = {}) const {
     run::RunOptions options;
     options.folder = folder_ / result;
-    return run::run_case(read(bank, changes), options);
+    return support::run_case(read(bank, changes), options);
   }
   output::Frame last_frame(const std::string& result) const {
     const output::ResultsReader reader(folder_ / result);
@@ -207,7 +207,7 @@ TEST_F(StartFromResult, TakesAnotherLaw) {
   text.replace(text.find("mohr_coulomb"), 12, "linear_elastic");
   run::RunOptions options;
   options.folder = folder_ / "one";
-  run::run_case(input::read_case_text(text, (folder_ / "one.toml").string()), options);
+  support::run_case(input::read_case_text(text, (folder_ / "one.toml").string()), options);
   const mpm::Body<2> body =
       run::prepare<2>(read(bank, {{"initial.result", "one"}, {"materials.b.porosity", "0.4"}}).data, {});
   const output::Frame end = last_frame("one");
@@ -300,7 +300,7 @@ TEST_F(StartFromResult, ResumesAndRefusesAResultThatHasChanged) {
   run::RunOptions options;
   options.resume = true;
   options.folder = folder_ / "parts";
-  const json parts = run::run_case(read(next, from_one), options);
+  const json parts = support::run_case(read(next, from_one), options);
   EXPECT_EQ(parts.at("budgets"), whole.at("budgets"));
   EXPECT_EQ(parts.at("water"), whole.at("water"));
   EXPECT_EQ(parts.at("start"), whole.at("start"));
@@ -312,7 +312,7 @@ TEST_F(StartFromResult, ResumesAndRefusesAResultThatHasChanged) {
   run(bank, "one");
   options.folder = folder_ / "late";
   try {
-    run::run_case(read(next, from_one), options);
+    support::run_case(read(next, from_one), options);
     ADD_FAILURE() << "it would go on from another state than it began with";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("belongs to another case"), std::string::npos) << error.what();

@@ -11,7 +11,7 @@
 namespace talus {
 namespace {
 
-using run::StageEnd;
+using results::StageEnd;
 using support::Mode;
 
 template <class Dimension>

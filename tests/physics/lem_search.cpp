@@ -144,7 +144,7 @@ TEST(LemSearch, TheSkinOfACohesionlessFaceIsAsShallowAsAllowed) {
   EXPECT_LE(result.circular[0].solution.factor, 1.005 * 1.9522);
   EXPECT_NEAR(result.circular[0].cut.depth, 2, 0.01);
   EXPECT_TRUE(std::any_of(result.limit_hits.begin(), result.limit_hits.end(),
-                          [](const std::string& s) { return s.find("smallest depth") != std::string::npos; }));
+                          [](const LimitHit& hit) { return hit.limit.find("smallest depth") != std::string::npos; }));
 }
 
 TEST(LemSearch, FollowsAWeakSeam) {

@@ -72,7 +72,7 @@ TEST(Bilinear, RefinedStretchesDoNotCountMore) {
 }
 
 TEST(DisplacementCriterion, InterpolatesBetweenTrials) {
-  const Criterion c = find_displacement_criterion({{1.0, 0.0}, {1.4, 0.1}, {1.5, 0.5}}, 0.3);
+  const results::Criterion c = find_displacement_criterion({{1.0, 0.0}, {1.4, 0.1}, {1.5, 0.5}}, 0.3);
   ASSERT_TRUE(c.factor);
   EXPECT_NEAR(*c.factor, 1.45, 1e-12);
   EXPECT_EQ(c.lower, 1.4);
@@ -81,7 +81,7 @@ TEST(DisplacementCriterion, InterpolatesBetweenTrials) {
 }
 
 TEST(JumpCriterion, FindsTheIntervalOfFastestGrowthAndIgnoresElasticNoise) {
-  const Criterion c =
+  const results::Criterion c =
       find_jump_criterion({{1.0, 1e-9}, {1.1, 1e-6}, {1.2, 0.02}, {1.3, 0.03}, {1.4, 0.9}, {1.5, 1.5}}, 0.01);
   ASSERT_TRUE(c.factor);
   EXPECT_EQ(c.lower, 1.3);
@@ -101,11 +101,11 @@ TEST(Refinement, HalvesWhereTheCurveBendsAndStaysOnTheGrid) {
 struct IdealSlope {
   double critical;
   int trials = 0;
-  TrialResult operator()(double factor) {
+  results::Trial operator()(double factor) {
     ++trials;
-    TrialResult t;
+    results::Trial t;
     t.factor = factor;
-    t.end = factor < critical ? StageEnd::rest : StageEnd::failed;
+    t.end = factor < critical ? results::StageEnd::rest : results::StageEnd::failed;
     return t;
   }
 };
@@ -114,7 +114,7 @@ TEST(FrozenSearch, BracketsTheFactorToTheResolution) {
   input::FrozenFactor settings;
   for (const double critical : {1.0001, 1.3, 1.4444, 1.77, 1.9999}) {
     IdealSlope slope{critical};
-    const MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
+    const results::MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
     EXPECT_LE(found.lower, critical);
     EXPECT_GE(found.upper, critical);
     EXPECT_LE(found.upper - found.lower, settings.resolution * (1 + 1e-9));
@@ -127,7 +127,7 @@ TEST(FrozenSearch, LeavesTheFirstBracketWhenTheFactorIsOutside) {
   input::FrozenFactor settings;
   for (const double critical : {0.4, 0.95, 2.05, 5.0}) {
     IdealSlope slope{critical};
-    const MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
+    const results::MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
     EXPECT_LE(found.lower, critical);
     EXPECT_GE(found.upper, critical);
     EXPECT_LE(found.upper - found.lower, settings.resolution * (1 + 1e-9)) << critical;
@@ -135,10 +135,10 @@ TEST(FrozenSearch, LeavesTheFirstBracketWhenTheFactorIsOutside) {
 }
 
 TEST(FrozenSearch, CountsAnUndecidedTrialAsFailedAndSaysSo) {
-  const MeshFactor found = search_frozen_factor({}, 1, [](double factor) {
-    TrialResult t;
+  const results::MeshFactor found = search_frozen_factor({}, 1, [](double factor) {
+    results::Trial t;
     t.factor = factor;
-    t.end = factor < 1.5 ? StageEnd::rest : StageEnd::time;
+    t.end = factor < 1.5 ? results::StageEnd::rest : results::StageEnd::time;
     return t;
   });
   EXPECT_TRUE(found.undecided);
@@ -148,7 +148,7 @@ TEST(FrozenSearch, CountsAnUndecidedTrialAsFailedAndSaysSo) {
 TEST(FrozenSearch, TriesTheSameFactorsForAnyNumberOfThreads) {
   const auto list = [](int side_by_side) {
     std::vector<double> factors;
-    for (const TrialResult& t : search_frozen_factor({}, side_by_side, IdealSlope{1.39}).trials)
+    for (const results::Trial& t : search_frozen_factor({}, side_by_side, IdealSlope{1.39}).trials)
       factors.push_back(t.factor);
     return factors;
   };

@@ -230,7 +230,7 @@ TEST(LemSearch, NoAdmissibleSurfaceIsOneSentenceWithCounts) {
 TEST(LemSearch, TellsWhichLimitsWereHit) {
   auto hit = [](const SearchResult& r, const std::string& words) {
     return std::any_of(r.limit_hits.begin(), r.limit_hits.end(),
-                       [&](const std::string& s) { return s.find(words) != std::string::npos; });
+                       [&](const LimitHit& h) { return h.limit.find(words) != std::string::npos; });
   };
   SearchOptions options = make_quick();
   options.optimise_surface = false;

@@ -30,15 +30,15 @@ TEST(Pattern, FollowsTheHeightsOfTheMonitors) {
   const auto find = [](std::optional<double> toe, std::optional<double> middle, std::optional<double> crest) {
     return find_pattern({{"crest", 5, crest}, {"toe", 1, toe}, {"middle", 3, middle}});
   };
-  EXPECT_EQ(find(100, 150, 200), MotionPattern::upwards);
-  EXPECT_EQ(find(200, 150, 100), MotionPattern::downwards);
-  EXPECT_EQ(find(100, 200, 150), MotionPattern::mixed);
-  EXPECT_EQ(find(180, 190, 200), MotionPattern::together) << "within a tenth of the last";
-  EXPECT_EQ(find(179, 190, 200), MotionPattern::upwards);
-  EXPECT_EQ(find(100, 150, {}), MotionPattern::upwards) << "those that moved";
-  EXPECT_EQ(find(100, {}, {}), MotionPattern::single);
-  EXPECT_EQ(find({}, {}, {}), MotionPattern::none);
-  EXPECT_EQ(find(100, 100, 200), MotionPattern::mixed) << "two at once are not one after the other";
+  EXPECT_EQ(find(100, 150, 200), results::MotionPattern::upwards);
+  EXPECT_EQ(find(200, 150, 100), results::MotionPattern::downwards);
+  EXPECT_EQ(find(100, 200, 150), results::MotionPattern::mixed);
+  EXPECT_EQ(find(180, 190, 200), results::MotionPattern::together) << "within a tenth of the last";
+  EXPECT_EQ(find(179, 190, 200), results::MotionPattern::upwards);
+  EXPECT_EQ(find(100, 150, {}), results::MotionPattern::upwards) << "those that moved";
+  EXPECT_EQ(find(100, {}, {}), results::MotionPattern::single);
+  EXPECT_EQ(find({}, {}, {}), results::MotionPattern::none);
+  EXPECT_EQ(find(100, 100, 200), results::MotionPattern::mixed) << "two at once are not one after the other";
 }
 
 class Motion : public testing::Test {

@@ -223,7 +223,8 @@ StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, doubl
 }
 
 template <int D>
-StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks) {
+results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
+                            const StageHooks<D>& hooks) {
   if (body.water.is_wet() && plan.step.water == input::WaterMotion::held)
     return run_drained_stage(body, plan, state, hooks);
   mpm::StepOptions<D> options = make_options(plan);
@@ -252,7 +253,7 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
   for (;;) {
     if (state.steps % step_interval == 0) {
       critical = find_critical_step(body, plan);
-      if (critical.element < 0) return StageEnd::time;  // nothing is left on the grid
+      if (critical.element < 0) return results::StageEnd::time;  // nothing is left on the grid
       state.dt = plan.step.courant * critical.dt;
       if (!(critical.dt >= smallest_step)) give_up(find_swollen<D>(body, critical.element));
     }
@@ -263,11 +264,11 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
       }
       if (hooks.look) hooks.look(body, state);
       if (watches_displacement && mpm::find_largest_displacement(body).value > plan.failed_displacement)
-        return StageEnd::failed;
+        return results::StageEnd::failed;
     }
     if (hooks.output && body.time >= state.next_output) hooks.output(body, state);
     const double left = end - body.time;
-    if (left <= 1e-12 * plan.duration) return StageEnd::time;
+    if (left <= 1e-12 * plan.duration) return results::StageEnd::time;
     options.dt = std::min(state.dt, left);
     options.gravity = find_stage_gravity(plan, state, body.time);
     options.monitor = state.steps % monitor_interval == 0;
@@ -286,7 +287,7 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
     } else if (state.calm_since < 0) {
       state.calm_since = body.time;
     } else if (body.time - state.calm_since >= plan.rest.hold) {
-      return StageEnd::rest;
+      return results::StageEnd::rest;
     }
   }
 }
@@ -297,7 +298,7 @@ StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& sta
   template Vec<D> find_stage_gravity<D>(const StagePlan<D>&, const StageState&, double);      \
   template bool is_calm<D>(const mpm::Body<D>&, const StagePlan<D>&);                         \
   template StagePlan<D> make_plan<D>(const input::Case&, const input::Stage&, double, int);   \
-  template StageEnd run_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&, const StageHooks<D>&);
+  template results::StageEnd run_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&, const StageHooks<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

@@ -7,6 +7,7 @@
 #include "input/case/case.hpp"
 #include "mpm/step/critical_step.hpp"
 #include "mpm/step/step.hpp"
+#include "results/trial.hpp"
 
 namespace talus::run {
 
@@ -38,8 +39,6 @@ struct StageState {
   double wave_speed = 0;     ///< compression waves at the start of the stage [m/s]
 };
 
-enum class StageEnd { time, rest, failed };
-
 /// What others do while a stage runs. All may be empty.
 template <int D>
 struct StageHooks {
@@ -66,7 +65,8 @@ mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D
 /// Advances the body to the end of the stage. Pore pressures that the plan holds are held (drained.hpp). `state` fresh
 /// or from a checkpoint; body strength must be set. Throws Error (unstable) with a sentence that says where and why.
 template <int D>
-StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks = {});
+results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
+                            const StageHooks<D>& hooks = {});
 
 /// Plan of the stage `index` of a case.
 template <int D>

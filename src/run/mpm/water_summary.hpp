@@ -1,21 +1,15 @@
 #pragma once
-// Pore water in the summary: its budget, and the steady seepage that a run starts from.
+// What results tell of the pore water of a run.
 
-#include <nlohmann/json.hpp>
-
-#include "fem/seepage/seepage.hpp"
 #include "input/case/case.hpp"
 #include "mpm/body/body.hpp"
+#include "results/water.hpp"
 
 namespace talus::run {
 
 /// Water at the start and now, and what passed each condition [kg], [Pa]. `initial` is its mass at the start. The
 /// error of the budget is what the sums leave unexplained, as a share of the water in the model.
 template <int D>
-nlohmann::json describe_water(const input::Case& data, const mpm::Body<D>& body, double initial);
-
-/// Discharges [m³/s], greatest suction and its place, the water table, where water comes out, and how it was found.
-template <int D>
-nlohmann::json describe_seepage(const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& seepage);
+results::WaterBudget tell_water(const input::Case& data, const mpm::Body<D>& body, double initial);
 
 }  // namespace talus::run

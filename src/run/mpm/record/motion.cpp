@@ -11,26 +11,6 @@
 namespace talus::run {
 namespace {
 
-using nlohmann::json;
-
-const char* to_word(MotionPattern pattern) {
-  switch (pattern) {
-    case MotionPattern::none:
-      return "none";
-    case MotionPattern::single:
-      return "single";
-    case MotionPattern::together:
-      return "together";
-    case MotionPattern::upwards:
-      return "upwards";
-    case MotionPattern::downwards:
-      return "downwards";
-    case MotionPattern::mixed:
-      return "mixed";
-  }
-  return "none";
-}
-
 std::string join(const std::vector<std::string>& parts) {
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -39,28 +19,28 @@ std::string join(const std::vector<std::string>& parts) {
 }
 
 /// The verdict with its criterion, as the end of a sentence.
-std::string describe(MotionPattern pattern) {
+std::string describe(results::MotionPattern pattern) {
   const double share = 100 * together_share;
   switch (pattern) {
-    case MotionPattern::together:
+    case results::MotionPattern::together:
       return fmt::format(": together, as one block (all within {:g} % of the last onset)", share);
-    case MotionPattern::upwards:
+    case results::MotionPattern::upwards:
       return fmt::format(
           ": one after the other from the bottom upwards, as in a retrogressive slide (more than {:g} % of the last "
           "onset apart)",
           share);
-    case MotionPattern::downwards:
+    case results::MotionPattern::downwards:
       return fmt::format(": one after the other from the top downwards (more than {:g} % of the last onset apart)",
                          share);
-    case MotionPattern::mixed:
+    case results::MotionPattern::mixed:
       return ": neither together nor one after the other along the slope";
     default:
       return "";
   }
 }
 
-std::string write_sentence(const std::vector<MonitorOnset>& order, MotionPattern pattern, const Clock& clock,
-                           const std::string& threshold) {
+std::string write_sentence(const std::vector<MonitorOnset>& order, results::MotionPattern pattern,
+                           const results::Clock& clock, const std::string& threshold) {
   std::vector<std::string> moved, still;
   for (const MonitorOnset& m : order) {
     if (m.onset)
@@ -78,21 +58,22 @@ std::string write_sentence(const std::vector<MonitorOnset>& order, MotionPattern
 
 }  // namespace
 
-std::optional<Clock> find_clock(const input::Case& data, const json& stages) {
+std::optional<results::Clock> find_clock(const input::Case& data, const std::vector<results::Stage>& stages) {
   const input::Stage* stage = input::find_clock_stage(data);
-  if (stage == nullptr || !stages.is_array()) return std::nullopt;
+  if (stage == nullptr) return std::nullopt;
   const auto index = static_cast<std::size_t>(stage - data.stages.data());
   if (index > stages.size()) return std::nullopt;
   // A stage that did not come to its end has no report; it began where the one before it ended.
   double start = 0;
   if (index < stages.size())
-    start = stages[index].at("start").get<double>();
+    start = stages[index].start;
   else if (index > 0)
-    start = stages[index - 1].at("time").get<double>();
-  return Clock{stage->name, start, stage->reset_displacement || index == 0};
+    start = stages[index - 1].time;
+  return results::Clock{stage->name, start, stage->reset_displacement || index == 0, data.output.shown_times};
 }
 
-MonitorPath read_monitor_path(const output::HistoryTable& table, const std::string& monitor, const Clock& clock) {
+MonitorPath read_monitor_path(const output::HistoryTable& table, const std::string& monitor,
+                              const results::Clock& clock) {
   std::vector<std::size_t> columns;
   double unit = 1;
   for (const char* axis : {"x", "y", "z"})
@@ -133,60 +114,55 @@ double find_onset_threshold(const input::Output& output, double slope_height) {
   return output.onset_displacement.value_or(output.onset_ratio * slope_height);
 }
 
-MotionPattern find_pattern(const std::vector<MonitorOnset>& monitors) {
+results::MotionPattern find_pattern(const std::vector<MonitorOnset>& monitors) {
   std::vector<MonitorOnset> moved;
   std::copy_if(monitors.begin(), monitors.end(), std::back_inserter(moved), [](const auto& m) { return m.onset; });
-  if (moved.empty()) return MotionPattern::none;
-  if (moved.size() == 1) return MotionPattern::single;
+  if (moved.empty()) return results::MotionPattern::none;
+  if (moved.size() == 1) return results::MotionPattern::single;
   std::sort(moved.begin(), moved.end(), [](const auto& a, const auto& b) { return a.height < b.height; });
   const auto by_onset = [](const auto& a, const auto& b) { return *a.onset < *b.onset; };
   const auto [first, last] = std::minmax_element(moved.begin(), moved.end(), by_onset);
-  if (*last->onset - *first->onset <= together_share * *last->onset) return MotionPattern::together;
+  if (*last->onset - *first->onset <= together_share * *last->onset) return results::MotionPattern::together;
   const auto is_strict = [&](auto before) {
     return std::adjacent_find(moved.begin(), moved.end(), [&](const auto& a, const auto& b) {
              return !(a.height < b.height) || !before(a, b);
            }) == moved.end();
   };
-  if (is_strict(by_onset)) return MotionPattern::upwards;
-  if (is_strict([&](const auto& a, const auto& b) { return by_onset(b, a); })) return MotionPattern::downwards;
-  return MotionPattern::mixed;
+  if (is_strict(by_onset)) return results::MotionPattern::upwards;
+  if (is_strict([&](const auto& a, const auto& b) { return by_onset(b, a); })) return results::MotionPattern::downwards;
+  return results::MotionPattern::mixed;
 }
 
-json describe_motion(const input::Case& data, const json& stages, double slope_height,
-                     const std::filesystem::path& folder) {
-  const std::optional<Clock> clock = find_clock(data, stages);
+std::optional<results::Motion> find_motion(const input::Case& data, const std::vector<results::Stage>& stages,
+                                           double slope_height, const std::filesystem::path& folder) {
+  const std::optional<results::Clock> clock = find_clock(data, stages);
   const auto file = folder / "monitors.csv";
-  if (!clock || data.output.monitors.empty() || !std::filesystem::exists(file)) return nullptr;
+  if (!clock || data.output.monitors.empty() || !std::filesystem::exists(file)) return std::nullopt;
   const output::HistoryTable table = output::read_history(file);
-  const double threshold = find_onset_threshold(data.output, slope_height);
-  json monitors = json::array(), names = json::array();
+  results::Motion motion;
+  motion.stage = clock->stage;
+  motion.start = clock->start;
+  motion.threshold = find_onset_threshold(data.output, slope_height);
   std::vector<MonitorOnset> order;
   for (const input::Monitor& m : data.output.monitors) {
     const MonitorPath path = read_monitor_path(table, m.name, *clock);
     double height = 0;
     for (std::size_t d = 0; d < 3; ++d) height -= data.gravity.direction[d] * m.at[d];
-    order.push_back({m.name, height, find_onset(path.time, path.displacement, threshold)});
+    order.push_back({m.name, height, find_onset(path.time, path.displacement, motion.threshold)});
     const double end = path.displacement.back();
-    monitors.push_back({{"name", m.name},
-                        {"onset", order.back().onset ? json(*order.back().onset) : json()},
-                        {"displacement", std::isfinite(end) ? json(end) : json()}});
+    motion.monitors.push_back({m.name, order.back().onset, std::isfinite(end) ? std::optional(end) : std::nullopt});
   }
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.onset && (!b.onset || *a.onset < *b.onset); });
   for (const MonitorOnset& m : order)
-    if (m.onset) names.push_back(m.name);
-  const MotionPattern pattern = find_pattern(order);
+    if (m.onset) motion.order.push_back(m.name);
+  motion.pattern = find_pattern(order);
   const std::string unit = data.output.displacement_unit;
-  std::string limit = fmt::format("{:.4g} {}", threshold / units::get_si_factor(unit), unit);
+  std::string limit = fmt::format("{:.4g} {}", motion.threshold / units::get_si_factor(unit), unit);
   if (!data.output.onset_displacement)
     limit += fmt::format(", {:g} % of the relief of the ground", 100 * data.output.onset_ratio);
-  return {{"stage", clock->stage},
-          {"start", clock->start},
-          {"threshold", threshold},
-          {"monitors", monitors},
-          {"order", names},
-          {"pattern", to_word(pattern)},
-          {"sentence", write_sentence(order, pattern, *clock, limit)}};
+  motion.sentence = write_sentence(order, motion.pattern, *clock, limit);
+  return motion;
 }
 
 }  // namespace talus::run

@@ -2,7 +2,6 @@
 // When the monitored points of a run began to move, in which order, and how far they went.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,18 +9,14 @@
 
 #include "input/case/case.hpp"
 #include "output/files/history.hpp"
+#include "results/motion.hpp"
+#include "results/trial.hpp"
 
 namespace talus::run {
 
-/// Where the clock of onset and sections starts: [output] count_from.
-struct Clock {
-  std::string stage;
-  double start = 0;     ///< [s] in the time of the run
-  bool resets = false;  ///< displacements are zero there
-};
-
-/// `stages` as in summary.json, as far as the run came. Nothing when it did not come to the stage.
-std::optional<Clock> find_clock(const input::Case& data, const nlohmann::json& stages);
+/// Where the clock of onset and sections starts: [output] count_from. `stages`: as far as the run came. Nothing when it
+/// did not come to the stage.
+std::optional<results::Clock> find_clock(const input::Case& data, const std::vector<results::Stage>& stages);
 
 /// Displacement of a monitor from the start of the clock on, [row], beginning with zero there.
 struct MonitorPath {
@@ -29,7 +24,8 @@ struct MonitorPath {
 };
 /// From a table as monitors.csv. Where displacements are not set to zero at the start of the clock, they are counted
 /// from the row there.
-MonitorPath read_monitor_path(const output::HistoryTable& table, const std::string& monitor, const Clock& clock);
+MonitorPath read_monitor_path(const output::HistoryTable& table, const std::string& monitor,
+                              const results::Clock& clock);
 
 /// The time at which `displacement` first exceeds `threshold`, by linear interpolation between rows; nothing when it
 /// never does. `time` ascends; values that are no numbers (the point has left the grid) end the search.
@@ -48,13 +44,12 @@ struct MonitorOnset {
 /// How the onsets follow each other. Together: the first and the last are apart by at most `together_share` of the
 /// last. Upwards (a retrogressive slide) and downwards: each monitor after the one below or above it. `mixed`
 /// otherwise; `single` when only one moved.
-enum class MotionPattern { none, single, together, upwards, downwards, mixed };
 inline constexpr double together_share = 0.1;
-MotionPattern find_pattern(const std::vector<MonitorOnset>& monitors);
+results::MotionPattern find_pattern(const std::vector<MonitorOnset>& monitors);
 
-/// `motion` of summary.json, from monitors.csv in `folder`: clock, threshold, onset and displacement of each monitor,
-/// order, pattern and a sentence that says it with its criterion. Null when there is no monitor or no clock.
-nlohmann::json describe_motion(const input::Case& data, const nlohmann::json& stages, double slope_height,
-                               const std::filesystem::path& folder);
+/// From monitors.csv in `folder`: clock, threshold, onset and displacement of each monitor, order, pattern and a
+/// sentence that says it with its criterion. Nothing when there is no monitor or no clock.
+std::optional<results::Motion> find_motion(const input::Case& data, const std::vector<results::Stage>& stages,
+                                           double slope_height, const std::filesystem::path& folder);
 
 }  // namespace talus::run

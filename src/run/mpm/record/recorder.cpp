@@ -91,12 +91,6 @@ std::vector<int> find_monitor_points(const input::Case& data, const mpm::Body<D>
 
 }  // namespace
 
-std::string hash_text(const std::string& text) {
-  std::uint64_t h = 14695981039346656037ull;
-  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-  return fmt::format("{:016x}", h);
-}
-
 std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::path& path,
                                                        const std::string& input_hash) {
   if (!std::filesystem::exists(path)) return nullptr;

@@ -78,7 +78,4 @@ std::unique_ptr<output::ArchiveReader> open_checkpoint(const std::filesystem::pa
 /// Number of the leg that a checkpoint stands in.
 int get_leg(const output::ArchiveReader& checkpoint);
 
-/// FNV-1a hash of a text, as 16 hexadecimal digits.
-std::string hash_text(const std::string& text);
-
 }  // namespace talus::run

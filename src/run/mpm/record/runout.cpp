@@ -1,12 +1,16 @@
 #include "run/mpm/record/runout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "base/atomic_file.hpp"
 #include "mesh/shape_gradient.hpp"
 #include "mpm/body/observe.hpp"
+#include "output/files/history.hpp"
 #include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {
@@ -28,7 +32,7 @@ double find_quantile(std::vector<std::pair<double, double>> places, double share
 }
 
 /// The edge of the upper level on the side the soil moves to.
-double find_crest(const Profile& profile, int direction) {
+double find_crest(const results::Profile& profile, int direction) {
   if (profile.x.empty()) return 0;
   const double top = *std::max_element(profile.height.begin(), profile.height.end());
   const double low = *std::min_element(profile.height.begin(), profile.height.end());
@@ -44,7 +48,7 @@ double find_crest(const Profile& profile, int direction) {
 }  // namespace
 
 /// Where the ground, seen from the crest, reaches its lower level (or ends).
-double find_toe(const Profile& profile, double crest, int direction) {
+double find_toe(const results::Profile& profile, double crest, int direction) {
   const double top = *std::max_element(profile.height.begin(), profile.height.end());
   const double low = *std::min_element(profile.height.begin(), profile.height.end());
   const bool is_level = top - low < 0.02 * top;  // a column: its toe is its edge
@@ -58,7 +62,7 @@ double find_toe(const Profile& profile, double crest, int direction) {
 }
 
 template <int D>
-Profile find_profile(const mpm::Body<D>& body, double bin) {
+results::Profile find_profile(const mpm::Body<D>& body, double bin) {
   std::map<long, double> top;
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
@@ -67,7 +71,7 @@ Profile find_profile(const mpm::Body<D>& body, double bin) {
     const auto [at, is_new] = top.try_emplace(static_cast<long>(std::floor(p.position[0] / bin)), height);
     if (!is_new) at->second = std::max(at->second, height);
   }
-  Profile profile;
+  results::Profile profile;
   profile.bin = bin;
   for (const auto& [number, height] : top) {
     profile.x.push_back((static_cast<double>(number) + 0.5) * bin);
@@ -107,8 +111,8 @@ double find_slope_height(const mpm::Body<D>& body, const input::Gravity& gravity
 }
 
 template <int D>
-Runout find_runout(const mpm::Body<D>& body, const Profile& initial, double threshold) {
-  Runout r;
+results::Runout find_runout(const mpm::Body<D>& body, const results::Profile& initial, double threshold) {
+  results::Runout r;
   r.threshold = threshold;
   double mass = 0, moment = 0;
   for (int id = 0; id < body.points.size(); ++id) {
@@ -150,10 +154,20 @@ Runout find_runout(const mpm::Body<D>& body, const Profile& initial, double thre
   return r;
 }
 
+void write_profiles(const std::filesystem::path& path, const results::Profile& before, const results::Profile& after) {
+  std::map<double, std::pair<std::string, std::string>> rows;
+  for (std::size_t i = 0; i < before.x.size(); ++i) rows[before.x[i]].first = output::to_shortest(before.height[i]);
+  for (std::size_t i = 0; i < after.x.size(); ++i) rows[after.x[i]].second = output::to_shortest(after.height[i]);
+  std::string text = "x [m],ground before [m],ground after [m]\n";
+  for (const auto& [x, heights] : rows)
+    text += fmt::format("{},{},{}\n", output::to_shortest(x), heights.first, heights.second);
+  write_atomically(path, text);
+}
+
 #define TALUS_INSTANTIATE(D)                                                        \
-  template Profile find_profile<D>(const mpm::Body<D>&, double);                    \
+  template results::Profile find_profile<D>(const mpm::Body<D>&, double);           \
   template double find_slope_height<D>(const mpm::Body<D>&, const input::Gravity&); \
-  template Runout find_runout<D>(const mpm::Body<D>&, const Profile&, double);
+  template results::Runout find_runout<D>(const mpm::Body<D>&, const results::Profile&, double);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

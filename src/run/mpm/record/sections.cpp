@@ -17,7 +17,6 @@ namespace talus::run {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// A component of a field.
 struct Component {
@@ -114,11 +113,12 @@ std::vector<SectionRow> cut_section(const output::Frame& frame, const input::Sec
   return rows;
 }
 
-json write_sections(const input::Case& data, const json& stages, double size, const fs::path& folder) {
-  json list = json::array();
+std::vector<results::SectionLine> write_sections(const input::Case& data, const std::vector<results::Stage>& stages,
+                                                 double size, const fs::path& folder) {
+  std::vector<results::SectionLine> list;
   if (data.output.sections.empty()) return list;
   if (!fs::exists(folder / "results.vtkhdf") && !fs::exists(folder / "frames")) return list;
-  const std::optional<Clock> clock = find_clock(data, stages);
+  const std::optional<results::Clock> clock = find_clock(data, stages);
   const output::ResultsReader reader(folder);
   const int dimension = data.mesh.dimension;
   std::vector<std::string> texts(data.output.sections.size());
@@ -143,8 +143,7 @@ json write_sections(const input::Case& data, const json& stages, double size, co
   for (std::size_t s = 0; s < texts.size(); ++s) {
     const input::Section& section = data.output.sections[s];
     write_atomically(folder / "sections" / (section.name + ".csv"), header + "\n" + texts[s]);
-    list.push_back(
-        {{"name", section.name}, {"from", section.from}, {"to", section.to}, {"width", section.width.value_or(size)}});
+    list.push_back({section.name, section.from, section.to, section.width.value_or(size)});
   }
   return list;
 }

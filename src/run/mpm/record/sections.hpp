@@ -2,12 +2,13 @@
 // Sections: the fields of the stored frames along a line, as tables.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "input/case/case.hpp"
 #include "output/files/frame.hpp"
+#include "results/motion.hpp"
+#include "results/trial.hpp"
 
 namespace talus::run {
 
@@ -35,9 +36,9 @@ std::vector<SectionRow> cut_section(const output::Frame& frame, const input::Sec
 
 /// sections/NAME.csv in `folder` for every section of the case: all stored frames, of two at one time the later one.
 /// `size`: width of sections that state none [m]. Where displacements are counted from the start of the clock, those of
-/// the frame at that time, which is from before they were set to zero, are zero. Returns `sections` of summary.json:
-/// name, ends and width of each; empty when there are no sections or no frames, and then nothing is written.
-nlohmann::json write_sections(const input::Case& data, const nlohmann::json& stages, double size,
-                              const std::filesystem::path& folder);
+/// the frame at that time, which is from before they were set to zero, are zero. Returns what was written; empty when
+/// there are no sections or no frames.
+std::vector<results::SectionLine> write_sections(const input::Case& data, const std::vector<results::Stage>& stages,
+                                                 double size, const std::filesystem::path& folder);
 
 }  // namespace talus::run

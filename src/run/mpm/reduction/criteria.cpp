@@ -13,7 +13,7 @@ namespace {
 constexpr double smallest_bend = 0.02;
 
 struct Fit {
-  Branch branch;
+  results::Branch branch;
   double squares = 0;
 };
 
@@ -59,13 +59,14 @@ std::pair<std::size_t, std::size_t> find_range(const std::vector<CurvePoint>& cu
 }
 
 /// The computed factors on either side of `factor`.
-void set_bracket(const std::vector<CurvePoint>& curve, double factor, Criterion& c) {
-  c.lower = curve.front().factor;
-  c.upper = curve.back().factor;
+void set_bracket(const std::vector<CurvePoint>& curve, double factor, results::Criterion& c) {
+  double lower = curve.front().factor, upper = curve.back().factor;
   for (const CurvePoint& p : curve) {
-    if (p.factor <= factor) c.lower = std::max(c.lower, p.factor);
-    if (p.factor >= factor) c.upper = std::min(c.upper, p.factor);
+    if (p.factor <= factor) lower = std::max(lower, p.factor);
+    if (p.factor >= factor) upper = std::min(upper, p.factor);
   }
+  c.lower = lower;
+  c.upper = upper;
 }
 
 }  // namespace
@@ -75,7 +76,7 @@ std::optional<Bilinear> construct_bilinear(const std::vector<CurvePoint>& curve,
   const std::size_t n = curve.size();
   if (n < 4) return std::nullopt;
   Bilinear b;
-  b.criterion.name = "bilinear";
+  b.criterion.kind = results::CriterionKind::bilinear;
   if (first.size() == 2 && last.size() == 2) {
     const auto [b1, e1] = find_range(curve, first);
     const auto [b2, e2] = find_range(curve, last);
@@ -105,9 +106,9 @@ std::optional<Bilinear> construct_bilinear(const std::vector<CurvePoint>& curve,
   return b;
 }
 
-Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, double displacement) {
-  Criterion c;
-  c.name = "displacement";
+results::Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, double displacement) {
+  results::Criterion c;
+  c.kind = results::CriterionKind::displacement;
   for (std::size_t i = 1; i < curve.size(); ++i) {
     const CurvePoint &a = curve[i - 1], &b = curve[i];
     if (a.displacement > displacement || b.displacement < displacement) continue;
@@ -121,9 +122,9 @@ Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, doub
   return c;
 }
 
-Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, double floor) {
-  Criterion c;
-  c.name = "jump";
+results::Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, double floor) {
+  results::Criterion c;
+  c.kind = results::CriterionKind::jump;
   double fastest = 0;
   for (std::size_t i = 1; i < curve.size(); ++i) {
     const CurvePoint &a = curve[i - 1], &b = curve[i];

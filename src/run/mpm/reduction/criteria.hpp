@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "results/trial.hpp"
+
 namespace talus::run {
 
 /// A point of the curve: largest displacement [m] at the end of the window of a trial.
@@ -13,24 +15,10 @@ struct CurvePoint {
   double displacement = 0;
 };
 
-/// A factor of safety and the computed factors on either side of it.
-struct Criterion {
-  std::string name;
-  std::optional<double> factor;  ///< nothing when the curve does not hold it
-  double lower = 0, upper = 0;
-  std::string note;  ///< why there is none, or what to know
-};
-
-/// u = slope·SRF + intercept, fitted to the listed factors.
-struct Branch {
-  double slope = 0, intercept = 0;  ///< [m], [m]
-  std::vector<double> factors;
-};
-
 /// The construction of Feng and Xu (2021): lines through the first and the last branch, and where they meet.
 struct Bilinear {
-  Branch first, last;
-  Criterion criterion;
+  results::Branch first, last;
+  results::Criterion criterion;
 };
 
 /// The two lines of the curve (sorted by factor). `first` and `last` give [from, to] of each branch; when empty the
@@ -40,10 +28,10 @@ std::optional<Bilinear> construct_bilinear(const std::vector<CurvePoint>& curve,
                                            const std::vector<double>& last = {});
 
 /// Where the displacement reaches `displacement` [m], by linear interpolation.
-Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, double displacement);
+results::Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, double displacement);
 
 /// The interval in which ln u grows fastest; displacements below `floor` [m] are elastic and not looked at.
-Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, double floor);
+results::Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, double floor);
 
 /// Factors that halve the two intervals beside every point where the curve bends noticeably (change of slope times
 /// length, against the whole rise). Nothing when those intervals are as short as `smallest`.

@@ -9,10 +9,10 @@
 
 #include "base/atomic_file.hpp"
 #include "base/parallel.hpp"
+#include "mesh/quality.hpp"
 #include "mpm/body/observe.hpp"
 #include "run/mpm/record/onset.hpp"
 #include "run/mpm/start/prepare.hpp"
-#include "run/summary.hpp"
 
 namespace talus::run {
 namespace {
@@ -51,8 +51,8 @@ StagePlan<D> make_trial_plan(const input::Case& data, double slope_height, int t
 }
 
 /// One result for the legs of a trial: how it ended, its whole time and steps, its largest speed.
-TrialResult add_up(const std::vector<TrialResult>& legs) {
-  TrialResult sum = legs.back();
+results::Trial add_up(const std::vector<results::Trial>& legs) {
+  results::Trial sum = legs.back();
   for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
     sum.time += legs[i].time;
     sum.steps += legs[i].steps;
@@ -65,7 +65,7 @@ TrialResult add_up(const std::vector<TrialResult>& legs) {
 
 std::vector<CurvePoint> CurveResult::points() const {
   std::vector<CurvePoint> points;
-  for (const TrialResult& t : trials) points.push_back({t.factor, t.displacement});
+  for (const results::Trial& t : trials) points.push_back({t.factor, t.displacement});
   return points;
 }
 
@@ -105,30 +105,28 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
       files.frame_interval = interval > 0 ? interval : curve.window / frames_per_window;
     }
     mpm::Body<D> body;
-    const auto results = run_trial_legs(state, factor, legs, context, files, body);
-    save_trial(files.folder, results.front());
-    std::optional<RunoutTrial> runout;
+    const auto legs_done = run_trial_legs(state, factor, legs, context, files, body);
+    save_trial(files.folder, legs_done.front());
+    std::optional<results::RunoutTrial> runout;
     if (runs_out) {
       mpm::Body<D> start = state;
       mpm::reset_displacements(start);
-      const Profile before = find_profile(start, bin);
-      runout = RunoutTrial{factor,
-                           add_up(results),
-                           find_runout(body, before, moved_share * slope_height),
-                           before,
-                           find_profile(body, bin),
-                           find_failure_time(files.folder / "history.csv", curve.displacement_ratio * slope_height)};
+      const results::Profile before = find_profile(start, bin);
+      runout = results::RunoutTrial{
+          add_up(legs_done), find_runout(body, before, moved_share * slope_height), find_profile(body, bin),
+          find_failure_time(files.folder / "history.csv", curve.displacement_ratio * slope_height)};
       if (runout->failure_time) *runout->failure_time -= state.time;
-      write_profiles(files.folder / "profile.csv", before, runout->final);
+      write_profiles(files.folder / "profile.csv", before, runout->profile);
     }
     const std::lock_guard lock(collecting);
-    result.trials.push_back(results.front());
+    result.trials.push_back(legs_done.front());
     if (runout) result.runouts.push_back(*runout);
   };
   const auto sort_results = [&] {
-    const auto by_factor = [](const auto& a, const auto& b) { return a.factor < b.factor; };
-    std::sort(result.trials.begin(), result.trials.end(), by_factor);
-    std::sort(result.runouts.begin(), result.runouts.end(), by_factor);
+    std::sort(result.trials.begin(), result.trials.end(),
+              [](const auto& a, const auto& b) { return a.factor < b.factor; });
+    std::sort(result.runouts.begin(), result.runouts.end(),
+              [](const auto& a, const auto& b) { return a.trial.factor < b.trial.factor; });
   };
 
   std::vector<double> factors = list_factors(curve);

@@ -11,19 +11,9 @@
 
 namespace talus::run {
 
-/// A trial that went on until rest.
-struct RunoutTrial {
-  double factor = 0;
-  TrialResult trial;
-  Runout runout;
-  Profile initial, final;
-  std::optional<double>
-      failure_time;  ///< from the trial's start [s]: largest displacement reaches displacement_ratio H
-};
-
 struct CurveResult {
-  std::vector<TrialResult> trials;  ///< by factor, each at the end of the window
-  std::vector<RunoutTrial> runouts;
+  std::vector<results::Trial> trials;         ///< by factor, each at the end of the window
+  std::vector<results::RunoutTrial> runouts;  ///< likewise
   std::vector<CurvePoint> points() const;
 };
 

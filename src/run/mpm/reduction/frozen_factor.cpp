@@ -18,12 +18,20 @@ double extrapolate_to_zero(double coarse, double factor_coarse, double fine, dou
   return factor_fine - (factor_coarse - factor_fine) * fine / (coarse - fine);
 }
 
-double FrozenResult::uncertainty() const {
-  const auto half = [](const MeshFactor& m) { return 0.5 * (m.upper - m.lower); };
-  if (!extrapolated) return half(meshes.back());
-  const MeshFactor &c = meshes.front(), &f = meshes.back();
-  const double share = f.size / (c.size - f.size);
-  return half(f) * (1 + share) + half(c) * share;
+results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes) {
+  const auto half = [](const results::MeshFactor& m) { return 0.5 * (m.upper - m.lower); };
+  results::FrozenFactor frozen;
+  const results::MeshFactor &coarse = meshes.front(), &fine = meshes.back();
+  frozen.factor = fine.factor();
+  frozen.uncertainty = half(fine);
+  if (meshes.size() == 2) {
+    frozen.factor = extrapolate_to_zero(coarse.size, coarse.factor(), fine.size, fine.factor());
+    frozen.extrapolated = frozen.factor;
+    const double share = fine.size / (coarse.size - fine.size);
+    frozen.uncertainty = half(fine) * (1 + share) + half(coarse) * share;
+  }
+  frozen.meshes = std::move(meshes);
+  return frozen;
 }
 
 template <int D>
@@ -42,17 +50,17 @@ StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor
   return plan;
 }
 
-MeshFactor search_frozen_factor(const input::FrozenFactor& settings, int side_by_side,
-                                const std::function<TrialResult(double)>& run_trial) {
-  MeshFactor result;
+results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, int side_by_side,
+                                         const std::function<results::Trial(double)>& run_trial) {
+  results::MeshFactor result;
   const auto is_stable = [&](const std::vector<double>& factors) {
-    std::vector<TrialResult> trials(factors.size());
+    std::vector<results::Trial> trials(factors.size());
     parallel_tasks(static_cast<int>(factors.size()), side_by_side, [&](int i) { trials[i] = run_trial(factors[i]); });
     std::vector<bool> stable;
-    for (const TrialResult& t : trials) {
+    for (const results::Trial& t : trials) {
       result.trials.push_back(t);
-      result.undecided = result.undecided || t.end == StageEnd::time;
-      stable.push_back(t.end == StageEnd::rest);
+      result.undecided = result.undecided || t.end == results::StageEnd::time;
+      stable.push_back(t.end == results::StageEnd::rest);
     }
     return stable;
   };
@@ -103,16 +111,16 @@ MeshFactor search_frozen_factor(const input::FrozenFactor& settings, int side_by
   result.lower = low;
   result.upper = high;
   std::sort(result.trials.begin(), result.trials.end(),
-            [](const TrialResult& a, const TrialResult& b) { return a.factor < b.factor; });
+            [](const results::Trial& a, const results::Trial& b) { return a.factor < b.factor; });
   return result;
 }
 
 template <int D>
-MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data, const input::FrozenFactor& settings,
-                              double slope_height, int threads) {
+results::MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data,
+                                       const input::FrozenFactor& settings, double slope_height, int threads) {
   const int side_by_side = count_parallel_trials(state.points.size(), threads);
   const StagePlan<D> plan = make_frozen_plan<D>(data, settings, slope_height, side_by_side > 1 ? 1 : threads);
-  MeshFactor factor = search_frozen_factor(settings, side_by_side, [&](double f) {
+  results::MeshFactor factor = search_frozen_factor(settings, side_by_side, [&](double f) {
     mpm::Body<D> body = start_trial(state, data, f);
     StageState stage;
     return run_trial(body, f, plan, stage);
@@ -121,10 +129,10 @@ MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data
   return factor;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                                     \
-  template StagePlan<D> make_frozen_plan<D>(const input::Case&, const input::FrozenFactor&, double, int);        \
-  template MeshFactor find_frozen_factor<D>(const mpm::Body<D>&, const input::Case&, const input::FrozenFactor&, \
-                                            double, int);
+#define TALUS_INSTANTIATE(D)                                                                              \
+  template StagePlan<D> make_frozen_plan<D>(const input::Case&, const input::FrozenFactor&, double, int); \
+  template results::MeshFactor find_frozen_factor<D>(const mpm::Body<D>&, const input::Case&,             \
+                                                     const input::FrozenFactor&, double, int);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

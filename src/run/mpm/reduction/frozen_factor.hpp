@@ -10,32 +10,14 @@
 
 namespace talus::run {
 
-/// The factor on one mesh.
-struct MeshFactor {
-  double size = 0;  ///< element size h [m]
-  int points = 0;
-  double lower = 0, upper = 0;      ///< largest stable and smallest failed factor
-  bool undecided = false;           ///< some trial neither rested nor ran away; it counts as failed
-  std::vector<TrialResult> trials;  ///< in the order of their factors
-  double factor() const { return 0.5 * (lower + upper); }
-};
-
-struct FrozenResult {
-  std::vector<MeshFactor> meshes;      ///< coarse to fine
-  std::optional<double> extrapolated;  ///< linear in h to h = 0, from two meshes
-  double factor() const { return extrapolated ? *extrapolated : meshes.back().factor(); }
-  /// Half the width of the final brackets as the extrapolation passes them on.
-  double uncertainty() const;
-};
-
 /// Trials that were calculated before, by factor.
-using KnownTrials = std::map<double, TrialResult>;
+using KnownTrials = std::map<double, results::Trial>;
 
 /// Bisects between rest and run-away. `run_trial` calculates the trial with a factor; up to `side_by_side` calls run at
 /// the same time. The factors that are tried do not depend on that: every round tries two that cut the bracket into
 /// three.
-MeshFactor search_frozen_factor(const input::FrozenFactor& settings, int side_by_side,
-                                const std::function<TrialResult(double)>& run_trial);
+results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, int side_by_side,
+                                         const std::function<results::Trial(double)>& run_trial);
 
 /// The trial at frozen geometry. `slope_height` is H of the criteria [m].
 template <int D>
@@ -44,8 +26,12 @@ StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor
 
 /// The factor of the body `state` (at rest under real strength, geometry frozen all along), with nothing kept on disk.
 template <int D>
-MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data, const input::FrozenFactor& settings,
-                              double slope_height, int threads);
+results::MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data,
+                                       const input::FrozenFactor& settings, double slope_height, int threads);
+
+/// The factor of one mesh, or of two extrapolated to elements of no size, with half the width of the final brackets as
+/// the extrapolation passes them on. `meshes`: coarse to fine. Angles of dilatancy are left to the caller.
+results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes);
 
 /// Linear extrapolation of two factors at sizes `coarse` > `fine` to size 0.
 double extrapolate_to_zero(double coarse, double factor_coarse, double fine, double factor_fine);

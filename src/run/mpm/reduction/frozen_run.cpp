@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <mutex>
 
 #include "base/atomic_file.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/body/observe.hpp"
+#include "results/json.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/moved_limit.hpp"
 #include "run/mpm/record/runout.hpp"
@@ -77,7 +77,7 @@ class FrozenMesh {
     recording_.label = fmt::format("mesh {} of {}: ", number + 1, count);
   }
 
-  MeshFactor compute(const mesh::Mesh<D>& base, std::vector<std::string>& warnings) {
+  results::MeshFactor compute(const mesh::Mesh<D>& base, std::vector<std::string>& warnings) {
     run_stages(base, warnings);
     if (context_.resume) {
       known_ = load_trials(folder_ / "trials.json");
@@ -85,7 +85,8 @@ class FrozenMesh {
     }
     const int side_by_side = count_parallel_trials(state_.points.size(), threads_);
     const StagePlan<D> plan = make_frozen_plan<D>(data_, settings_, height_, side_by_side > 1 ? 1 : threads_);
-    MeshFactor factor = search_frozen_factor(settings_, side_by_side, [&](double f) { return run_one(f, plan); });
+    results::MeshFactor factor =
+        search_frozen_factor(settings_, side_by_side, [&](double f) { return run_one(f, plan); });
     factor.points = state_.points.size();
     factor.size = data_.mesh.file.empty() ? data_.mesh.size * std::pow(0.5, number_)
                                           : mesh::measure_quality(state_.mesh()).mean_size;
@@ -134,7 +135,7 @@ class FrozenMesh {
         get_body(output::ArchiveReader(folder_ / stage_start), before);
       }
       if (!stage_state.started) mpm::reset_displacements(state_);
-      if (run_stage(state_, plan, stage_state, hooks) != StageEnd::rest) {
+      if (run_stage(state_, plan, stage_state, hooks) != results::StageEnd::rest) {
         // A slope that fails as it stands has a factor below one; its trials start from before it moved.
         if (i > 0) state_ = before;
         const std::string warning = fmt::format(
@@ -151,7 +152,7 @@ class FrozenMesh {
   }
 
   /// Safe to call from several threads.
-  TrialResult run_one(double factor, const StagePlan<D>& plan) {
+  results::Trial run_one(double factor, const StagePlan<D>& plan) {
     if (const auto before = known_.find(factor); before != known_.end()) return before->second;
     RecorderSettings recording = recording_;
     recording.checkpoint_name = fmt::format("trial_{:.9f}.h5", factor);
@@ -167,13 +168,13 @@ class FrozenMesh {
     Recorder<D> recorder =
         checkpoint ? Recorder<D>::resume(recording, body, *checkpoint) : Recorder<D>::start(recording, body);
     const StageHooks<D> hooks = recorder.begin_leg(0, plan, body, stage);
-    const TrialResult result = run_trial(body, factor, plan, stage, hooks);
+    const results::Trial result = run_trial(body, factor, plan, stage, hooks);
     {
       const std::lock_guard lock(keeping_);
       done_.push_back(result);
       save_trials(folder_ / "trials.json", done_);
       if constexpr (D == 2) {
-        if (result.end == StageEnd::failed) keep_slip_line(factor, body);
+        if (result.end == results::StageEnd::failed) keep_slip_line(factor, body);
       }
     }
     recorder.finish(true);
@@ -184,12 +185,10 @@ class FrozenMesh {
   /// The line of the smallest factor that failed so far.
   void keep_slip_line(double factor, const mpm::Body<2>& body) {
     const fs::path file = folder_ / slip_line_file;
-    if (std::ifstream before(file); before) {
-      const nlohmann::json kept = nlohmann::json::parse(before, nullptr, false);
-      if (!kept.is_discarded() && kept.value("srf", factor) < factor) return;
-    }
-    if (const auto line = find_frozen_limit(body); !line.empty())
-      write_atomically(file, nlohmann::json{{"srf", factor}, {"points", line}}.dump() + "\n");
+    const auto kept = results::find_file<results::SlipLine>(file);
+    if (kept && kept->factor < factor) return;
+    if (auto line = find_frozen_limit(body); !line.empty())
+      results::write_file(file, results::SlipLine{factor, std::move(line)}, -1);
   }
 
   const TrialContext& context_;
@@ -201,16 +200,16 @@ class FrozenMesh {
   mpm::Body<D> state_;
   double height_ = 0;
   KnownTrials known_;
-  std::vector<TrialResult> done_;
+  std::vector<results::Trial> done_;
   std::mutex keeping_;
 };
 
 }  // namespace
 
 template <int D>
-FrozenResult compute_frozen_factor(const mesh::Mesh<D>& base, const TrialContext& context, int threads,
-                                   std::vector<std::string>& warnings) {
-  FrozenResult result;
+results::FrozenFactor compute_frozen_factor(const mesh::Mesh<D>& base, const TrialContext& context, int threads,
+                                            std::vector<std::string>& warnings) {
+  std::vector<results::MeshFactor> found;
   int meshes = context.data->strength_reduction.frozen.meshes;
   if (!context.data->mesh.file.empty() && meshes > 1) {
     warnings.push_back(
@@ -219,23 +218,22 @@ FrozenResult compute_frozen_factor(const mesh::Mesh<D>& base, const TrialContext
     meshes = 1;
   }
   for (int i = 0; i < meshes; ++i) {
-    result.meshes.push_back(FrozenMesh<D>(context, i, meshes, threads).compute(base, warnings));
+    found.push_back(FrozenMesh<D>(context, i, meshes, threads).compute(base, warnings));
   }
-  if (result.meshes.size() == 2) {
-    const MeshFactor &coarse = result.meshes[0], &fine = result.meshes[1];
-    result.extrapolated = extrapolate_to_zero(coarse.size, coarse.factor(), fine.size, fine.factor());
+  if (found.size() == 2) {
+    const results::MeshFactor &coarse = found[0], &fine = found[1];
     if (std::abs(coarse.factor() - fine.factor()) > far_apart * fine.factor()) {
       warnings.push_back(fmt::format(
           "the factors of the two meshes differ by {:.0f} %: refine the mesh before trusting the extrapolated factor",
           100 * std::abs(coarse.factor() / fine.factor() - 1)));
     }
   }
-  return result;
+  return join_meshes(std::move(found));
 }
 
-template FrozenResult compute_frozen_factor<2>(const mesh::Mesh<2>&, const TrialContext&, int,
-                                               std::vector<std::string>&);
-template FrozenResult compute_frozen_factor<3>(const mesh::Mesh<3>&, const TrialContext&, int,
-                                               std::vector<std::string>&);
+template results::FrozenFactor compute_frozen_factor<2>(const mesh::Mesh<2>&, const TrialContext&, int,
+                                                        std::vector<std::string>&);
+template results::FrozenFactor compute_frozen_factor<3>(const mesh::Mesh<3>&, const TrialContext&, int,
+                                                        std::vector<std::string>&);
 
 }  // namespace talus::run

@@ -16,7 +16,7 @@ inline constexpr const char* slip_line_file = "slip_line.json";
 /// (`base`) is used as it is. Stages and trials keep checkpoints under folder/frozen and are resumed from them;
 /// finished trials are not calculated again. Adds to `warnings` what the user must know.
 template <int D>
-FrozenResult compute_frozen_factor(const mesh::Mesh<D>& base, const TrialContext& context, int threads,
-                                   std::vector<std::string>& warnings);
+results::FrozenFactor compute_frozen_factor(const mesh::Mesh<D>& base, const TrialContext& context, int threads,
+                                            std::vector<std::string>& warnings);
 
 }  // namespace talus::run

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
 
 #include "run/mpm/record/recorder.hpp"
 #include "run/mpm/reduction/frozen_factor.hpp"
@@ -24,16 +23,13 @@ struct TrialContext {
   mpm::Work work_before{};  ///< see RecorderSettings
 };
 
-nlohmann::json to_json(const TrialResult& trial);
-TrialResult trial_from_json(const nlohmann::json& json);
-
 /// The result of a trial that ended in an earlier run, kept as `folder/trial.json`.
-std::optional<TrialResult> load_trial(const std::filesystem::path& folder);
-void save_trial(const std::filesystem::path& folder, const TrialResult& trial);
+std::optional<results::Trial> load_trial(const std::filesystem::path& folder);
+void save_trial(const std::filesystem::path& folder, const results::Trial& trial);
 
 /// A list of trials in a file, by factor; nothing when there is no such file.
 KnownTrials load_trials(const std::filesystem::path& path);
-void save_trials(const std::filesystem::path& path, const std::vector<TrialResult>& trials);
+void save_trials(const std::filesystem::path& path, const std::vector<results::Trial>& trials);
 
 struct TrialFiles {
   std::filesystem::path folder;
@@ -46,7 +42,8 @@ struct TrialFiles {
 /// Runs one trial from `state` with reduced strength, in legs one after the other; resumes it when the context says so
 /// and a checkpoint is there. `body` receives the state at the end. Results of each leg are returned.
 template <int D>
-std::vector<TrialResult> run_trial_legs(const mpm::Body<D>& state, double factor, const std::vector<StagePlan<D>>& legs,
-                                        const TrialContext& context, const TrialFiles& files, mpm::Body<D>& body);
+std::vector<results::Trial> run_trial_legs(const mpm::Body<D>& state, double factor,
+                                           const std::vector<StagePlan<D>>& legs, const TrialContext& context,
+                                           const TrialFiles& files, mpm::Body<D>& body);
 
 }  // namespace talus::run

@@ -17,9 +17,9 @@ mpm::Body<D> start_trial(const mpm::Body<D>& state, const input::Case& data, dou
 }
 
 template <int D>
-TrialResult run_trial(mpm::Body<D>& body, double factor, const StagePlan<D>& plan, StageState& state,
-                      const StageHooks<D>& hooks) {
-  TrialResult r;
+results::Trial run_trial(mpm::Body<D>& body, double factor, const StagePlan<D>& plan, StageState& state,
+                         const StageHooks<D>& hooks) {
+  results::Trial r;
   r.factor = factor;
   r.end = run_stage(body, plan, state, hooks);
   r.displacement = mpm::find_largest_displacement(body).value;
@@ -38,7 +38,7 @@ int count_parallel_trials(int points, int threads) {
 
 template mpm::Body<2> start_trial<2>(const mpm::Body<2>&, const input::Case&, double);
 template mpm::Body<3> start_trial<3>(const mpm::Body<3>&, const input::Case&, double);
-template TrialResult run_trial<2>(mpm::Body<2>&, double, const StagePlan<2>&, StageState&, const StageHooks<2>&);
-template TrialResult run_trial<3>(mpm::Body<3>&, double, const StagePlan<3>&, StageState&, const StageHooks<3>&);
+template results::Trial run_trial<2>(mpm::Body<2>&, double, const StagePlan<2>&, StageState&, const StageHooks<2>&);
+template results::Trial run_trial<3>(mpm::Body<3>&, double, const StagePlan<3>&, StageState&, const StageHooks<3>&);
 
 }  // namespace talus::run

@@ -112,7 +112,8 @@ void copy_from_drained(const mpm::Body<D>& drained, mpm::Body<D>& wet) {
 }
 
 template <int D>
-StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks) {
+results::StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan, StageState& state,
+                                    const StageHooks<D>& hooks) {
   if (plan.step.geometry != input::Geometry::frozen) {
     throw Error(ExitCode::wrong_input,
                 fmt::format("stage '{}' holds the pore pressures, which needs frozen geometry", plan.name));
@@ -137,7 +138,7 @@ StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan, StageSta
       return hooks.save_last_good(wet, s);
     };
   }
-  const StageEnd end = run_stage(drained, plan, state, inner);
+  const results::StageEnd end = run_stage(drained, plan, state, inner);
   copy_from_drained(drained, wet);
   if (wet.conditions.loads.empty()) wet.nodes.load.clear();  // that of the pressures; they act by themselves again
   return end;
@@ -147,7 +148,8 @@ StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan, StageSta
   template mpm::Body<D> make_drained_body<D>(const mpm::Body<D>&, const StagePlan<D>&, const StageState&); \
   template mpm::CriticalStep find_drained_critical_step<D>(const mpm::Body<D>&, double);                   \
   template void copy_from_drained<D>(const mpm::Body<D>&, mpm::Body<D>&);                                  \
-  template StageEnd run_drained_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&, const StageHooks<D>&);
+  template results::StageEnd run_drained_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&,         \
+                                                  const StageHooks<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

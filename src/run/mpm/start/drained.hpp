@@ -23,6 +23,7 @@ void copy_from_drained(const mpm::Body<D>& drained, mpm::Body<D>& wet);
 /// run_stage() for a wet body whose pressures are held. Hooks receive the wet body. Throws Error (wrong_input) for
 /// moving geometry.
 template <int D>
-StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan, StageState& state, const StageHooks<D>& hooks);
+results::StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan, StageState& state,
+                                    const StageHooks<D>& hooks);
 
 }  // namespace talus::run

@@ -7,8 +7,9 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "ground/root_content.hpp"
-#include "input/case/declare_material.hpp"
+#include "input/echo.hpp"
 #include "mpm/body/observe.hpp"
 #include "mpm/coupled/kernels.hpp"
 #include "mpm/coupled/pore_state.hpp"
@@ -17,8 +18,6 @@
 
 namespace talus::run {
 namespace {
-
-using nlohmann::json;
 
 /// How a soil stores water, in numbers that are equal when the laws are: its density, and the share of the pores that
 /// it fills at pressures between compression and the suction of dry clay [Pa].
@@ -107,23 +106,6 @@ void refill(mpm::Body<D>& body, const std::vector<int>& old_materials, const std
   }
 }
 
-json strip_marks(json node) {
-  if (node.is_object()) node.erase("given");
-  if (node.is_structured())
-    for (json& inner : node) inner = strip_marks(inner);
-  return node;
-}
-
-/// What a mesh was made from.
-json describe_mesh_input(const json& echo) {
-  json mesh = strip_marks(echo.at("mesh"));
-  mesh.erase("points_per_element");
-  // The path of a ready mesh is the one from where the program was started.
-  if (mesh.contains("file"))
-    mesh["file"] = std::filesystem::path(mesh["file"].at("value").get<std::string>()).filename().string();
-  return {strip_marks(echo.at("geometry")), mesh};
-}
-
 template <class Values>
 std::string hash_values(const Values& values) {
   return hash_text({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0])});
@@ -134,37 +116,25 @@ std::string hash_values(const Values& values) {
 EndState::EndState(const input::Initial& initial)
     : result_(initial.result), archive_(std::filesystem::path(initial.result_folder) / end_state_file) {
   check_lane_width(archive_, fmt::format("the result '{}'", initial.result), "start from it");
-  input_ = json::parse(archive_.text("input"));
+  input_ = JsonTree::parse(archive_.text("input"));
 }
 
-json EndState::describe() const {
-  return {{"result", result_},
-          {"hash", hash()},
-          {"title", input_.at("title").at("value")},
-          {"input_hash", archive_.text("input_hash")},
-          {"time", archive_.reals("scalars").front()}};
+results::Origin EndState::tell() const {
+  return {result_, hash(), input::read_echo(input_).title, archive_.text("input_hash"),
+          archive_.reals("scalars").front()};
 }
 
-bool EndState::is_on_another_mesh(const json& echo) const {
-  return describe_mesh_input(echo) != describe_mesh_input(input_);
+bool EndState::is_on_another_mesh(const JsonTree& echo) const {
+  return !input::has_same_mesh_input(echo, input_);
 }
 
 int EndState::points_per_element() const {
-  return input_.at("mesh").at("points_per_element").at("value");
+  return input::read_echo(input_).points_per_element;
 }
 
 std::vector<input::MaterialModel> EndState::list_models() const {
-  std::vector<input::MaterialModel> by_number, models;  // materials are numbered by name, as objects are ordered
-  for (const auto& [name, material] : input_.at("materials").items()) {
-    const std::string word = material.at("model").at("value");
-    const auto& words = input::choices<input::MaterialModel>;
-    const auto found = std::find_if(words.begin(), words.end(), [&](const auto& c) { return c.word == word; });
-    if (found == words.end())
-      throw Error(ExitCode::wrong_input, fmt::format("the result '{}' has a material of the model '{}', which this "
-                                                     "version does not know",
-                                                     result_, word));
-    by_number.push_back(found->value);
-  }
+  const std::vector<input::MaterialModel> by_number = input::list_material_models(input_, result_);
+  std::vector<input::MaterialModel> models;
   for (const int number : archive_.integers("points/material"))
     models.push_back(by_number[static_cast<std::size_t>(number)]);
   return models;
@@ -231,11 +201,10 @@ std::vector<std::string> EndState::list_refilled(const mpm::Body<D>& body) const
 }
 
 template <int D>
-void save_end_state(const std::filesystem::path& folder, json echo, const json& mesh_input,
+void save_end_state(const std::filesystem::path& folder, const JsonTree& echo, const JsonTree& mesh_input,
                     const std::string& input_hash, const mpm::Body<D>& body, const std::string& roots) {
-  for (const char* block : {"geometry", "mesh"}) echo[block] = mesh_input.at(block);
   output::ArchiveWriter archive;
-  archive.put("input", echo.dump());
+  archive.put("input", input::replace_mesh_input(echo, mesh_input).write());
   archive.put("input_hash", input_hash);
   archive.put("roots", roots);
   archive.put("state_hash",
@@ -246,11 +215,11 @@ void save_end_state(const std::filesystem::path& folder, json echo, const json& 
   archive.write(folder / end_state_file);
 }
 
-#define TALUS_INSTANTIATE(D)                                                                           \
-  template mesh::Mesh<D> EndState::get_mesh<D>() const;                                                \
-  template void EndState::take_over<D>(mpm::Body<D>&) const;                                           \
-  template std::vector<std::string> EndState::list_refilled<D>(const mpm::Body<D>&) const;             \
-  template void save_end_state<D>(const std::filesystem::path&, json, const json&, const std::string&, \
+#define TALUS_INSTANTIATE(D)                                                                                          \
+  template mesh::Mesh<D> EndState::get_mesh<D>() const;                                                               \
+  template void EndState::take_over<D>(mpm::Body<D>&) const;                                                          \
+  template std::vector<std::string> EndState::list_refilled<D>(const mpm::Body<D>&) const;                            \
+  template void save_end_state<D>(const std::filesystem::path&, const JsonTree&, const JsonTree&, const std::string&, \
                                   const mpm::Body<D>&, const std::string&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

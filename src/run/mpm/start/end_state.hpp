@@ -2,13 +2,14 @@
 // The state at the end of the stages of a run, kept in its folder, and how another case starts from it.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "base/json_tree.hpp"
 #include "input/case/case.hpp"
 #include "mpm/body/body.hpp"
 #include "output/files/archive.hpp"
+#include "results/run.hpp"
 
 namespace talus::run {
 
@@ -23,13 +24,13 @@ class EndState {
   explicit EndState(const input::Initial& initial);
 
   /// Echo of the case that ended so; its geometry and mesh are those that the points are on.
-  const nlohmann::json& input() const { return input_; }
+  const JsonTree& input() const { return input_; }
   /// Hash of the mesh's points and all that they carry.
   const std::string& hash() const { return archive_.text("state_hash"); }
   /// Where a run started from, for its summary.
-  nlohmann::json describe() const;
+  results::Origin tell() const;
   /// Whether [geometry] or [mesh] of the case with this echo say something else than those of the result.
-  bool is_on_another_mesh(const nlohmann::json& echo) const;
+  bool is_on_another_mesh(const JsonTree& echo) const;
   int points_per_element() const;
 
   /// The model of each point's material.
@@ -55,13 +56,13 @@ class EndState {
  private:
   std::string result_;
   output::ArchiveReader archive_;
-  nlohmann::json input_;
+  JsonTree input_;
 };
 
 /// Writes the end of the stages of the case with this echo into `folder`. `mesh_input` is the echo of the case that the
 /// mesh was made for: another one where the case itself started from a result. `roots`: write_root_input().
 template <int D>
-void save_end_state(const std::filesystem::path& folder, nlohmann::json echo, const nlohmann::json& mesh_input,
+void save_end_state(const std::filesystem::path& folder, const JsonTree& echo, const JsonTree& mesh_input,
                     const std::string& input_hash, const mpm::Body<D>& body, const std::string& roots = {});
 
 }  // namespace talus::run

@@ -83,7 +83,8 @@ State adopt(const mpm::PointView<D>& point, const State& fresh, const material::
 
 /// Sets the preconsolidation of a Cam-clay point, unless it has one, and counts it.
 template <class CamClay, int D>
-bool set_point(const CamClay& law, double ratio, const mpm::PointView<D>& point, State& state, Preconsolidation& done) {
+bool set_point(const CamClay& law, double ratio, const mpm::PointView<D>& point, State& state,
+               results::Preconsolidation& done) {
   const double saturation = find_saturation(point);
   if (law.find_preconsolidation(state.data(), saturation) != CamClay::not_set) return false;
   state[1] = ratio * std::max(find_mean_pressure(point.stress.data()), law.soil().smallest_pressure);
@@ -143,16 +144,9 @@ bool is_equilibrium_stage(const input::Case& data, int stage) {
   return data.stages[static_cast<std::size_t>(stage)].name == data.initial.equilibrium;
 }
 
-nlohmann::json to_json(const Preconsolidation& done) {
-  return {{"points", done.points},
-          {"smallest", done.smallest},
-          {"largest", done.largest},
-          {"points_beyond_yield_surface", done.beyond}};
-}
-
 template <int D>
-Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::Case& data) {
-  Preconsolidation done{.smallest = std::numeric_limits<double>::infinity()};
+results::Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::Case& data) {
+  results::Preconsolidation done{.smallest = std::numeric_limits<double>::infinity()};
   for (int id = 0; id < body.points.size(); ++id) {
     const std::size_t number = body.points.material[static_cast<std::size_t>(id)];
     const input::Material& soil = data.materials.at(body.material_names[number]);
@@ -176,7 +170,7 @@ Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::Case& dat
                                      std::vector<mpm::InitialPoint<D>>&);                                         \
   template void adopt_state<D>(mpm::Body<D>&, const input::Case&, const mpm::Body<D>&,                            \
                                const std::vector<input::MaterialModel>&, bool);                                   \
-  template Preconsolidation set_preconsolidation<D>(mpm::Body<D>&, const input::Case&);
+  template results::Preconsolidation set_preconsolidation<D>(mpm::Body<D>&, const input::Case&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

@@ -1,12 +1,12 @@
 #pragma once
 // State variables of the points at the start, and the preconsolidation pressure that follows from equilibrium.
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/body/build.hpp"
+#include "results/trial.hpp"
 
 namespace talus::run {
 
@@ -29,17 +29,9 @@ void adopt_state(mpm::Body<D>& body, const input::Case& data, const mpm::Body<D>
 /// Whether the preconsolidation that is given as a ratio follows from the end of the stage with this number.
 bool is_equilibrium_stage(const input::Case& data, int stage);
 
-/// What set_preconsolidation() did.
-struct Preconsolidation {
-  int points = 0;                    ///< that were given one
-  double smallest = 0, largest = 0;  ///< p'_c of these, with suction and roots [Pa]
-  int beyond = 0;                    ///< of these, whose stress lies outside the yield surface that follows
-};
-nlohmann::json to_json(const Preconsolidation& done);
-
 /// Gives Cam-clay points whose preconsolidation is not set yet that of their present stress: saturated and without
 /// roots R_0 times the mean effective stress, or times the smallest pressure of the soil where that is more.
 template <int D>
-Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::Case& data);
+results::Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::Case& data);
 
 }  // namespace talus::run

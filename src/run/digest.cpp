@@ -1,0 +1,113 @@
+#include "run/digest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::run {
+namespace {
+
+/// As wide as `width` characters; letters outside ASCII count once.
+std::string pad(const std::string& text, std::size_t width) {
+  const auto length = static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return text + std::string(length < width ? width - length : 1, ' ');
+}
+
+/// The factors of all methods side by side, and what their differences say.
+std::string write_method_table(const results::MethodComparison& methods) {
+  if (methods.table.empty()) return "";
+  constexpr std::size_t method_width = 30, criterion_width = 52;
+  std::string text = "  " + pad("Method", method_width) + pad("Criterion", criterion_width) + "Factor   Seconds\n";
+  for (const results::MethodRow& row : methods.table) {
+    text += "  " + pad(row.title, method_width) + pad(row.criterion, criterion_width) +
+            (row.factor ? fmt::format("{:6.3f}", *row.factor) : "  none");
+    if (row.seconds) text += fmt::format("  {:8.3g}", *row.seconds);
+    text += '\n';
+  }
+  for (const results::Remark& remark : methods.remarks) text += remark.text + "\n";
+  if (methods.partial_factors) text += methods.partial_factors->text + "\n";
+  return text;
+}
+
+std::string write_factors(const results::PointFactors& factors) {
+  std::string text;
+  if (factors.frozen) {
+    const results::FrozenFactor& f = *factors.frozen;
+    text += fmt::format("Factor of safety {:.3f}", f.factor);
+    if (f.extrapolated) {
+      text += " (";
+      for (const results::MeshFactor& m : f.meshes) text += fmt::format("{:.3f} at h = {:g} m, ", m.factor(), m.size);
+      text += fmt::format("extrapolated to h = 0; brackets ± {:.3f})", f.uncertainty);
+    } else {
+      text += fmt::format(" (one mesh, not extrapolated; bracket ± {:.3f})", f.uncertainty);
+    }
+    text += fmt::format(", dilatancy angle {:.3g}°\n", f.dilatancy_angle_max);
+  }
+  if (!factors.criteria) return text;
+  for (const results::Criterion& c : *factors.criteria) {
+    const char* name = results::to_word(c.kind);
+    if (c.factor)
+      text += fmt::format("  by the {} criterion on moving geometry: {:.3f} [{:g}, {:g}]\n", name, *c.factor,
+                          c.lower.value_or(*c.factor), c.upper.value_or(*c.factor));
+    else
+      text += fmt::format("  by the {} criterion: none ({})\n", name, c.note);
+  }
+  return text;
+}
+
+std::string write_runouts(const results::RunResult& run) {
+  std::string text;
+  if (run.runouts)
+    for (const results::RunoutTrial& r : *run.runouts)
+      text += fmt::format(
+          "Runout at SRF {:g}: front advances {:.3g} m and passes the toe by {:.3g} m, crest retreats {:.3g} m, {:.4g} "
+          "m³ move, {} after {:.3g} s\n",
+          r.trial.factor, r.runout.front_advance, r.runout.toe_distance, r.runout.crest_retreat, r.runout.moved_volume,
+          r.trial.end == results::StageEnd::rest ? "at rest" : "still moving", r.trial.time);
+  if (run.runout)
+    text += fmt::format("Runout: front advances {:.3g} m, largest displacement {:.3g} m, {:.4g} m³ move\n",
+                        run.runout->front_advance, run.runout->largest_displacement, run.runout->moved_volume);
+  if (run.motion) text += run.motion->sentence + "\n";
+  return text;
+}
+
+std::string write_water(const results::RunResult& run) {
+  std::string text;
+  if (const auto& w = run.seepage)
+    text += fmt::format("Steady seepage: {:.3g} m³/s through, largest suction {:.3g} kPa\n", w->inflow,
+                        1e-3 * w->largest_suction);
+  if (const auto& w = run.season)
+    text += fmt::format(
+        "Season of {:.4g} days: {:.3g} m³ of rain and inflow entered, {:.3g} m³ left, {:.3g} of {:.3g} m³ transpired; "
+        "closes to {:.1g}\n",
+        w->duration / 86400, w->inflow, w->outflow, w->transpired, w->potential, std::abs(w->error));
+  if (const auto& w = run.water)
+    text += fmt::format(
+        "Water: {:.5g} kg at the start, {:.3g} kg came in, {:.3g} kg left, {:.5g} kg now; closes to "
+        "{:.1g}\n",
+        w->initial, w->entered, w->left, w->stored, std::abs(w->error));
+  return text;
+}
+
+}  // namespace
+
+std::string write_digest(const results::RunResult& run) {
+  std::string text = run.title + "\n";
+  if (run.methods) text += write_method_table(*run.methods);
+  if (const auto& mesh = run.mesh)
+    text += fmt::format("  {} points in {} elements, critical time step {:.3g} s\n", mesh->points, mesh->soil_elements,
+                        mesh->critical_time_step);
+  if (run.stages)
+    for (const results::Stage& stage : *run.stages)
+      text += fmt::format("  stage '{}': {} steps to t = {:.4g} s, {}\n", stage.name, stage.steps, stage.time,
+                          stage.end == results::StageEnd::rest ? "at rest" : "time is up");
+  if (run.factor_of_safety) text += write_factors(*run.factor_of_safety);
+  text += write_runouts(run);
+  text += write_water(run);
+  for (const std::string& w : run.warnings) text += fmt::format("warning: {}\n", w);
+  return text;
+}
+
+}  // namespace talus::run

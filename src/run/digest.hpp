@@ -1,0 +1,12 @@
+#pragma once
+// A run in a few lines, for the person at the terminal.
+
+#include <string>
+
+#include "results/run.hpp"
+
+namespace talus::run {
+
+std::string write_digest(const results::RunResult& run);
+
+}  // namespace talus::run

@@ -1,0 +1,68 @@
+#include "run/head.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <ctime>
+
+#include "base/lane.hpp"
+#include "base/version.hpp"
+
+namespace talus::run {
+namespace {
+
+std::string now_as_text() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  return fmt::format("{:04d}-{:02d}-{:02d}T{:02d}:{:02d}:{:02d}Z", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday,
+                     utc.tm_hour, utc.tm_min, utc.tm_sec);
+}
+
+std::string find_machine() {
+  char name[256] = {};
+  gethostname(name, sizeof name - 1);
+  return name;
+}
+
+}  // namespace
+
+results::Project tell_project(const input::Case& data) {
+  const input::Project& p = data.project;
+  return {data.title, p.name, p.client, p.author, p.checked_by, p.revision, p.notes};
+}
+
+results::Provenance tell_provenance(const input::LoadedCase& loaded, const std::string& input_hash, int threads) {
+  results::Provenance told;
+  told.program = "talus";
+  told.version = version;
+  told.commit = commit;
+  told.compiler = compiler;
+  told.build_type = build_type;
+  told.architecture = architecture;
+  told.lane_width = lane_width;
+  told.machine = find_machine();
+  told.threads = threads;
+  told.started = now_as_text();
+  told.case_file = loaded.file;
+  told.input_hash = input_hash;
+  return told;
+}
+
+results::DisplayUnits tell_units(const input::Output& output) {
+  return {output.length_unit, output.displacement_unit, output.stress_unit};
+}
+
+results::RunResult begin_result(const input::LoadedCase& loaded, const std::string& input_hash, int threads) {
+  results::RunResult run;
+  run.title = loaded.data.title;
+  run.project = tell_project(loaded.data);
+  run.provenance = tell_provenance(loaded, input_hash, threads);
+  run.units = tell_units(loaded.data.output);
+  for (const mesh::Polygon& p : loaded.data.mesh.polygons) run.outlines.emplace_back(p.points.begin(), p.points.end());
+  run.input = loaded.echo;
+  return run;
+}
+
+}  // namespace talus::run

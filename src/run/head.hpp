@@ -1,0 +1,21 @@
+#pragma once
+// What the results of every run begin with, by whatever methods: title block, program, machine, units, input.
+
+#include "input/read.hpp"
+#include "results/run.hpp"
+
+namespace talus::run {
+
+/// The title block of the report.
+results::Project tell_project(const input::Case& data);
+
+/// Program, build, machine and input: where a number comes from.
+results::Provenance tell_provenance(const input::LoadedCase& loaded, const std::string& input_hash, int threads);
+
+/// The units of display.
+results::DisplayUnits tell_units(const input::Output& output);
+
+/// Title, project, provenance, units, outlines and input.
+results::RunResult begin_result(const input::LoadedCase& loaded, const std::string& input_hash, int threads);
+
+}  // namespace talus::run

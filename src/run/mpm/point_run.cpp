@@ -1,0 +1,327 @@
+#include "run/mpm/point_run.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "ground/root_content.hpp"
+#include "ground/tell_seepage.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/quality.hpp"
+#include "mpm/body/observe.hpp"
+#include "results/json.hpp"
+#include "run/mpm/record/checkpoint.hpp"
+#include "run/mpm/record/motion.hpp"
+#include "run/mpm/record/onset.hpp"
+#include "run/mpm/record/recorder.hpp"
+#include "run/mpm/record/runout.hpp"
+#include "run/mpm/record/sections.hpp"
+#include "run/mpm/record/water_record.hpp"
+#include "run/mpm/reduction/strength_reduction.hpp"
+#include "run/mpm/start/initial_state.hpp"
+#include "run/mpm/start/prepare.hpp"
+#include "run/mpm/tell_points.hpp"
+#include "run/mpm/water_summary.hpp"
+
+namespace talus::run {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Unbalanced forces above this share of gravity at the end of a timed stage deserve a warning.
+constexpr double restless_force_ratio = 0.01;
+
+double find_seconds(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+double find_process_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+void read_output(results::RunResult& run, const input::Case& data, const fs::path& folder) {
+  run.clock.reset();
+  run.motion.reset();
+  run.sections.reset();
+  const std::vector<results::Stage> stages = run.stages.value_or(std::vector<results::Stage>{});
+  run.clock = find_clock(data, stages);
+  auto motion = find_motion(data, stages, run.slope_height.value_or(0), folder);
+  if (data.analysis == input::AnalysisKind::run) run.motion = std::move(motion);
+  if (auto sections = write_sections(data, stages, run.mesh ? run.mesh->mean_size : 1, folder); !sections.empty())
+    run.sections = std::move(sections);
+}
+
+template <int D>
+PointRun<D>::PointRun(const input::LoadedCase& loaded, const input::Case& data, const RunOptions& options,
+                      std::string input_hash)
+    : loaded_(loaded), data_(data), options_(options), hash_(std::move(input_hash)), mesh_input_(loaded.echo) {}
+
+template <int D>
+void PointRun<D>::prepare(results::RunResult& run) {
+  const auto start = Clock::now();
+  open_origin();
+  if (options_.resume) checkpoint_ = open_checkpoint(options_.folder / "checkpoint.h5", checkpoint_hash_);
+  mesh::Mesh<D> mesh = checkpoint_ ? get_mesh<D>(*checkpoint_)
+                       : origin_   ? origin_->get_mesh<D>()
+                                   : mesh::generate<D>(data_.mesh);
+  check_names(mesh);
+  std::optional<fem::SeepageResult<D>> seepage;
+  body_ = run::prepare<D>(data_, std::move(mesh), 0, &seepage, &season_);
+  work_before_ = body_.work;
+  if (body_.water.is_wet()) initial_water_ = find_water_state(body_).mass;
+  preparation_ = find_seconds(start);
+  slope_height_ = find_slope_height(body_, data_.gravity);
+  run.mesh = tell_mesh(body_);
+  run.slope_height = slope_height_;
+  if (seepage) run.seepage = ground::tell_seepage<D>(body_.mesh(), *seepage);
+  if (seepage && seepage->undecided > 0)
+    warnings_.push_back(
+        fmt::format("steady seepage: {} nodes of the ground fit neither a dry nor a wet surface; the "
+                    "mesh is coarse for the height of the capillary fringe",
+                    seepage->undecided));
+  if (season_) run.season = ground::tell_season(*season_);
+  if (origin_) tell_origin(*origin_, run);
+  origin_.reset();  // it is as large as the body
+  if (body_.conditions.constraints.empty())
+    warnings_.push_back("no boundary holds the soil; without [[boundary]] it falls out of the box");
+  profile_bin_ = mesh::measure_quality(body_.mesh()).mean_size;
+  initial_ = find_profile(body_, profile_bin_);
+}
+
+/// For the report: the elements and the sides that the boundaries name, and the season.
+template <int D>
+void PointRun<D>::open() {
+  output::ArchiveWriter archive;
+  put_mesh(archive, body_.mesh());
+  archive.write(options_.folder / "mesh.h5");
+  if (season_) ground::write_season(options_.folder / "season.csv", *season_);
+}
+
+template <int D>
+void PointRun<D>::calculate(results::RunResult& run) {
+  run_stages(run);
+  if (data_.analysis != input::AnalysisKind::strength_reduction) return;
+  const TrialContext context{options_.folder,
+                             checkpoint_hash_,
+                             &data_,
+                             options_.progress,
+                             options_.resume,
+                             monitor_points_,
+                             [this](const mpm::Timing& timing) {
+                               const std::lock_guard lock(adding_);
+                               trial_timing_ += timing;
+                             },
+                             work_before_};
+  reduce_strength<D>(body_, context, slope_height_, options_.threads, run, warnings_);
+  fs::remove(options_.folder / "checkpoint.h5");
+}
+
+template <int D>
+void PointRun<D>::finish(results::RunResult& run) {
+  if (!body_.lost.empty()) {
+    double mass = 0;
+    for (const auto& l : body_.lost) mass += l.mass;
+    warnings_.push_back(fmt::format(
+        "{} points with {:.1f} kg left the grid (the first at t = {:.4g} s); enlarge the box if they matter",
+        body_.lost.size(), mass, body_.lost.front().time));
+  }
+  run.stages = stages_;
+  try {
+    read_output(run, data_, options_.folder);
+  } catch (const Error& error) {
+    warnings_.push_back(error.what());  // a table that cannot be made must not cost the summary
+  }
+  run.warnings = warnings_;
+}
+
+template <int D>
+std::vector<results::TimedPart> PointRun<D>::list_parts(double cpu) const {
+  std::vector<results::TimedPart> parts;
+  double known = 0;
+  const auto add = [&](const char* name, const char* title, double seconds) {
+    if (seconds > 0) parts.push_back({name, title, seconds});
+    if (seconds > 0) known += seconds;
+  };
+  mpm::Timing steps = body_.timing;
+  steps += trial_timing_;
+  add("preparation", "mesh and material points", preparation_);
+  add("solve_momentum", "momentum balance at the nodes", steps.solve_momentum);
+  add("remap_momentum", "remapping of the momentum", steps.remap_momentum);
+  add("smooth_strain", "smoothing of the strain", steps.smooth_strain);
+  add("advance_points", "material points: motion, strain, stress", steps.advance_points);
+  add("smooth_return", "smoothing of the stress return", steps.smooth_return);
+  add("relocate", "points that changed their element", steps.relocate);
+  add("other", "loads, time step, rest, meshes of trials, output", cpu - known);
+  return parts;
+}
+
+template <int D>
+results::StepSeconds PointRun<D>::tell_stage_seconds() const {
+  return tell_seconds(body_.timing);
+}
+
+template <int D>
+void PointRun<D>::forget() {
+  fs::remove(stage_file());
+}
+
+template <int D>
+void PointRun<D>::check_names(const mesh::Mesh<D>& mesh) const {
+  std::set<std::string> sides, regions(mesh.region_names.begin(), mesh.region_names.end());
+  for (const auto& [name, list] : mesh.sides) sides.insert(name);
+  input::check_against_mesh(loaded_, sides, regions);
+}
+
+/// The result that the case starts from, when there is one, and it fits.
+template <int D>
+void PointRun<D>::open_origin() {
+  checkpoint_hash_ = hash_;
+  if (data_.initial.result.empty()) return;
+  origin_ = std::make_unique<EndState>(data_.initial);
+  input::check_against_result(loaded_, origin_->input());
+  checkpoint_hash_ = hash_text(hash_ + origin_->hash());
+  mesh_input_ = origin_->input();
+}
+
+template <int D>
+void PointRun<D>::tell_origin(const EndState& origin, results::RunResult& run) {
+  run.start = origin.tell();
+  const std::string result = data_.initial.result;
+  if (origin.is_on_another_mesh(loaded_.echo))
+    warnings_.push_back(
+        fmt::format("[geometry] or [mesh] is not as in the case of the result '{}', and was not used: the mesh is that "
+                    "of the result",
+                    result));
+  for (const std::string& name : origin.list_refilled(body_))
+    warnings_.push_back(
+        fmt::format("material '{}' holds water otherwise than in the result '{}': pore pressures are those of the "
+                    "result, the water in the pores has been changed to fit",
+                    name, result));
+  if (data_.analysis == input::AnalysisKind::strength_reduction && data_.strength_reduction.frozen.enabled)
+    warnings_.push_back(
+        fmt::format("the mesh is that of the result '{}', which cannot be halved: the factor of safety is that of one "
+                    "mesh and not extrapolated",
+                    result));
+}
+
+template <int D>
+void PointRun<D>::run_stages(results::RunResult& run) {
+  RecorderSettings settings;
+  settings.folder = options_.folder;
+  settings.input_hash = checkpoint_hash_;
+  settings.data = &data_;
+  settings.work_before = work_before_;
+  settings.frame_interval = data_.output.frame_interval;
+  settings.progress = options_.progress;
+  StageState state;
+  int first = 0;
+  if (checkpoint_) {
+    get_body(*checkpoint_, body_);
+    state = get_stage(*checkpoint_);
+    first = get_leg(*checkpoint_);
+    load_stages(first);
+  }
+  Recorder<D> recorder =
+      checkpoint_ ? Recorder<D>::resume(settings, body_, *checkpoint_) : Recorder<D>::start(settings, body_);
+  const int count = static_cast<int>(data_.stages.size());
+  for (int i = first; i < count; ++i) {
+    const input::Stage& stage = data_.stages[i];
+    const StagePlan<D> plan = make_plan<D>(data_, stage, slope_height_, options_.threads);
+    set_strength(body_, data_, stage.cohesion, stage.strength_factor.value_or(1));
+    if (!state.started) {
+      if (i > 0 || !data_.initial.result.empty()) state.gravity_share = 1;
+      if (stage.reset_displacement) mpm::reset_displacements(body_);
+    }
+    const auto start = Clock::now();
+    const StageHooks<D> hooks = recorder.begin_leg(i, plan, body_, state);
+    results::Stage report;
+    report.end = run_stage(body_, plan, state, hooks);
+    report.name = stage.name;
+    report.start = state.start_time;
+    report.time = body_.time;
+    report.steps = state.steps;
+    report.time_step = state.dt;
+    report.displacement = mpm::find_largest_displacement(body_).value;
+    report.force_ratio = body_.monitor.external > 0 ? body_.monitor.out_of_balance / body_.monitor.external : 0;
+    report.speed = body_.monitor.speed;
+    report.wall = find_seconds(start);
+    warn_about(stage, report, i + 1 == count);
+    if (is_equilibrium_stage(data_, i))
+      if (const results::Preconsolidation done = set_preconsolidation(body_, data_); done.points > 0)
+        report.preconsolidation = done;
+    stages_.push_back(std::move(report));
+    save_stages();
+    recorder.end_leg(body_);
+    state = {};
+  }
+  monitor_points_ = recorder.monitor_points();
+  end_stages(run);
+  recorder.finish(data_.analysis == input::AnalysisKind::run);
+  if (data_.analysis == input::AnalysisKind::run) add_runout(run);
+}
+
+template <int D>
+void PointRun<D>::warn_about(const input::Stage& stage, const results::Stage& report, bool last) {
+  if (stage.until == input::Until::rest && report.end != results::StageEnd::rest) {
+    warnings_.push_back(
+        fmt::format("stage '{}' was not at rest after {:g} s: its unbalanced force is {:.2g} of gravity", stage.name,
+                    stage.duration, report.force_ratio));
+  } else if (stage.until == input::Until::time && report.force_ratio > restless_force_ratio &&
+             (!last || data_.analysis == input::AnalysisKind::strength_reduction)) {
+    warnings_.push_back(fmt::format(
+        "stage '{}' ended with an unbalanced force of {:.2g} of gravity; what follows starts from a moving slope",
+        stage.name, report.force_ratio));
+  }
+}
+
+/// The end of the stages for whoever starts from it, and what they did without what was done before them.
+template <int D>
+void PointRun<D>::end_stages(results::RunResult& run) {
+  save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_, ground::write_root_input(data_));
+  results::Budgets& budgets = run.budgets.emplace(tell_budgets<D>(body_, find_gravity<D>(data_.gravity)));
+  budgets.plastic_work -= work_before_.dissipated;
+  budgets.damping_work -= work_before_.damped;
+  budgets.external_work -= work_before_.external;
+  if (body_.water.is_wet()) run.water = tell_water<D>(data_, body_, initial_water_);
+}
+
+template <int D>
+void PointRun<D>::add_runout(results::RunResult& run) {
+  run.runout = find_runout(body_, initial_, find_onset_threshold(data_.output, slope_height_));
+  run.failure_time = find_failure_time(options_.folder / "history.csv",
+                                       data_.strength_reduction.curve.displacement_ratio * slope_height_);
+  write_profiles(options_.folder / "profile.csv", initial_, find_profile(body_, profile_bin_));
+}
+
+/// Stages outlive an interruption beside the checkpoint.
+template <int D>
+void PointRun<D>::save_stages() const {
+  results::write_file(stage_file(), results::StageRecord{stages_, warnings_});
+}
+
+template <int D>
+void PointRun<D>::load_stages(int count) {
+  auto kept = results::read_file<results::StageRecord>(stage_file());
+  if (!kept) return;
+  stages_ = std::move(kept->stages);
+  warnings_ = std::move(kept->warnings);
+  if (static_cast<int>(stages_.size()) > count) stages_.resize(static_cast<std::size_t>(count));
+}
+
+template class PointRun<2>;
+template class PointRun<3>;
+
+}  // namespace talus::run

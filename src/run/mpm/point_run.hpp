@@ -1,0 +1,80 @@
+#pragma once
+// Material points on a case: from the mesh through stages and trials to how far the soil ran.
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ground/season.hpp"
+#include "input/read.hpp"
+#include "mpm/step/step.hpp"
+#include "results/run.hpp"
+#include "run/mpm/stage.hpp"
+#include "run/mpm/start/end_state.hpp"
+#include "run/options.hpp"
+
+namespace talus::run {
+
+/// Onset of movement and sections, from the histories and frames that a run has written. A finished run may ask for
+/// others than it did when it was calculated.
+void read_output(results::RunResult& run, const input::Case& data, const std::filesystem::path& folder);
+
+/// The seconds of all threads that this process has used.
+double find_process_seconds();
+
+template <int D>
+class PointRun {
+ public:
+  /// `data`: what is calculated, the case itself or its design values. All three must outlive the run.
+  PointRun(const input::LoadedCase& loaded, const input::Case& data, const RunOptions& options, std::string input_hash);
+
+  /// Mesh, points and their state at the start, into `run`. Throws InputError when names do not fit the mesh, and what
+  /// meshing and preparing throw; nothing is written.
+  void prepare(results::RunResult& run);
+  /// What the folder gets before the first step.
+  void open();
+  /// Stages, and the strength reduction or the runout. Throws Error (unstable, interrupted, cannot_write); what was
+  /// found before stands in `run`.
+  void calculate(results::RunResult& run);
+  /// Stages, warnings and what follows from the files, of a run that ended anyhow.
+  void finish(results::RunResult& run);
+  /// Seconds by part; `cpu`: of the whole process.
+  std::vector<results::TimedPart> list_parts(double cpu) const;
+  results::StepSeconds tell_stage_seconds() const;
+  /// What outlives an interruption only.
+  void forget();
+
+ private:
+  void open_origin();
+  void tell_origin(const EndState& origin, results::RunResult& run);
+  void check_names(const mesh::Mesh<D>& mesh) const;
+  void run_stages(results::RunResult& run);
+  void warn_about(const input::Stage& stage, const results::Stage& report, bool last);
+  void end_stages(results::RunResult& run);
+  void add_runout(results::RunResult& run);
+  std::filesystem::path stage_file() const { return options_.folder / "stages.json"; }
+  void save_stages() const;
+  void load_stages(int count);
+
+  const input::LoadedCase& loaded_;
+  const input::Case& data_;
+  const RunOptions& options_;
+  std::string hash_, checkpoint_hash_;  ///< of the input; together with the state that it starts from
+  JsonTree mesh_input_;                 ///< echo of the case that the mesh was made for
+  std::unique_ptr<EndState> origin_;
+  std::unique_ptr<output::ArchiveReader> checkpoint_;
+  mpm::Work work_before_;
+  mpm::Body<D> body_;
+  std::optional<ground::SeasonRecord> season_;
+  double slope_height_ = 0, profile_bin_ = 0, preparation_ = 0, initial_water_ = 0;
+  mpm::Timing trial_timing_;
+  std::mutex adding_;
+  results::Profile initial_;
+  std::vector<int> monitor_points_;
+  std::vector<results::Stage> stages_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace talus::run

@@ -1,0 +1,20 @@
+#pragma once
+// What results tell of a body of material points: its mesh, and what became of energy, momentum and mass.
+
+#include "mpm/body/body.hpp"
+#include "results/run.hpp"
+
+namespace talus::run {
+
+/// Mesh and points.
+template <int D>
+results::Mesh tell_mesh(const mpm::Body<D>& body);
+
+/// Energy, momentum and mass: what came in, what is there, what was lost.
+template <int D>
+results::Budgets tell_budgets(const mpm::Body<D>& body, const Vec<D>& gravity);
+
+/// Wall seconds by part of the step.
+results::StepSeconds tell_seconds(const mpm::Timing& timing);
+
+}  // namespace talus::run
