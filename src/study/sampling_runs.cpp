@@ -7,16 +7,14 @@
 #include <cmath>
 #include <limits>
 
-#include "run/named_results.hpp"
 #include "run/run_case.hpp"
+#include "study/bridge.hpp"
 #include "study/key_paths.hpp"
 #include "study/sampling.hpp"
 #include "study/study_table.hpp"
 
 namespace talus::study {
 namespace {
-
-using nlohmann::json;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -57,7 +55,7 @@ StudyPlan plan_samples(const input::LoadedCase& base, std::vector<input::Overrid
 std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::string>& names) {
   for (const std::string& name : names)
     for (const StudyRow& row : rows)
-      if (row.summary.is_object() && run::find_result(row.summary, name)) return name;
+      if (row.result && bridge::find_result(*row.result, name)) return name;
   return "";
 }
 
@@ -65,16 +63,16 @@ std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::
 std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& name) {
   std::vector<double> values;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const bool ended = rows[i].status == "finished" && rows[i].summary.is_object();
-    values.push_back(ended ? run::find_result(rows[i].summary, name).value_or(none) : none);
+    const bool ended = rows[i].status == results::VariantStatus::finished && rows[i].result;
+    values.push_back(ended ? bridge::find_result(*rows[i].result, name).value_or(none) : none);
   }
   return values;
 }
 
 }  // namespace
 
-json calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
-                    const StudyOptions& options, SampleSet& set, std::optional<Error>& failure) {
+results::StudyResult calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                                    const StudyOptions& options, SampleSet& set, std::optional<Error>& failure) {
   const auto start = std::chrono::steady_clock::now();
   const StudyPlan plan = plan_samples(base, overrides, set);
   const std::vector<StudyRow> rows = run_study(plan, options);
