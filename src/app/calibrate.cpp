@@ -30,10 +30,10 @@ void calibrate(CalibrateCommand& command) {
   catch_interrupts();
   Progress progress(!command.quiet);
   run.options.progress = &progress;
-  const nlohmann::json summary = laboratory::run_calibration(loaded, run);
+  const results::Calibration calibration = laboratory::run_calibration(loaded, run);
   if (!command.no_report) report::write_report(run.folder);
   if (command.quiet) return;
-  fmt::print("{}Tables are in {}{}\n", laboratory::write_calibration_digest(summary),
+  fmt::print("{}Tables are in {}{}\n", laboratory::write_calibration_digest(calibration),
              (run.folder / "calibration").string(),
              command.no_report ? "" : fmt::format("; open {} in a browser", (run.folder / "report.html").string()));
 }

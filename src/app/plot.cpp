@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/commands.hpp"
@@ -20,12 +17,13 @@
 #include "output/plots/curve_plot.hpp"
 #include "output/plots/field_plot.hpp"
 #include "output/plots/gnuplot.hpp"
+#include "results/json.hpp"
+#include "results/run.hpp"
 
 namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// Above this an SVG picture has tens of megabytes, and PNG is the default.
 constexpr std::size_t most_points_in_svg = 20000;
@@ -41,67 +39,26 @@ struct PlotOptions {
   std::vector<std::string> sets;  ///< changes to a case, key=value
 };
 
-/// The units in which quantities are shown; summary.json may name others.
-struct ShownUnits {
-  std::string length = "m", displacement = "mm", stress = "kPa";
-};
-
 [[noreturn]] void fail(const std::string& sentence) {
   throw Error(ExitCode::wrong_input, sentence);
 }
 
-json read_summary(const fs::path& folder) {
-  std::ifstream file(folder / "summary.json");
-  if (!file) return json::object();
-  try {
-    return json::parse(file);
-  } catch (const json::exception& error) {
-    fail(fmt::format("cannot read '{}': {}", (folder / "summary.json").string(), error.what()));
-  }
-}
-
-ShownUnits read_units(const json& summary) {
-  ShownUnits units;
-  const json block = summary.value("units", json::object());
-  units.length = block.value("length", units.length);
-  units.displacement = block.value("displacement", units.displacement);
-  units.stress = block.value("stress", units.stress);
-  return units;
-}
-
-output::FittedLine read_line(const json& block) {
-  return {block.at("slope").get<double>(), block.at("intercept").get<double>(),
-          block.value("points", std::vector<double>{})};
-}
-
-std::optional<double> read_optional(const json& block, const char* key) {
-  if (!block.contains(key) || !block.at(key).is_number()) return std::nullopt;
-  return block.at(key).get<double>();
-}
-
-output::CurvePlot read_curve(const json& summary, const ShownUnits& units) {
-  const json& block = summary.at("curve");
+output::CurvePlot describe_curve(const results::RunResult& run, const results::Curve& curve) {
   output::CurvePlot plot;
-  plot.title = summary.value("title", "");
-  plot.displacement_unit = units.displacement;
-  plot.units_per_metre = 1 / units::get_si_factor(units.displacement);
-  for (const json& point : block.at("points")) {
-    plot.factors.push_back(point.at("srf").get<double>());
-    plot.displacements.push_back(point.at("displacement").get<double>());
+  plot.title = run.title;
+  plot.displacement_unit = run.units.displacement;
+  plot.units_per_metre = 1 / units::get_si_factor(run.units.displacement);
+  for (const results::Trial& t : curve.points) {
+    plot.factors.push_back(t.factor);
+    plot.displacements.push_back(t.displacement);
   }
-  if (block.contains("bilinear") && block.at("bilinear").is_object()) {
-    const json& bilinear = block.at("bilinear");
-    plot.intersection = read_optional(bilinear, "factor");
-    plot.first = read_line(bilinear.at("first"));
-    plot.second = read_line(bilinear.at("second"));
+  if (curve.bilinear) {
+    plot.intersection = curve.bilinear->factor;
+    plot.first = curve.bilinear->first;
+    plot.second = curve.bilinear->second;
   }
-  for (const json& c : block.value("criteria", json::array()))
-    if (const std::optional<double> factor = read_optional(c, "factor"))  // a criterion may have found none
-      plot.criteria.push_back(
-          {c.at("name").get<std::string>(), *factor, read_optional(c, "lower"), read_optional(c, "upper")});
-  for (const json& r : block.value("references", json::array()))
-    plot.references.push_back({r.at("label").get<std::string>(), r.at("srf").get<std::vector<double>>(),
-                               r.at("displacement").get<std::vector<double>>()});
+  for (const results::Criterion& c : curve.criteria)
+    if (c.factor) plot.criteria.push_back({to_word(c.kind), *c.factor, c.lower, c.upper});
   return plot;
 }
 
@@ -157,7 +114,7 @@ std::vector<double> reduce(const output::Field& field, const std::string& compon
 }
 
 /// The unit in which a stored unit is shown.
-std::string choose_unit(const output::Field& field, const ShownUnits& units) {
+std::string choose_unit(const output::Field& field, const results::DisplayUnits& units) {
   if (field.unit == "Pa") return units.stress;
   if (field.unit == "m") return units.displacement;
   return field.unit;
@@ -168,7 +125,7 @@ fs::path choose_picture(const PlotOptions& options, const std::string& stem, boo
   return options.folder / (stem + "." + (!options.format.empty() ? options.format : large ? "png" : "svg"));
 }
 
-void draw_field(const PlotOptions& options, const json& summary, const ShownUnits& units) {
+void draw_field(const PlotOptions& options, const results::RunResult& run) {
   const output::ResultsReader reader(options.folder);
   std::string name = options.field, component;
   const auto& names = reader.field_names();
@@ -194,13 +151,13 @@ void draw_field(const PlotOptions& options, const json& summary, const ShownUnit
   plot.subtitle = fmt::format("t = {:.4g} s, {}", frame.time, frame.stage);
   plot.positions = frame.positions;
   plot.values = reduce(*field, component);
-  plot.unit = choose_unit(*field, units);
-  plot.length_unit = units.length;
-  plot.units_per_metre = 1 / units::get_si_factor(units.length);
+  plot.unit = choose_unit(*field, run.units);
+  plot.length_unit = run.units.length;
+  plot.units_per_metre = 1 / units::get_si_factor(run.units.length);
   if (plot.unit != field->unit)
     for (double& v : plot.values) v /= units::get_si_factor(plot.unit);
   if (shown == "magnitude") plot.signed_values = false;
-  plot.outlines = summary.value("outlines", std::vector<std::vector<std::array<double, 2>>>{});
+  plot.outlines = run.outlines;
   const std::string stem = fmt::format("{}{}{}_{:04d}", name, component.empty() ? "" : "_", component, index);
   const fs::path picture = choose_picture(options, stem, plot.values.size() > most_points_in_svg);
   output::draw(plot, picture);
@@ -220,33 +177,27 @@ void plot_folder(const PlotOptions& options) {
   if (!fs::is_directory(options.folder))
     fail(fmt::format("there is no folder and no case file '{}'", options.folder.string()));
   if (!options.sets.empty()) fail("--set changes a case; results stay as they are");
-  const json summary = read_summary(options.folder);
-  try {
-    const ShownUnits units = read_units(summary);
-    const bool has_curve = summary.contains("curve") && summary.at("curve").is_object();
-    const bool wants_field = !options.field.empty();
-    if (has_curve && !wants_field) {
-      output::CurvePlot plot = read_curve(summary, units);
-      plot.log_displacement = options.logarithmic;
-      const fs::path picture = choose_picture(options, "curve", false);
-      output::draw(plot, picture);
-      fmt::print("{}\n", picture.string());
-      if (!options.out.empty()) return;
-    }
-    const bool has_frames = fs::exists(options.folder / "results.vtkhdf") || fs::exists(options.folder / "frames");
-    if (wants_field || has_frames)
-      draw_field(options, summary, units);
-    else if (!has_curve)
-      fail(summary.contains("lem") || summary.contains("fem")
-               ? fmt::format(
-                     "'{}' holds slices and finite elements without material points: report.html shows them, and "
-                     "ParaView opens fem.vtu where there is one",
-                     options.folder.string())
-               : fmt::format("there is nothing to draw in '{}': neither frames nor a summary.json with a curve",
-                             options.folder.string()));
-  } catch (const json::exception& error) {
-    fail(fmt::format("cannot read '{}': {}", (options.folder / "summary.json").string(), error.what()));
+  const auto read = results::read_file<results::RunResult>(options.folder / "summary.json");
+  const results::RunResult run = read.value_or(results::RunResult{});  // a folder of a trial has none
+  const bool wants_field = !options.field.empty();
+  if (run.curve && !wants_field) {
+    output::CurvePlot plot = describe_curve(run, *run.curve);
+    plot.log_displacement = options.logarithmic;
+    const fs::path picture = choose_picture(options, "curve", false);
+    output::draw(plot, picture);
+    fmt::print("{}\n", picture.string());
+    if (!options.out.empty()) return;
   }
+  const bool has_frames = fs::exists(options.folder / "results.vtkhdf") || fs::exists(options.folder / "frames");
+  if (wants_field || has_frames)
+    draw_field(options, run);
+  else if (!run.curve)
+    fail(run.slices || run.elements
+             ? fmt::format("'{}' holds slices and finite elements without material points: report.html shows them, and "
+                           "ParaView opens fem.vtu where there is one",
+                           options.folder.string())
+             : fmt::format("there is nothing to draw in '{}': neither frames nor a summary.json with a curve",
+                           options.folder.string()));
 }
 
 }  // namespace

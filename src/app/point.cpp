@@ -25,10 +25,10 @@ void run_tests(PointCommand& command) {
       input::read_case(command.input.file, command.input.parse_overrides(), input::CaseScope::whole_or_tests);
   if (command.options.folder.empty())
     command.options.folder = std::filesystem::path(command.input.file).stem().string() + "_point";
-  const nlohmann::json summary = laboratory::run_point_tests(loaded, command.options);
+  const results::PointTests tests = laboratory::run_point_tests(loaded, command.options);
   if (!command.no_report) report::write_report(command.options.folder);
   if (command.quiet) return;
-  fmt::print("{}Tables and pictures are in {}{}\n", laboratory::write_point_digest(summary),
+  fmt::print("{}Tables and pictures are in {}{}\n", laboratory::write_point_digest(tests),
              (command.options.folder / "point").string(),
              command.no_report
                  ? ""

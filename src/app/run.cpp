@@ -10,8 +10,8 @@
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "run/digest.hpp"
 #include "run/run_case.hpp"
-#include "run/summary.hpp"
 
 namespace talus::app {
 namespace {
@@ -34,10 +34,10 @@ void run(const RunCommand& command) {
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;
-  nlohmann::json summary;
-  do_and_report(options.folder, !command.no_report, [&] { summary = run::run_case(loaded, options); });
+  results::RunResult result;
+  do_and_report(options.folder, !command.no_report, [&] { result = run::run_case(loaded, options); });
   if (command.quiet) return;
-  fmt::print("{}Results are in {}{}\n", run::write_digest(summary), options.folder.string(),
+  fmt::print("{}Results are in {}{}\n", run::write_digest(result), options.folder.string(),
              command.no_report ? "" : "; open report.html there in a browser");
 }
 

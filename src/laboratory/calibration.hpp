@@ -9,10 +9,11 @@
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
 #include "input/case/case.hpp"
+#include "results/laboratory.hpp"
 
 namespace talus::laboratory {
 
-enum class AtLimit { no, low, high };
+using results::AtLimit;
 
 struct FittedParameter {
   std::string key, unit;

@@ -11,8 +11,6 @@
 namespace talus::laboratory {
 namespace {
 
-using nlohmann::json;
-
 /// A quantity as people read it.
 struct Shown {
   std::string name, title, symbol, unit;
@@ -26,8 +24,8 @@ Shown show_quantity(const std::string& name, const std::string& stress_unit) {
   return {name, q.title, q.symbol, q.unit, 1};
 }
 
-json to_json(const Shown& q) {
-  return {{"name", q.name}, {"title", q.title + (q.symbol.empty() ? "" : " ") + q.symbol}, {"unit", q.unit}};
+results::ShownQuantity describe_quantity(const Shown& q) {
+  return {q.name, q.title + (q.symbol.empty() ? "" : " ") + q.symbol, q.unit};
 }
 
 /// Nine digits, which are more than any measurement has.
@@ -37,45 +35,37 @@ double round_off(double value) {
   return std::isfinite(power) ? std::round(value * power) / power : value;
 }
 
-json scale(const std::vector<double>& values, double factor) {
-  json list = json::array();
-  for (const double v : values) list.push_back(round_off(v / factor));
-  return list;
+std::vector<double> scale(std::vector<double> values, double factor) {
+  for (double& v : values) v = round_off(v / factor);
+  return values;
 }
 
-json scale(const std::vector<std::array<double, 2>>& line, const Shown& x, const Shown& y) {
-  json list = json::array();
-  for (const auto& [a, b] : line) list.push_back({round_off(a / x.factor), round_off(b / y.factor)});
-  return list;
+std::vector<results::Point> scale(std::vector<results::Point> line, const Shown& x, const Shown& y) {
+  for (auto& [a, b] : line) a = round_off(a / x.factor), b = round_off(b / y.factor);
+  return line;
 }
 
-json show_value(std::optional<double> value, double factor) {
-  return value ? json(*value / factor) : json();
-}
-
-const char* name_limit(AtLimit limit) {
-  return limit == AtLimit::low ? "low" : limit == AtLimit::high ? "high" : "no";
-}
-
-json describe_curve(const FittedCurve& c, const std::string& stress_unit) {
+results::CalibratedCurve describe_curve(const FittedCurve& c, const std::string& stress_unit) {
   const Shown x = show_quantity(c.x, stress_unit), y = show_quantity(c.y, stress_unit);
-  return {{"test", c.test},
-          {"x", to_json(x)},
-          {"y", to_json(y)},
-          {"at", scale(c.at, x.factor)},
-          {"measured", scale(c.measured, y.factor)},
-          {"before", scale(c.before, y.factor)},
-          {"fitted", scale(c.fitted, y.factor)},
-          {"line", scale(c.line, x, y)},
-          {"line_before", scale(c.line_before, x, y)},
-          {"deviation", c.deviation / y.factor},
-          {"weight", c.weight},
-          {"rms", c.rms / y.factor},
-          {"rms_before", c.rms_before / y.factor},
-          {"mean", c.mean / y.factor},
-          {"largest", c.largest / y.factor},
-          {"largest_at", c.largest_at / x.factor},
-          {"missing", c.missing}};
+  results::CalibratedCurve curve;
+  curve.test = c.test;
+  curve.x = describe_quantity(x);
+  curve.y = describe_quantity(y);
+  curve.at = scale(c.at, x.factor);
+  curve.measured = scale(c.measured, y.factor);
+  curve.before = scale(c.before, y.factor);
+  curve.fitted = scale(c.fitted, y.factor);
+  curve.line = scale(c.line, x, y);
+  curve.line_before = scale(c.line_before, x, y);
+  curve.deviation = c.deviation / y.factor;
+  curve.weight = c.weight;
+  curve.rms = c.rms / y.factor;
+  curve.rms_before = c.rms_before / y.factor;
+  curve.mean = c.mean / y.factor;
+  curve.largest = c.largest / y.factor;
+  curve.largest_at = c.largest_at / x.factor;
+  curve.missing = c.missing;
+  return curve;
 }
 
 /// A cell of text, with quotation marks where a comma would end it.
@@ -130,41 +120,28 @@ std::string write_curve_table(const CalibrationResult& result, const std::string
   return text;
 }
 
-json to_json(const CalibrationResult& result, const std::string& stress_unit) {
-  json parameters = json::array(), curves = json::array(), starts = json::array(), correlation = json::array();
+results::Calibration describe_calibration(const CalibrationResult& result, const std::string& stress_unit) {
+  results::Calibration told;
   for (const FittedParameter& p : result.parameters)
-    parameters.push_back({{"key", p.key},
-                          {"unit", p.unit},
-                          {"start", p.start / p.factor},
-                          {"value", p.value / p.factor},
-                          {"text", write_value(p)},
-                          {"low", p.low / p.factor},
-                          {"high", p.high / p.factor},
-                          {"error", show_value(p.error, p.factor)},
-                          {"limit", name_limit(p.limit)}});
-  for (const FittedCurve& c : result.curves) curves.push_back(describe_curve(c, stress_unit));
-  for (const auto& row : result.correlation) {
-    json& list = correlation.emplace_back(json::array());
-    for (const auto& c : row) list.push_back(show_value(c, 1));
-  }
-  const auto show_all = [&](const std::vector<double>& values) {
-    json list = json::array();
-    for (std::size_t i = 0; i < values.size(); ++i) list.push_back(values[i] / result.parameters[i].factor);
-    return list;
+    told.parameters.push_back({p.key, p.unit, p.start / p.factor, p.value / p.factor, write_value(p), p.low / p.factor,
+                               p.high / p.factor, p.error ? std::optional(*p.error / p.factor) : std::nullopt,
+                               p.limit});
+  for (const FittedCurve& c : result.curves) told.curves.push_back(describe_curve(c, stress_unit));
+  const auto show_all = [&](std::vector<double> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] /= result.parameters[i].factor;
+    return values;
   };
   for (const CalibrationStart& s : result.starts)
-    starts.push_back({{"from", show_all(s.from)},
-                      {"to", show_all(s.to)},
-                      {"misfit", s.misfit},
-                      {"misfit_before", s.misfit_before},
-                      {"converged", s.converged},
-                      {"iterations", s.iterations},
-                      {"message", s.message}});
-  return {{"parameters", parameters},   {"curves", curves},
-          {"correlation", correlation}, {"starts", starts},
-          {"best", result.best},        {"values", result.values},
-          {"scatter", result.scatter},  {"evaluations", result.evaluations},
-          {"tests", result.tests},      {"findings", result.findings}};
+    told.starts.push_back(
+        {show_all(s.from), show_all(s.to), s.misfit, s.misfit_before, s.converged, s.iterations, s.message});
+  told.correlation = result.correlation;
+  told.best = result.best;
+  told.values = result.values;
+  told.scatter = result.scatter;
+  told.evaluations = result.evaluations;
+  told.tests = result.tests;
+  told.findings = result.findings;
+  return told;
 }
 
 }  // namespace talus::laboratory

@@ -1,7 +1,6 @@
 #pragma once
 // What is kept of a calibration: tables, and what calibration.json says.
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "laboratory/calibration.hpp"
@@ -16,7 +15,7 @@ std::string write_parameter_table(const CalibrationResult& result);
 std::string write_correlation_table(const CalibrationResult& result);
 std::string write_curve_table(const CalibrationResult& result, const std::string& stress_unit);
 
-/// The whole result, in the same units.
-nlohmann::json to_json(const CalibrationResult& result, const std::string& stress_unit);
+/// The whole result, in the same units; without title, seed and seconds.
+results::Calibration describe_calibration(const CalibrationResult& result, const std::string& stress_unit);
 
 }  // namespace talus::laboratory

@@ -7,6 +7,8 @@ namespace {
 
 using input::PointTest;
 using input::PointTestKind;
+using results::PointGroup;
+using results::PointPanel;
 
 PointGroup describe_group(PointTestKind kind) {
   const PointPanel compression{"p", "void_ratio", true};
@@ -14,6 +16,7 @@ PointGroup describe_group(PointTestKind kind) {
     case PointTestKind::drained_triaxial:
       return {"drained_triaxial",
               "Drained triaxial tests",
+              "",
               {{"axial_strain", "q"}, {"axial_strain", "volumetric_strain"}, {"p", "q"}, compression},
               {},
               {},
@@ -21,6 +24,7 @@ PointGroup describe_group(PointTestKind kind) {
     case PointTestKind::undrained_triaxial:
       return {"undrained_triaxial",
               "Undrained triaxial tests",
+              "",
               {{"axial_strain", "q"}, {"axial_strain", "pore_pressure"}, {"p", "q"}, compression},
               {},
               {},
@@ -28,6 +32,7 @@ PointGroup describe_group(PointTestKind kind) {
     case PointTestKind::simple_shear:
       return {"simple_shear",
               "Simple shear tests",
+              "",
               {{"shear_strain", "shear_stress"},
                {"shear_strain", "volumetric_strain"},
                {"axial_stress", "shear_stress"},
@@ -38,6 +43,7 @@ PointGroup describe_group(PointTestKind kind) {
     case PointTestKind::wetting:
       return {"wetting",
               "Wetting tests",
+              "",
               {{"suction", "volumetric_strain"},
                {"suction", "preconsolidation"},
                {"saturation", "volumetric_strain"},
@@ -52,6 +58,7 @@ PointGroup describe_group(PointTestKind kind) {
   }
   return {"compression",
           "Compression tests",
+          "",
           {compression, {"axial_stress", "axial_strain", true}, {"p", "q"}, {"axial_strain", "q"}},
           {},
           {},

@@ -62,23 +62,23 @@ std::optional<double> find_point_result(const PointCurve& curve, const input::Po
   return std::nullopt;
 }
 
-nlohmann::json describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file) {
-  nlohmann::json end = nlohmann::json::object();
-  for (const input::PointQuantity& q : input::list_point_quantities())
-    end[q.name] = get_quantity(curve.rows.back(), q.name);
+results::PointTest describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file) {
   const PointRow& peak = find_peak(curve);
-  return {{"name", test.name},
-          {"material", test.material},
-          {"kind", name_kind(test)},
-          {"path", describe_path(test)},
-          {"set", describe_settings(test)},
-          {"file", file},
-          {"steps", curve.rows.size() - 1},
-          {"turns", curve.turns},
-          {"stopped", curve.stopped},
-          {"peak_q", peak.q},
-          {"peak_q_strain", test.kind == input::PointTestKind::simple_shear ? peak.shear_strain : peak.axial_strain},
-          {"end", end}};
+  results::PointTest told;
+  told.name = test.name;
+  told.material = test.material;
+  told.kind = name_kind(test);
+  told.path = describe_path(test);
+  told.set = describe_settings(test);
+  told.file = file;
+  told.steps = curve.rows.size() - 1;
+  told.turns = curve.turns;
+  told.stopped = curve.stopped;
+  told.peak_q = peak.q;
+  told.peak_q_strain = test.kind == input::PointTestKind::simple_shear ? peak.shear_strain : peak.axial_strain;
+  for (const input::PointQuantity& q : input::list_point_quantities())
+    told.end[q.name] = get_quantity(curve.rows.back(), q.name);
+  return told;
 }
 
 }  // namespace talus::laboratory

@@ -1,12 +1,12 @@
 #pragma once
 // What is kept of element tests: tables, and what point.json says of each.
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "input/case/result_names.hpp"
 #include "laboratory/point_test.hpp"
+#include "results/laboratory.hpp"
 
 namespace talus::laboratory {
 
@@ -22,6 +22,6 @@ std::optional<double> find_point_result(const PointCurve& curve, const input::Po
                                         const input::PointResultName& name);
 
 /// Name, path, peak and end of a test; `file` is its table.
-nlohmann::json describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file);
+results::PointTest describe_point_test(const input::PointTest& test, const PointCurve& curve, const std::string& file);
 
 }  // namespace talus::laboratory

@@ -9,13 +9,13 @@
 #include "base/error.hpp"
 #include "laboratory/calibration_results.hpp"
 #include "laboratory/run_point_tests.hpp"
+#include "results/json.hpp"
 
 namespace talus::laboratory {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
-json run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run) {
+results::Calibration run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run) {
   if (!loaded.data.calibration)
     throw Error(ExitCode::wrong_input,
                 fmt::format("there is nothing to calibrate in '{}': add [[calibration.parameter]] and "
@@ -40,47 +40,39 @@ json run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run)
   write_atomically(folder / "correlation.csv", write_correlation_table(result));
   write_atomically(folder / "curves.csv", write_curve_table(result, unit));
   write_atomically(folder / "solver.txt", result.log);
-  json summary = to_json(result, unit);
-  summary["format"] = 1;
-  summary["title"] = loaded.data.title;
-  summary["seed"] = loaded.data.calibration->seed;
-  summary["wall"] = wall;
-  write_atomically(folder / "calibration.json", summary.dump(1) + "\n");
-  return summary;
+  results::Calibration calibration = describe_calibration(result, unit);
+  calibration.title = loaded.data.title;
+  calibration.seed = static_cast<std::uint64_t>(loaded.data.calibration->seed);
+  calibration.wall = wall;
+  results::write_file(folder / "calibration.json", calibration, 1);
+  return calibration;
 }
 
-std::string write_calibration_digest(const json& summary) {
+std::string write_calibration_digest(const results::Calibration& calibration) {
   std::size_t width = 9;
-  for (const json& p : summary["parameters"]) width = std::max(width, p["key"].get<std::string>().size());
-  const auto show = [](const json& value) {
-    return value.is_null() ? std::string("-") : fmt::format("{:.4g}", value.get<double>());
-  };
+  for (const results::CalibratedParameter& p : calibration.parameters) width = std::max(width, p.key.size());
+  const auto show = [](double value) { return fmt::format("{:.4g}", value); };
   std::string text =
       fmt::format("{:<{}}  {:>10}  {:>10}  {:>10}  {}\n", "parameter", width, "start", "fitted", "std. error", "range");
-  for (const json& p : summary["parameters"]) {
-    const std::string limit = p["limit"], unit = p["unit"];
-    text += fmt::format("{:<{}}  {:>10}  {:>10}  {:>10}  {} to {}{}{}\n", p["key"].get<std::string>(), width,
-                        show(p["start"]), show(p["value"]), show(p["error"]), show(p["low"]), show(p["high"]),
-                        unit.empty() ? "" : " " + unit, limit == "no" ? "" : "  AT ITS LIMIT");
+  for (const results::CalibratedParameter& p : calibration.parameters)
+    text += fmt::format("{:<{}}  {:>10}  {:>10}  {:>10}  {} to {}{}{}\n", p.key, width, show(p.start), show(p.value),
+                        p.error ? show(*p.error) : "-", show(p.low), show(p.high), p.unit.empty() ? "" : " " + p.unit,
+                        p.limit == AtLimit::no ? "" : "  AT ITS LIMIT");
+  for (const results::CalibratedCurve& c : calibration.curves) {
+    const std::size_t points = c.at.size();
+    const std::string& unit = c.y.unit;
+    text += fmt::format("{}: {} at {} {}, differences {}{}{} (root mean square; before {})\n", c.test, c.y.title,
+                        points, points == 1 ? "point" : "points", show(c.rms), unit == "-" ? "" : " ",
+                        unit == "-" ? "" : unit, show(c.rms_before));
   }
-  for (const json& c : summary["curves"]) {
-    const std::size_t points = c["at"].size();
-    const std::string unit = c["y"]["unit"];
-    text +=
-        fmt::format("{}: {} at {} {}, differences {}{}{} (root mean square; before {})\n", c["test"].get<std::string>(),
-                    c["y"]["title"].get<std::string>(), points, points == 1 ? "point" : "points", show(c["rms"]),
-                    unit == "-" ? "" : " ", unit == "-" ? "" : unit, show(c["rms_before"]));
-  }
-  for (const json& sentence : summary["findings"]) text += "warning: " + sentence.get<std::string>() + "\n";
-  const json& starts = summary["starts"];
-  const auto converged =
-      std::count_if(starts.begin(), starts.end(), [](const json& s) { return s["converged"] == true; });
-  text +=
-      fmt::format("{} of {} searches converged; {} sets of parameters, {} tests, {:.1f} s\n", converged, starts.size(),
-                  summary["evaluations"].get<long>(), summary["tests"].get<long>(), summary["wall"].get<double>());
+  for (const std::string& sentence : calibration.findings) text += "warning: " + sentence + "\n";
+  const auto& starts = calibration.starts;
+  const auto converged = std::count_if(starts.begin(), starts.end(), [](const auto& s) { return s.converged; });
+  text += fmt::format("{} of {} searches converged; {} sets of parameters, {} tests, {:.1f} s\n", converged,
+                      starts.size(), calibration.evaluations, calibration.tests, calibration.wall);
   text += "Use them with:";
-  for (const json& p : summary["parameters"])
-    text += fmt::format(" --set {}={}", p["key"].get<std::string>(), p["text"].get<std::string>());
+  for (const results::CalibratedParameter& p : calibration.parameters)
+    text += fmt::format(" --set {}={}", p.key, p.text);
   return text + "\n";
 }
 

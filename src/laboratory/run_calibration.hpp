@@ -2,7 +2,6 @@
 // `talus calibrate`: the calibration of a case, and the files of its results.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -22,9 +21,9 @@ struct CalibrationRun {
 /// calibration.json last; before them folder/point with the element tests of the case with the fitted parameters.
 /// Returns what calibration.json holds. Throws Error (wrong_input) when the case has no calibration, what calibrate()
 /// throws, and Error (cannot_write).
-nlohmann::json run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run);
+results::Calibration run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run);
 
 /// A few lines for the person at the terminal.
-std::string write_calibration_digest(const nlohmann::json& summary);
+std::string write_calibration_digest(const results::Calibration& calibration);
 
 }  // namespace talus::laboratory

@@ -6,25 +6,27 @@
 #include <cctype>
 #include <chrono>
 #include <ctime>
+#include <map>
 #include <set>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "base/nearest.hpp"
 #include "base/units.hpp"
 #include "laboratory/point_groups.hpp"
 #include "laboratory/point_results.hpp"
 #include "output/plots/gnuplot.hpp"
 #include "output/plots/point_plot.hpp"
+#include "results/json.hpp"
+#include "run/head.hpp"
 #include "run/mpm/record/recorder.hpp"
 #include "run/named_results.hpp"
-#include "run/summary.hpp"
 
 namespace talus::laboratory {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 constexpr std::size_t most_drawn = 250;  ///< rows of a test in a picture
 
@@ -82,7 +84,7 @@ std::set<std::size_t> choose_drawn(const PointCurve& curve) {
   return chosen;
 }
 
-output::PointPlot make_plot(const PointGroup& group, const std::vector<Done>& tests, const std::string& title,
+output::PointPlot make_plot(const results::PointGroup& group, const std::vector<Done>& tests, const std::string& title,
                             const std::string& stress_unit) {
   output::PointPlot plot{title.empty() ? group.title : title + ": " + group.title, {}, {}};
   const double si = units::get_si_factor(stress_unit);
@@ -100,7 +102,7 @@ output::PointPlot make_plot(const PointGroup& group, const std::vector<Done>& te
                                                                                             ? stress_unit
                                                                                             : q.unit);
   };
-  for (const PointPanel& panel : group.panels) {
+  for (const results::PointPanel& panel : group.panels) {
     output::PointDiagram diagram{label(panel.x), label(panel.y), panel.log_x, {}, {}};
     for (const std::size_t i : group.tests)
       for (const auto& [name, list] : {std::pair{panel.x, &diagram.x}, std::pair{panel.y, &diagram.y}}) {
@@ -114,29 +116,22 @@ output::PointPlot make_plot(const PointGroup& group, const std::vector<Done>& te
   return plot;
 }
 
-json to_json(const PointGroup& group, const std::string& picture) {
-  json panels = json::array();
-  for (const PointPanel& p : group.panels) panels.push_back({{"x", p.x}, {"y", p.y}, {"log_x", p.log_x}});
-  return {{"id", group.id},       {"title", group.title},   {"picture", picture}, {"panels", panels},
-          {"tests", group.tests}, {"colour", group.colour}, {"dash", group.dash}};
-}
-
 /// Whatever the case compares with a published value.
-json find_results(const input::LoadedCase& loaded, const std::vector<Done>& tests) {
-  json results = json::object();
+std::map<std::string, double> find_results(const input::LoadedCase& loaded, const std::vector<Done>& tests) {
+  std::map<std::string, double> found;
   for (const input::Compare& compare : loaded.data.compare) {
     const auto name = input::find_point_result_name(compare.name);
     if (!name) continue;
     for (const Done& done : tests)
       if (done.test.name == name->test)
-        if (const auto value = find_point_result(done.curve, done.test, *name)) results[compare.name] = *value;
+        if (const auto value = find_point_result(done.curve, done.test, *name)) found[compare.name] = *value;
   }
-  return results;
+  return found;
 }
 
 }  // namespace
 
-json run_point_tests(const input::LoadedCase& loaded, const PointOptions& options) {
+results::PointTests run_point_tests(const input::LoadedCase& loaded, const PointOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu = std::clock();
   const std::vector<std::size_t> chosen = choose_tests(loaded, options.names);
@@ -144,73 +139,59 @@ json run_point_tests(const input::LoadedCase& loaded, const PointOptions& option
   for (const std::size_t i : chosen)
     tests.push_back({loaded.data.tests[i], run_point_test(loaded.data.test_soils[i], loaded.data.tests[i])});
   const fs::path folder = options.folder / "point";
-  const std::string& stress_unit = loaded.data.output.stress_unit;
+  const input::Output& shown_as = loaded.data.output;
   make_folder(folder);
-  json list = json::array(), warnings = json::array(), groups = json::array();
+  results::PointTests result;
+  result.title = loaded.data.title;
+  result.units = {shown_as.length_unit, shown_as.displacement_unit, shown_as.stress_unit};
   std::set<std::string> files;
   std::vector<input::PointTest> shown;
   for (const Done& done : tests) {
     const std::string file = name_file(done.test.name, files);
-    write_atomically(folder / file, write_point_table(done.curve, stress_unit));
-    list.push_back(describe_point_test(done.test, done.curve, file));
+    write_atomically(folder / file, write_point_table(done.curve, shown_as.stress_unit));
+    result.tests.push_back(describe_point_test(done.test, done.curve, file));
     if (!done.curve.stopped.empty())
-      warnings.push_back(fmt::format("Test '{}' ended early: {}.", done.test.name, done.curve.stopped));
+      result.warnings.push_back(fmt::format("Test '{}' ended early: {}.", done.test.name, done.curve.stopped));
     shown.push_back(done.test);
   }
-  for (const PointGroup& group : group_tests(shown)) {
-    const std::string picture = group.id + "." + options.pictures;
-    output::draw(make_plot(group, tests, loaded.data.title, stress_unit), folder / picture);
-    groups.push_back(to_json(group, picture));
+  result.groups = group_tests(shown);
+  for (results::PointGroup& group : result.groups) {
+    group.picture = group.id + "." + options.pictures;
+    output::draw(make_plot(group, tests, loaded.data.title, shown_as.stress_unit), folder / group.picture);
   }
-  json summary{{"format", 1},
-               {"title", loaded.data.title},
-               {"project", run::describe_project(loaded.data)},
-               {"input", loaded.echo.get()},
-               {"provenance", run::describe_provenance(loaded, run::hash_text(loaded.echo.write()), 1)},
-               {"units",
-                {{"length", loaded.data.output.length_unit},
-                 {"displacement", loaded.data.output.displacement_unit},
-                 {"stress", stress_unit}}},
-               {"tests", list},
-               {"groups", groups},
-               {"point_results", find_results(loaded, tests)},
-               {"warnings", warnings}};
-  summary["comparisons"] = run::compare_results(loaded.data, summary);
-  summary["timing"] = {{"wall", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
-                       {"cpu", static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC}};
-  write_atomically(folder / "point.json", summary.dump(1) + "\n");
-  return summary;
+  result.project = run::tell_project(loaded.data);
+  result.input = loaded.echo;
+  result.provenance = run::tell_provenance(loaded, hash_text(loaded.echo.write()), 1);
+  result.point_results = find_results(loaded, tests);
+  result.comparisons = run::compare_results(loaded.data, result);
+  result.timing.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.timing.cpu = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+  results::write_file(folder / "point.json", result, 1);
+  return result;
 }
 
-std::string write_point_digest(const json& summary) {
-  const std::string unit = summary["units"]["stress"];
+std::string write_point_digest(const results::PointTests& tests) {
+  const std::string& unit = tests.units.stress;
   const double si = units::get_si_factor(unit);
   std::size_t width = 4;
-  for (const json& test : summary["tests"]) width = std::max(width, test["name"].get<std::string>().size());
+  for (const results::PointTest& test : tests.tests) width = std::max(width, test.name.size());
   std::string text = fmt::format("{:<{}}  {:>12}  {:>9}  {:>12}  {:>9}  {:>8}\n", "test", width, "peak q " + unit,
                                  "at strain", "end q " + unit, "ε_v", "e");
-  for (const json& test : summary["tests"]) {
-    const json& end = test["end"];
-    text += fmt::format("{:<{}}  {:>12.4g}  {:>7.3g} %  {:>12.4g}  {:>7.3g} %  {:>8.4f}\n",
-                        test["name"].get<std::string>(), width, test["peak_q"].get<double>() / si,
-                        100 * test["peak_q_strain"].get<double>(), end["q"].get<double>() / si,
-                        100 * end["volumetric_strain"].get<double>(), end["void_ratio"].get<double>());
-  }
-  for (const json& warning : summary["warnings"]) text += "warning: " + warning.get<std::string>() + "\n";
+  for (const results::PointTest& test : tests.tests)
+    text += fmt::format("{:<{}}  {:>12.4g}  {:>7.3g} %  {:>12.4g}  {:>7.3g} %  {:>8.4f}\n", test.name, width,
+                        test.peak_q / si, 100 * test.peak_q_strain, test.end.at("q") / si,
+                        100 * test.end.at("volumetric_strain"), test.end.at("void_ratio"));
+  for (const std::string& warning : tests.warnings) text += "warning: " + warning + "\n";
   std::size_t agree = 0;
-  for (const json& c : summary["comparisons"]) {
-    const double shown = c["unit"]["si"];
-    agree += c["passes"].get<bool>() ? 1 : 0;
-    if (c["passes"].get<bool>()) continue;
-    text +=
-        fmt::format("differs: {} is {}, published {:.4g} {}, tolerance {}\n", c["name"].get<std::string>(),
-                    c["computed"].is_null() ? "not known" : fmt::format("{:.4g}", c["computed"].get<double>() / shown),
-                    c["published"].get<double>() / shown, c["unit"]["name"].get<std::string>(),
-                    c["tolerance_text"].get<std::string>());
+  for (const results::Comparison& c : tests.comparisons) {
+    agree += c.passes ? 1 : 0;
+    if (c.passes) continue;
+    text += fmt::format("differs: {} is {}, published {:.4g} {}, tolerance {}\n", c.name,
+                        c.computed ? fmt::format("{:.4g}", *c.computed / c.unit.si) : "not known",
+                        c.published / c.unit.si, c.unit.name, c.tolerance_text);
   }
-  if (!summary["comparisons"].empty())
-    text +=
-        fmt::format("{} of {} compared values agree within their tolerances\n", agree, summary["comparisons"].size());
+  if (!tests.comparisons.empty())
+    text += fmt::format("{} of {} compared values agree within their tolerances\n", agree, tests.comparisons.size());
   return text;
 }
 

@@ -2,12 +2,12 @@
 // `talus point`: the element tests of a case, and the files of their results.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "input/read.hpp"
 #include "laboratory/point_test.hpp"
+#include "results/laboratory.hpp"
 
 namespace talus::laboratory {
 
@@ -20,9 +20,9 @@ struct PointOptions {
 /// Runs the tests and writes into folder/point: a table NAME.csv of each, a picture of each group, and point.json last.
 /// Returns what point.json holds. Throws Error (wrong_input) when the case has no such tests, what run_point_test()
 /// throws, and Error (cannot_write).
-nlohmann::json run_point_tests(const input::LoadedCase& loaded, const PointOptions& options);
+results::PointTests run_point_tests(const input::LoadedCase& loaded, const PointOptions& options);
 
 /// A few lines for the person at the terminal.
-std::string write_point_digest(const nlohmann::json& summary);
+std::string write_point_digest(const results::PointTests& tests);
 
 }  // namespace talus::laboratory

@@ -45,8 +45,8 @@ std::optional<T> find_file(const std::filesystem::path& path) {
 }
 
 template <class T>
-void write_file(const std::filesystem::path& path, const T& result, int indent) {
-  write_atomically(path, to_json(result).dump(indent) + "\n");
+void write_file(const std::filesystem::path& path, const T& result, int indent, const std::string& safe) {
+  write_atomically(path, to_json(result).dump(indent) + "\n", safe);
 }
 
 #define TALUS_JSON(T)                                                   \
@@ -54,7 +54,7 @@ void write_file(const std::filesystem::path& path, const T& result, int indent) 
   template T from_json<T>(const nlohmann::json&, const std::string&);   \
   template std::optional<T> read_file<T>(const std::filesystem::path&); \
   template std::optional<T> find_file<T>(const std::filesystem::path&); \
-  template void write_file<T>(const std::filesystem::path&, const T&, int);
+  template void write_file<T>(const std::filesystem::path&, const T&, int, const std::string&);
 TALUS_JSON(RunResult)
 TALUS_JSON(SliceFile)
 TALUS_JSON(ElementFile)

@@ -25,8 +25,9 @@ std::optional<T> read_file(const std::filesystem::path& path);
 template <class T>
 std::optional<T> find_file(const std::filesystem::path& path);
 
-/// With `indent` spaces a level; -1: on one line. Throws Error (cannot_write).
+/// With `indent` spaces a level; -1: on one line. Throws Error (cannot_write), which says with `safe` what is not
+/// harmed.
 template <class T>
-void write_file(const std::filesystem::path& path, const T& result, int indent = 2);
+void write_file(const std::filesystem::path& path, const T& result, int indent = 2, const std::string& safe = "");
 
 }  // namespace talus::results

@@ -24,18 +24,13 @@ struct Extrapolation {
 /// Sizes must be positive and differ; two or more. Throws Error (wrong_input) otherwise.
 Extrapolation extrapolate(std::vector<double> sizes, std::vector<double> factors);
 
-/// The factors of one criterion over the extrapolated key, all other varied keys the same.
-struct ExtrapolatedFactor {
-  std::string criterion;  ///< title of the column, "FoS, frozen"
-  std::string variant;    ///< values of the other keys, "smoothing = stable"; empty when there are none
-  Extrapolation fit;
-};
+/// Every factor of a study that was calculated at two values or more of the key, all other varied keys the same.
+/// Nothing when the study extrapolates none.
+std::optional<results::StudyExtrapolation> extrapolate_factors(const StudyPlan& plan,
+                                                               const std::vector<StudyRow>& rows);
 
-/// Every factor of a study that was calculated at two sizes or more; empty when the study extrapolates nothing.
-std::vector<ExtrapolatedFactor> extrapolate_factors(const StudyPlan& plan, const std::vector<StudyRow>& rows);
-
-/// As a table in Markdown, and for study.json.
-std::string write_extrapolation_markdown(const StudyPlan& plan, const std::vector<ExtrapolatedFactor>& factors);
-nlohmann::json describe_extrapolation(const StudyPlan& plan, const std::vector<ExtrapolatedFactor>& factors);
+/// As a table in Markdown; empty without factors.
+std::string write_extrapolation_markdown(const StudyPlan& plan,
+                                         const std::optional<results::StudyExtrapolation>& extrapolation);
 
 }  // namespace talus::study

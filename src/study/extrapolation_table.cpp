@@ -12,9 +12,6 @@
 namespace talus::study {
 namespace {
 
-/// The columns that hold factors of safety are those whose titles begin so.
-constexpr std::string_view factor_title = "FoS";
-
 std::optional<std::size_t> find_key(const StudyPlan& plan) {
   for (std::size_t k = 0; k < plan.keys.size(); ++k)
     if (plan.keys[k].path == plan.extrapolate) return k;
@@ -38,12 +35,13 @@ std::string write_number(const std::optional<double>& value) {
 
 }  // namespace
 
-std::vector<ExtrapolatedFactor> extrapolate_factors(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
+std::optional<results::StudyExtrapolation> extrapolate_factors(const StudyPlan& plan,
+                                                               const std::vector<StudyRow>& rows) {
   const auto key = find_key(plan);
-  if (!key) return {};
-  std::vector<ExtrapolatedFactor> found;
-  for (const StudyColumn& column : make_study_table(plan, rows)) {
-    if (!column.title.starts_with(factor_title)) continue;
+  if (!key) return std::nullopt;
+  results::StudyExtrapolation found{plan.extrapolate, plan.keys[*key].unit, {}};
+  for (const results::StudyColumn& column : make_study_table(plan, rows)) {
+    if (!column.is_factor) continue;
     std::vector<std::string> order;  // groups as they come
     std::map<std::string, std::map<double, double>> groups;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -63,15 +61,19 @@ std::vector<ExtrapolatedFactor> extrapolate_factors(const StudyPlan& plan, const
       }
       // A factor that does not know the key, such as that of slices over the element size, has nothing to extrapolate.
       const auto [low, high] = std::minmax_element(factors.begin(), factors.end());
-      if (*low < *high) found.push_back({column.title, name, extrapolate(sizes, factors)});
+      if (!(*low < *high)) continue;
+      const Extrapolation e = extrapolate(sizes, factors);
+      found.factors.push_back(
+          {column.title, name, e.sizes, e.factors, e.linear, e.standard_error, e.finest_pair, e.order, e.by_order});
     }
   }
   return found;
 }
 
-std::string write_extrapolation_markdown(const StudyPlan& plan, const std::vector<ExtrapolatedFactor>& factors) {
+std::string write_extrapolation_markdown(const StudyPlan& plan,
+                                         const std::optional<results::StudyExtrapolation>& extrapolation) {
   const auto key = find_key(plan);
-  if (!key || factors.empty()) return "";
+  if (!key || !extrapolation || extrapolation->factors.empty()) return "";
   const StudyKey& size = plan.keys[*key];
   const std::string unit = size.unit.empty() ? "" : " " + size.unit;
   std::string text = fmt::format("\n## Extrapolated to {} = 0\n\n", size.name);
@@ -79,34 +81,15 @@ std::string write_extrapolation_markdown(const StudyPlan& plan, const std::vecto
       "| factor | variant | from sizes | coarsest | finest | line through all | ± | line through the finest two | "
       "order p "
       "| with p |\n|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
-  for (const ExtrapolatedFactor& f : factors) {
-    const Extrapolation& e = f.fit;
+  for (const results::ExtrapolatedFactor& e : extrapolation->factors)
     text += fmt::format("| {} | {} | {:g}–{:g}{} ({}) | {:.3f} | {:.3f} | {:.3f} | {} | {:.3f} | {} | {} |\n",
-                        f.criterion, f.variant.empty() ? "–" : f.variant, e.sizes.front(), e.sizes.back(), unit,
+                        e.criterion, e.variant.empty() ? "–" : e.variant, e.sizes.front(), e.sizes.back(), unit,
                         e.sizes.size(), e.factors.front(), e.factors.back(), e.linear, write_number(e.standard_error),
                         e.finest_pair, e.order ? fmt::format("{:.2f}", *e.order) : "–", write_number(e.by_order));
-  }
   text +=
       "\n±: standard error from the scatter of the meshes about the line. The order p is the exponent of h that fits "
       "best, where there are four sizes and it lies within 1/2 and 4.\n";
   return text;
-}
-
-nlohmann::json describe_extrapolation(const StudyPlan& plan, const std::vector<ExtrapolatedFactor>& factors) {
-  nlohmann::json list = nlohmann::json::array();
-  const auto number = [](const std::optional<double>& v) { return v ? nlohmann::json(*v) : nlohmann::json(); };
-  for (const ExtrapolatedFactor& f : factors)
-    list.push_back({{"criterion", f.criterion},
-                    {"variant", f.variant},
-                    {"sizes", f.fit.sizes},
-                    {"factors", f.fit.factors},
-                    {"linear", f.fit.linear},
-                    {"standard_error", number(f.fit.standard_error)},
-                    {"finest_pair", f.fit.finest_pair},
-                    {"order", number(f.fit.order)},
-                    {"by_order", number(f.fit.by_order)}});
-  const auto key = find_key(plan);
-  return {{"key", plan.extrapolate}, {"unit", key ? plan.keys[*key].unit : ""}, {"factors", list}};
 }
 
 }  // namespace talus::study

@@ -1,22 +1,22 @@
 #include "study/sampling.hpp"
+#include "input/echo.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "results/json.hpp"
+#include "run/head.hpp"
 #include "run/run_case.hpp"
-#include "run/summary.hpp"
 #include "study/sampling_table.hpp"
 
 namespace talus::study {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// A Latin hypercube is made of so many that are drawn for themselves, where the samples are enough for it: their
 /// scatter tells the standard error.
@@ -67,34 +67,26 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
   SampleSet set = draw_samples(base);
   check_folder(options);
   SamplingResult result;
-  json study = {{"format", 1},
-                {"title", base.data.title},
-                {"case_file", base.file},
-                {"reference", ""},
-                {"vary", json::array()},
-                {"columns", json::array()},
-                {"variants", json::array()},
-                {"notes", json::array()},
-                {"units",
-                 {{"displacement", base.data.output.displacement_unit},
-                  {"length", base.data.output.length_unit},
-                  {"stress", base.data.output.stress_unit}}},
-                {"project", run::describe_project(base.data)},
-                {"provenance", run::describe_provenance(base, run::hash_input(base.echo.get()), options.threads)},
-                {"input", base.echo.get()}};
+  results::StudyResult& study = result.study;
   if (set.method == input::SampledMethod::lem) {
+    const input::Output& output = base.data.output;
+    study.title = base.data.title;
+    study.case_file = base.file;
+    study.units = {output.displacement_unit, output.length_unit, output.stress_unit};
+    study.project = run::tell_project(base.data);
+    study.provenance = run::tell_provenance(base, input::hash_input(base.echo), options.threads);
+    study.input = base.echo;
     calculate_slices(base, overrides, options, set);
   } else {
     study = calculate_runs(base, overrides, options, set, result.failure);
   }
-  study["mode"] = "sample";
-  study["sampling"] = describe_sampling(base.data.study.sampling, set);
+  study.mode = "sample";
+  study.sampling = describe_sampling(base.data.study.sampling, set);
   make_folder(options.folder);
   write_atomically(options.folder / "samples.csv", write_samples(set));
-  write_atomically(options.folder / "study.json", study.dump(2) + "\n");
-  result.markdown = write_sampling_markdown(base.data.title, study["sampling"]);
+  results::write_file(options.folder / "study.json", study);
+  result.markdown = write_sampling_markdown(base.data.title, *study.sampling);
   write_atomically(options.folder / "study.md", result.markdown);
-  result.study = std::move(study);
   return result;
 }
 

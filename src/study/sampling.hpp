@@ -2,7 +2,6 @@
 // `talus study` with mode = "sample": uncertain numbers are drawn, every sample is calculated, and what follows is
 // told.
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,12 +12,6 @@
 #include "study/study.hpp"
 
 namespace talus::study {
-
-/// Quick factors against searches of their own.
-struct SurfaceCheck {
-  int samples = 0;
-  double largest = 0, mean = 0;  ///< by how much the quick factor lies above that of the search, relative
-};
 
 /// All samples, what each gave, and what is said about them.
 struct SampleSet {
@@ -34,7 +27,7 @@ struct SampleSet {
   std::optional<FirstOrder> first_order;
   std::optional<DesignPoint> design_point;
   int surfaces = 0;  ///< that every sample was evaluated on; 0: each sample was searched
-  std::optional<SurfaceCheck> check;
+  std::optional<results::SurfaceCheck> check;
   double seconds = 0;
   std::vector<std::string> notes;
 
@@ -52,14 +45,14 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
 
 /// Calculates them by runs of the case, each in its folder, as a study of any other kind. Returns the study's own
 /// table.
-nlohmann::json calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
-                              const StudyOptions& options, SampleSet& set, std::optional<Error>& failure);
+results::StudyResult calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                                    const StudyOptions& options, SampleSet& set, std::optional<Error>& failure);
 
 /// What `talus study` does: draws, calculates, writes study.json, study.md and samples.csv into the folder. Errors as
 /// run_study; `failure` is that of samples that did not finish.
 struct SamplingResult {
   std::string markdown;
-  nlohmann::json study;
+  results::StudyResult study;
   std::optional<Error> failure;
 };
 SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<input::Override>& overrides,

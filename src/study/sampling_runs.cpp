@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "input/echo.hpp"
 #include "run/named_results.hpp"
 #include "run/run_case.hpp"
 #include "study/key_paths.hpp"
@@ -15,8 +16,6 @@
 
 namespace talus::study {
 namespace {
-
-using nlohmann::json;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -44,7 +43,7 @@ StudyPlan plan_samples(const input::LoadedCase& base, std::vector<input::Overrid
           fmt::format("{} is no possible case: {}; cut or correlate the distributions so that it cannot come up", label,
                       error.diagnostics().front().sentence));
     }
-    variant.input_hash = run::hash_input(variant.loaded.echo.get());
+    variant.input_hash = input::hash_input(variant.loaded.echo);
     plan.variants.push_back(std::move(variant));
   };
   add("means", "at the means", set.sampled.list_means());
@@ -57,7 +56,7 @@ StudyPlan plan_samples(const input::LoadedCase& base, std::vector<input::Overrid
 std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::string>& names) {
   for (const std::string& name : names)
     for (const StudyRow& row : rows)
-      if (row.summary.is_object() && run::find_result(row.summary, name)) return name;
+      if (row.result && run::find_result(*row.result, name)) return name;
   return "";
 }
 
@@ -65,16 +64,16 @@ std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::
 std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& name) {
   std::vector<double> values;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const bool ended = rows[i].status == "finished" && rows[i].summary.is_object();
-    values.push_back(ended ? run::find_result(rows[i].summary, name).value_or(none) : none);
+    const bool ended = rows[i].status == results::VariantStatus::finished && rows[i].result;
+    values.push_back(ended ? run::find_result(*rows[i].result, name).value_or(none) : none);
   }
   return values;
 }
 
 }  // namespace
 
-json calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
-                    const StudyOptions& options, SampleSet& set, std::optional<Error>& failure) {
+results::StudyResult calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                                    const StudyOptions& options, SampleSet& set, std::optional<Error>& failure) {
   const auto start = std::chrono::steady_clock::now();
   const StudyPlan plan = plan_samples(base, overrides, set);
   const std::vector<StudyRow> rows = run_study(plan, options);

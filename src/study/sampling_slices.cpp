@@ -63,7 +63,7 @@ class SliceSampling {
         if (!is_interrupted()) searched[at] = slices_.search(set_.get_sample(chosen[at]));
       });
       if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted while samples were searched");
-      SurfaceCheck check;
+      results::SurfaceCheck check;
       std::vector<lem::Surface> better;
       double sum = 0;
       for (std::size_t k = 0; k < chosen.size(); ++k) {

@@ -11,80 +11,76 @@
 namespace talus::study {
 namespace {
 
-using nlohmann::json;
-
 std::string show_probability(double p) {
   return p == 0 ? "0" : p < 1e-3 ? fmt::format("{:.2e}", p) : fmt::format("{:.4g}", p);
 }
 
-std::string show_index(const json& index) {
-  return index.is_number() ? fmt::format("{:.3f}", index.get<double>()) : "–";
+std::string show_index(const std::optional<double>& index) {
+  return index ? fmt::format("{:.3f}", *index) : "–";
+}
+
+std::string show_rank(const std::optional<std::vector<results::RankCorrelation>>& ranks, const std::string& key) {
+  if (ranks)
+    for (const results::RankCorrelation& r : *ranks)
+      if (r.key == key && r.coefficient) return fmt::format("{:.3f}", *r.coefficient);
+  return "–";
 }
 
 }  // namespace
 
-std::string write_sampling_markdown(const std::string& title, const json& b) {
-  std::string text = fmt::format(
-      "# {}\n\n{} samples ({}, seed {}), {}: {:.1f} s.\n\n| number | distribution |\n|---|---|\n",
-      title.empty() ? "Study" : title, b["samples"].get<int>(), b["plan"] == "random" ? "random" : "Latin hypercube",
-      b["seed"].get<std::uint64_t>(), b["method_title"].get<std::string>(), b["seconds"].get<double>());
-  for (const json& n : b["numbers"])
-    text += fmt::format("| {} | {} |\n", n["key"].get<std::string>(), n["text"].get<std::string>());
-  for (const json& c : b["correlations"])
-    text += fmt::format("\nCorrelation of {} and {}: {:g} asked, {:.3f} sampled.\n", c["keys"][0].get<std::string>(),
-                        c["keys"][1].get<std::string>(), c["asked"].get<double>(), c["sampled"].get<double>());
-  if (const json& f = b["factor"]; f.is_object()) {
-    const json& p = b["failure"];
+std::string write_sampling_markdown(const std::string& title, const results::Sampling& sampling) {
+  std::string text =
+      fmt::format("# {}\n\n{} samples ({}, seed {}), {}: {:.1f} s.\n\n| number | distribution |\n|---|---|\n",
+                  title.empty() ? "Study" : title, sampling.samples,
+                  sampling.plan == results::SampleDraw::random ? "random" : "Latin hypercube", sampling.seed,
+                  sampling.method_title, sampling.seconds);
+  for (const results::UncertainNumber& n : sampling.numbers) text += fmt::format("| {} | {} |\n", n.key, n.text);
+  for (const results::SampledCorrelation& c : sampling.correlations)
+    text += fmt::format("\nCorrelation of {} and {}: {:g} asked, {:.3f} sampled.\n", c.keys[0], c.keys[1], c.asked,
+                        c.sampled);
+  if (const auto& f = sampling.factor; f && sampling.failure) {
+    const results::FailureProbability& p = *sampling.failure;
     text += fmt::format(
         "\nFactor of safety: mean {:.3f}, deviation {:.3f}, skewness {:.2f}, {:.3f} to {:.3f}.\n\n"
         "Probability of failure P(F < 1) = {} ({} of {} samples), between {} and {} with {:g} % "
         "confidence; reliability index β = {}.\n",
-        f["mean"].get<double>(), f["deviation"].get<double>(), f["skewness"].get<double>(), f["smallest"].get<double>(),
-        f["largest"].get<double>(), show_probability(p["probability"]), p["count"].get<long>(),
-        p["samples"].get<long>(), show_probability(p["lower"]), show_probability(p["upper"]),
-        100 * p["confidence"].get<double>(), show_index(p["index"]));
+        f->mean, f->deviation, f->skewness, f->smallest, f->largest, show_probability(p.share.probability),
+        p.share.count, p.share.samples, show_probability(p.share.lower), show_probability(p.share.upper),
+        100 * p.confidence, show_index(p.index));
   }
-  if (const json& f = b["first_order"]; f.is_object())
+  if (const auto& f = sampling.first_order)
     text += fmt::format(
         "\nFirst order at the means: F = {:.3f}, deviation {:.4f}, β = {:.3f} (normal), {:.3f} "
         "(lognormal).\n",
-        f["mean_factor"].get<double>(), f["deviation"].get<double>(), f["index_normal"].get<double>(),
-        f["index_lognormal"].get<double>());
-  if (const json& d = b["design_point"]; d.is_object()) {
-    text += fmt::format("\nMost probable failure (Hasofer and Lind): β = {:.3f}, probability {}, at",
-                        d["index"].get<double>(), show_probability(d["probability"]));
-    for (const json& v : d["values"])
-      text += fmt::format("{} {} = {:.4g}{}", &v == &d["values"][0] ? "" : ",", v["name"].get<std::string>(),
-                          v["value"].get<double>(), v["unit"] == "" ? "" : " " + v["unit"].get<std::string>());
+        f->mean_factor, f->deviation, f->index_normal, f->index_lognormal);
+  if (const auto& d = sampling.design_point) {
+    text += fmt::format("\nMost probable failure (Hasofer and Lind): β = {:.3f}, probability {}, at", d->index,
+                        show_probability(d->probability));
+    for (const results::DesignPointValue& v : d->values)
+      text += fmt::format("{} {} = {:.4g}{}", &v == d->values.data() ? "" : ",", v.name, v.value,
+                          v.unit.empty() ? "" : " " + v.unit);
     text += ".\n";
   }
-  if (const json& t = b["tornado"]; t.is_array()) {
+  if (sampling.tornado) {
     text +=
         "\n| number | at one deviation less | F | at one deviation more | F | rank correlation |\n"
         "|---|--:|--:|--:|--:|--:|\n";
-    for (const json& bar : t) {
-      std::string rank = "–";
-      for (const json& r : b["ranks"])
-        if (r["key"] == bar["key"] && r["coefficient"].is_number())
-          rank = fmt::format("{:.3f}", r["coefficient"].get<double>());
-      text += fmt::format("| {} | {:.4g} {} | {:.3f} | {:.4g} {} | {:.3f} | {} |\n", bar["name"].get<std::string>(),
-                          bar["low_value"].get<double>(), bar["unit"].get<std::string>(),
-                          bar["low_factor"].get<double>(), bar["high_value"].get<double>(),
-                          bar["unit"].get<std::string>(), bar["high_factor"].get<double>(), rank);
-    }
+    for (const results::TornadoBar& bar : *sampling.tornado)
+      text +=
+          fmt::format("| {} | {:.4g} {} | {:.3f} | {:.4g} {} | {:.3f} | {} |\n", bar.name, bar.low_value, bar.unit,
+                      bar.low_factor, bar.high_value, bar.unit, bar.high_factor, show_rank(sampling.ranks, bar.key));
   }
-  if (const json& r = b["runout"]; r.is_object()) {
+  if (const auto& r = sampling.runout) {
     text += fmt::format(
         "\nRunout beyond the toe: mean {:.3g} m, deviation {:.3g} m, {:.3g} to {:.3g} m.\n\n"
         "| farther than | probability | from | to |\n|--:|--:|--:|--:|\n",
-        r["mean"].get<double>(), r["deviation"].get<double>(), r["smallest"].get<double>(), r["largest"].get<double>());
-    for (const json& e : r["exceedance"])
-      text +=
-          fmt::format("| {:.3g} m | {} | {} | {} |\n", e["distance"].get<double>(), show_probability(e["probability"]),
-                      show_probability(e["lower"]), show_probability(e["upper"]));
+        r->values.mean, r->values.deviation, r->values.smallest, r->values.largest);
+    for (const results::Exceedance& e : r->exceedance)
+      text += fmt::format("| {:.3g} m | {} | {} | {} |\n", e.distance, show_probability(e.share.probability),
+                          show_probability(e.share.lower), show_probability(e.share.upper));
   }
   std::string notes;
-  for (const json& note : b["notes"]) notes += "- " + note.get<std::string>() + "\n";
+  for (const std::string& note : sampling.notes) notes += "- " + note + "\n";
   return text + (notes.empty() ? "" : "\n" + notes);
 }
 

@@ -8,7 +8,6 @@
 
 #include "base/units.hpp"
 #include "run/lem/section_of_case.hpp"
-#include "study/key_paths.hpp"
 
 namespace talus::study {
 namespace {
@@ -20,7 +19,7 @@ const std::set<std::string> weights{"unit_weight", "saturated_unit_weight", "gra
 
 /// "cohesion" of "materials.clay.cohesion", and "clay"; empty for another key.
 std::pair<std::string, std::string> split_material_key(const std::string& key) {
-  const std::vector<std::string> parts = split_path(key);
+  const std::vector<std::string> parts = input::split_path(key);
   if (parts.size() < 3 || parts[0] != "materials") return {};
   return {parts[1], key.substr(parts[0].size() + parts[1].size() + 2)};
 }

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <mutex>
 
 #include "base/atomic_file.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "results/json.hpp"
 #include "run/run_case.hpp"
 #include "study/study_table.hpp"
 
@@ -17,17 +17,13 @@ namespace talus::study {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+using results::VariantStatus;
 
-json load_summary(const fs::path& folder) {
-  std::ifstream file(folder / "summary.json");
-  if (!file) return nullptr;
-  json summary = json::parse(file, nullptr, false);
-  return summary.is_discarded() ? json(nullptr) : summary;
-}
-
-std::string get_hash(const json& summary) {
-  return summary.value("provenance", json::object()).value("input_hash", "");
+/// What the folder of a variant tells; nothing where a file is damaged.
+std::optional<results::RunResult> load_result(const fs::path& folder) try {
+  return results::read_file<results::RunResult>(folder / "summary.json");
+} catch (const Error&) {
+  return std::nullopt;
 }
 
 void check_folder(const StudyPlan& plan, const StudyOptions& options) {
@@ -43,8 +39,8 @@ void check_folder(const StudyPlan& plan, const StudyOptions& options) {
                             folder));
   std::string changed;
   for (const Variant& v : plan.variants) {
-    const json summary = load_summary(options.folder / v.name);
-    if (summary.is_object() && get_hash(summary) != v.input_hash)
+    const auto result = load_result(options.folder / v.name);
+    if (result && result->provenance.input_hash != v.input_hash)
       changed += (changed.empty() ? "'" : ", '") + v.name + "'";
   }
   if (!changed.empty())
@@ -78,11 +74,11 @@ class StudyRun {
     StudyRow row;
     const fs::path folder = options_.folder / variant.name;
     if (options_.resume) {
-      row.summary = load_summary(folder);
-      row.kept = row.summary.is_object() && row.summary.value("status", "") == "finished";
+      row.result = load_result(folder);
+      row.kept = row.result && row.result->status == results::Status::finished;
     }
     if (row.kept) {
-      row.status = "finished";
+      row.status = VariantStatus::finished;
     } else {
       begin(variant.label);
       row = calculate(variant, folder);
@@ -97,23 +93,23 @@ class StudyRun {
     run.overwrite = options_.overwrite;
     StudyRow row;
     try {
-      row.summary = run::run_case(variant.loaded, run);
-      row.status = "finished";
+      row.result = run::run_case(variant.loaded, run);
+      row.status = VariantStatus::finished;
       return row;
     } catch (const Error& error) {
       row.code = error.code();
       row.reason = error.what();
-      row.status = row.code == ExitCode::unstable      ? "unstable"
-                   : row.code == ExitCode::interrupted ? "interrupted"
-                                                       : "failed";
+      row.status = row.code == ExitCode::unstable      ? VariantStatus::unstable
+                   : row.code == ExitCode::interrupted ? VariantStatus::interrupted
+                                                       : VariantStatus::failed;
     } catch (const std::exception& error) {
       // A defect of the program in one variant must not cost the results of the others.
       row.code = ExitCode::internal_error;
       row.reason = fmt::format("internal error: {}", error.what());
-      row.status = "failed";
+      row.status = VariantStatus::failed;
     }
-    row.summary = load_summary(folder);
-    if (row.summary.is_object() && get_hash(row.summary) != variant.input_hash) row.summary = nullptr;
+    row.result = load_result(folder);
+    if (row.result && row.result->provenance.input_hash != variant.input_hash) row.result.reset();
     return row;
   }
 
@@ -178,12 +174,12 @@ std::optional<Error> find_failure(const StudyPlan& plan, const std::vector<Study
   std::size_t finished = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const StudyRow& row = rows[i];
-    if (row.status == "finished") {
+    if (row.status == VariantStatus::finished) {
       ++finished;
       continue;
     }
     // A variant that was not started has no error of its own: only an interruption keeps one from starting.
-    const ExitCode own = row.status == "not started" ? ExitCode::interrupted : row.code;
+    const ExitCode own = row.status == VariantStatus::not_started ? ExitCode::interrupted : row.code;
     if (rank(own) > rank(code)) code = own;
     if (own != ExitCode::interrupted) reasons += fmt::format("\n  {}: {}", plan.variants[i].name, row.reason);
   }

@@ -2,13 +2,14 @@
 // Many variants of a case, each in a folder of its own, side by side on the threads: the work behind `talus study`.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
+#include "results/run.hpp"
+#include "results/study.hpp"
 #include "study/study_plan.hpp"
 
 namespace talus::study {
@@ -23,11 +24,11 @@ struct StudyOptions {
 
 /// How a variant went.
 struct StudyRow {
-  std::string status = "not started";  ///< finished, unstable, failed, interrupted, not started
-  std::string reason;                  ///< why it is not finished
+  results::VariantStatus status = results::VariantStatus::not_started;
+  std::string reason;  ///< why it is not finished
   ExitCode code = ExitCode::success;
-  bool kept = false;       ///< finished in an earlier call and not run again
-  nlohmann::json summary;  ///< the run's, as far as it came; null when there is none
+  bool kept = false;                         ///< finished in an earlier call and not run again
+  std::optional<results::RunResult> result;  ///< the run's, as far as it came
 };
 
 /// Runs all variants and writes study.csv, study.json, study.md and, where there are curves, study.svg; the tables are

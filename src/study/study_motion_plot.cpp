@@ -13,7 +13,6 @@
 namespace talus::study {
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 
 /// A monitor's name as a part of a file's.
@@ -36,11 +35,10 @@ void draw_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, const
     plot.y_label = output::make_label("displacement", plan.displacement_unit);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const fs::path file = folder / plan.variants[i].name / "monitors.csv";
-      const json& summary = rows[i].summary;
-      if (!summary.is_object() || !summary.contains("clock") || !fs::exists(file)) continue;
-      const json& clock = summary.at("clock");
-      const run::MonitorPath path = run::read_monitor_path(output::read_history(file), monitor,
-                                                           {clock.at("stage"), clock.at("start"), clock.at("resets")});
+      if (!rows[i].result || !rows[i].result->clock || !fs::exists(file)) continue;
+      const results::Clock& clock = *rows[i].result->clock;
+      const run::MonitorPath path =
+          run::read_monitor_path(output::read_history(file), monitor, {clock.stage, clock.start, clock.resets});
       output::PlotSeries series{plan.variants[i].label, path.time, path.displacement};
       for (double& u : series.y) u /= unit;
       plot.series.push_back(std::move(series));

@@ -4,19 +4,16 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "output/files/history.hpp"
+#include "input/echo.hpp"
 #include "run/run_case.hpp"
 #include "study/key_paths.hpp"
 
 namespace talus::study {
 namespace {
-
-using nlohmann::json;
 
 /// A grid of more variants than this is a slip of the pen: reading them alone takes minutes.
 constexpr std::size_t most_variants = 10000;
@@ -42,47 +39,6 @@ std::string make_name(const std::string& text) {
   if (name.size() > longest_name) name.resize(longest_name);
   while (!name.empty() && name.back() == '_') name.pop_back();
   return name.empty() ? "empty" : name;
-}
-
-/// The entry of an echo's list that `step` names, as --set names it: by number from 0, by its name or its side.
-const json* find_entry(const json& list, const std::string& step) {
-  std::size_t number = 0;
-  const char* end = step.data() + step.size();
-  if (const auto [stop, failure] = std::from_chars(step.data(), end, number); failure == std::errc{} && stop == end)
-    return number < list.size() ? &list[number] : nullptr;
-  for (const json& entry : list)
-    for (const char* label : {"name", "on"})
-      if (entry.contains(label) && entry[label].value("value", "") == step) return &entry;
-  return nullptr;
-}
-
-/// What a case's echo says about the key `path`: {"value", "unit"}; nullptr where the key has no meaning in the case.
-const json* find_echo(const json& echo, const std::string& path) {
-  const json* at = &echo;
-  for (const std::string& step : split_path(path)) {
-    if (at->is_array())
-      at = find_entry(*at, step);
-    else
-      at = at->is_object() && at->contains(step) ? &(*at)[step] : nullptr;
-    if (at == nullptr) return nullptr;
-  }
-  return at->is_object() && at->contains("value") ? at : nullptr;
-}
-
-std::string write_value(const json& value) {
-  if (value.is_null()) return "";
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_float()) return output::to_shortest(value.get<double>());
-  return value.dump();
-}
-
-/// The echo without its remarks on what was given: equal for cases that calculate the same.
-json strip_given(const json& echo) {
-  json stripped = echo;
-  if (stripped.is_object()) stripped.erase("given");
-  if (stripped.is_structured())
-    for (json& child : stripped) child = strip_given(child);
-  return stripped;
 }
 
 /// A combination of values: for every key the number of its value, or nothing for that of the base case.
@@ -216,7 +172,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
               {place.file, place.line, place.column, fmt::format("variant '{}': {}", variant.label, d.sentence)});
       continue;
     }
-    const auto [same, is_new] = known_cases.try_emplace(strip_given(variant.loaded.echo.get()).dump(), variant.label);
+    const auto [same, is_new] = known_cases.try_emplace(input::write_calculated(variant.loaded.echo), variant.label);
     if (!is_new) {
       plan.notes.push_back(fmt::format("{} is the same case as {}.", variant.label, same->second));
       numbers[variant.label] = numbers[variant.name] = numbers.at(same->second);
@@ -225,12 +181,12 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
     const std::string name = variant.name;
     for (int i = 2; !names.insert(variant.name).second; ++i) variant.name = fmt::format("{}_{}", name, i);
     for (std::size_t k = 0; k < study.vary.size(); ++k) {
-      const json* entry = find_echo(variant.loaded.echo.get(), study.vary[k].key);
-      if (entry != nullptr && entry->contains("unit")) plan.keys[k].unit = entry->at("unit").get<std::string>();
+      const auto key = input::find_key(variant.loaded.echo, study.vary[k].key);
+      if (key && !key->unit.empty()) plan.keys[k].unit = key->unit;
       const std::string text = choice[k] ? strip_quotes(study.vary[k].values[*choice[k]]) : "";
-      variant.values.push_back(entry != nullptr ? write_value(entry->at("value")) : text);
+      variant.values.push_back(key ? key->text : text);
     }
-    variant.input_hash = run::hash_input(variant.loaded.echo.get());
+    variant.input_hash = input::hash_input(variant.loaded.echo);
     numbers[variant.label] = numbers[variant.name] = plan.variants.size();
     plan.variants.push_back(std::move(variant));
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <set>
 
 #include "base/atomic_file.hpp"
@@ -13,13 +12,17 @@
 #include "output/files/history.hpp"
 #include "output/plots/curve_plot.hpp"
 #include "output/plots/gnuplot.hpp"
+#include "results/json.hpp"
 #include "run/named_results.hpp"
 #include "study/extrapolation.hpp"
 
 namespace talus::study {
 namespace {
 
-using nlohmann::json;
+using results::Runout;
+using results::RunResult;
+using results::StudyCell;
+using results::StudyColumn;
 
 /// Two trials are of one factor when their factors differ by less.
 constexpr double same_factor = 1e-9;
@@ -27,67 +30,66 @@ constexpr double same_factor = 1e-9;
 /// be all theirs.
 constexpr double smallest_share = 1e-5;
 
-/// What a summary says at `path`; nullptr when it does not say it.
-const json* find(const json& summary, std::initializer_list<const char*> path) {
-  const json* at = &summary;
-  for (const char* step : path) {
-    if (!at->is_object() || !at->contains(step)) return nullptr;
-    at = &at->at(step);
-  }
-  return at->is_null() ? nullptr : at;
+/// A number of a part of the result, where the run has that part.
+template <class Part, class Number>
+std::optional<double> get(const std::optional<Part>& part, Number Part::*number) {
+  return part ? std::optional(static_cast<double>((*part).*number)) : std::nullopt;
 }
 
-std::optional<double> get_number(const json& summary, std::initializer_list<const char*> path) {
-  const json* found = find(summary, path);
-  return found != nullptr && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+std::optional<double> get_displacement(const RunResult& r, double factor) {
+  if (r.curve)
+    for (const results::Trial& t : r.curve->points)
+      if (std::abs(t.factor - factor) < same_factor) return t.displacement;
+  return std::nullopt;
 }
 
-/// The entry of a list in the summary whose `srf` is `factor`.
-const json* find_trial(const json* list, double factor) {
-  if (list == nullptr) return nullptr;
-  for (const json& t : *list)
-    if (std::abs(t.at("srf").get<double>() - factor) < same_factor) return &t;
-  return nullptr;
+std::optional<double> get_front_advance(const RunResult& r, double factor) {
+  if (r.runouts)
+    for (const results::RunoutTrial& t : *r.runouts)
+      if (std::abs(t.trial.factor - factor) < same_factor) return t.runout.front_advance;
+  return std::nullopt;
 }
 
-std::optional<double> get_displacement(const json& summary, double factor) {
-  const json* trial = find_trial(find(summary, {"curve", "points"}), factor);
-  return trial == nullptr ? std::nullopt : get_number(*trial, {"displacement"});
-}
-
-const json* find_criterion(const json& summary, const std::string& name) {
-  const json* list = find(summary, {"factor_of_safety", "criteria"});
-  if (list == nullptr) return nullptr;
-  for (const json& c : *list)
-    if (c.at("name") == name) return &c;
-  return nullptr;
-}
-
-std::optional<double> get_time_step(const json& summary) {
-  const json* stages = find(summary, {"stages"});
-  return stages == nullptr || stages->empty() ? std::nullopt : get_number(stages->back(), {"time_step"});
+std::optional<double> get_time_step(const RunResult& r) {
+  return r.stages && !r.stages->empty() ? std::optional(r.stages->back().time_step) : std::nullopt;
 }
 
 /// All factors whose trials went on until rest, in any variant.
 std::set<double> list_runout_factors(const std::vector<StudyRow>& rows) {
   std::set<double> factors;
   for (const StudyRow& row : rows)
-    if (const json* runouts = find(row.summary, {"runouts"}))
-      for (const json& r : *runouts) factors.insert(r.at("srf").get<double>());
+    if (row.result && row.result->runouts)
+      for (const results::RunoutTrial& t : *row.result->runouts) factors.insert(t.trial.factor);
   return factors;
 }
 
 /// What the pattern of movement is called in the table.
-std::string describe_pattern(const json& summary) {
-  static const std::map<std::string, const char*> words{{"none", "none"},
-                                                        {"single", "one monitor only"},
-                                                        {"together", "together"},
-                                                        {"upwards", "from the bottom upwards"},
-                                                        {"downwards", "from the top downwards"},
-                                                        {"mixed", "in no such order"}};
-  const json* pattern = find(summary, {"motion", "pattern"});
-  const auto found = pattern == nullptr ? words.end() : words.find(pattern->get<std::string>());
-  return found == words.end() ? "" : found->second;
+const char* describe_pattern(results::MotionPattern pattern) {
+  switch (pattern) {
+    case results::MotionPattern::none:
+      return "none";
+    case results::MotionPattern::single:
+      return "one monitor only";
+    case results::MotionPattern::together:
+      return "together";
+    case results::MotionPattern::upwards:
+      return "from the bottom upwards";
+    case results::MotionPattern::downwards:
+      return "from the top downwards";
+    case results::MotionPattern::mixed:
+      return "in no such order";
+  }
+  return "";
+}
+
+/// Why the constructions on the curve gave no factor.
+std::string explain_missing_factors(const RunResult& r, const std::string& label) {
+  if (!r.factor_of_safety || !r.factor_of_safety->criteria) return "";
+  std::string remarks;
+  for (const results::Criterion& c : *r.factor_of_safety->criteria)
+    if (!c.factor && c.kind != results::CriterionKind::frozen)
+      remarks += fmt::format("- {}: no factor of safety by the {} criterion: {}\n", label, to_word(c.kind), c.note);
+  return remarks;
 }
 
 /// Adds columns of numbers to a table.
@@ -95,21 +97,28 @@ class Columns {
  public:
   explicit Columns(const std::vector<StudyRow>& rows) : rows_(rows) {}
 
-  using Getter = std::function<std::optional<double>(const json&)>;
+  using Getter = std::function<std::optional<double>(const RunResult&)>;
   /// `format` is that of the shown number, `{:.3f}`; the numbers are SI and shown in `unit`.
   void add(const std::string& name, const std::string& unit, const char* format, bool always, const Getter& get) {
-    StudyColumn column{name, name, unit, {}};
+    StudyColumn column{name, name, unit, {}, false};
     const double factor = unit.empty() ? 1 : units::get_si_factor(unit);
     bool any = false;
     for (const StudyRow& row : rows_) {
       std::optional<double> value;
-      if (row.summary.is_object()) value = get(row.summary);
+      if (row.result) value = get(*row.result);
       any = any || value;
       column.cells.push_back(
           value ? StudyCell{output::to_shortest(*value / factor), fmt::format(fmt::runtime(format), *value / factor)}
                 : StudyCell{});
     }
     if (any || always) table.push_back(std::move(column));
+  }
+
+  /// The factor of safety that runs call `name`.
+  void add_factor(const std::string& title, const std::string& name) {
+    const std::size_t count = table.size();
+    add("FoS, " + title, "", "{:.3f}", false, [&](const RunResult& r) { return run::find_result(r, name); });
+    if (table.size() > count) table.back().is_factor = true;
   }
 
   std::vector<StudyColumn> table;
@@ -138,22 +147,22 @@ std::string write_cell(const std::string& text) {
 void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Columns& columns) {
   for (const std::string& name : plan.monitors)
     columns.add("onset of " + name, "s", "{:.4g}", false,
-                [&](const json& s) { return run::find_result(s, fmt::format("onset[{}]", name)); });
+                [&](const RunResult& r) { return run::find_result(r, fmt::format("onset[{}]", name)); });
   for (const std::string& name : plan.monitors) {
-    const auto get = [&](const json& s) { return run::find_result(s, fmt::format("displacement[{}]", name)); };
-    columns.add("displacement of " + name, plan.displacement_unit, "{:.4g}", false, get);
-    const json& base = rows[plan.reference].summary;
-    const bool moves = base.is_object() && run::find_result(base, fmt::format("onset[{}]", name));
-    const std::optional<double> reference = moves ? get(base) : std::nullopt;
+    const auto get_end = [&](const RunResult& r) { return run::find_result(r, fmt::format("displacement[{}]", name)); };
+    columns.add("displacement of " + name, plan.displacement_unit, "{:.4g}", false, get_end);
+    const auto& base = rows[plan.reference].result;
+    const bool moves = base && run::find_result(*base, fmt::format("onset[{}]", name));
+    const std::optional<double> reference = moves ? get_end(*base) : std::nullopt;
     columns.add(fmt::format("displacement of {} over that of {}", name, plan.variants[plan.reference].label), "",
-                "{:.3f}", false, [&](const json& s) {
-                  const std::optional<double> value = get(s);
+                "{:.3f}", false, [&](const RunResult& r) {
+                  const std::optional<double> value = get_end(r);
                   return value && reference && *reference > 0 ? std::optional(*value / *reference) : std::nullopt;
                 });
   }
-  StudyColumn order{"order of movement", "order of movement", "", {}};
+  StudyColumn order{"order of movement", "order of movement", "", {}, false};
   for (const StudyRow& row : rows) {
-    const std::string words = row.summary.is_object() ? describe_pattern(row.summary) : "";
+    const std::string words = row.result && row.result->motion ? describe_pattern(row.result->motion->pattern) : "";
     order.cells.push_back({words, words});
   }
   const auto is_empty = [](const StudyCell& cell) { return cell.full.empty(); };
@@ -164,24 +173,22 @@ void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Column
 
 std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
   Columns columns(rows);
-  StudyColumn names{"variant", "variant", "", {}}, results{"result", "result", "", {}};
+  StudyColumn names{"variant", "variant", "", {}, false}, ends{"result", "result", "", {}, false};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     names.cells.push_back({plan.variants[i].name, plan.variants[i].label});
-    results.cells.push_back({rows[i].status, rows[i].status});
+    ends.cells.push_back({to_word(rows[i].status), to_word(rows[i].status)});
   }
   columns.table.push_back(std::move(names));
   for (std::size_t k = 0; k < plan.keys.size(); ++k) {
-    StudyColumn column{plan.keys[k].path, plan.keys[k].name, plan.keys[k].unit, {}};
+    StudyColumn column{plan.keys[k].path, plan.keys[k].name, plan.keys[k].unit, {}, false};
     for (const Variant& v : plan.variants) column.cells.push_back({v.values[k], v.values[k]});
     columns.table.push_back(std::move(column));
   }
   for (const double f : plan.factors)
     columns.add(fmt::format("displacement at SRF {:g}", f), plan.displacement_unit, "{:.4g}", true,
-                [f](const json& s) { return get_displacement(s, f); });
+                [f](const RunResult& r) { return get_displacement(r, f); });
   for (const char* criterion : {"frozen", "bilinear", "displacement", "jump"})
-    columns.add(fmt::format("FoS, {}", criterion), "", "{:.3f}", false, [criterion](const json& s) {
-      return run::find_result(s, std::string("factor_of_safety.") + criterion);
-    });
+    columns.add_factor(criterion, std::string("factor_of_safety.") + criterion);
   for (const auto& [name, title] : std::initializer_list<std::pair<const char*, const char*>>{
            {"lem.fellenius", "Fellenius"},
            {"lem.bishop", "Bishop"},
@@ -195,38 +202,31 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
            {"fem.factor", "finite elements"},
            {"fem.by_displacement", "finite elements, displacement"},
            {"fem.associated.factor", "finite elements, ψ = φ"}})
-    columns.add(fmt::format("FoS, {}", title), "", "{:.3f}", false,
-                [n = std::string(name)](const json& s) { return run::find_result(s, n); });
+    columns.add_factor(title, name);
   for (const double f : list_runout_factors(rows))
-    columns.add(fmt::format("front advance at SRF {:g}", f), plan.length_unit, "{:.3g}", false, [f](const json& s) {
-      const json* trial = find_trial(find(s, {"runouts"}), f);
-      return trial == nullptr ? std::nullopt : get_number(*trial, {"runout", "front_advance"});
-    });
+    columns.add(fmt::format("front advance at SRF {:g}", f), plan.length_unit, "{:.3g}", false,
+                [f](const RunResult& r) { return get_front_advance(r, f); });
   add_motion(plan, rows, columns);
-  columns.add("largest displacement", plan.displacement_unit, "{:.4g}", false, [](const json& s) {
-    return get_number(s, {"runout", "largest_displacement"});
-  });
-  for (const auto& [name, key] : {std::pair{"front advance", "front_advance"},
-                                  {"runout beyond the toe", "toe_distance"},
-                                  {"crest retreat", "crest_retreat"},
-                                  {"advance of the centre", "centre_advance"}})
-    columns.add(name, plan.length_unit, "{:.3g}", false, [k = key](const json& s) {
-      return get_number(s, {"runout", k});
-    });
+  columns.add("largest displacement", plan.displacement_unit, "{:.4g}", false,
+              [](const RunResult& r) { return get(r.runout, &Runout::largest_displacement); });
+  for (const auto& [name, number] : {std::pair{"front advance", &Runout::front_advance},
+                                     {"runout beyond the toe", &Runout::toe_distance},
+                                     {"crest retreat", &Runout::crest_retreat},
+                                     {"advance of the centre", &Runout::centre_advance}})
+    columns.add(name, plan.length_unit, "{:.3g}", false, [n = number](const RunResult& r) { return get(r.runout, n); });
   const bool plane = std::all_of(rows.begin(), rows.end(), [](const StudyRow& row) {
-    return get_number(row.summary, {"mesh", "dimension"}).value_or(2) == 2;
+    return !row.result || !row.result->mesh || row.result->mesh->dimension == 2;
   });
-  columns.add("moved volume", plane ? "m3/m" : "m3", "{:.4g}", false, [](const json& s) {
-    return get_number(s, {"runout", "moved_volume"});
-  });
-  columns.add("points", "", "{:.0f}", false, [](const json& s) { return get_number(s, {"mesh", "points"}); });
-  columns.add("elements with soil", "", "{:.0f}", false, [](const json& s) {
-    return get_number(s, {"mesh", "soil_elements"});
-  });
-  columns.add("elements", "", "{:.0f}", false, [](const json& s) { return get_number(s, {"mesh", "elements"}); });
+  columns.add("moved volume", plane ? "m3/m" : "m3", "{:.4g}", false,
+              [](const RunResult& r) { return get(r.runout, &Runout::moved_volume); });
+  for (const auto& [name, number] : {std::pair{"points", &results::Mesh::points},
+                                     {"elements with soil", &results::Mesh::soil_elements},
+                                     {"elements", &results::Mesh::elements}})
+    columns.add(name, "", "{:.0f}", false, [n = number](const RunResult& r) { return get(r.mesh, n); });
   columns.add("time step", "s", "{:.3g}", false, get_time_step);
-  columns.add("wall time", "s", "{:.3g}", false, [](const json& s) { return get_number(s, {"timing", "wall"}); });
-  columns.table.push_back(std::move(results));
+  columns.add("wall time", "s", "{:.3g}", false,
+              [](const RunResult& r) { return get(r.timing, &results::Timing::wall); });
+  columns.table.push_back(std::move(ends));
   return columns.table;
 }
 
@@ -261,60 +261,44 @@ std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyR
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string& label = plan.variants[i].label;
     if (!rows[i].reason.empty()) remarks += fmt::format("- {}: {}\n", label, rows[i].reason);
-    if (!rows[i].summary.is_object()) continue;
-    if (const json* warnings = find(rows[i].summary, {"warnings"}))
-      for (const json& w : *warnings) remarks += fmt::format("- {}: {}\n", label, w.get<std::string>());
-    for (const char* name : {"bilinear", "displacement", "jump"}) {
-      const json* c = find_criterion(rows[i].summary, name);
-      if (c != nullptr && !get_number(*c, {"factor"}))
-        remarks +=
-            fmt::format("- {}: no factor of safety by the {} criterion: {}\n", label, name, c->value("note", ""));
-    }
-    if (rows[i].status != "finished" || find(rows[i].summary, {"curve"}) == nullptr) continue;
+    if (!rows[i].result) continue;
+    const RunResult& r = *rows[i].result;
+    for (const std::string& warning : r.warnings) remarks += fmt::format("- {}: {}\n", label, warning);
+    remarks += explain_missing_factors(r, label);
+    if (rows[i].status != results::VariantStatus::finished || !r.curve) continue;
     for (const double f : plan.factors)
-      if (!get_displacement(rows[i].summary, f)) remarks += fmt::format("- {}: no trial at SRF {:g}\n", label, f);
+      if (!get_displacement(r, f)) remarks += fmt::format("- {}: no trial at SRF {:g}\n", label, f);
   }
   for (const std::string& note : plan.notes) remarks += fmt::format("- {}\n", note);
   text += write_extrapolation_markdown(plan, extrapolate_factors(plan, rows));
   return text + (remarks.empty() ? "" : "\n" + remarks);
 }
 
-json describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
-  json vary = json::array(), columns = json::array(), variants = json::array();
+results::StudyResult describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
+  results::StudyResult study;
+  study.title = plan.title;
+  study.case_file = plan.file;
+  study.mode = plan.mode;
+  if (!plan.variants.empty()) study.reference = plan.variants[plan.reference].label;
   for (std::size_t k = 0; k < plan.keys.size(); ++k) {
-    json values = json::array();
+    results::StudyKey& key = study.vary.emplace_back(results::StudyKey{plan.keys[k].path, plan.keys[k].unit, {}});
     for (const Variant& v : plan.variants)
-      if (std::find(values.begin(), values.end(), v.values[k]) == values.end()) values.push_back(v.values[k]);
-    vary.push_back({{"key", plan.keys[k].path}, {"unit", plan.keys[k].unit}, {"values", values}});
+      if (std::find(key.values.begin(), key.values.end(), v.values[k]) == key.values.end())
+        key.values.push_back(v.values[k]);
   }
-  for (const StudyColumn& c : make_study_table(plan, rows)) {
-    json cells = json::array();
-    for (const StudyCell& cell : c.cells) cells.push_back({{"full", cell.full}, {"shown", cell.shown}});
-    columns.push_back({{"name", c.name}, {"title", c.title}, {"unit", c.unit}, {"cells", cells}});
-  }
+  study.columns = make_study_table(plan, rows);
   for (std::size_t i = 0; i < rows.size(); ++i)
-    variants.push_back({{"name", plan.variants[i].label},
-                        {"folder", plan.variants[i].name},
-                        {"status", rows[i].status},
-                        {"reason", rows[i].reason}});
-  json study{{"format", 1},
-             {"title", plan.title},
-             {"case_file", plan.file},
-             {"mode", plan.mode},
-             {"reference", plan.variants.empty() ? "" : plan.variants[plan.reference].label},
-             {"vary", vary},
-             {"columns", columns},
-             {"variants", variants},
-             {"notes", plan.notes},
-             {"units", {{"displacement", plan.displacement_unit}, {"length", plan.length_unit}}}};
-  if (!plan.extrapolate.empty()) study["extrapolation"] = describe_extrapolation(plan, extrapolate_factors(plan, rows));
+    study.variants.push_back({plan.variants[i].label, plan.variants[i].name, rows[i].status, rows[i].reason});
+  study.notes = plan.notes;
+  study.units = {plan.displacement_unit, plan.length_unit, std::nullopt};
+  study.extrapolation = extrapolate_factors(plan, rows);
   return study;
 }
 
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder) {
   const std::string safe = "the results of the variants are whole";
   write_atomically(folder / "study.csv", write_study_csv(make_study_table(plan, rows)), safe);
-  write_atomically(folder / "study.json", describe_study(plan, rows).dump(2) + "\n", safe);
+  results::write_file(folder / "study.json", describe_study(plan, rows), 2, safe);
   write_atomically(folder / "study.md", write_study_markdown(plan, rows), safe);
 }
 
@@ -327,12 +311,11 @@ void draw_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const 
   const double unit = units::get_si_factor(plan.displacement_unit);
   double largest = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const json* points = find(rows[i].summary, {"curve", "points"});
-    if (points == nullptr) continue;
+    if (!rows[i].result || !rows[i].result->curve) continue;
     output::PlotSeries series{plan.variants[i].label, {}, {}};
-    for (const json& p : *points) {
-      series.x.push_back(p.at("srf").get<double>());
-      series.y.push_back(p.at("displacement").get<double>() / unit);
+    for (const results::Trial& t : rows[i].result->curve->points) {
+      series.x.push_back(t.factor);
+      series.y.push_back(t.displacement / unit);
       largest = std::max(largest, series.y.back());
     }
     plot.series.push_back(std::move(series));

@@ -9,28 +9,15 @@
 
 namespace talus::study {
 
-/// One number of the table, in full and as people read it; both empty where a variant has no such result.
-struct StudyCell {
-  std::string full;
-  std::string shown;
-};
-
-struct StudyColumn {
-  std::string name;              ///< in the CSV, `strength_reduction.curve.damping`
-  std::string title;             ///< in the Markdown, `damping`
-  std::string unit;              ///< empty for plain numbers and words
-  std::vector<StudyCell> cells;  ///< one per variant
-};
-
 /// The table of a study. Columns that no variant fills are left out, except those of the varied keys and the factors.
-std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vector<StudyRow>& rows);
+std::vector<results::StudyColumn> make_study_table(const StudyPlan& plan, const std::vector<StudyRow>& rows);
 
-std::string write_study_csv(const std::vector<StudyColumn>& table);
+std::string write_study_csv(const std::vector<results::StudyColumn>& table);
 /// The same as Markdown, with the reasons of what is missing and the warnings of the runs below.
 std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyRow>& rows);
 
 /// Plan, table and how each variant went, for the report; numbers in `full` are in the unit of their column.
-nlohmann::json describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows);
+results::StudyResult describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows);
 
 /// study.csv, study.json and study.md in `folder`. Throws Error (cannot_write).
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder);

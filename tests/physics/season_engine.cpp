@@ -82,7 +82,7 @@ TEST(SeasonEngine, ColumnDriesAsInSeepage) {
   EXPECT_EQ(body.water.transpired, 0) << "held water";
   const double before = run::find_water_state(body).mass;
   run(body, make_stage<2>(data, body, duration, flowing));
-  EXPECT_LT(std::abs(run::describe_water(data, body, before).at("error").get<double>()), 1e-11) << "65 000 steps";
+  EXPECT_LT(std::abs(run::tell_water(data, body, before).error), 1e-11) << "65 000 steps";
 
   mesh::Mesh<2> wet;
   auto model = ground::make_seepage_model<2>(data, mesh, wet);
@@ -126,7 +126,7 @@ TEST(SeasonEngine, UnreducedUptakeIsTheRateTimesTheGroundIn2DAnd3D) {
       run::run_stage<D>(body, plan, state);
       const double whole = 1e-3 * ground * body.time;
       EXPECT_NEAR(find_drawn_volume(body), whole, 1e-3 * ground * 4 * state.dt) << "to the length of one exchange";
-      EXPECT_LT(std::abs(run::describe_water(data, body, before).at("error").template get<double>()), 1e-12);
+      EXPECT_LT(std::abs(run::tell_water(data, body, before).error), 1e-12);
     }
   };
   look(make_planted_case<2>(1e-3, -0.4), make_column_mesh(), 0.2);

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "input/case/number_keys.hpp"
+#include "input/language/overrides.hpp"
 
 namespace talus::input {
 namespace {
@@ -18,17 +19,6 @@ using nlohmann::json;
 
 [[noreturn]] void fail(const std::string& sentence) {
   throw Error(ExitCode::wrong_input, sentence);
-}
-
-std::vector<std::string> split(const std::string& path) {
-  std::vector<std::string> steps(1);
-  for (const char c : path) {
-    if (c == '.')
-      steps.emplace_back();
-    else
-      steps.back() += c;
-  }
-  return steps;
 }
 
 std::optional<std::size_t> read_index(const std::string& step, std::size_t size) {
@@ -58,7 +48,7 @@ double read_value(const std::string& text, const std::string& unit, const std::s
 
 /// What the range of a material's key allows; a sample beyond it would be no case.
 void cut_at_range(UncertainNumber& u, const Case& data) {
-  const std::vector<std::string> steps = split(u.key);
+  const std::vector<std::string> steps = split_path(u.key);
   if (steps.size() < 3 || steps[0] != "materials" || data.materials.count(steps[1]) == 0) return;
   const auto key = find_number_key(data.materials.at(steps[1]), u.key.substr(steps[0].size() + steps[1].size() + 2));
   if (!key) return;
@@ -97,7 +87,7 @@ void check(const UncertainNumber& u) {
 EchoedNumber find_number(const json& echo, const std::string& key) {
   const json* at = &echo;
   std::string unit;
-  for (const std::string& step : split(key)) {
+  for (const std::string& step : split_path(key)) {
     const json* next = nullptr;
     if (at->is_object() && at->contains("given") && at->contains("value")) {
       unit = at->value("unit", "");

@@ -9,17 +9,6 @@
 namespace talus::input {
 namespace {
 
-std::vector<std::string> split(const std::string& path) {
-  std::vector<std::string> steps(1);
-  for (const char c : path) {
-    if (c == '.')
-      steps.emplace_back();
-    else
-      steps.back() += c;
-  }
-  return steps;
-}
-
 /// The value as a table with the one key "v".
 toml::table parse_value(const std::string& text) {
   try {
@@ -49,7 +38,7 @@ std::optional<std::size_t> find_entry(const toml::array& list, const std::string
 }
 
 void apply(toml::table& root, const Override& change, Findings& findings) {
-  const std::vector<std::string> steps = split(change.key);
+  const std::vector<std::string> steps = split_path(change.key);
   const Place place{"--set " + change.key, 0, 0};
   toml::node* at = &root;
   std::string path;
@@ -93,6 +82,17 @@ void apply(toml::table& root, const Override& change, Findings& findings) {
 }
 
 }  // namespace
+
+std::vector<std::string> split_path(const std::string& path) {
+  std::vector<std::string> steps(1);
+  for (const char c : path) {
+    if (c == '.')
+      steps.emplace_back();
+    else
+      steps.back() += c;
+  }
+  return steps;
+}
 
 Override parse_override(const std::string& text) {
   const auto equals = text.find('=');

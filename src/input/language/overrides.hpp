@@ -17,6 +17,9 @@ struct Override {
   std::string value;
 };
 
+/// The steps of a dotted path.
+std::vector<std::string> split_path(const std::string& path);
+
 /// Splits "key=value". Throws Error (wrong_input) when there is no "=" or no key.
 Override parse_override(const std::string& text);
 

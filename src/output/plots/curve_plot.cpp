@@ -76,7 +76,7 @@ std::string draw_flags(const std::vector<Flag>& flags, double top) {
 }
 
 /// Samples of a line over [from, to] where its value is above `floor` and below `ceiling`.
-PlotSeries sample(const FittedLine& line, double from, double to, double floor, double ceiling) {
+PlotSeries sample(const results::Branch& line, double from, double to, double floor, double ceiling) {
   PlotSeries s;
   for (int i = 0; i <= 200; ++i) {
     const double x = from + (to - from) * i / 200, y = line.slope * x + line.intercept;
@@ -198,8 +198,8 @@ void draw(const CurvePlot& plot, const std::filesystem::path& picture) {
   const double floor = logarithmic ? 0 : y_low;
   if (plot.first && plot.second && plot.intersection) {
     const double reach = 0.12 * x.length();
-    FittedLine first = *plot.first, second = *plot.second;
-    for (FittedLine* line : {&first, &second}) line->slope *= unit, line->intercept *= unit;
+    results::Branch first = *plot.first, second = *plot.second;
+    for (results::Branch* line : {&first, &second}) line->slope *= unit, line->intercept *= unit;
     layers.add(sample(first, x.low, *plot.intersection + reach, floor, y_high), line_style(line_colours[4]),
                "first line");
     layers.add(sample(second, *plot.intersection - reach, x.high, floor, y_high), line_style(line_colours[5]),
@@ -207,9 +207,9 @@ void draw(const CurvePlot& plot, const std::filesystem::path& picture) {
   }
   layers.add(curve, curve_style);  // again, above the lines: the first one gave the legend its order
   if (plot.first)
-    layers.add(pick(plot, plot.first->points), point_style(line_colours[4], 6, 1.1), "points of the first line");
+    layers.add(pick(plot, plot.first->factors), point_style(line_colours[4], 6, 1.1), "points of the first line");
   if (plot.second)
-    layers.add(pick(plot, plot.second->points), point_style(line_colours[5], 6, 1.1), "points of the second line");
+    layers.add(pick(plot, plot.second->factors), point_style(line_colours[5], 6, 1.1), "points of the second line");
   if (plot.intersection && plot.first) {
     const double at = (plot.first->slope * *plot.intersection + plot.first->intercept) * unit;
     layers.add({"", {*plot.intersection}, {at}}, point_style("#000000", 12, 1.6));

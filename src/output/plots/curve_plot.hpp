@@ -6,17 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "results/trial.hpp"
+
 namespace talus::output {
 
 struct PlotSeries {
   std::string label;
   std::vector<double> x, y;
-};
-
-/// A straight line y = slope·x + intercept fitted through the points with the abscissae `points`.
-struct FittedLine {
-  double slope = 0, intercept = 0;
-  std::vector<double> points;
 };
 
 /// A factor of safety, with the bracket that holds it where there is one.
@@ -29,10 +25,10 @@ struct FactorMark {
 /// Displacement over strength reduction factor.
 struct CurvePlot {
   std::string title;
-  std::vector<double> factors;              ///< [-], increasing
-  std::vector<double> displacements;        ///< [m]
-  std::optional<FittedLine> first, second;  ///< the two lines of the bilinear construction [m]
-  std::optional<double> intersection;       ///< their factor [-]
+  std::vector<double> factors;                   ///< [-], increasing
+  std::vector<double> displacements;             ///< [m]
+  std::optional<results::Branch> first, second;  ///< the two lines of the bilinear construction
+  std::optional<double> intersection;            ///< their factor [-]
   std::vector<FactorMark> criteria;
   std::vector<PlotSeries> references;  ///< published values [m]
   std::string displacement_unit = "mm";
