@@ -39,7 +39,7 @@ std::vector<TrialFolder> list_trials(const fs::path& folder) {
     trial.path = entry.path();
     const char* end = name.data() + name.size();
     if (std::from_chars(name.data() + prefix.size(), end, trial.factor).ptr != end) continue;
-    trial.result = read_json(entry.path() / "trial.json");
+    trial.result = results::read_file<results::Trial>(entry.path() / "trial.json");
     trial.runs_out = fs::exists(entry.path() / "history.csv");
     trials.push_back(std::move(trial));
   }
@@ -49,7 +49,7 @@ std::vector<TrialFolder> list_trials(const fs::path& folder) {
 
 /// A run that was killed before its summary has frames only; plane strain is known by its zeros.
 void note_dimension(ResultFolder& folder) {
-  if (folder.summary.contains("mesh") || !folder.frames || folder.frames->size() == 0) return;
+  if (folder.run.mesh || !folder.frames || folder.frames->size() == 0) return;
   const output::Frame frame = folder.frames->read(0);
   bool plane = true;
   for (std::size_t i = 2; i < frame.positions.size(); i += 3) plane = plane && frame.positions[i] == 0;
@@ -74,19 +74,9 @@ results::RunResult tell_as_run(const results::PointTests& tests) {
   return run;
 }
 
-/// The same files as structs.
-void read_results(ResultFolder& folder) {
-  folder.study_result = results::read_file<results::StudyResult>(folder.path / "study.json");
-  folder.tests = results::read_file<results::PointTests>(folder.path / "point" / "point.json");
-  if (folder.has_tests_alone) {
-    folder.run = tell_as_run(*folder.tests);
-  } else if (auto run = results::read_file<results::RunResult>(folder.path / "summary.json")) {
-    folder.run = std::move(*run);
-  } else if (auto record = results::read_file<results::StageRecord>(folder.path / "stages.json")) {
-    folder.run.stages = std::move(record->stages);
-    folder.run.warnings = std::move(record->warnings);
-  }
-  folder.data = input::read_echo(folder.run.input);
+json read_json(const fs::path& path) {
+  std::ifstream file(path);
+  return file ? json::parse(file) : json();
 }
 
 }  // namespace
@@ -95,36 +85,38 @@ std::shared_ptr<const output::ResultsReader> open_frames(const fs::path& folder)
   return holds_frames(folder) ? std::make_shared<const output::ResultsReader>(folder) : nullptr;
 }
 
-json read_json(const fs::path& path) {
-  std::ifstream file(path);
-  if (!file) return {};
-  try {
-    return json::parse(file);
-  } catch (const json::exception& error) {
-    fail(fmt::format("cannot read '{}': {}", path.string(), error.what()));
-  }
+std::size_t get_dimension(const results::RunResult& run) {
+  return run.mesh && run.mesh->dimension == 3 ? 3 : 2;
+}
+
+std::optional<ResultFolder> open_run(const fs::path& path) {
+  auto run = results::read_file<results::RunResult>(path / "summary.json");
+  if (!run) return std::nullopt;
+  ResultFolder folder;
+  folder.path = path;
+  folder.run = std::move(*run);
+  folder.data = input::read_echo(folder.run.input);
+  folder.summary = read_json(path / "summary.json");
+  return folder;
 }
 
 ResultFolder open_folder(const fs::path& path) {
   if (!fs::is_directory(path)) fail(fmt::format("there is no folder '{}'", path.string()));
-  ResultFolder folder;
+  std::optional<ResultFolder> run = open_run(path);
+  ResultFolder folder = run ? std::move(*run) : ResultFolder{};
   folder.path = path;
-  folder.summary = read_json(path / "summary.json");
-  folder.study = read_json(path / "study.json");
-  folder.point = read_json(path / "point" / "point.json");
-  for (const auto& [name, found] :
-       {std::pair{"summary.json", &folder.summary}, {"study.json", &folder.study}, {"point/point.json", &folder.point}})
-    if (!found->is_null() && !found->is_object())
-      fail(fmt::format("'{}' is no result of Talus: it should hold one JSON object", (path / name).string()));
+  if (!run) folder.summary = json::object();
+  folder.study_result = results::read_file<results::StudyResult>(path / "study.json");
+  folder.tests = results::read_file<results::PointTests>(path / "point" / "point.json");
   folder.trials = list_trials(path / "trials");
   folder.frames = open_frames(path);
-  if (folder.summary.is_null() && folder.study.is_null() && !folder.frames && folder.trials.empty()) {
-    if (folder.point.is_object()) {
-      // What a report needs of a run, the tests tell of themselves.
-      folder.summary = folder.point;
-      folder.summary["status"] = "finished";
+  if (!run && !folder.study_result && !folder.frames && folder.trials.empty()) {
+    if (folder.tests) {
       folder.has_tests_alone = true;
-      read_results(folder);
+      folder.run = tell_as_run(*folder.tests);
+      folder.data = input::read_echo(folder.run.input);
+      folder.summary = results::to_json(*folder.tests);
+      folder.summary["status"] = "finished";
       return folder;
     }
     if (fs::exists(path / "study.csv"))
@@ -135,12 +127,14 @@ ResultFolder open_folder(const fs::path& path) {
     fail(fmt::format("'{}' is no folder of results: it holds neither summary.json nor study.json nor frames of a run",
                      path.string()));
   }
-  if (folder.summary.is_null()) {
+  if (!run) {
     // A run that was killed left the reports of the stages that it finished, and their warnings.
-    folder.summary = json::object();
-    if (const json stages = read_json(path / "stages.json"); stages.is_object()) folder.summary.update(stages);
+    if (auto record = results::read_file<results::StageRecord>(path / "stages.json")) {
+      folder.run.stages = std::move(record->stages);
+      folder.run.warnings = std::move(record->warnings);
+      folder.summary = read_json(path / "stages.json");
+    }
   }
-  read_results(folder);
   note_dimension(folder);
   return folder;
 }

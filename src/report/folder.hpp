@@ -19,15 +19,12 @@ namespace talus::report {
 /// The frames of `folder`; nullptr when it has none. Throws Error (wrong_input) when a file is damaged.
 std::shared_ptr<const output::ResultsReader> open_frames(const std::filesystem::path& folder);
 
-/// A JSON file; null when there is none. Throws Error (wrong_input) naming the file when it cannot be read.
-nlohmann::json read_json(const std::filesystem::path& path);
-
 /// A trial of the displacement curve: folder/trials/srf_1.4500.
 struct TrialFolder {
   std::filesystem::path path;
   double factor = 0;
-  nlohmann::json result;  ///< trial.json; null while the trial is not finished
-  bool runs_out = false;  ///< goes on after the trial until rest
+  std::optional<results::Trial> result;  ///< trial.json; nothing while the trial is not finished
+  bool runs_out = false;                 ///< goes on after the trial until rest
 };
 
 struct ResultFolder {
@@ -35,16 +32,20 @@ struct ResultFolder {
   nlohmann::json summary;           ///< summary.json; an empty object when the run did not come to write it
   results::RunResult run;           ///< the same; of a run that did not come to write it what else tells of it
   input::Case data;                 ///< the case that `run` tells of
-  nlohmann::json study;             ///< study.json; null for a run
   std::vector<TrialFolder> trials;  ///< by factor
   std::shared_ptr<const output::ResultsReader> frames;  ///< of the stages; nullptr when there are none
-  nlohmann::json point;                                 ///< point/point.json: element tests; null when there are none
   std::optional<results::StudyResult> study_result;     ///< study.json
   std::optional<results::PointTests> tests;             ///< point/point.json
   bool has_tests_alone = false;                         ///< neither a run nor a study
 
-  bool is_study() const { return !study.is_null(); }
+  bool is_study() const { return study_result.has_value(); }
 };
+
+/// 2 or 3.
+std::size_t get_dimension(const results::RunResult& run);
+
+/// What summary.json alone tells of the run in `path`; nothing when there is none. Throws Error (wrong_input).
+std::optional<ResultFolder> open_run(const std::filesystem::path& path);
 
 /// Throws Error (wrong_input) with one sentence when `path` is no folder of results.
 ResultFolder open_folder(const std::filesystem::path& path);

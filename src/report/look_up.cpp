@@ -97,10 +97,6 @@ std::size_t get_dimension(const json& summary) {
   return given == 3 ? 3 : 2;
 }
 
-json to_json(const ShownUnit& unit) {
-  return {{"name", unit.name}, {"si", unit.si}};
-}
-
 ShownUnits read_units(const json& summary) {
   ShownUnits shown;
   const auto read = [&](const char* key, ShownUnit& unit) {
@@ -111,32 +107,6 @@ ShownUnits read_units(const json& summary) {
   read("displacement", shown.displacement);
   read("stress", shown.stress);
   return shown;
-}
-
-std::string show_number(double value, int digits) {
-  if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "–";
-  const double size = std::abs(value);
-  std::string text = fmt::format("{:.{}g}", size, digits);
-  if (const std::size_t e = text.find('e'); e != std::string::npos && size >= 1 && size < 1e7) {
-    text = fmt::format("{:.0f}", size);
-  } else if (e != std::string::npos) {
-    static const char* const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string power;
-    for (const char c : std::to_string(std::stoi(text.substr(e + 1)))) power += c == '-' ? "⁻" : raised[c - '0'];
-    text = text.substr(0, e) + " × 10" + power;
-  }
-  return (value < 0 ? "−" : "") + text;
-}
-
-std::string show(double si, const ShownUnit& unit, int digits) {
-  return show_number(si / unit.si, digits) + " " + unit.name;
-}
-
-std::string join_words(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
-  return text;
 }
 
 }  // namespace talus::report

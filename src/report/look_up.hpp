@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "report/words/numbers.hpp"
+
 namespace talus::report {
 
 /// What stands at `path`; nullptr when it is not there or null.
@@ -30,21 +32,6 @@ bool get_flag(const nlohmann::json& table, const char* key, bool otherwise = fal
 /// 2 or 3.
 std::size_t get_dimension(const nlohmann::json& summary);
 
-/// A unit of display: value in SI = value shown × si.
-struct ShownUnit {
-  std::string name;
-  double si = 1;
-};
-nlohmann::json to_json(const ShownUnit& unit);
-struct ShownUnits {
-  ShownUnit length{"m", 1}, displacement{"mm", 1e-3}, stress{"kPa", 1e3};
-};
 ShownUnits read_units(const nlohmann::json& summary);
-/// "3.23", "−0.061", "4.06 × 10⁻⁶": `digits` significant digits, and all before the point; "–" for what is no number.
-std::string show_number(double value, int digits = 3);
-/// "3.23 m".
-std::string show(double si, const ShownUnit& unit, int digits = 3);
-/// "a, b and c".
-std::string join_words(const std::vector<std::string>& words);
 
 }  // namespace talus::report

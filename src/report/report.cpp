@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -19,11 +21,12 @@
 #include "report/content/tables.hpp"
 #include "report/content/water.hpp"
 #include "report/folder.hpp"
-#include "report/look_up.hpp"
 #include "report/pack/page.hpp"
 #include "report/words/answer.hpp"
 #include "report/words/assumptions.hpp"
 #include "report/words/explained_methods.hpp"
+#include "report/words/numbers.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -32,29 +35,33 @@ using nlohmann::json;
 
 namespace {
 
-/// What a run and a study have in common, from the summary of the run (of a study: of its first variant).
+/// What a run and a study have in common, from the result of the run (of a study: of its first variant).
 json make_common(const ResultFolder& folder, Packer& packer) {
-  const json& summary = folder.summary;
-  const ShownUnits units = read_units(summary);
+  const results::RunResult& run = folder.run;
+  const ShownUnits units = read_units(run);
   json document{{"format", 1},
                 {"kind", "run"},
-                {"project", make_project(summary)},
-                {"status", find_status(summary)},
+                {"project", make_project(run)},
+                {"status", results::to_word(run.status)},
                 {"units",
                  {{"length", to_json(units.length)},
                   {"displacement", to_json(units.displacement)},
                   {"stress", to_json(units.stress)}}},
-                {"model", make_model(folder, find_main_factor(summary), packer)},
+                {"model", make_model(folder, find_main_factor(folder.summary), packer)},
                 {"sequences", json::array()},
                 {"tables", json::array()},
-                {"comparisons", find_list(summary, {"comparisons"})},
-                {"assumptions", list_assumptions(summary)},
-                {"methods", list_methods(summary)},
-                {"input", summary.value("input", json::object())},
-                {"provenance", make_provenance(summary, folder.path)},
-                {"timing", make_timing(summary)}};
+                {"comparisons", results::to_json(run.comparisons)},
+                {"assumptions", list_assumptions(folder.summary)},
+                {"methods", list_methods(folder.summary)},
+                {"input", run.input.get()},
+                {"provenance", make_provenance(folder)},
+                {"timing", make_timing(run)}};
   if (json water = make_water(folder); !water.is_null()) document["water"] = std::move(water);
   return document;
+}
+
+json make_answer_of(const std::vector<std::string>& sentences) {
+  return {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
 }
 
 /// Slices, finite elements, and all methods beside each other.
@@ -69,14 +76,15 @@ void add_other_methods(const ResultFolder& folder, Packer& packer, json& documen
 
 json make_run(const ResultFolder& folder, Packer& packer) {
   json document = make_common(folder, packer);
-  if (const std::string error = get_text(folder.summary, {"error"}); !error.empty()) document["error"] = error;
+  const results::RunResult& run = folder.run;
+  if (run.error && !run.error->empty()) document["error"] = *run.error;
   document["answer"] = make_answer(folder);
-  document["warnings"] = find_list(folder.summary, {"warnings"});
+  document["warnings"] = run.warnings;
   if (json curve = make_curve(folder); !curve.is_null()) document["curve"] = std::move(curve);
   document["sequences"] = pack_sequences(folder, packer);
   document["tables"] = make_tables(folder, document["warnings"]);
-  if (const json* motion = find(folder.summary, {"motion"})) document["motion"] = take_motion(*motion);
-  if (json sections = make_sections(folder.path, folder.summary, document["warnings"]); !sections.empty())
+  if (run.motion) document["motion"] = take_motion(*run.motion);
+  if (json sections = make_sections(folder, document["warnings"]); !sections.empty())
     document["sections"] = std::move(sections);
   add_other_methods(folder, packer, document);
   return document;
@@ -89,13 +97,13 @@ json make_study_report(const ResultFolder& folder, Packer& packer) {
   json document = make_common(first, packer);
   document["kind"] = "study";
   document["status"] = study.status;
-  document["answer"] = study.answer;
+  document["answer"] = make_answer_of(study.sentences);
   document["warnings"] = study.warnings;
-  document["study"] = study.table;
-  document["sequences"] = study.sequences;
+  document["study"] = study.table.get();
+  for (const JsonTree& sequence : study.sequences) document["sequences"].push_back(sequence.get());
   document["comparisons"] = json::array();
-  document["timing"] = study.timing;
-  if (study.table.contains("sampling")) {
+  document["timing"] = {{"wall", study.wall}, {"cpu", study.cpu}, {"parts", json::array()}};
+  if (folder.study_result->sampling) {
     // Slices are sampled without a run that would tell its input.
     if (document["input"].empty()) document["methods"] = json::array();
     document["methods"].push_back("sampling");
@@ -107,8 +115,8 @@ json make_study_report(const ResultFolder& folder, Packer& packer) {
 json make_tests_report(const ResultFolder& folder, Packer& packer) {
   json document = make_common(folder, packer);
   document["kind"] = "tests";
-  document["answer"] = make_point_answer(folder);
-  document["warnings"] = find_list(folder.summary, {"warnings"});
+  document["answer"] = make_answer_of(say_point_tests(folder));
+  document["warnings"] = folder.run.warnings;
   document["methods"] = json::array();
   document["assumptions"] = list_point_assumptions();
   return document;
@@ -116,12 +124,12 @@ json make_tests_report(const ResultFolder& folder, Packer& packer) {
 
 /// The element tests of the folder, beside whatever else it holds.
 void add_point_tests(const ResultFolder& folder, json& document) {
-  json tests = make_point_tests(folder);
-  if (tests.is_null()) return;
-  document["point_tests"] = std::move(tests);
+  if (!folder.tests) return;
+  document["point_tests"] = make_point_tests(folder);
   if (folder.has_tests_alone) return;
-  for (const char* list : {"warnings", "comparisons"})
-    for (const json& entry : find_list(folder.point, {list})) document[list].push_back(entry);
+  for (const std::string& warning : folder.tests->warnings) document["warnings"].push_back(warning);
+  for (json& comparison : results::to_json(folder.tests->comparisons))
+    document["comparisons"].push_back(std::move(comparison));
 }
 
 }  // namespace
@@ -131,11 +139,12 @@ Content collect_report(const fs::path& path) {
   Packer packer;
   Content content;
   try {
-    content.document = folder.is_study()        ? make_study_report(folder, packer)
-                       : folder.has_tests_alone ? make_tests_report(folder, packer)
-                                                : make_run(folder, packer);
-    add_point_tests(folder, content.document);
-    add_calibration(folder, content.document);
+    json document = folder.is_study()        ? make_study_report(folder, packer)
+                    : folder.has_tests_alone ? make_tests_report(folder, packer)
+                                             : make_run(folder, packer);
+    add_point_tests(folder, document);
+    add_calibration(folder, document);
+    content.document = JsonTree(std::move(document));
   } catch (const json::exception& error) {
     throw Error(ExitCode::wrong_input,
                 fmt::format("cannot make a report of '{}': its {} is not as this version writes it ({})", path.string(),
@@ -150,11 +159,11 @@ Content collect_report(const fs::path& path) {
 
 fs::path write_report(const fs::path& folder) {
   const Content content = collect_report(folder);
+  const json& document = content.document.get();
   const fs::path path = folder / "report.html";
-  write_atomically(
-      path,
-      fill_page(get_page(), content.document["project"]["title"].get<std::string>(), content.document, content.arrays),
-      "the results are whole");
+  write_atomically(path,
+                   fill_page(get_page(), document["project"]["title"].get<std::string>(), document, content.arrays),
+                   "the results are whole");
   return path;
 }
 

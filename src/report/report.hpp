@@ -2,16 +2,16 @@
 // The report of a results folder: one HTML file that needs nothing else (docs/manual/report.md).
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/json_tree.hpp"
 #include "report/pack/pack.hpp"
 
 namespace talus::report {
 
 /// The document of web/src/contract/ and the arrays beside it.
 struct Content {
-  nlohmann::json document;
+  JsonTree document;
   std::vector<PackedText> arrays;
 };
 

@@ -32,6 +32,10 @@ std::optional<T> read_file(const std::filesystem::path& path) {
   } catch (const nlohmann::json::exception& error) {
     throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': {}", path.string(), error.what()));
   }
+  if constexpr (!is_vector<T>)
+    if (!tree.is_object())
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("'{}' is no result of Talus: it should hold one JSON object", path.string()));
   return from_json<T>(tree, path.string());
 }
 
@@ -65,6 +69,22 @@ TALUS_JSON(StageRecord)
 TALUS_JSON(StudyResult)
 TALUS_JSON(PointTests)
 TALUS_JSON(Calibration)
+#undef TALUS_JSON
+
+// Parts of a result that the page of a report is given as they are.
+#define TALUS_JSON(T) template nlohmann::json to_json<T>(const T&);
+TALUS_JSON(Project)
+TALUS_JSON(Provenance)
+TALUS_JSON(StepSeconds)
+TALUS_JSON(std::vector<TimedPart>)
+TALUS_JSON(std::vector<Comparison>)
+TALUS_JSON(std::vector<Criterion>)
+TALUS_JSON(Motion)
+TALUS_JSON(SliceTable)
+TALUS_JSON(Circle)
+TALUS_JSON(Sampling)
+TALUS_JSON(PointGroup)
+TALUS_JSON(std::vector<ExtrapolatedFactor>)
 #undef TALUS_JSON
 
 }  // namespace talus::results

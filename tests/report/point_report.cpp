@@ -58,7 +58,7 @@ json make_tests(const fs::path& folder) {
 TEST(PointReport, OfTestsAloneKeepsTheContract) {
   const fs::path folder = make_test_folder("point_alone");
   make_tests(folder);
-  const json document = collect_report(folder).document;
+  const json document = collect_report(folder).document.get();
   EXPECT_EQ(find_schema_faults(document), "");
   EXPECT_EQ(document["kind"], "tests");
   EXPECT_EQ(document["status"], "finished");
@@ -74,7 +74,7 @@ TEST(PointReport, OfTestsAloneKeepsTheContract) {
 TEST(PointReport, CurvesAreThinnedButKeepTheirTurningPoints) {
   const fs::path folder = make_test_folder("point_thin");
   make_tests(folder);
-  const json tests = collect_report(folder).document["point_tests"]["tests"];
+  const json tests = collect_report(folder).document.get()["point_tests"]["tests"];
   std::vector<double> strain, q;
   for (const json& column : tests[0]["columns"]) {
     if (column["name"] == "axial_strain") strain = column["values"].get<std::vector<double>>();

@@ -51,7 +51,7 @@ class TrueStatements : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
   json report() {
     std::ofstream(folder_ / "summary.json") << summary_;
-    const json document = collect_report(folder_).document;
+    const json document = collect_report(folder_).document.get();
     EXPECT_EQ(find_schema_faults(document), "");
     return document;
   }
@@ -222,7 +222,7 @@ TEST(KilledRuns, KnowTheirMeshAndTheStagesThatEnded) {
   const json summary = run_small_case(folder);
   fs::remove(folder / "summary.json");
   std::ofstream(folder / "stages.json") << json{{"stages", {summary.at("stages")[0]}}, {"warnings", {"look out"}}};
-  const json document = collect_report(folder).document;
+  const json document = collect_report(folder).document.get();
   EXPECT_EQ(find_schema_faults(document), "");
   const json& mesh = document.at("model").at("mesh");
   for (const char* key : {"nodes", "elements", "points", "mean_size", "smallest_altitude"})

@@ -54,7 +54,7 @@ class WetReport : public testing::Test {
   static json collect_with(const json& summary) {
     const fs::path folder = make_test_folder("wet_changed");
     std::ofstream(folder / "summary.json") << summary;
-    const json changed = collect_report(folder).document;
+    const json changed = collect_report(folder).document.get();
     fs::remove_all(folder);
     EXPECT_EQ(find_schema_faults(changed), "");
     return changed;
@@ -221,7 +221,7 @@ TEST_F(WetReport, EachFactorSaysWhetherItIsDrainedOrCoupled) {
 TEST(DryReport, SaysNothingOfWater) {
   const fs::path folder = make_test_folder("dry");
   run_small_case(folder);
-  const json document = collect_report(folder).document;
+  const json document = collect_report(folder).document.get();
   EXPECT_FALSE(document.contains("water"));
   EXPECT_TRUE(document.at("model").at("water").empty());
   EXPECT_SAYS(join_all(document.at("assumptions")), "Dry soil in one phase");

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/look_up.hpp"
+#include "input/echo.hpp"
 
 namespace talus::report {
 namespace {
@@ -61,26 +62,27 @@ std::vector<Polyline> join_sides(const mesh::Mesh<2>& mesh, const std::vector<me
   return lines;
 }
 
-std::vector<Polyline> find_boundary_lines(const std::string& name, const nlohmann::json& geometry,
+std::vector<Polyline> find_boundary_lines(const std::string& name, const mesh::Plan& plan,
                                           const std::optional<mesh::Mesh<2>>& mesh) {
   if (mesh) {
     const auto sides = mesh->sides.find(name);
     return sides == mesh->sides.end() ? std::vector<Polyline>{} : join_sides(*mesh, sides->second);
   }
-  for (const nlohmann::json& line : find_list(geometry, {"line"})) {
-    if (get_word(line, "name") != name) continue;
-    Polyline points;
-    for (const auto& p : get_si_points(line, "points")) points.push_back({p.at(0), p.at(1)});
-    return {points};
-  }
-  const auto box = get_si_points(geometry, "box");
-  if (box.size() != 2) return {};
-  const double x0 = box[0].at(0), y0 = box[0].at(1), x1 = box[1].at(0), y1 = box[1].at(1);
+  for (const mesh::Line& line : plan.lines)
+    if (line.name == name) return {line.points};
+  const auto [x0, y0] = plan.box_min;
+  const auto [x1, y1] = plan.box_max;
+  if (plan.box_min == plan.box_max) return {};  // a ready mesh
   if (name == "left") return {{{x0, y0}, {x0, y1}}};
   if (name == "right") return {{{x1, y0}, {x1, y1}}};
   if (name == "bottom") return {{{x0, y0}, {x1, y0}}};
   if (name == "top") return {{{x0, y1}, {x1, y1}}};
   return {};
+}
+
+std::vector<Polyline> find_boundary_lines(const std::string& name, const nlohmann::json& geometry,
+                                          const std::optional<mesh::Mesh<2>>& mesh) {
+  return find_boundary_lines(name, input::read_echo(JsonTree(nlohmann::json{{"geometry", geometry}})).mesh, mesh);
 }
 
 }  // namespace talus::report

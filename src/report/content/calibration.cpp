@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "report/look_up.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -13,34 +14,30 @@ using nlohmann::json;
 namespace {
 
 /// "loess.kappa = 0.02203 (± 0.05 %)".
-std::string describe_parameter(const json& p) {
-  const std::string unit = get_text(p, {"unit"});
-  const double value = get_number(p, {"value"});
-  std::string text = fmt::format("{} = {:.4g}{}{}", get_text(p, {"key"}).substr(std::string("materials.").size()),
-                                 value, unit.empty() ? "" : " ", unit);
-  const json& error = p.at("error");
-  if (!error.is_null() && value != 0) text += fmt::format(" (± {:.2g} %)", 100 * error.get<double>() / std::abs(value));
-  return get_text(p, {"limit"}) == "no" ? text : text + " (at its limit)";
+std::string describe_parameter(const results::CalibratedParameter& p) {
+  std::string text = fmt::format("{} = {:.4g}{}{}", p.key.substr(std::string("materials.").size()), p.value,
+                                 p.unit.empty() ? "" : " ", p.unit);
+  if (p.error && p.value != 0) text += fmt::format(" (± {:.2g} %)", 100 * *p.error / std::abs(p.value));
+  return p.limit == results::AtLimit::no ? text : text + " (at its limit)";
 }
 
 }  // namespace
 
 void add_calibration(const ResultFolder& folder, json& document) {
-  const json found = read_json(folder.path / "calibration" / "calibration.json");
-  if (!found.is_object()) return;
-  json section;
-  for (const char* key : {"parameters", "correlation", "starts", "best", "values", "scatter", "evaluations", "tests"})
-    section[key] = found.at(key);
-  section["curves"] = found.at("curves");
+  const auto found = results::read_file<results::Calibration>(folder.path / "calibration" / "calibration.json");
+  if (!found) return;
+  json section = results::to_json(*found);
+  for (const char* key : {"format", "title", "seed", "wall", "findings"}) section.erase(key);
   for (json& parameter : section["parameters"]) parameter.erase("text");
   document["calibration"] = std::move(section);
-  json warnings = found.at("findings");
+  json warnings = found->findings;
   for (const json& warning : document["warnings"]) warnings.push_back(warning);
   document["warnings"] = std::move(warnings);
   std::string list;
-  for (const json& p : found.at("parameters")) list += (list.empty() ? "" : "; ") + describe_parameter(p);
-  json sentences = json::array({fmt::format("Fitted to {} measured values: {}. In brackets: standard errors.",
-                                            found.at("values").get<long>(), list)});
+  for (const results::CalibratedParameter& p : found->parameters)
+    list += (list.empty() ? "" : "; ") + describe_parameter(p);
+  json sentences = json::array(
+      {fmt::format("Fitted to {} measured values: {}. In brackets: standard errors.", found->values, list)});
   for (const json& sentence : document["answer"]["sentences"]) sentences.push_back(sentence);
   document["answer"]["sentences"] = std::move(sentences);
   document["assumptions"].push_back(

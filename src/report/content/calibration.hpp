@@ -1,7 +1,7 @@
 #pragma once
 // A calibration of a folder (`Calibration` in web/src/contract/).
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "report/folder.hpp"
 

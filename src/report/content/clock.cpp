@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "report/content/thinning.hpp"
-#include "report/look_up.hpp"
 
 namespace talus::report {
 namespace {
@@ -21,15 +20,7 @@ std::size_t find_nearest(const std::vector<double>& times, double time) {
 
 }  // namespace
 
-std::optional<Clock> read_clock(const nlohmann::json& summary) {
-  const nlohmann::json* clock = find(summary, {"clock"});
-  if (clock == nullptr) return std::nullopt;
-  Clock found{get_text(*clock, {"stage"}), get_number(*clock, {"start"}), clock->value("resets", false), {}};
-  for (const nlohmann::json& time : find_list(*clock, {"shown_times"})) found.shown_times.push_back(time);
-  return found;
-}
-
-std::vector<std::size_t> choose_shown(const std::vector<double>& times, const Clock& clock) {
+std::vector<std::size_t> choose_shown(const std::vector<double>& times, const results::Clock& clock) {
   std::vector<std::size_t> shown;
   if (times.empty()) return shown;
   if (clock.shown_times.empty()) {

@@ -1,6 +1,9 @@
 #include "report/content/curve.hpp"
 
-#include "report/look_up.hpp"
+#include <nlohmann/json.hpp>
+
+#include "report/words/numbers.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -8,56 +11,36 @@ using nlohmann::json;
 
 namespace {
 
-json make_point(const json& trial) {
-  return {{"srf", get_number(trial, {"srf"})},
-          {"displacement", get_number(trial, {"displacement"})},
-          {"end", get_text(trial, {"end"}, "time")},
-          {"force_ratio", get_number(trial, {"force_ratio"})},
-          {"nodal_speed", get_number(trial, {"nodal_speed"})}};
+json make_point(const results::Trial& trial) {
+  return {{"srf", trial.factor},
+          {"displacement", keep_finite(trial.displacement)},
+          {"end", results::to_word(trial.end)},
+          {"force_ratio", keep_finite(trial.force_ratio)},
+          {"nodal_speed", keep_finite(trial.speed)}};
 }
 
-json make_branch(const json& branch) {
-  return {{"slope", get_number(branch, {"slope"})},
-          {"intercept", get_number(branch, {"intercept"})},
-          {"factors", find_list(branch, {"points"})}};
+json make_branch(const results::Branch& branch) {
+  return {{"slope", branch.slope}, {"intercept", branch.intercept}, {"factors", branch.factors}};
 }
 
 }  // namespace
 
-json make_curve(const json& summary) {
-  const json* curve = find(summary, {"curve"});
-  if (curve == nullptr) return {};
-  json points = json::array(), criteria = json::array();
-  for (const json& p : find_list(*curve, {"points"})) points.push_back(make_point(p));
-  for (const json& c : find_list(*curve, {"criteria"})) {
-    const auto number = [&](const char* key) {
-      const auto value = find_number(c, {key});
-      return value ? json(*value) : json();
-    };
-    criteria.push_back({{"name", get_text(c, {"name"})},
-                        {"factor", number("factor")},
-                        {"lower", number("lower")},
-                        {"upper", number("upper")},
-                        {"note", get_text(c, {"note"})}});
-  }
-  json result{{"points", points}, {"criteria", criteria}};
-  if (const json* bilinear = find(*curve, {"bilinear"})) {
-    const auto factor = find_number(*bilinear, {"factor"});
-    result["bilinear"] = {{"first", make_branch(bilinear->at("first"))},
-                          {"last", make_branch(bilinear->at("second"))},
-                          {"factor", factor ? json(*factor) : json()}};
-  }
-  return result;
-}
-
 json make_curve(const ResultFolder& folder) {
-  json curve = make_curve(folder.summary);
-  if (!curve.is_null()) return curve;
+  const auto& curve = folder.run.curve;
   json points = json::array();
-  for (const TrialFolder& trial : folder.trials)
-    if (!trial.result.is_null()) points.push_back(make_point(trial.result));
-  if (points.empty()) return {};
-  return {{"points", points}, {"criteria", json::array()}};
+  if (curve)
+    for (const results::Trial& trial : curve->points) points.push_back(make_point(trial));
+  else
+    for (const TrialFolder& trial : folder.trials)
+      if (trial.result) points.push_back(make_point(*trial.result));
+  if (!curve && points.empty()) return {};
+  json result{{"points", points},
+              {"criteria", results::to_json(curve ? curve->criteria : std::vector<results::Criterion>{})}};
+  if (curve && curve->bilinear)
+    result["bilinear"] = {{"first", make_branch(curve->bilinear->first)},
+                          {"last", make_branch(curve->bilinear->second)},
+                          {"factor", curve->bilinear->factor}};
+  return result;
 }
 
 }  // namespace talus::report

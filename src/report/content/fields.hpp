@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "output/files/frame.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
 
 namespace talus::report {
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -18,35 +20,35 @@ namespace {
 constexpr std::size_t most_drawn_elements = 60000;
 constexpr std::size_t corners = 6;
 
-json take_factor(const json& node, const char* key) {
-  const auto value = find_number(node, {key});
-  return value && *value > 0 ? json(*value) : json();
+json take_factor(double factor) {
+  return factor > 0 ? json(factor) : json();
 }
 
-json take_trials(const json& run) {
-  json trials = json::array();
-  for (const json& trial : find_list(run, {"trials"})) {
-    json row{{"converged", trial.value("converged", false)}};
-    for (const char* key :
-         {"factor", "iterations", "force_residual", "displacement_residual", "displacement", "seconds"})
-      row[key] = get_number(trial, {key});
-    trials.push_back(std::move(row));
-  }
-  std::stable_sort(trials.begin(), trials.end(),
-                   [](const json& a, const json& b) { return a["factor"].get<double>() < b["factor"].get<double>(); });
-  return trials;
+json take_trials(std::vector<results::ElementTrial> trials) {
+  std::stable_sort(trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.factor < b.factor; });
+  json list = json::array();
+  for (const results::ElementTrial& trial : trials)
+    list.push_back({{"factor", trial.factor},
+                    {"converged", trial.converged},
+                    {"iterations", trial.iterations},
+                    {"force_residual", keep_finite(trial.force_residual)},
+                    {"displacement_residual", keep_finite(trial.displacement_residual)},
+                    {"displacement", keep_finite(trial.displacement)},
+                    {"seconds", trial.seconds}});
+  return list;
 }
 
-json take_run(const json& run) {
-  const std::string flow = get_text(run, {"flow"});
-  json taken{{"flow", flow},
-             {"title", flow == "associated" ? "associated flow, ψ = φ" : "ψ as given"},
-             {"psi", find_list(run, {"psi"})},
-             {"trials", take_trials(run)},
-             {"slip_line", find_list(run, {"slip_line"})},
-             {"warnings", find_list(run, {"warnings"})}};
-  for (const char* key : {"factor", "stable", "failed", "by_displacement"}) taken[key] = take_factor(run, key);
-  return taken;
+json take_run(const results::ElementRun& run) {
+  return {{"flow", results::to_word(run.flow)},
+          {"title", run.flow == results::Flow::associated ? "associated flow, ψ = φ" : "ψ as given"},
+          {"psi", run.psi},
+          {"trials", take_trials(run.trials)},
+          {"slip_line", run.slip_line},
+          {"warnings", run.warnings},
+          {"factor", take_factor(run.factor)},
+          {"stable", take_factor(run.stable)},
+          {"failed", take_factor(run.failed)},
+          {"by_displacement", take_factor(run.by_displacement.value_or(0))}};
 }
 
 /// Limits of the colours: the largest strain of all but the most strained hundredth of the nodes.
@@ -57,68 +59,74 @@ std::vector<double> find_strain_scale(std::vector<double> strain) {
   return {0, *at > 0 ? *at : 1};
 }
 
-std::vector<double> gather(const json& list, std::size_t width) {
-  std::vector<double> values;
-  values.reserve(list.size() * width);
-  for (const json& row : list)
-    for (std::size_t k = 0; k < width; ++k) values.push_back((width == 1 ? row : row.at(k)).get<double>());
+/// `rows` one after the other; throws Error (wrong_input) where one is not `width` long.
+template <class T, class To>
+std::vector<To> join_rows(const std::vector<std::vector<T>>& rows, std::size_t width) {
+  std::vector<To> values;
+  values.reserve(rows.size() * width);
+  for (const std::vector<T>& row : rows) {
+    if (row.size() != width)
+      throw Error(ExitCode::wrong_input, fmt::format("a row has {} numbers instead of {}", row.size(), width));
+    for (const T& value : row) values.push_back(static_cast<To>(value));
+  }
   return values;
 }
 
 /// The mesh; null where it cannot be drawn.
-json pack_mesh(const json& file, Packer& packer) {
-  const json &nodes = find_list(file, {"nodes"}), &elements = find_list(file, {"elements"});
-  if (nodes.empty() || elements.empty() || elements.size() > most_drawn_elements || nodes[0].size() != 2 ||
-      elements[0].size() != corners)
+json pack_mesh(const results::ElementFile& file, Packer& packer) {
+  const std::size_t nodes = file.nodes.size(), elements = file.elements.size();
+  if (nodes == 0 || elements == 0 || elements > most_drawn_elements || file.nodes[0].size() != 2 ||
+      file.elements[0].size() != corners)
     return {};
-  std::vector<std::uint32_t> cells;
-  cells.reserve(elements.size() * corners);
-  for (const json& element : elements)
-    for (const json& node : element) {
-      cells.push_back(node.get<std::uint32_t>());
-      if (cells.back() >= nodes.size())
-        throw Error(ExitCode::wrong_input,
-                    fmt::format("an element names the node {} of {}", cells.back(), nodes.size()));
-    }
-  return {{"nodes", packer.add_reals("fem.nodes", gather(nodes, 2), {nodes.size(), 2})},
-          {"elements", packer.add_numbers("fem.elements", cells, {elements.size(), corners}, true)}};
+  const auto cells = join_rows<int, std::uint32_t>(file.elements, corners);
+  for (const std::uint32_t node : cells)
+    if (node >= nodes)
+      throw Error(ExitCode::wrong_input, fmt::format("an element names the node {} of {}", node, nodes));
+  return {{"nodes", packer.add_reals("fem.nodes", join_rows<double, double>(file.nodes, 2), {nodes, 2})},
+          {"elements", packer.add_numbers("fem.elements", cells, {elements, corners}, true)}};
 }
 
-void add_fields(const json& file, json& runs, std::size_t nodes, std::size_t elements, Packer& packer) {
-  for (json& run : runs)
-    for (const json& fields : find_list(file, {"runs"})) {
-      if (get_text(fields, {"flow"}) != run["flow"]) continue;
-      const json &displacement = find_list(fields, {"displacement"}), &strain = find_list(fields, {"shear_strain"}),
-                 &yields = find_list(fields, {"yields"});
-      if (displacement.size() != nodes || strain.size() != nodes || yields.size() != elements) continue;
-      const std::string id = "fem." + run["flow"].get<std::string>();
-      const std::vector<double> strains = gather(strain, 1);
-      std::vector<std::uint8_t> plastic;
-      for (const json& y : yields) plastic.push_back(y.is_boolean() ? y.get<bool>() : y.get<double>() != 0);
-      run["fields"] = {
-          {"displacement", packer.add_values(id + ".displacement", gather(displacement, 2), {nodes, 2}, false)},
-          {"shear_strain", packer.add_values(id + ".shear_strain", strains, {nodes}, false)},
-          {"strain_scale", find_strain_scale(strains)},
-          {"yields", packer.add_bytes(id + ".yields", plastic, {elements})}};
-      break;
-    }
+/// The fields of one strength reduction; null where the file has none of this mesh.
+json pack_fields(const results::ElementFile& file, results::Flow flow, Packer& packer) {
+  const std::size_t nodes = file.nodes.size(), elements = file.elements.size();
+  for (const results::ElementFields& fields : file.runs) {
+    if (fields.flow != flow || fields.displacement.size() != nodes || fields.shear_strain.size() != nodes ||
+        fields.yields.size() != elements)
+      continue;
+    const std::string id = fmt::format("fem.{}", results::to_word(flow));
+    const auto displacement = join_rows<double, double>(fields.displacement, 2);
+    const std::vector<std::uint8_t> yields(fields.yields.begin(), fields.yields.end());
+    return {{"displacement", packer.add_values(id + ".displacement", displacement, {nodes, 2}, false)},
+            {"shear_strain", packer.add_values(id + ".shear_strain", fields.shear_strain, {nodes}, false)},
+            {"strain_scale", find_strain_scale(fields.shear_strain)},
+            {"yields", packer.add_bytes(id + ".yields", yields, {elements})}};
+  }
+  return {};
 }
 
 }  // namespace
 
 json make_finite_elements(const ResultFolder& folder, Packer& packer, json& warnings) {
-  const json* fem = find(folder.summary, {"fem"});
-  if (fem == nullptr || !fem->is_object()) return {};
-  json block{{"element", get_text(*fem, {"element"}, "T6")}, {"runs", json::array()}};
-  for (const char* key : {"elements", "nodes", "unknowns", "size", "seconds"}) block[key] = get_number(*fem, {key});
-  if (const std::string error = get_text(*fem, {"error"}); !error.empty()) block["error"] = error;
-  for (const json& run : find_list(*fem, {"runs"})) block["runs"].push_back(take_run(run));
+  if (!folder.run.elements) return {};
+  const results::ElementResult& fem = *folder.run.elements;
+  json block{{"element", fem.element.empty() ? "T6" : fem.element},
+             {"elements", fem.elements},
+             {"nodes", fem.nodes},
+             {"unknowns", fem.unknowns},
+             {"size", fem.size},
+             {"seconds", fem.seconds.value_or(0)},
+             {"runs", json::array()}};
+  if (fem.error) block["error"] = *fem.error;
+  for (const results::ElementRun& run : fem.runs) block["runs"].push_back(take_run(run));
   try {
-    const json file = read_json(folder.path / get_text(*fem, {"fields_file"}, "fem.json"));
-    if (json mesh = pack_mesh(file, packer); !mesh.is_null()) {
-      block["mesh"] = std::move(mesh);
-      add_fields(file, block["runs"], find_list(file, {"nodes"}).size(), find_list(file, {"elements"}).size(), packer);
-    }
+    const auto file = results::read_file<results::ElementFile>(
+        folder.path / (fem.fields_file.empty() ? "fem.json" : fem.fields_file));
+    json mesh = file ? pack_mesh(*file, packer) : json();
+    if (mesh.is_null()) return block;
+    block["mesh"] = std::move(mesh);
+    for (std::size_t i = 0; i < fem.runs.size(); ++i)
+      if (json fields = pack_fields(*file, fem.runs[i].flow, packer); !fields.is_null())
+        block["runs"][i]["fields"] = std::move(fields);
   } catch (const Error& error) {
     warnings.push_back(fmt::format("The finite elements are not drawn: {}", error.what()));
   }

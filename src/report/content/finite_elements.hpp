@@ -1,6 +1,8 @@
 #pragma once
 // Strength reduction by finite elements in a report: trials, factors, the fields at failure.
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "report/folder.hpp"
 #include "report/pack/pack.hpp"
 

@@ -3,16 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <nlohmann/json.hpp>
 
+#include "input/case/declare_boundary.hpp"
 #include "mesh/quality.hpp"
 #include "report/content/boundary_lines.hpp"
 #include "report/content/materials.hpp"
 #include "report/content/soil_water.hpp"
 #include "report/content/water.hpp"
 #include "report/content/water_choices.hpp"
-#include "report/look_up.hpp"
-#include "report/words/answer.hpp"
+#include "report/words/numbers.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 
 namespace talus::report {
@@ -24,52 +26,47 @@ namespace {
 /// A mesh with more elements would be the largest part of the report, and too fine to be seen.
 constexpr int most_drawn_elements = 100000;
 
-/// (0.6, -0.8)
-std::string show_vector(const std::vector<double>& v, std::size_t dimension) {
+/// (0.6, -0.8); the third component where it is not zero.
+std::string show_vector(const std::array<double, 3>& v, std::size_t dimension, double unit = 1) {
   std::string text;
-  for (std::size_t d = 0; d < std::min(dimension, v.size()); ++d) text += (d ? ", " : "") + show_number(v[d], 4);
+  for (std::size_t d = 0; d < (v[2] != 0 ? dimension : 2); ++d) text += (d ? ", " : "") + show_number(v[d] / unit, 4);
   return "(" + text + ")";
 }
 
 /// ", times a factor: 0 at 0 s, 1 at 2 s"; nothing without a table.
-std::string describe_factor(const json& node) {
+std::string describe_factor(const input::TimeTable& table) {
   constexpr std::size_t most_rows = 6;
-  const json* rows = find(node, {"factor", "value"});
-  if (rows == nullptr || !rows->is_array() || rows->empty()) return "";
-  if (rows->size() > most_rows) return ", times a factor that changes with time (see the input)";
+  if (table.time.size() > most_rows) return ", times a factor that changes with time (see the input)";
   std::string text;
-  for (const json& row : *rows)
-    text += fmt::format("{} {} at {} s", text.empty() ? ", times a factor:" : ",", show_number(row.at(1), 4),
-                        show_number(row.at(0), 4));
+  for (std::size_t i = 0; i < table.time.size(); ++i)
+    text += fmt::format("{} {} at {} s", text.empty() ? ", times a factor:" : ",", show_number(table.value[i], 4),
+                        show_number(table.time[i], 4));
   return text;
 }
 
-const json& get_table(const json& summary, const char* name) {
-  static const json empty = json::object();
-  const json* found = find(summary, {"input", name});
-  return found != nullptr ? *found : empty;
+std::string describe_boundary(const input::Boundary& b, std::size_t dimension) {
+  switch (b.fix) {
+    case input::Fix::full:
+      return "fixed: no motion";
+    case input::Fix::normal:
+      return "rollers: no motion across the side";
+    case input::Fix::plane:
+      return "no motion along the normal " + show_vector(b.normal, dimension);
+    case input::Fix::friction:
+      return fmt::format("rough wall with μ = {:g}: the soil may leave it but not cross it", b.friction);
+    case input::Fix::velocity:
+      return fmt::format("prescribed velocity {} m/s{}", show_vector(b.velocity, dimension), describe_factor(b.factor));
+  }
+  return "";
 }
 
-std::string describe_boundary(const json& b, std::size_t dimension) {
-  const std::string fix = get_word(b, "fix");
-  if (fix == "full") return "fixed: no motion";
-  if (fix == "normal") return "rollers: no motion across the side";
-  if (fix == "plane") return "no motion along the normal " + show_vector(get_si_vector(b, "normal"), dimension);
-  if (fix == "friction")
-    return fmt::format("rough wall with μ = {:g}: the soil may leave it but not cross it", get_si(b, "friction", 0));
-  if (fix == "velocity")
-    return fmt::format("prescribed velocity {} m/s{}", show_vector(get_si_vector(b, "velocity"), dimension),
-                       describe_factor(b));
-  return fix;
-}
-
-json list_boundaries(const json& summary, std::size_t dimension, const std::optional<mesh::Mesh<2>>& mesh) {
+json list_boundaries(const input::Case& data, std::size_t dimension, const std::optional<mesh::Mesh<2>>& mesh) {
   json list = json::array();
-  for (const json& b : find_list(summary, {"input", "boundary"})) {
+  for (const input::Boundary& b : data.boundaries) {
     json lines = json::array();
-    if (dimension == 2) lines = find_boundary_lines(get_word(b, "on"), get_table(summary, "geometry"), mesh);
-    list.push_back({{"on", get_word(b, "on")},
-                    {"fix", get_word(b, "fix")},
+    if (dimension == 2) lines = find_boundary_lines(b.on, data.mesh, mesh);
+    list.push_back({{"on", b.on},
+                    {"fix", input::Codec<input::Fix>::encode(b.fix, {})},
                     {"text", describe_boundary(b, dimension)},
                     {"lines", lines}});
   }
@@ -77,17 +74,14 @@ json list_boundaries(const json& summary, std::size_t dimension, const std::opti
 }
 
 /// Surcharges and the earthquake, which slices and finite elements know.
-void add_loads_of_slices(const json& summary, const ShownUnits& units, json& list) {
-  for (const json& s : find_list(summary, {"input", "surcharge"})) {
-    const std::vector<double> x = get_si_vector(s, "x"), load = get_si_vector(s, "load");
+void add_loads_of_slices(const input::Case& data, const ShownUnits& units, json& list) {
+  for (const input::Surcharge& s : data.surcharges) {
     std::string text;
-    for (std::size_t i = 0; i < std::min(x.size(), load.size()); ++i)
-      text += fmt::format("{}{} at x = {}", i ? ", " : "", show(load[i], units.stress), show(x[i], units.length));
-    list.push_back({{"name", "surcharge " + get_word(s, "name")},
-                    {"text", text + (get_flag(s, "variable") ? " (variable)" : " (permanent)")}});
+    for (std::size_t i = 0; i < std::min(s.x.size(), s.load.size()); ++i)
+      text += fmt::format("{}{} at x = {}", i ? ", " : "", show(s.load[i], units.stress), show(s.x[i], units.length));
+    list.push_back({{"name", "surcharge " + s.name}, {"text", text + (s.variable ? " (variable)" : " (permanent)")}});
   }
-  const json& earthquake = get_table(summary, "earthquake");
-  const double across = get_si(earthquake, "horizontal", 0), down = get_si(earthquake, "vertical", 0);
+  const auto [across, down] = data.earthquake;
   if (across != 0 || down != 0)
     list.push_back(
         {{"name", "earthquake"},
@@ -95,101 +89,104 @@ void add_loads_of_slices(const json& summary, const ShownUnits& units, json& lis
 }
 
 /// For the pictures of slices: x [m] and loads [Pa].
-json list_surcharges(const json& summary) {
+json list_surcharges(const input::Case& data) {
   json list = json::array();
-  for (const json& s : find_list(summary, {"input", "surcharge"}))
-    list.push_back({{"name", get_word(s, "name")}, {"x", get_si_vector(s, "x")}, {"load", get_si_vector(s, "load")}});
+  for (const input::Surcharge& s : data.surcharges) list.push_back({{"name", s.name}, {"x", s.x}, {"load", s.load}});
   return list;
 }
 
-json list_loads(const json& summary, std::size_t dimension, const ShownUnits& units) {
+json list_loads(const input::Case& data, std::size_t dimension, const ShownUnits& units) {
   json list = json::array();
-  const json& gravity = get_table(summary, "gravity");
-  if (!gravity.empty())
-    list.push_back({{"name", "gravity"},
-                    {"text", fmt::format("{:g} m/s² along {}", get_si(gravity, "acceleration", 9.81),
-                                         show_vector(get_si_vector(gravity, "direction"), dimension))}});
-  for (const json& t : find_list(summary, {"input", "traction"})) {
-    std::vector<double> traction = get_si_vector(t, "traction");
-    for (double& v : traction) v /= units.stress.si;
-    const bool moves = get_word(t, "carrier", "points") == "points";
+  list.push_back({{"name", "gravity"},
+                  {"text", fmt::format("{:g} m/s² along {}", data.gravity.acceleration,
+                                       show_vector(data.gravity.direction, dimension))}});
+  for (const input::Traction& t : data.tractions)
     list.push_back(
-        {{"name", "traction on " + get_word(t, "on")},
-         {"text", fmt::format("{} {}, {}{}", show_vector(traction, dimension), units.stress.name,
-                              moves ? "carried by the soil beside the side" : "fixed in space", describe_factor(t))}});
-  }
-  add_loads_of_slices(summary, units, list);
+        {{"name", "traction on " + t.on},
+         {"text",
+          fmt::format("{} {}, {}{}", show_vector(t.traction, dimension, units.stress.si), units.stress.name,
+                      t.carrier == input::Carrier::points ? "carried by the soil beside the side" : "fixed in space",
+                      describe_factor(t.factor))}});
+  add_loads_of_slices(data, units, list);
   return list;
 }
 
 /// Monitors and the numbers of the points they follow: the nearest at the start, as the recorder chooses.
 json list_monitors(const ResultFolder& folder, std::size_t dimension) {
   json list = json::array();
-  const json& monitors = find_list(folder.summary, {"input", "output", "monitor"});
-  if (monitors.empty() || !folder.frames || folder.frames->size() == 0) return list;
+  if (folder.data.output.monitors.empty() || !folder.frames || folder.frames->size() == 0) return list;
   const output::Frame frame = folder.frames->read(0);
   const output::Field* displacement = output::find(frame.point_fields, "displacement");
-  for (const json& m : monitors) {
-    const std::vector<double> at = get_si_vector(m, "at");
-    if (at.size() < dimension) continue;
+  for (const input::Monitor& m : folder.data.output.monitors) {
     int nearest = -1;
     double shortest = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < frame.ids.size(); ++i) {
       double square = 0;
       for (std::size_t d = 0; d < dimension; ++d) {
         const double moved = displacement != nullptr ? displacement->values[3 * i + d] : 0;
-        const double distance = frame.positions[3 * i + d] - moved - at[d];
+        const double distance = frame.positions[3 * i + d] - moved - m.at[d];
         square += distance * distance;
       }
       if (square >= shortest) continue;
       shortest = square;
       nearest = frame.ids[i];
     }
-    list.push_back({{"name", get_word(m, "name")}, {"at", at}, {"id", nearest}});
+    list.push_back({{"name", m.name}, {"at", std::vector(m.at.begin(), m.at.begin() + dimension)}, {"id", nearest}});
   }
   return list;
 }
 
-std::string describe_stage(const json& s, const ShownUnits& units, bool wet) {
-  const bool rests = get_word(s, "until") == "rest";
-  std::string text = rests ? fmt::format("until rest, at most {:g} s", get_si(s, "duration", 0))
-                           : fmt::format("{:g} s", get_si(s, "duration", 0));
-  text += fmt::format(", damping {:g}", get_si(s, "damping", 0));
-  if (const auto cohesion = find_si(s, "cohesion")) text += ", cohesion " + show(*cohesion, units.stress);
-  if (const auto factor = find_si(s, "strength_factor")) text += fmt::format(", strength divided by {:g}", *factor);
-  if (const double ramp = get_si(s, "gravity_ramp", 0); ramp > 0)
-    text += fmt::format(", gravity grows over {:g} s", ramp);
-  if (const double scaling = get_si(s, "mass_scaling", 1); scaling != 1)
-    text += fmt::format(", inertia times {:g}", scaling);
-  if (get_word(s, "geometry") == "frozen") text += ", frozen geometry";
-  if (const std::string smoothing = get_word(s, "smoothing", "none"); smoothing != "none")
-    text += fmt::format(", {} smoothing", smoothing);
-  if (get_word(s, "integration", "mixed") == "points") text += ", stresses integrated on the points";
-  if (wet) text += describe_stage_water(s);
-  if (get_flag(s, "reset_displacement")) text += ", displacements counted from here";
+/// `water`: the clause on pore water.
+std::string describe_stage(const input::Stage& s, const ShownUnits& units, const std::string& water) {
+  std::string text = s.until == input::Until::rest ? fmt::format("until rest, at most {:g} s", s.duration)
+                                                   : fmt::format("{:g} s", s.duration);
+  text += fmt::format(", damping {:g}", s.step.damping);
+  if (s.cohesion) text += ", cohesion " + show(*s.cohesion, units.stress);
+  if (s.strength_factor) text += fmt::format(", strength divided by {:g}", *s.strength_factor);
+  if (s.gravity_ramp > 0) text += fmt::format(", gravity grows over {:g} s", s.gravity_ramp);
+  if (s.step.mass_scaling != 1) text += fmt::format(", inertia times {:g}", s.step.mass_scaling);
+  if (s.step.geometry == input::Geometry::frozen) text += ", frozen geometry";
+  if (s.step.smoothing != input::Smoothing::none)
+    text += fmt::format(", {} smoothing", s.step.smoothing == input::Smoothing::strain ? "strain" : "stable");
+  if (s.step.integration == input::Integration::points) text += ", stresses integrated on the points";
+  text += water;
+  if (s.reset_displacement) text += ", displacements counted from here";
   return text;
 }
 
-json list_stages(const json& summary, const ShownUnits& units) {
+json list_stages(const ResultFolder& folder, const ShownUnits& units) {
   json list = json::array();
-  const json& plans = find_list(summary, {"input", "stage"});
-  const json& reports = find_list(summary, {"stages"});
-  const bool wet = is_wet(summary);
+  const std::vector<input::Stage>& plans = folder.data.stages;
+  const std::vector<results::Stage> reports = folder.run.stages.value_or(std::vector<results::Stage>{});
+  const results::Status status = folder.run.status;
+  const bool stopped = status != results::Status::finished && status != results::Status::unfinished;
+  const bool wet = is_wet(folder.summary);
   for (std::size_t i = 0; i < std::max(plans.size(), reports.size()); ++i) {
-    static const json none = json::object();
-    const json& plan = i < plans.size() ? plans[i] : none;
-    const json& report = i < reports.size() ? reports[i] : none;
+    const bool planned = i < plans.size();
     // A stage is reported when it ends: the first without a report is where a broken run stopped.
-    const std::string status = find_status(summary);
-    const bool stopped_here = i == reports.size() && status != "finished" && status != "unfinished";
-    list.push_back({{"name", get_text(report, {"name"}, get_word(plan, "name"))},
-                    {"text", plan.empty() ? "" : describe_stage(plan, units, wet)},
-                    {"end", get_text(report, {"end"}, stopped_here ? status : "not reached")},
-                    {"time", get_number(report, {"time"})},
-                    {"steps", get_number(report, {"steps"})},
-                    {"wall", get_number(report, {"wall"})}});
+    const bool reported = i < reports.size(), stopped_here = i == reports.size() && stopped;
+    const results::Stage report = reported ? reports[i] : results::Stage{};
+    const std::string water =
+        planned && wet ? describe_stage_water(folder.summary.at("input").at("stage").at(i)) : std::string();
+    list.push_back({{"name", reported ? report.name : plans[i].name},
+                    {"text", planned ? describe_stage(plans[i], units, water) : ""},
+                    {"end", reported       ? results::to_word(report.end)
+                            : stopped_here ? results::to_word(status)
+                                           : "not reached"},
+                    {"time", report.time},
+                    {"steps", report.steps},
+                    {"wall", report.wall}});
   }
   return list;
+}
+
+json describe_mesh(const results::Mesh& mesh) {
+  return {{"nodes", mesh.nodes},
+          {"elements", mesh.elements},
+          {"points", mesh.points},
+          {"mean_size", mesh.mean_size},
+          {"smallest_altitude", mesh.smallest_altitude},
+          {"critical_time_step", mesh.critical_time_step}};
 }
 
 template <int D>
@@ -234,14 +231,11 @@ class Bounds {
 /// material points) from the polygons.
 template <class Mesh2, class Mesh3>
 json find_bounds(const ResultFolder& folder, std::size_t dimension, const Mesh2& plane, const Mesh3& space) {
-  const json& geometry = get_table(folder.summary, "geometry");
-  const auto box = get_si_points(geometry, "box");
+  const mesh::Plan& plan = folder.data.mesh;
   Bounds bounds;
-  if (box.size() == 2 && box[0].size() >= 2 && box[1].size() >= 2) {
-    for (const std::size_t end : {0u, 1u}) {
-      const double corner[] = {box[end][0], box[end][1], end == 1 ? get_si(geometry, "thickness", 0) : 0};
-      bounds.add(corner, dimension);
-    }
+  if (plan.box_min != plan.box_max) {
+    for (const auto& [corner, z] : {std::pair{plan.box_min, 0.0}, std::pair{plan.box_max, plan.thickness}})
+      bounds.add(std::array{corner[0], corner[1], z}.data(), dimension);
   } else if (plane) {
     for (const auto& x : plane->nodes) bounds.add(x.data(), dimension);
   } else if (space) {
@@ -250,10 +244,9 @@ json find_bounds(const ResultFolder& folder, std::size_t dimension, const Mesh2&
     const output::Frame frame = folder.frames->read(0);
     for (std::size_t i = 0; i < frame.ids.size(); ++i) bounds.add(&frame.positions[3 * i], dimension);
   }
-  if (bounds.empty())
-    for (const json& polygon : find_list(folder.summary, {"input", "geometry", "polygon"}))
-      for (const auto& corner : get_si_points(polygon, "points"))
-        if (corner.size() >= dimension) bounds.add(corner.data(), dimension);
+  if (bounds.empty() && dimension == 2)
+    for (const mesh::Polygon& polygon : plan.polygons)
+      for (const auto& corner : polygon.points) bounds.add(corner.data(), dimension);
   if (bounds.empty()) bounds.add(std::array<double, 3>{}.data(), dimension);
   return bounds.to_json();
 }
@@ -261,15 +254,10 @@ json find_bounds(const ResultFolder& folder, std::size_t dimension, const Mesh2&
 }  // namespace
 
 json make_model(const ResultFolder& folder, std::optional<double> factor_of_safety, Packer& packer) {
-  const json& summary = folder.summary;
-  const std::size_t dimension = get_dimension(summary);
-  const ShownUnits units = read_units(summary);
-  json mesh{{"nodes", get_number(summary, {"mesh", "nodes"})},
-            {"elements", get_number(summary, {"mesh", "elements"})},
-            {"points", get_number(summary, {"mesh", "points"})},
-            {"mean_size", get_number(summary, {"mesh", "mean_size"})},
-            {"smallest_altitude", get_number(summary, {"mesh", "smallest_altitude"})},
-            {"critical_time_step", get_number(summary, {"mesh", "critical_time_step"})}};
+  const std::size_t dimension = get_dimension(folder.run);
+  const ShownUnits units = read_units(folder.run);
+  const input::Case& data = folder.data;
+  json mesh = describe_mesh(folder.run.mesh.value_or(results::Mesh{}));
   std::optional<mesh::Mesh<2>> plane;
   std::optional<mesh::Mesh<3>> space;
   if (std::filesystem::exists(folder.path / "mesh.h5")) {
@@ -283,23 +271,22 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
     }
   }
   json polygons = json::array();
-  for (const json& p : find_list(summary, {"input", "geometry", "polygon"})) {
-    const std::string name = get_word(p, "name");
-    polygons.push_back({{"name", name},
-                        {"material", get_word(get_table(summary, "regions"), name.c_str())},
-                        {"points", get_si_points(p, "points")}});
+  for (const mesh::Polygon& p : data.mesh.polygons) {
+    const auto material = data.regions.find(p.name);
+    polygons.push_back(
+        {{"name", p.name}, {"material", material != data.regions.end() ? material->second : ""}, {"points", p.points}});
   }
   return {{"dimension", dimension},
           {"bounds", find_bounds(folder, dimension, plane, space)},
-          {"slope_height", get_number(summary, {"slope_height"})},
+          {"slope_height", folder.run.slope_height.value_or(0)},
           {"polygons", polygons},
-          {"boundaries", list_boundaries(summary, dimension, plane)},
-          {"loads", list_loads(summary, dimension, units)},
-          {"surcharges", list_surcharges(summary)},
-          {"water", list_water_tables(summary)},
+          {"boundaries", list_boundaries(data, dimension, plane)},
+          {"loads", folder.run.input.is_empty() ? json::array() : list_loads(data, dimension, units)},
+          {"surcharges", list_surcharges(data)},
+          {"water", list_water_tables(folder.summary)},
           {"monitors", list_monitors(folder, dimension)},
-          {"materials", list_materials(summary, factor_of_safety)},
-          {"stages", list_stages(summary, units)},
+          {"materials", list_materials(folder.summary, factor_of_safety)},
+          {"stages", list_stages(folder, units)},
           {"mesh", mesh}};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // The calculation model as the report shows it (`Model` in web/src/contract/).
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "report/folder.hpp"

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "input/case/point_test.hpp"
 #include "output/files/history.hpp"
 #include "report/content/thinning.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -31,13 +33,14 @@ bool is_strain(const std::string& name) {
 }
 
 /// The columns that the diagrams show, thinned; strains in per cent.
-json read_columns(const std::filesystem::path& table, const std::set<std::string>& wanted, const json& turns) {
+json read_columns(const std::filesystem::path& table, const std::set<std::string>& wanted,
+                  const std::vector<std::size_t>& turns) {
   const output::HistoryTable curve = output::read_history(table);
   const std::size_t rows = curve.values.empty() ? 0 : curve.values.front().size();
   std::set<std::size_t> shown;
   for (const std::size_t i : choose_frames(rows, most_rows)) shown.insert(i);
-  for (const json& turn : turns)
-    if (turn.get<std::size_t>() < rows) shown.insert(turn.get<std::size_t>());
+  for (const std::size_t turn : turns)
+    if (turn < rows) shown.insert(turn);
   json columns = json::array();
   for (const input::PointQuantity& quantity : input::list_point_quantities()) {
     if (!wanted.contains(quantity.name)) continue;
@@ -58,47 +61,49 @@ json read_columns(const std::filesystem::path& table, const std::set<std::string
 }  // namespace
 
 json make_point_tests(const ResultFolder& folder) {
-  if (!folder.point.is_object()) return {};
-  const json &list = find_list(folder.point, {"tests"}), &groups = find_list(folder.point, {"groups"});
+  if (!folder.tests) return {};
+  const std::vector<results::PointTest>& list = folder.tests->tests;
   std::vector<std::set<std::string>> wanted(list.size());
-  for (const json& group : groups)
-    for (const json& test : find_list(group, {"tests"}))
-      for (const json& panel : find_list(group, {"panels"}))
-        wanted.at(test.get<std::size_t>()).insert({get_text(panel, {"x"}), get_text(panel, {"y"})});
-  json tests = json::array();
+  json groups = json::array(), tests = json::array();
+  for (const results::PointGroup& group : folder.tests->groups) {
+    for (const std::size_t test : group.tests)
+      for (const results::PointPanel& panel : group.panels) wanted.at(test).insert({panel.x, panel.y});
+    groups.push_back(results::to_json(group));
+    groups.back().erase("picture");
+  }
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const json& test = list[i];
-    json entry;
-    for (const char* key : {"name", "material", "kind", "path", "set", "stopped"}) entry[key] = get_text(test, {key});
-    for (const char* key : {"peak_q", "peak_q_strain"}) entry[key] = get_number(test, {key});
-    for (const char* key : {"q", "p", "volumetric_strain", "void_ratio", "preconsolidation"})
-      entry["end"][key] = get_number(test, {"end", key});
-    entry["columns"] =
-        read_columns(folder.path / "point" / get_text(test, {"file"}), wanted[i], find_list(test, {"turns"}));
-    tests.push_back(std::move(entry));
+    const results::PointTest& test = list[i];
+    json end;
+    for (const char* key : {"q", "p", "volumetric_strain", "void_ratio", "preconsolidation"}) {
+      const auto value = test.end.find(key);
+      end[key] = value != test.end.end() ? keep_finite(value->second) : 0;
+    }
+    tests.push_back({{"name", test.name},
+                     {"material", test.material},
+                     {"kind", test.kind},
+                     {"path", test.path},
+                     {"set", test.set},
+                     {"stopped", test.stopped},
+                     {"peak_q", keep_finite(test.peak_q)},
+                     {"peak_q_strain", keep_finite(test.peak_q_strain)},
+                     {"end", end},
+                     {"columns", read_columns(folder.path / "point" / test.file, wanted[i], test.turns)}});
   }
-  json shown = json::array();
-  for (const json& group : groups) {
-    json entry;
-    for (const char* key : {"id", "title", "panels", "tests", "colour", "dash"}) entry[key] = group.at(key);
-    shown.push_back(std::move(entry));
-  }
-  return {{"tests", tests}, {"groups", shown}};
+  return {{"tests", tests}, {"groups", groups}};
 }
 
-json make_point_answer(const ResultFolder& folder) {
-  const json& list = find_list(folder.point, {"tests"});
+std::vector<std::string> say_point_tests(const ResultFolder& folder) {
+  const std::vector<results::PointTest>& list = folder.tests->tests;
   std::vector<std::string> kinds;
-  for (const json& test : list)
-    if (const std::string kind = get_text(test, {"kind"}); std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-      kinds.push_back(kind);
-  json sentences = json::array();
+  for (const results::PointTest& test : list)
+    if (std::find(kinds.begin(), kinds.end(), test.kind) == kinds.end()) kinds.push_back(test.kind);
+  std::vector<std::string> sentences;
   sentences.push_back(fmt::format("{} element {} of one point of soil each: {}.", list.size(),
                                   list.size() == 1 ? "test" : "tests", join_words(kinds)));
-  const ShownUnit stress = read_units(folder.summary).stress;
+  const ShownUnit stress = read_units(folder.run).stress;
   double low = INFINITY, high = 0;
-  for (const json& test : list) {
-    const double q = std::abs(get_number(test, {"peak_q"}));
+  for (const results::PointTest& test : list) {
+    const double q = std::abs(keep_finite(test.peak_q));
     if (q > 0) low = std::min(low, q);  // isotropic tests have none
     high = std::max(high, q);
   }
@@ -106,17 +111,17 @@ json make_point_answer(const ResultFolder& folder) {
     sentences.push_back(low == high ? fmt::format("The largest deviatoric stress is {}.", show(low, stress, 4))
                                     : fmt::format("The largest deviatoric stress lies between {} and {}.",
                                                   show(low, stress, 4), show(high, stress, 4)));
-  const json& comparisons = find_list(folder.point, {"comparisons"});
+  const std::vector<results::Comparison>& comparisons = folder.tests->comparisons;
   if (!comparisons.empty()) {
     const auto passed =
-        std::count_if(comparisons.begin(), comparisons.end(), [](const json& c) { return c.value("passes", false); });
+        std::count_if(comparisons.begin(), comparisons.end(), [](const results::Comparison& c) { return c.passes; });
     sentences.push_back(
         fmt::format("{} of {} compared values are met within their tolerances.", passed, comparisons.size()));
   }
-  return {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
+  return sentences;
 }
 
-json list_point_assumptions() {
+std::vector<std::string> list_point_assumptions() {
   return {
       "Each test is one point of soil: stress and strain are the same in the whole specimen, which has neither "
       "friction at its ends nor a shear band.",

@@ -1,7 +1,9 @@
 #pragma once
 // Element tests of a folder (`PointTests` in web/src/contract/).
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 #include "report/folder.hpp"
 
@@ -11,10 +13,10 @@ namespace talus::report {
 /// or damaged.
 nlohmann::json make_point_tests(const ResultFolder& folder);
 
-/// `Answer` of a folder that holds element tests alone.
-nlohmann::json make_point_answer(const ResultFolder& folder);
+/// The answer of element tests in words.
+std::vector<std::string> say_point_tests(const ResultFolder& folder);
 
 /// What element tests rest on, in sentences.
-nlohmann::json list_point_assumptions();
+std::vector<std::string> list_point_assumptions();
 
 }  // namespace talus::report

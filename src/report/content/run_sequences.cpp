@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "report/content/sequence.hpp"
 
@@ -66,11 +67,11 @@ nlohmann::json pack_sequences(const ResultFolder& folder, Packer& packer) {
   Budget budget;
   std::vector<std::size_t> needs;
   for (const SequencePlan& plan : plans) needs.push_back(points * std::min(plan.frames.size(), budget.frames));
-  const std::vector<std::size_t> shares = share_out(needs, find_most_point_frames(get_dimension(folder.summary)));
-  const ShownUnits units = read_units(folder.summary);
+  const std::vector<std::size_t> shares = share_out(needs, find_most_point_frames(get_dimension(folder.run)));
+  const ShownUnits units = read_units(folder.run);
   for (std::size_t k = 0; k < plans.size(); ++k) {
     budget.point_frames = shares[k];
-    sequences.push_back(pack_sequence(plans[k], get_dimension(folder.summary), units, budget, packer));
+    sequences.push_back(pack_sequence(plans[k], get_dimension(folder.run), units, budget, packer));
   }
   return sequences;
 }

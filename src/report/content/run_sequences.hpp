@@ -1,7 +1,7 @@
 #pragma once
 // The frames of a run as sequences: its stages, the trials of the curve, each runout.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "report/folder.hpp"
 #include "report/pack/pack.hpp"

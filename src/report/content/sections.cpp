@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "output/files/history.hpp"
 #include "report/content/clock.hpp"
 #include "report/content/fields.hpp"
 #include "report/content/thinning.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
+#include "results/json.hpp"
 #include "run/mpm/record/motion.hpp"
 
 namespace talus::report {
@@ -32,14 +34,15 @@ json to_json(double value) {
   return std::isfinite(value) ? json(value) : json();
 }
 
-json make_section(const json& described, const output::HistoryTable& table, const Clock& clock, const json& summary) {
-  const ShownUnits units = read_units(summary);
+json make_section(const results::SectionLine& line, const output::HistoryTable& table, const results::RunResult& run) {
+  const ShownUnits units = read_units(run);
+  const results::Clock& clock = *run.clock;
   json fields = json::array(), profiles = json::array();
   std::vector<std::size_t> columns;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     if (is_place(table.columns[c].name)) continue;
     columns.push_back(c);
-    const ScalarField scalar = find_scalar(table.columns[c].name, table.columns[c].unit, get_dimension(summary), units);
+    const ScalarField scalar = find_scalar(table.columns[c].name, table.columns[c].unit, get_dimension(run), units);
     fields.push_back({{"name", scalar.name}, {"title", scalar.title}, {"unit", report::to_json(scalar.unit)}});
   }
   const std::vector<double>& rows = table.values[0];
@@ -56,59 +59,50 @@ json make_section(const json& described, const output::HistoryTable& table, cons
     }
     profiles.push_back({{"time", times[k] - clock.start}, {"distance", distance}, {"values", values}});
   }
-  return {{"name", get_text(described, {"name"})},
-          {"from", find_list(described, {"from"})},
-          {"to", find_list(described, {"to"})},
-          {"width", get_number(described, {"width"})},
-          {"fields", fields},
-          {"profiles", profiles}};
+  return {{"name", line.name},   {"from", line.from}, {"to", line.to},
+          {"width", line.width}, {"fields", fields},  {"profiles", profiles}};
 }
 
 }  // namespace
 
-json make_sections(const fs::path& folder, const json& summary, json& warnings) {
+json make_sections(const ResultFolder& folder, json& warnings) {
   json sections = json::array();
-  const std::optional<Clock> clock = read_clock(summary);
-  if (!clock) return sections;
-  for (const json& described : find_list(summary, {"sections"})) {
-    const std::string name = get_text(described, {"name"});
+  if (!folder.run.clock || !folder.run.sections) return sections;
+  for (const results::SectionLine& line : *folder.run.sections) {
     try {
-      const output::HistoryTable table = output::read_history(folder / "sections" / (name + ".csv"));
+      const output::HistoryTable table = output::read_history(folder.path / "sections" / (line.name + ".csv"));
       if (table.columns.size() > 2 && !table.values[0].empty())
-        sections.push_back(make_section(described, table, *clock, summary));
+        sections.push_back(make_section(line, table, folder.run));
     } catch (const Error& error) {
-      warnings.push_back(fmt::format("Section '{}' is not shown: {}", name, error.what()));
+      warnings.push_back(fmt::format("Section '{}' is not shown: {}", line.name, error.what()));
     }
   }
   return sections;
 }
 
-json take_motion(const json& motion) {
-  return {{"stage", get_text(motion, {"stage"})},
-          {"start", get_number(motion, {"start"})},
-          {"threshold", get_number(motion, {"threshold"})},
-          {"monitors", find_list(motion, {"monitors"})},
-          {"pattern", get_text(motion, {"pattern"}, "none")},
-          {"sentence", get_text(motion, {"sentence"})}};
+json take_motion(const results::Motion& motion) {
+  json taken = results::to_json(motion);
+  taken.erase("order");
+  return taken;
 }
 
-json make_paths(const fs::path& folder, const json& summary, json& warnings) {
-  const std::optional<Clock> clock = read_clock(summary);
-  const json* motion = find(summary, {"motion"});
-  if (!clock || motion == nullptr || !fs::exists(folder / "monitors.csv")) return {};
+json make_paths(const ResultFolder& folder, json& warnings) {
+  const auto& clock = folder.run.clock;
+  const auto& motion = folder.run.motion;
+  if (!clock || !motion || !fs::exists(folder.path / "monitors.csv")) return {};
   try {
-    const output::HistoryTable table = output::read_history(folder / "monitors.csv");
+    const output::HistoryTable table = output::read_history(folder.path / "monitors.csv");
     json times = json::array(), paths = json::array();
-    for (const json& monitor : find_list(*motion, {"monitors"})) {
-      const std::string name = get_text(monitor, {"name"});
-      const run::MonitorPath path = run::read_monitor_path(table, name, {clock->stage, clock->start, clock->resets});
+    for (const results::MonitorMotion& monitor : motion->monitors) {
+      const run::MonitorPath path =
+          run::read_monitor_path(table, monitor.name, {clock->stage, clock->start, clock->resets});
       json displacement = json::array();
       const bool is_first = times.empty();
       for (const std::size_t i : choose_frames(path.time.size(), most_path_rows)) {
         if (is_first) times.push_back(path.time[i]);
         displacement.push_back(to_json(path.displacement[i]));
       }
-      paths.push_back({{"name", name}, {"displacement", displacement}});
+      paths.push_back({{"name", monitor.name}, {"displacement", displacement}});
     }
     return {{"time", times}, {"paths", paths}};
   } catch (const Error& error) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "report/content/fields.hpp"
 #include "report/content/shown_water.hpp"

@@ -2,15 +2,15 @@
 // Frames that belong together, thinned and packed (`Sequence` in web/src/contract/).
 
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "output/files/frames_reader.hpp"
 #include "report/content/thinning.hpp"
-#include "report/look_up.hpp"
 #include "report/pack/pack.hpp"
+#include "report/words/numbers.hpp"
 
 namespace talus::report {
 

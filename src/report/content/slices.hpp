@@ -1,6 +1,8 @@
 #pragma once
 // Methods of slices in a report: critical surfaces with their slices, every trial circle, the search.
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "report/folder.hpp"
 #include "report/pack/pack.hpp"
 

@@ -4,15 +4,17 @@
 
 #include <algorithm>
 #include <charconv>
-#include <map>
+#include <functional>
+#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "input/echo.hpp"
 #include "report/content/curve.hpp"
-#include "report/content/head.hpp"
 #include "report/content/sampling.hpp"
 #include "report/content/sections.hpp"
 #include "report/content/study_pictures.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -28,22 +30,18 @@ json to_number(const std::string& text) {
   return failure == std::errc() && end == text.data() + text.size() && !text.empty() ? json(value) : json();
 }
 
-json make_column(const json& column) {
+json make_column(const results::StudyColumn& column) {
   json shown = json::array(), values = json::array();
-  const bool is_name = get_text(column, {"name"}) == "variant";  // "25" may be the name of a folder
-  for (const json& cell : find_list(column, {"cells"})) {
-    shown.push_back(get_text(cell, {"shown"}));
-    values.push_back(is_name ? json() : to_number(get_text(cell, {"full"})));
+  const bool is_name = column.name == "variant";  // "25" may be the name of a folder
+  for (const results::StudyCell& cell : column.cells) {
+    shown.push_back(cell.shown);
+    values.push_back(is_name ? json() : to_number(cell.full));
   }
-  return {{"name", get_text(column, {"name"})},
-          {"title", get_text(column, {"title"})},
-          {"unit", get_text(column, {"unit"})},
-          {"shown", shown},
-          {"values", values}};
+  return {{"name", column.name}, {"title", column.title}, {"unit", column.unit}, {"shown", shown}, {"values", values}};
 }
 
 /// "FoS, frozen: 1.39 to 1.45 over 12 variants".
-void say_ranges(const json& columns, json& sentences) {
+void say_ranges(const json& columns, std::vector<std::string>& sentences) {
   for (const json& c : columns) {
     const std::string name = c["name"];
     const bool is_ratio = name.starts_with("displacement of ") && name.find(" over ") != std::string::npos;
@@ -73,162 +71,158 @@ void say_ranges(const json& columns, json& sentences) {
 }
 
 /// Factors of methods that know nothing of the size are the same at all sizes.
-bool varies(const json& factor) {
-  const json& factors = find_list(factor, {"factors"});
-  return std::any_of(factors.begin(), factors.end(), [&](const json& f) { return f != factors[0]; });
-}
-
-json take_extrapolation(const json& block) {
-  json factors = json::array();
-  for (const json& f : find_list(block, {"factors"})) {
-    if (!varies(f)) continue;
-    json row{{"criterion", get_text(f, {"criterion"})}, {"variant", get_text(f, {"variant"})},
-             {"sizes", find_list(f, {"sizes"})},        {"factors", find_list(f, {"factors"})},
-             {"linear", get_number(f, {"linear"})},     {"finest_pair", get_number(f, {"finest_pair"})}};
-    for (const char* key : {"standard_error", "order", "by_order"}) {
-      const auto value = find_number(f, {key});
-      row[key] = value ? json(*value) : json();
-    }
-    factors.push_back(std::move(row));
-  }
-  return {{"key", get_text(block, {"key"})}, {"unit", get_text(block, {"unit"})}, {"factors", factors}};
+std::vector<results::ExtrapolatedFactor> list_varying(const results::StudyExtrapolation& extrapolation) {
+  std::vector<results::ExtrapolatedFactor> varying;
+  for (const results::ExtrapolatedFactor& f : extrapolation.factors)
+    if (std::adjacent_find(f.factors.begin(), f.factors.end(), std::not_equal_to<>()) != f.factors.end())
+      varying.push_back(f);
+  return varying;
 }
 
 /// In a large study the table says it.
 constexpr std::size_t most_extrapolated = 4;
 
-void say_extrapolation(const json& study, json& sentences) {
-  json factors = json::array();
-  for (const json& f : find_list(study, {"extrapolation", "factors"}))
-    if (varies(f)) factors.push_back(f);
+void say_extrapolation(const results::StudyExtrapolation& extrapolation, std::vector<std::string>& sentences) {
+  const std::vector<results::ExtrapolatedFactor> factors = list_varying(extrapolation);
   if (factors.empty() || factors.size() > most_extrapolated) return;
   std::vector<std::string> parts;
-  for (const json& f : factors) {
-    const auto error = find_number(f, {"standard_error"});
-    const std::string variant = get_text(f, {"variant"});
-    std::string criterion = get_text(f, {"criterion"});
+  for (const results::ExtrapolatedFactor& f : factors) {
+    std::string criterion = f.criterion;
     if (criterion.starts_with("FoS, ")) criterion.erase(0, 5);
-    parts.push_back(fmt::format("{:.3f}{} ({}{})", get_number(f, {"linear"}),
-                                error ? fmt::format(" ± {:.3f}", *error) : "", criterion,
-                                variant.empty() ? "" : "; " + variant));
+    parts.push_back(fmt::format("{:.3f}{} ({}{})", f.linear,
+                                f.standard_error ? fmt::format(" ± {:.3f}", *f.standard_error) : "", criterion,
+                                f.variant.empty() ? "" : "; " + f.variant));
   }
-  sentences.push_back(fmt::format("Extrapolated to {} = 0, the factor of safety is {}.",
-                                  get_text(study, {"extrapolation", "key"}), join_words(parts)));
-}
-
-/// What a variant of kind "run" did: onset, paths of the monitors, sections.
-void add_run(const fs::path& folder, const json& summary, json& row, json& warnings) {
-  if (const json* motion = find(summary, {"motion"})) row["motion"] = take_motion(*motion);
-  if (json paths = make_paths(folder, summary, warnings); !paths.is_null()) row["paths"] = std::move(paths);
-  if (json sections = make_sections(folder, summary, warnings); !sections.empty())
-    row["sections"] = std::move(sections);
+  sentences.push_back(
+      fmt::format("Extrapolated to {} = 0, the factor of safety is {}.", extrapolation.key, join_words(parts)));
 }
 
 /// In a large study the table says it.
 constexpr std::size_t most_motions = 6;
 
-void say_motions(const json& rows, json& sentences) {
-  if (rows.size() > most_motions) return;
-  for (const json& row : rows)
-    if (const json* motion = find(row, {"motion"}))
-      sentences.push_back(fmt::format("{}: {}", row["name"].get<std::string>(), get_text(*motion, {"sentence"})));
+/// The first variant that has a summary, or what a study without variants says of itself.
+ResultFolder take_first(std::vector<std::optional<ResultFolder>>& runs, const results::StudyResult& study) {
+  ResultFolder first;
+  const auto found = std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run.has_value(); });
+  if (found != runs.end()) {
+    first = **found;
+  } else {
+    first.run.project = study.project.value_or(results::Project{});
+    first.run.provenance = study.provenance.value_or(results::Provenance{});
+    first.run.units = {study.units.length, study.units.displacement, study.units.stress.value_or("kPa")};
+    first.run.input = study.input.value_or(JsonTree());
+    first.data = input::read_echo(first.run.input);
+    first.summary = results::to_json(first.run);
+  }
+  if (!study.title.empty()) first.run.title = first.summary["title"] = study.title;
+  return first;
+}
+
+/// "finished" when all variants are; samples of slices have none, and are written when all are there.
+std::string find_status(const results::StudyResult& study) {
+  using results::VariantStatus;
+  const auto has = [&](VariantStatus status) {
+    return std::any_of(study.variants.begin(), study.variants.end(), [&](const auto& v) { return v.status == status; });
+  };
+  const bool finished = study.variants.empty()
+                            ? study.sampling.has_value()
+                            : std::all_of(study.variants.begin(), study.variants.end(),
+                                          [](const auto& v) { return v.status == VariantStatus::finished; });
+  return finished                          ? "finished"
+         : has(VariantStatus::interrupted) ? "interrupted"
+         : has(VariantStatus::not_started) ? "unfinished"
+         : has(VariantStatus::unstable)    ? "unstable"
+                                           : "failed";
+}
+
+/// A variant with what its run did: its curve, onset, paths of the monitors, sections.
+json make_row(const results::StudyVariant& variant, const std::optional<ResultFolder>& folder,
+              std::vector<std::string>& said) {
+  json row{{"name", variant.name},
+           {"status", results::to_word(variant.status)},
+           {"reason", variant.reason},
+           {"warnings", folder ? folder->run.warnings : std::vector<std::string>{}}};
+  json warnings = json::array();
+  if (folder) {
+    if (json curve = make_curve(*folder); !curve.is_null()) row["curve"] = std::move(curve);
+    if (folder->run.motion) row["motion"] = take_motion(*folder->run.motion);
+    if (json paths = make_paths(*folder, warnings); !paths.is_null()) row["paths"] = std::move(paths);
+    if (json sections = make_sections(*folder, warnings); !sections.empty()) row["sections"] = std::move(sections);
+  }
+  if (!variant.reason.empty()) said.push_back(fmt::format("{}: {}", variant.name, variant.reason));
+  for (const json& w : row["warnings"]) said.push_back(fmt::format("{}: {}", variant.name, w.get<std::string>()));
+  for (const json& w : warnings) said.push_back(w.get<std::string>());
+  return row;
 }
 
 }  // namespace
 
 StudyContent read_study(const ResultFolder& folder, Packer& packer) {
+  const results::StudyResult& study = *folder.study_result;
   StudyContent content;
-  content.first.summary = json::object();
-  json rows = json::array(), vary = json::array(), columns = json::array(), warnings = json::array();
-  std::map<std::string, int> statuses;
+  json rows = json::array(), vary = json::array(), columns = json::array();
+  std::vector<std::optional<ResultFolder>> runs;
   std::vector<PictureSource> sources;
   std::vector<std::size_t> rows_of_sources;
-  double wall = 0, cpu = 0;
-  for (const json& v : find_list(folder.study, {"variants"})) {
-    const std::string name = get_text(v, {"name"}), status = get_text(v, {"status"}, "not started");
-    const json summary = read_json(folder.path / get_text(v, {"folder"}, name) / "summary.json");
-    json row{{"name", name},
-             {"status", status},
-             {"reason", get_text(v, {"reason"})},
-             {"warnings", summary.is_object() ? find_list(summary, {"warnings"}) : json::array()}};
-    ++statuses[status];
-    if (!row["reason"].get<std::string>().empty())
-      warnings.push_back(fmt::format("{}: {}", name, row["reason"].get<std::string>()));
-    for (const json& w : row["warnings"]) warnings.push_back(fmt::format("{}: {}", name, w.get<std::string>()));
-    if (summary.is_object()) {
-      if (json curve = make_curve(summary); !curve.is_null()) row["curve"] = std::move(curve);
-      const fs::path path = folder.path / get_text(v, {"folder"}, name);
-      if (content.first.summary.empty()) {
-        content.first.summary = summary;
-        content.first.path = path;
+  std::vector<std::string> motions;
+  for (const results::StudyVariant& v : study.variants) {
+    const fs::path path = folder.path / (v.folder.empty() ? v.name : v.folder);
+    const std::optional<ResultFolder>& run = runs.emplace_back(open_run(path));
+    rows.push_back(make_row(v, run, content.warnings));
+    if (!run) continue;
+    if (run->run.motion) motions.push_back(fmt::format("{}: {}", v.name, run->run.motion->sentence));
+    if (run->run.motion || run->run.sections) {
+      try {
+        sources.push_back({v.name, open_folder(path)});
+        runs.back()->frames = sources.back().folder.frames;
+        rows_of_sources.push_back(rows.size() - 1);
+      } catch (const Error& error) {
+        content.warnings.push_back(fmt::format("{}: no pictures: {}", v.name, error.what()));
       }
-      add_run(path, summary, row, warnings);
-      if (find(summary, {"motion"}) != nullptr || find(summary, {"sections"}) != nullptr) {
-        try {
-          sources.push_back({name, open_folder(path)});
-          if (content.first.path == path) content.first.frames = sources.back().folder.frames;
-          rows_of_sources.push_back(rows.size());
-        } catch (const Error& error) {
-          warnings.push_back(fmt::format("{}: no pictures: {}", name, error.what()));
-        }
-      }
-      wall += get_number(summary, {"timing", "wall"});
-      cpu += get_number(summary, {"timing", "cpu"});
     }
-    rows.push_back(std::move(row));
+    if (const auto& timing = run->run.timing) {
+      content.wall += timing->wall;
+      content.cpu += timing->cpu.value_or(0);
+    }
   }
   std::vector<std::string> keys;
-  for (const json& k : find_list(folder.study, {"vary"})) {
-    vary.push_back({{"key", get_text(k, {"key"})}, {"values", find_list(k, {"values"})}});
-    keys.push_back(get_text(k, {"key"}));
+  for (const results::StudyKey& k : study.vary) {
+    vary.push_back({{"key", k.key}, {"values", k.values}});
+    keys.push_back(k.key);
   }
-  for (const json& c : find_list(folder.study, {"columns"})) columns.push_back(make_column(c));
+  for (const results::StudyColumn& c : study.columns) columns.push_back(make_column(c));
 
-  json sequences = json::array();
   std::vector<Pictures> pictures = pack_pictures(sources, packer);
   for (std::size_t k = 0; k < pictures.size(); ++k) {
-    if (pictures[k].sequence.is_null()) continue;
-    sequences.push_back(std::move(pictures[k].sequence));
-    rows[rows_of_sources[k]]["frames"] = std::move(pictures[k].frames);
+    if (pictures[k].sequence.is_empty()) continue;
+    content.sequences.push_back(pictures[k].sequence);
+    rows[rows_of_sources[k]]["frames"] = pictures[k].frames.get();
   }
 
-  const json* sampling = find(folder.study, {"sampling"});
-  // Slices are sampled without folders of variants; the study is written when all samples are there.
-  const bool finished = rows.empty() ? sampling != nullptr : statuses.size() == 1 && statuses.contains("finished");
-  content.status = finished                           ? "finished"
-                   : statuses.contains("interrupted") ? "interrupted"
-                   : statuses.contains("not started") ? "unfinished"
-                   : statuses.contains("unstable")    ? "unstable"
-                                                      : "failed";
-  json sentences = json::array();
-  if (sampling != nullptr) say_sampling(*sampling, sentences);
-  say_extrapolation(folder.study, sentences);
+  content.first = take_first(runs, study);
+  content.status = find_status(study);
+  std::vector<std::string>& sentences = content.sentences;
+  if (study.sampling) say_sampling(*study.sampling, sentences);
+  if (study.extrapolation) say_extrapolation(*study.extrapolation, sentences);
   say_ranges(columns, sentences);
-  if (!rows.empty())
+  if (!rows.empty()) {
+    const auto finished = std::count_if(study.variants.begin(), study.variants.end(),
+                                        [](const auto& v) { return v.status == results::VariantStatus::finished; });
     sentences.push_back(fmt::format("A study of {} variant{} of one case{}; {} finished.", rows.size(),
                                     rows.size() == 1 ? "" : "s",
                                     keys.empty() ? "" : ", which differ in " + join_words(keys),
-                                    finished ? std::string("all") : std::to_string(statuses["finished"])));
-  say_motions(rows, sentences);
-  // Of a study without variants, what it says of itself.
-  for (const char* key : {"project", "provenance", "units", "input"})
-    if (const json* block = find(folder.study, {key}); block != nullptr && !content.first.summary.contains(key))
-      content.first.summary[key] = *block;
-  if (const std::string title = get_text(folder.study, {"title"}); !title.empty())
-    content.first.summary["title"] = title;
-  content.answer = {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
-  content.warnings = warnings;
-  if (sampling != nullptr && wall == 0) wall = get_number(*sampling, {"seconds"});
-  content.timing = {{"wall", wall}, {"cpu", cpu}, {"parts", json::array()}};
-  content.sequences = sequences;
-  content.table = {{"vary", vary},
-                   {"mode", get_text(folder.study, {"mode"})},
-                   {"reference", get_text(folder.study, {"reference"})},
-                   {"columns", columns},
-                   {"rows", rows}};
-  if (sampling != nullptr) content.table["sampling"] = make_sampling(*sampling);
-  if (const json* extrapolation = find(folder.study, {"extrapolation"}))
-    content.table["extrapolation"] = take_extrapolation(*extrapolation);
+                                    content.status == "finished" ? std::string("all") : std::to_string(finished)));
+  }
+  if (rows.size() <= most_motions) sentences.insert(sentences.end(), motions.begin(), motions.end());
+  if (study.sampling && content.wall == 0) content.wall = study.sampling->seconds;
+  json table{
+      {"vary", vary}, {"mode", study.mode}, {"reference", study.reference}, {"columns", columns}, {"rows", rows}};
+  if (study.sampling) table["sampling"] = make_sampling(*study.sampling);
+  if (study.extrapolation)
+    table["extrapolation"] = {{"key", study.extrapolation->key},
+                              {"unit", study.extrapolation->unit},
+                              {"factors", results::to_json(list_varying(*study.extrapolation))}};
+  content.table = JsonTree(std::move(table));
   return content;
 }
 

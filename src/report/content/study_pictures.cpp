@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "report/content/clock.hpp"
 #include "report/content/sequence.hpp"
@@ -27,7 +28,7 @@ struct Choice {
 
 /// Frames from the start of the clock on, without the earlier of two at one time.
 std::optional<Choice> choose(const PictureSource& source, std::size_t number) {
-  const std::optional<Clock> clock = read_clock(source.folder.summary);
+  const std::optional<results::Clock>& clock = source.folder.run.clock;
   if (!clock || !source.folder.frames) return std::nullopt;
   const output::ResultsReader& reader = *source.folder.frames;
   std::vector<int> indices;
@@ -74,16 +75,16 @@ std::vector<Pictures> pack_pictures(const std::vector<PictureSource>& sources, P
     needs.push_back(choices[k] ? choices[k]->points * choices[k]->plan.frames.size() : 0);
   }
   if (choices.empty()) return pictures;
-  const std::size_t dimension = get_dimension(sources[0].folder.summary);
+  const std::size_t dimension = get_dimension(sources[0].folder.run);
   const std::vector<std::size_t> shares = share_out(needs, find_most_point_frames(dimension));
   for (std::size_t k = 0; k < choices.size(); ++k) {
     if (!choices[k]) continue;
     Budget budget;
     budget.point_frames = shares[k];
-    const ShownUnits units = read_units(sources[k].folder.summary);
-    pictures[k].sequence = pack_sequence(choices[k]->plan, dimension, units, budget, packer);
-    pictures[k].frames = {
-        {"sequence", choices[k]->plan.id}, {"clock", choices[k]->clock}, {"pictures", choices[k]->pictures}};
+    const ShownUnits units = read_units(sources[k].folder.run);
+    pictures[k].sequence = JsonTree(pack_sequence(choices[k]->plan, dimension, units, budget, packer));
+    pictures[k].frames =
+        JsonTree({{"sequence", choices[k]->plan.id}, {"clock", choices[k]->clock}, {"pictures", choices[k]->pictures}});
   }
   return pictures;
 }

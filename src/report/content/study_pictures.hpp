@@ -1,12 +1,11 @@
 #pragma once
 // Frames of the variants of a study, packed so that they can be put side by side.
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "base/json_tree.hpp"
 #include "report/folder.hpp"
-#include "report/look_up.hpp"
 #include "report/pack/pack.hpp"
 
 namespace talus::report {
@@ -19,10 +18,10 @@ struct PictureSource {
 
 /// A sequence, and what `StudyRow.frames` says of it.
 struct Pictures {
-  nlohmann::json sequence, frames;
+  JsonTree sequence, frames;
 };
 
-/// One entry for each source, in their order; both parts null where a source has no clock or no frames. Displacement,
+/// One entry for each source, in their order; both parts empty where a source has no clock or no frames. Displacement,
 /// strain, pore water and preconsolidation at the times that are shown and at some more between them; of many variants
 /// only the first are shown.
 std::vector<Pictures> pack_pictures(const std::vector<PictureSource>& sources, Packer& packer);

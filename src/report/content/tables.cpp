@@ -7,12 +7,13 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "base/error.hpp"
 #include "output/files/history.hpp"
 #include "report/content/thinning.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
 
 namespace talus::report {
 
@@ -118,7 +119,7 @@ class TableList {
 }  // namespace
 
 json make_tables(const ResultFolder& folder, json& warnings) {
-  TableList list(read_units(folder.summary).length, warnings);
+  TableList list(read_units(folder.run).length, warnings);
   list.add(folder.path / "history.csv", "history", "History of the stages", "history");
   list.add(folder.path / "monitors.csv", "monitors", "Monitors during the stages", "monitors");
   list.add(folder.path / "profile.csv", "profile", "Ground before and after", "ground");

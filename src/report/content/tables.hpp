@@ -1,7 +1,7 @@
 #pragma once
 // Histories and ground profiles as columns (`Table` in web/src/contract/).
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "report/folder.hpp"
 

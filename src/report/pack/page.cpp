@@ -1,5 +1,7 @@
 #include "report/pack/page.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.hpp"
 
 // From page_data.S, which the build makes.

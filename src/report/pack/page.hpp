@@ -1,7 +1,7 @@
 #pragma once
 // The page that a report is filled into; it stands inside the program (cmake/TalusReportPage.cmake).
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,0 +1,51 @@
+#include "report/words/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/units.hpp"
+
+namespace talus::report {
+
+nlohmann::json to_json(const ShownUnit& unit) {
+  return {{"name", unit.name}, {"si", unit.si}};
+}
+
+ShownUnits read_units(const results::RunResult& run) {
+  const auto read = [](const std::string& name) { return ShownUnit{name, units::get_si_factor(name)}; };
+  return {read(run.units.length), read(run.units.displacement), read(run.units.stress)};
+}
+
+std::string show_number(double value, int digits) {
+  if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "–";
+  const double size = std::abs(value);
+  std::string text = fmt::format("{:.{}g}", size, digits);
+  if (const std::size_t e = text.find('e'); e != std::string::npos && size >= 1 && size < 1e7) {
+    text = fmt::format("{:.0f}", size);
+  } else if (e != std::string::npos) {
+    static const char* const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string power;
+    for (const char c : std::to_string(std::stoi(text.substr(e + 1)))) power += c == '-' ? "⁻" : raised[c - '0'];
+    text = text.substr(0, e) + " × 10" + power;
+  }
+  return (value < 0 ? "−" : "") + text;
+}
+
+std::string show(double si, const ShownUnit& unit, int digits) {
+  return show_number(si / unit.si, digits) + " " + unit.name;
+}
+
+double keep_finite(double value) {
+  return std::isfinite(value) ? value : 0;
+}
+
+std::string join_words(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+  return text;
+}
+
+}  // namespace talus::report

@@ -1,0 +1,31 @@
+#pragma once
+// Numbers in sentences, in the units that a report shows.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "results/run.hpp"
+
+namespace talus::report {
+
+/// A unit of display: value in SI = value shown × si.
+struct ShownUnit {
+  std::string name;
+  double si = 1;
+};
+nlohmann::json to_json(const ShownUnit& unit);
+struct ShownUnits {
+  ShownUnit length{"m", 1}, displacement{"mm", 1e-3}, stress{"kPa", 1e3};
+};
+ShownUnits read_units(const results::RunResult& run);
+/// "3.23", "−0.061", "4.06 × 10⁻⁶": `digits` significant digits, and all before the point; "–" for what is no number.
+std::string show_number(double value, int digits = 3);
+/// "3.23 m".
+std::string show(double si, const ShownUnit& unit, int digits = 3);
+/// 0 for what is no number.
+double keep_finite(double value);
+/// "a, b and c".
+std::string join_words(const std::vector<std::string>& words);
+
+}  // namespace talus::report
