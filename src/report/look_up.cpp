@@ -97,6 +97,10 @@ std::size_t get_dimension(const json& summary) {
   return given == 3 ? 3 : 2;
 }
 
+std::size_t get_dimension(const results::RunResult& run) {
+  return run.mesh && run.mesh->dimension == 3 ? 3 : 2;
+}
+
 json to_json(const ShownUnit& unit) {
   return {{"name", unit.name}, {"si", unit.si}};
 }
@@ -111,6 +115,11 @@ ShownUnits read_units(const json& summary) {
   read("displacement", shown.displacement);
   read("stress", shown.stress);
   return shown;
+}
+
+ShownUnits read_units(const results::RunResult& run) {
+  const auto read = [](const std::string& name) { return ShownUnit{name, units::get_si_factor(name)}; };
+  return {read(run.units.length), read(run.units.displacement), read(run.units.stress)};
 }
 
 std::string show_number(double value, int digits) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "results/run.hpp"
+
 namespace talus::report {
 
 /// What stands at `path`; nullptr when it is not there or null.
@@ -29,6 +31,7 @@ bool get_flag(const nlohmann::json& table, const char* key, bool otherwise = fal
 
 /// 2 or 3.
 std::size_t get_dimension(const nlohmann::json& summary);
+std::size_t get_dimension(const results::RunResult& run);
 
 /// A unit of display: value in SI = value shown × si.
 struct ShownUnit {
@@ -40,6 +43,7 @@ struct ShownUnits {
   ShownUnit length{"m", 1}, displacement{"mm", 1e-3}, stress{"kPa", 1e3};
 };
 ShownUnits read_units(const nlohmann::json& summary);
+ShownUnits read_units(const results::RunResult& run);
 /// "3.23", "−0.061", "4.06 × 10⁻⁶": `digits` significant digits, and all before the point; "–" for what is no number.
 std::string show_number(double value, int digits = 3);
 /// "3.23 m".

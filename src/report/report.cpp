@@ -39,17 +39,17 @@ json make_common(const ResultFolder& folder, Packer& packer) {
   json document{{"format", 1},
                 {"kind", "run"},
                 {"project", make_project(summary)},
-                {"status", find_status(summary)},
+                {"status", results::to_word(folder.run.status)},
                 {"units",
                  {{"length", to_json(units.length)},
                   {"displacement", to_json(units.displacement)},
                   {"stress", to_json(units.stress)}}},
-                {"model", make_model(folder, find_main_factor(summary), packer)},
+                {"model", make_model(folder, find_main_factor(folder), packer)},
                 {"sequences", json::array()},
                 {"tables", json::array()},
                 {"comparisons", find_list(summary, {"comparisons"})},
-                {"assumptions", list_assumptions(summary)},
-                {"methods", list_methods(summary)},
+                {"assumptions", list_assumptions(folder)},
+                {"methods", list_methods(folder)},
                 {"input", summary.value("input", json::object())},
                 {"provenance", make_provenance(summary, folder.path)},
                 {"timing", make_timing(summary)}};
@@ -62,7 +62,7 @@ void add_other_methods(const ResultFolder& folder, Packer& packer, json& documen
   const auto add = [&](const char* key, json block) {
     if (!block.is_null()) document[key] = std::move(block);
   };
-  add("method_table", make_method_table(folder.summary));
+  add("method_table", make_method_table(folder));
   add("slices", make_slices(folder, packer, document["warnings"]));
   add("finite_elements", make_finite_elements(folder, packer, document["warnings"]));
 }

@@ -150,7 +150,7 @@ json list_monitors(const ResultFolder& folder, std::size_t dimension) {
   return list;
 }
 
-std::string describe_stage(const json& s, const ShownUnits& units, bool wet) {
+std::string describe_stage(const json& s, const ShownUnits& units, const std::string& water) {
   const bool rests = get_word(s, "until") == "rest";
   std::string text = rests ? fmt::format("until rest, at most {:g} s", get_si(s, "duration", 0))
                            : fmt::format("{:g} s", get_si(s, "duration", 0));
@@ -165,29 +165,32 @@ std::string describe_stage(const json& s, const ShownUnits& units, bool wet) {
   if (const std::string smoothing = get_word(s, "smoothing", "none"); smoothing != "none")
     text += fmt::format(", {} smoothing", smoothing);
   if (get_word(s, "integration", "mixed") == "points") text += ", stresses integrated on the points";
-  if (wet) text += describe_stage_water(s);
+  text += water;
   if (get_flag(s, "reset_displacement")) text += ", displacements counted from here";
   return text;
 }
 
-json list_stages(const json& summary, const ShownUnits& units) {
+json list_stages(const ResultFolder& folder, const ShownUnits& units) {
+  const json& summary = folder.summary;
   json list = json::array();
   const json& plans = find_list(summary, {"input", "stage"});
   const json& reports = find_list(summary, {"stages"});
-  const bool wet = is_wet(summary);
+  const bool wet = is_wet(folder);
   for (std::size_t i = 0; i < std::max(plans.size(), reports.size()); ++i) {
     static const json none = json::object();
     const json& plan = i < plans.size() ? plans[i] : none;
     const json& report = i < reports.size() ? reports[i] : none;
     // A stage is reported when it ends: the first without a report is where a broken run stopped.
-    const std::string status = find_status(summary);
+    const std::string status = results::to_word(folder.run.status);
     const bool stopped_here = i == reports.size() && status != "finished" && status != "unfinished";
-    list.push_back({{"name", get_text(report, {"name"}, get_word(plan, "name"))},
-                    {"text", plan.empty() ? "" : describe_stage(plan, units, wet)},
-                    {"end", get_text(report, {"end"}, stopped_here ? status : "not reached")},
-                    {"time", get_number(report, {"time"})},
-                    {"steps", get_number(report, {"steps"})},
-                    {"wall", get_number(report, {"wall"})}});
+    list.push_back(
+        {{"name", get_text(report, {"name"}, get_word(plan, "name"))},
+         {"text",
+          plan.empty() ? "" : describe_stage(plan, units, wet ? describe_stage_water(folder.data.stages[i].step) : "")},
+         {"end", get_text(report, {"end"}, stopped_here ? status : "not reached")},
+         {"time", get_number(report, {"time"})},
+         {"steps", get_number(report, {"steps"})},
+         {"wall", get_number(report, {"wall"})}});
   }
   return list;
 }
@@ -296,10 +299,10 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
           {"boundaries", list_boundaries(summary, dimension, plane)},
           {"loads", list_loads(summary, dimension, units)},
           {"surcharges", list_surcharges(summary)},
-          {"water", list_water_tables(summary)},
+          {"water", list_water_tables(folder)},
           {"monitors", list_monitors(folder, dimension)},
-          {"materials", list_materials(summary, factor_of_safety)},
-          {"stages", list_stages(summary, units)},
+          {"materials", list_materials(folder, factor_of_safety)},
+          {"stages", list_stages(folder, units)},
           {"mesh", mesh}};
 }
 

@@ -7,12 +7,14 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "input/echo.hpp"
 #include "report/content/curve.hpp"
 #include "report/content/head.hpp"
 #include "report/content/sampling.hpp"
 #include "report/content/sections.hpp"
 #include "report/content/study_pictures.hpp"
 #include "report/look_up.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -216,6 +218,8 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
       content.first.summary[key] = *block;
   if (const std::string title = get_text(folder.study, {"title"}); !title.empty())
     content.first.summary["title"] = title;
+  content.first.run = results::from_json<results::RunResult>(content.first.summary, "summary.json");
+  content.first.data = input::read_echo(content.first.run.input);
   content.answer = {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
   content.warnings = warnings;
   if (sampling != nullptr && wall == 0) wall = get_number(*sampling, {"seconds"});
