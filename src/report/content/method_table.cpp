@@ -63,10 +63,16 @@ json take_partial_factors(const results::DesignStatement& block) {
           {"text", block.text}};
 }
 
+bool is_associated(const MethodRow& row) {
+  return results::from_word<results::Flow>(row.name) == results::Flow::associated;
+}
+
 /// "Spencer, critical circle".
 std::string describe(const MethodRow& row) {
-  const std::string& label = row.label.empty() ? row.title : row.label;
-  return row.criterion.empty() || label.empty() ? label + row.criterion : label + ", " + row.criterion;
+  std::string label = row.label;
+  // Rows of older versions have the title alone, which names the method once more.
+  if (label.empty()) label = row.method == Method::lem ? row.title : is_associated(row) ? "ψ = φ" : "ψ as given";
+  return row.criterion.empty() ? label : label + ", " + row.criterion;
 }
 
 /// Rows of older versions do not say it: the names of their surfaces do.
@@ -86,8 +92,7 @@ FactorMeasure find_measure(const MethodRow& row) {
 /// As comparisons name it: "lem.noncircular.spencer", "lem.handed[fem.band].spencer", "fem.by_displacement".
 std::string name_result(const MethodRow& row) {
   if (row.method == Method::fem)
-    return fmt::format("fem.{}{}",
-                       results::from_word<results::Flow>(row.name) == results::Flow::associated ? "associated." : "",
+    return fmt::format("fem.{}{}", is_associated(row) ? "associated." : "",
                        find_measure(row) == FactorMeasure::displacement ? "by_displacement" : "factor");
   switch (find_source(row)) {
     case SurfaceSource::none:
