@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 #include <nlohmann/json.hpp>
 
+#include "input/case/complete.hpp"
 #include "input/case/declare_case.hpp"
 #include "input/echo.hpp"
 #include "input/language/codec.hpp"
@@ -116,6 +117,7 @@ Case read_echo(const JsonTree& echo) {
   Case data;
   EchoReader reader(echo.get(), findings);
   describe(reader, data);
+  complete_porosities(data);
   normalise_directions(data);
   return data;
 }

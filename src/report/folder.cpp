@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 
 #include "base/error.hpp"
 #include "input/echo.hpp"
@@ -13,7 +12,6 @@
 namespace talus::report {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 namespace {
 
@@ -53,7 +51,6 @@ void note_dimension(ResultFolder& folder) {
   const output::Frame frame = folder.frames->read(0);
   bool plane = true;
   for (std::size_t i = 2; i < frame.positions.size(); i += 3) plane = plane && frame.positions[i] == 0;
-  folder.summary["mesh"] = {{"dimension", plane ? 2 : 3}, {"points", frame.point_count()}};
   results::Mesh& mesh = folder.run.mesh.emplace();
   mesh.dimension = plane ? 2 : 3;
   mesh.points = frame.point_count();
@@ -74,11 +71,6 @@ results::RunResult tell_as_run(const results::PointTests& tests) {
   return run;
 }
 
-json read_json(const fs::path& path) {
-  std::ifstream file(path);
-  return file ? json::parse(file) : json();
-}
-
 }  // namespace
 
 std::shared_ptr<const output::ResultsReader> open_frames(const fs::path& folder) {
@@ -96,7 +88,6 @@ std::optional<ResultFolder> open_run(const fs::path& path) {
   folder.path = path;
   folder.run = std::move(*run);
   folder.data = input::read_echo(folder.run.input);
-  folder.summary = read_json(path / "summary.json");
   return folder;
 }
 
@@ -105,7 +96,6 @@ ResultFolder open_folder(const fs::path& path) {
   std::optional<ResultFolder> run = open_run(path);
   ResultFolder folder = run ? std::move(*run) : ResultFolder{};
   folder.path = path;
-  if (!run) folder.summary = json::object();
   folder.study_result = results::read_file<results::StudyResult>(path / "study.json");
   folder.tests = results::read_file<results::PointTests>(path / "point" / "point.json");
   folder.trials = list_trials(path / "trials");
@@ -115,8 +105,6 @@ ResultFolder open_folder(const fs::path& path) {
       folder.has_tests_alone = true;
       folder.run = tell_as_run(*folder.tests);
       folder.data = input::read_echo(folder.run.input);
-      folder.summary = results::to_json(*folder.tests);
-      folder.summary["status"] = "finished";
       return folder;
     }
     if (fs::exists(path / "study.csv"))
@@ -132,7 +120,6 @@ ResultFolder open_folder(const fs::path& path) {
     if (auto record = results::read_file<results::StageRecord>(path / "stages.json")) {
       folder.run.stages = std::move(record->stages);
       folder.run.warnings = std::move(record->warnings);
-      folder.summary = read_json(path / "stages.json");
     }
   }
   note_dimension(folder);

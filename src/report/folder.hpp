@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -29,8 +28,7 @@ struct TrialFolder {
 
 struct ResultFolder {
   std::filesystem::path path;
-  nlohmann::json summary;           ///< summary.json; an empty object when the run did not come to write it
-  results::RunResult run;           ///< the same; of a run that did not come to write it what else tells of it
+  results::RunResult run;           ///< summary.json; of a run that did not come to write it what else tells of it
   input::Case data;                 ///< the case that `run` tells of
   std::vector<TrialFolder> trials;  ///< by factor
   std::shared_ptr<const output::ResultsReader> frames;  ///< of the stages; nullptr when there are none

@@ -47,12 +47,12 @@ json make_common(const ResultFolder& folder, Packer& packer) {
                  {{"length", to_json(units.length)},
                   {"displacement", to_json(units.displacement)},
                   {"stress", to_json(units.stress)}}},
-                {"model", make_model(folder, find_main_factor(folder.summary), packer)},
+                {"model", make_model(folder, find_main_factor(folder), packer)},
                 {"sequences", json::array()},
                 {"tables", json::array()},
                 {"comparisons", results::to_json(run.comparisons)},
-                {"assumptions", list_assumptions(folder.summary)},
-                {"methods", list_methods(folder.summary)},
+                {"assumptions", list_assumptions(folder)},
+                {"methods", list_methods(folder)},
                 {"input", run.input.get()},
                 {"provenance", make_provenance(folder)},
                 {"timing", make_timing(run)}};
@@ -69,7 +69,7 @@ void add_other_methods(const ResultFolder& folder, Packer& packer, json& documen
   const auto add = [&](const char* key, json block) {
     if (!block.is_null()) document[key] = std::move(block);
   };
-  add("method_table", make_method_table(folder.summary));
+  add("method_table", make_method_table(folder));
   add("slices", make_slices(folder, packer, document["warnings"]));
   add("finite_elements", make_finite_elements(folder, packer, document["warnings"]));
 }

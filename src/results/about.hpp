@@ -14,7 +14,9 @@
 
 #include <array>
 #include <concepts>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 namespace talus::results {
@@ -48,6 +50,14 @@ const char* to_word(E value) {
   for (const auto& w : words<E>)
     if (w.value == value) return w.word;
   return "";
+}
+
+/// The enumerator of a word; nothing where there is none.
+template <class E>
+std::optional<E> from_word(std::string_view word) {
+  for (const auto& w : words<E>)
+    if (w.word == word) return w.value;
+  return std::nullopt;
 }
 
 using Point = std::array<double, 2>;  ///< of a section [m]

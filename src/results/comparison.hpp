@@ -14,13 +14,35 @@ template <>
 inline constexpr auto words<Method> =
     std::array{Word{Method::lem, "lem"}, Word{Method::fem, "fem"}, Word{Method::mpm, "mpm"}};
 
+/// Where the surface of a factor comes from.
+enum class SurfaceSource { none, critical, noncircular, given, handed, optimised, band, slip_line };
+template <>
+inline constexpr auto words<SurfaceSource> =
+    std::array{Word{SurfaceSource::none, "none"},                // none is drawn
+               Word{SurfaceSource::critical, "critical"},        // critical circle of slices
+               Word{SurfaceSource::noncircular, "noncircular"},  // critical polyline of slices
+               Word{SurfaceSource::given, "given"},              // of the case
+               Word{SurfaceSource::handed, "handed"},            // of another method, given to slices
+               Word{SurfaceSource::optimised, "optimised"},      // the same, improved by slices
+               Word{SurfaceSource::band, "band"},                // of the shear strain of finite elements
+               Word{SurfaceSource::slip_line, "slip_line"}};     // of the material points
+
+/// What a factor of finite elements is read off: no equilibrium beyond it, or displacements that run away.
+enum class FactorMeasure { equilibrium, displacement };
+template <>
+inline constexpr auto words<FactorMeasure> =
+    std::array{Word{FactorMeasure::equilibrium, "equilibrium"}, Word{FactorMeasure::displacement, "displacement"}};
+
 /// One factor of the table of methods.
 struct MethodRow {
   Method method = Method::lem;
-  std::string name;       ///< "spencer", "as_given", "frozen"
-  std::string title;      ///< "Spencer"
+  std::string name;       ///< word of the method of slices, the flow rule or the criterion: "spencer", "as_given"
+  std::string title;      ///< "Spencer", "Finite elements, ψ = φ"
+  std::string label;      ///< the same beside its method: "Spencer", "ψ = φ"; empty: unknown to an older version
   std::string criterion;  ///< "critical circle"
   std::string surface;    ///< name of its surface; empty: none is drawn
+  std::optional<SurfaceSource> source;   ///< nothing: unknown to an older version
+  std::optional<FactorMeasure> measure;  ///< of finite elements alone
   std::optional<double> factor, lower, upper;
   std::optional<double> seconds;
   std::string note;
@@ -30,8 +52,11 @@ void describe(V& v, R& r) {
   v.key("method", r.method, {"", "method"});
   v.key("name", r.name, {"", "which of its factors"});
   v.key("title", r.title, {"", "name of the method"});
+  v.key("label", r.label, {"", "what tells it from others of its method"});
   v.key("criterion", r.criterion, {"", "criterion"});
   v.key("surface", r.surface, {"", "name of the surface"});
+  v.maybe("source", r.source, {"", "where the surface comes from"});
+  v.maybe("measure", r.measure, {"", "what the factor is read off"});
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("lower", r.lower, {"", "largest stable factor"});
   v.key("upper", r.upper, {"", "smallest failed factor"});

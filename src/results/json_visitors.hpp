@@ -150,9 +150,9 @@ void read_value(const nlohmann::json& node, T& value, const JsonPlace& place) {
   } else if constexpr (std::is_enum_v<T>) {
     if (!node.is_string()) place.refuse("a word");
     const auto& text = node.get_ref<const std::string&>();
-    for (const auto& word : words<T>)
-      if (text == word.word) return void(value = word.value);
-    place.refuse("a word that this version knows");
+    const std::optional<T> found = from_word<T>(text);
+    if (!found) place.refuse("a word that this version knows");
+    value = *found;
   } else if constexpr (std::is_same_v<T, bool>) {
     if (!node.is_boolean()) place.refuse("true or false");
     value = node.get<bool>();

@@ -37,7 +37,7 @@ void describe(V& v, R& r) {
 
 /// The water of a run [kg; per metre in plane strain].
 struct WaterBudget {
-  double density = 0;  ///< [kg/m³]
+  double density = 1000;  ///< [kg/m³]
   double initial = 0, stored = 0, entered = 0, left = 0, runoff = 0, lost_between = 0, left_grid = 0, pressed_in = 0;
   double error = 0;                                  ///< what the parts do not explain, over the water in the model
   double largest_pressure = 0, largest_suction = 0;  ///< at the end [Pa]

@@ -37,8 +37,7 @@ void draw_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, const
       const fs::path file = folder / plan.variants[i].name / "monitors.csv";
       if (!rows[i].result || !rows[i].result->clock || !fs::exists(file)) continue;
       const results::Clock& clock = *rows[i].result->clock;
-      const run::MonitorPath path =
-          run::read_monitor_path(output::read_history(file), monitor, {clock.stage, clock.start, clock.resets});
+      const run::MonitorPath path = run::read_monitor_path(output::read_history(file), monitor, clock);
       output::PlotSeries series{plan.variants[i].label, path.time, path.displacement};
       for (double& u : series.y) u /= unit;
       plot.series.push_back(std::move(series));

@@ -172,11 +172,11 @@ TEST_F(OtherMethods, KeepTheAnswerShortAndTheReadingInItsPart) {
   std::vector<std::string> told;
   for (const json& group : document().at("method_table").at("reading"))
     for (const json& sentence : group.at("sentences")) told.push_back(sentence);
-  const json& read = summary_->at("methods").at("reading");
-  ASSERT_FALSE(read.empty());
-  EXPECT_EQ(told.size(), read.size()) << "every sentence in one group";
-  for (const json& sentence : read)
-    EXPECT_EQ(std::count(told.begin(), told.end(), sentence.get<std::string>()), 1) << sentence;
+  const json& remarks = summary_->at("methods").at("remarks");
+  ASSERT_FALSE(remarks.empty());
+  EXPECT_EQ(told.size(), remarks.size()) << "every sentence in one group";
+  for (const json& remark : remarks)
+    EXPECT_EQ(std::count(told.begin(), told.end(), remark.at("text").get<std::string>()), 1) << remark;
   const json& sentences = document().at("answer").at("sentences");
   EXPECT_LE(sentences.size(), 4u) << sentences;
   for (const json& sentence : sentences)
@@ -186,12 +186,9 @@ TEST_F(OtherMethods, KeepTheAnswerShortAndTheReadingInItsPart) {
 TEST_F(OtherMethods, GroupTheReadingByWhatItIsAbout) {
   const fs::path folder = make_test_folder("grouped_reading");
   json summary = *summary_;
-  summary["methods"]["reading"] = {"Factors of safety: a, b; they lie within 3 % of each other.",
-                                   "Bishop (1.4) and Spencer (1.4) agree within 0.1 %.",
-                                   "One mechanism: the band is near.",
-                                   "The best polyline (1.4) is close.",
-                                   "The flow rule hardly matters.",
-                                   "Computing time: slices 1 s."};
+  summary["methods"]["remarks"] = json::array();
+  for (const char* topic : {"agreement", "slices", "mechanism", "slices", "elements", "seconds"})
+    summary["methods"]["remarks"].push_back({{"topic", topic}, {"text", std::string("A sentence on ") + topic}});
   std::ofstream(folder / "summary.json") << summary.dump();
   const ReadPage page(read_text(write_report(folder)));
   std::vector<std::pair<std::string, std::size_t>> groups;
@@ -201,6 +198,31 @@ TEST_F(OtherMethods, GroupTheReadingByWhatItIsAbout) {
       {"Agreement", 1}, {"Slices", 2}, {"Mechanism", 1}, {"Finite elements", 1}, {"Computing time", 1}};
   EXPECT_EQ(groups, expected);
   fs::remove_all(folder);
+}
+
+TEST_F(OtherMethods, AreNamedAlikeWhereAnOlderVersionSaysLessOfThem) {
+  const auto name = [&](const char* source, const char* measure) {
+    const fs::path folder = make_test_folder("older_rows");
+    json summary = *summary_;
+    for (json& row : summary["methods"]["table"]) {
+      for (const char* key : {"source", "measure"}) row.erase(key);
+      if (row["surface"] == "lem.spencer" && source != nullptr) row["source"] = source;
+      if (row["method"] == "fem" && row["lower"].is_number() && measure != nullptr) row["measure"] = measure;
+    }
+    std::ofstream(folder / "summary.json") << summary.dump();
+    const json factors = collect_report(folder).document.at("answer").at("factors");
+    fs::remove_all(folder);
+    std::vector<std::string> names;
+    for (const json& f : factors) names.push_back(f.at("name"));
+    return names;
+  };
+  const auto names = name("critical", "equilibrium");
+  EXPECT_EQ(name(nullptr, nullptr), names);
+  for (const char* each : {"lem.spencer", "fem.factor"})
+    EXPECT_EQ(std::count(names.begin(), names.end(), each), 1) << each;
+  const auto changed = name("given", "displacement");
+  for (const char* none : {"lem.spencer", "fem.factor"})
+    EXPECT_EQ(std::count(changed.begin(), changed.end(), none), 0) << none << " is of another kind";
 }
 
 TEST_F(OtherMethods, SayHowFarTheMethodsLieApart) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "input/echo.hpp"
 #include "input/rooted_slope.hpp"
 #include "report/content/materials.hpp"
 #include "report/words/assumptions.hpp"
@@ -14,13 +16,17 @@ namespace {
 using input::change;
 using nlohmann::json;
 
-json summarise(const std::string& text) {
-  return {{"input", input::read_case_text(text, "slope.toml").echo.get()}, {"mesh", {{"dimension", 2}}}};
+/// What the folder of a run of this case tells.
+ResultFolder make_folder(const std::string& text) {
+  ResultFolder folder;
+  folder.run.input = input::read_case_text(text, "slope.toml").echo;
+  folder.data = input::read_echo(folder.run.input);
+  return folder;
 }
 
 /// The one material of a case; `factor`: of safety.
 json read_soil(const std::string& text, std::optional<double> factor = {}) {
-  return list_materials(summarise(text), factor).at(0);
+  return list_materials(make_folder(text), factor).at(0);
 }
 
 json find_row(const json& soil, const std::string& key) {
@@ -31,12 +37,12 @@ json find_row(const json& soil, const std::string& key) {
 
 std::string tell(const std::string& text) {
   std::string all;
-  for (const json& sentence : list_assumptions(summarise(text))) all += sentence.get<std::string>() + "\n";
+  for (const json& sentence : list_assumptions(make_folder(text))) all += sentence.get<std::string>() + "\n";
   return all;
 }
 
 std::vector<std::string> name_methods(const std::string& text) {
-  return list_methods(summarise(text)).get<std::vector<std::string>>();
+  return list_methods(make_folder(text)).get<std::vector<std::string>>();
 }
 
 bool holds(const std::vector<std::string>& list, const char* word) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"

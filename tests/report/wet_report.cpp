@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "output/files/frames_reader.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"

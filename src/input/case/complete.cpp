@@ -53,14 +53,19 @@ void complete_density(Material& material, const Gravity& gravity, const std::str
 
 }  // namespace
 
+void complete_porosities(Case& data) {
+  for (auto& [name, material] : data.materials)
+    if (const auto e = material.given_void_ratio) material.porosity = *e / (1 + *e);
+}
+
 void complete(Case& data, const std::string& file, const Places& places) {
   if (data.mesh.dimension == 3 && !places.is_given("mesh.points_per_element")) data.points_per_element = 4;
   const auto find_file = [&](const std::string& path) {
     return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
   };
   if (!data.mesh.file.empty()) data.mesh.file = find_file(data.mesh.file);
+  complete_porosities(data);
   for (auto& [name, material] : data.materials) {
-    if (const auto e = material.given_void_ratio) material.porosity = *e / (1 + *e);
     complete_density(material, data.gravity, "materials." + name, places);
     material.external.material = name;
     if (!material.external.library.empty()) material.external.library_file = find_file(material.external.library);

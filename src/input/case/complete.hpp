@@ -12,4 +12,7 @@ namespace talus::input {
 /// weight, and what a case without material points leaves out: box, element size, supports.
 void complete(Case& data, const std::string& file, const Places& places);
 
+/// The porosities that belong to given void ratios.
+void complete_porosities(Case& data);
+
 }  // namespace talus::input

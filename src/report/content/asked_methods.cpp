@@ -2,17 +2,22 @@
 
 #include <algorithm>
 
-#include "report/look_up.hpp"
-
 namespace talus::report {
 
-using nlohmann::json;
-
-bool asks_for(const json& summary, const std::string& method) {
-  const json* asked = &find_list(summary, {"methods", "asked"});
+bool asks_for(const ResultFolder& folder, Method method) {
+  if (folder.run.methods && !folder.run.methods->asked.empty()) {
+    const std::vector<Method>& asked = folder.run.methods->asked;
+    return std::find(asked.begin(), asked.end(), method) != asked.end();
+  }
   // A run that failed before the methods gave an answer has the echo of its input only.
-  if (asked->empty()) asked = &find_list(summary, {"input", "analysis", "methods", "value"});
-  return asked->empty() ? method == "mpm" : std::find(asked->begin(), asked->end(), method) != asked->end();
+  switch (method) {
+    case Method::lem:
+      return input::uses(folder.data, input::Method::lem);
+    case Method::fem:
+      return input::uses(folder.data, input::Method::fem);
+    default:
+      return input::uses(folder.data, input::Method::mpm);
+  }
 }
 
 }  // namespace talus::report

@@ -1,12 +1,11 @@
 #pragma once
 // Which methods a case asks for: slices, finite elements, material points.
 
-#include <nlohmann/json.hpp>
-#include <string>
+#include "report/folder.hpp"
 
 namespace talus::report {
 
-/// `method` is "lem", "fem" or "mpm". A summary that names none is one of material points.
-bool asks_for(const nlohmann::json& summary, const std::string& method);
+/// A folder that tells of no method is one of material points.
+bool asks_for(const ResultFolder& folder, Method method);
 
 }  // namespace talus::report

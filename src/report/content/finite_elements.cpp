@@ -73,7 +73,7 @@ std::vector<To> join_rows(const std::vector<std::vector<T>>& rows, std::size_t w
 }
 
 /// The mesh; null where it cannot be drawn.
-json pack_mesh(const results::ElementFile& file, Packer& packer) {
+json pack_mesh(const results::ElementMesh& file, Packer& packer) {
   const std::size_t nodes = file.nodes.size(), elements = file.elements.size();
   if (nodes == 0 || elements == 0 || elements > most_drawn_elements || file.nodes[0].size() != 2 ||
       file.elements[0].size() != corners)
@@ -87,7 +87,7 @@ json pack_mesh(const results::ElementFile& file, Packer& packer) {
 }
 
 /// The fields of one strength reduction; null where the file has none of this mesh.
-json pack_fields(const results::ElementFile& file, results::Flow flow, Packer& packer) {
+json pack_fields(const results::ElementMesh& file, results::Flow flow, Packer& packer) {
   const std::size_t nodes = file.nodes.size(), elements = file.elements.size();
   for (const results::ElementFields& fields : file.runs) {
     if (fields.flow != flow || fields.displacement.size() != nodes || fields.shear_strain.size() != nodes ||
@@ -121,11 +121,11 @@ json make_finite_elements(const ResultFolder& folder, Packer& packer, json& warn
   try {
     const auto file = results::read_file<results::ElementFile>(
         folder.path / (fem.fields_file.empty() ? "fem.json" : fem.fields_file));
-    json mesh = file ? pack_mesh(*file, packer) : json();
+    json mesh = file ? pack_mesh(file->mesh, packer) : json();
     if (mesh.is_null()) return block;
     block["mesh"] = std::move(mesh);
     for (std::size_t i = 0; i < fem.runs.size(); ++i)
-      if (json fields = pack_fields(*file, fem.runs[i].flow, packer); !fields.is_null())
+      if (json fields = pack_fields(file->mesh, fem.runs[i].flow, packer); !fields.is_null())
         block["runs"][i]["fields"] = std::move(fields);
   } catch (const Error& error) {
     warnings.push_back(fmt::format("The finite elements are not drawn: {}", error.what()));

@@ -4,123 +4,122 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
+#include <nlohmann/json.hpp>
 
-#include "base/units.hpp"
+#include "input/case/declare_water.hpp"
 #include "report/content/boundary_lines.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
 
 namespace talus::report {
 
+using input::WaterCondition;
 using nlohmann::json;
 
 namespace {
 
-/// The number of a condition, in the unit that the report shows it in.
+/// The number of a condition over time as it acts, in the unit that the report shows it in.
 struct Shown {
-  const char* key;
   const char* title;
   ShownUnit unit;
+  std::vector<double> time, values;  ///< [s], in `unit`
+
+  bool is_negative() const {
+    return std::any_of(values.begin(), values.end(), [](double v) { return v < 0; });
+  }
 };
 
-std::optional<Shown> find_value(const std::string& condition, const ShownUnits& units) {
-  const ShownUnit rain{"mm/h", 1e-3 / 3600};
-  if (condition == "total_head") return Shown{"head", "level", units.length};
-  if (condition == "pressure") return Shown{"pressure", "pore pressure", units.stress};
-  if (condition == "rain") return Shown{"rate", "rain", rain};
-  if (condition == "flux") return Shown{"rate", "inflow", rain};
-  return std::nullopt;
+json to_json(const Shown& shown) {
+  return {{"title", shown.title}, {"unit", to_json(shown.unit)}, {"time", shown.time}, {"values", shown.values}};
 }
 
-/// The series as it acts: rows that hold until the next one are written out as jumps.
-json read_series(const json& h, const Shown& shown) {
-  const json* value = find(h, {shown.key, "value"});
-  if (value == nullptr) return {};
-  const std::string unit = get_text(h, {shown.key, "unit"});
-  const double factor = (unit.empty() ? 1 : units::get_si_factor(unit)) / shown.unit.si;
-  json time = json::array(), values = json::array();
-  const auto add = [&](double t, double v) {
-    time.push_back(t);
-    values.push_back(std::stod(fmt::format("{:.12g}", v * factor)));
+/// Nothing for a condition without a number.
+std::optional<Shown> read_series(const input::Hydraulic& h, const ShownUnits& units) {
+  const ShownUnit rain{"mm/h", 1e-3 / 3600};
+  const auto show = [&](const char* title, const ShownUnit& unit) -> std::optional<Shown> {
+    const input::TimeTable series = h.values();
+    if (series.time.empty()) return std::nullopt;
+    Shown shown{title, unit, series.time, {}};
+    for (const double v : series.value) shown.values.push_back(std::stod(fmt::format("{:.12g}", v / unit.si)));
+    return shown;
   };
-  if (value->is_number()) add(0, value->get<double>());
-  if (value->is_array()) {
-    const bool steps = get_word(h, "series") == "steps";
-    double last = 0;
-    for (const json& row : *value) {
-      const double t = row.at(0).get<double>(), v = row.at(1).get<double>();
-      if (steps && !time.empty()) add(t, last);
-      add(t, last = v);
-    }
+  switch (h.condition) {
+    case WaterCondition::total_head:
+      return show("level", units.length);
+    case WaterCondition::pressure:
+      return show("pore pressure", units.stress);
+    case WaterCondition::rain:
+      return show("rain", rain);
+    case WaterCondition::flux:
+      return show("inflow", rain);
+    default:
+      return std::nullopt;
   }
-  if (time.empty()) return {};
-  return {{"title", shown.title}, {"unit", to_json(shown.unit)}, {"time", time}, {"values", values}};
 }
 
 /// "10 m", "0 to 20 mm/h".
-std::string show_range(const json& series) {
-  double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
-  for (const json& v : series.at("values")) {
-    low = std::min(low, v.get<double>());
-    high = std::max(high, v.get<double>());
-  }
-  const std::string unit = series["unit"]["name"].get<std::string>();
-  return low == high ? show_number(low, 4) + " " + unit
-                     : fmt::format("{} to {} {}, as the series says", show_number(low, 4), show_number(high, 4), unit);
+std::string show_range(const Shown& series) {
+  const auto [low, high] = std::minmax_element(series.values.begin(), series.values.end());
+  return *low == *high ? show_number(*low, 4) + " " + series.unit.name
+                       : fmt::format("{} to {} {}, as the series says", show_number(*low, 4), show_number(*high, 4),
+                                     series.unit.name);
 }
 
-std::string describe(const json& h, const std::string& condition, const json& series, const ShownUnits& units) {
-  const std::string value = series.is_null() ? "" : show_range(series);
-  if (condition == "total_head") return "standing water up to y = " + value + "; above it, a seepage face";
-  if (condition == "pressure") return "pore pressure " + value + " (suction is negative)";
-  if (condition == "seepage_face") return "water may leave at zero pressure, none enters";
-  if (condition == "flux")
-    return value + " enters" + (value.find("−") != std::string::npos ? " (what is negative is pumped out)" : "") +
-           ", whatever the pressure";
-  if (condition == "no_flow") return "no water passes";
-  if (condition != "rain") return "";
-  std::string text = value + (get_word(h, "rain") == "normal" ? " on the inclined surface itself" : ", vertical") +
+std::string describe(const input::Hydraulic& h, const std::optional<Shown>& series, const ShownUnits& units) {
+  const std::string value = series ? show_range(*series) : "";
+  const bool is_negative = series && series->is_negative();
+  switch (h.condition) {
+    case WaterCondition::total_head:
+      return "standing water up to y = " + value + "; above it, a seepage face";
+    case WaterCondition::pressure:
+      return "pore pressure " + value + " (suction is negative)";
+    case WaterCondition::seepage_face:
+      return "water may leave at zero pressure, none enters";
+    case WaterCondition::flux:
+      return value + " enters" + (is_negative ? " (what is negative is pumped out)" : "") + ", whatever the pressure";
+    case WaterCondition::no_flow:
+      return "no water passes";
+    case WaterCondition::rain:
+      break;
+  }
+  std::string text = value +
+                     (h.rain == input::RainDirection::normal ? " on the inclined surface itself" : ", vertical") +
                      "; what does not enter runs off";
-  if (value.find("−") != std::string::npos) {
+  if (is_negative) {
     text += "; negative rain evaporates";
-    if (const auto limit = find_si(h, "suction_limit")) text += ", up to a suction of " + show(*limit, units.stress);
+    if (std::isfinite(h.suction_limit)) text += ", up to a suction of " + show(h.suction_limit, units.stress);
   }
   return text;
 }
 
-}  // namespace
-
-std::string name_condition(const std::string& condition) {
-  static const std::map<std::string, std::string> names{
-      {"total_head", "total head"},
-      {"pressure", "pressure"},
-      {"seepage_face", "seepage face"},
-      {"rain", "rain"},
-      {"flux", "flux"},
-      {"no_flow", "no flow"},
-      {"open", "open"},
-  };
-  const auto found = names.find(condition);
-  return found != names.end() ? found->second : condition;
+/// As the case file has it.
+const char* to_word(WaterCondition condition) {
+  for (const auto& choice : input::choices<WaterCondition>)
+    if (choice.value == condition) return choice.word;
+  return "";
 }
 
-json list_hydraulics(const json& summary, const std::optional<mesh::Mesh<2>>& mesh) {
+}  // namespace
+
+std::string name_condition(std::string word) {
+  std::replace(word.begin(), word.end(), '_', ' ');
+  return word;
+}
+
+json list_hydraulics(const ResultFolder& folder, const std::optional<mesh::Mesh<2>>& mesh) {
   json list = json::array();
-  const ShownUnits units = read_units(summary);
-  const json* geometry = find(summary, {"input", "geometry"});
-  for (const json& h : find_list(summary, {"input", "hydraulic"})) {
-    const std::string condition = get_word(h, "condition");
-    json lines = json::array(), series;
-    if (get_dimension(summary) == 2)
-      lines = find_boundary_lines(get_word(h, "on"), geometry != nullptr ? *geometry : json::object(), mesh);
-    if (const auto shown = find_value(condition, units)) series = read_series(h, *shown);
-    json entry{{"on", get_word(h, "on")},
+  const ShownUnits units = read_units(folder.run);
+  const json& echo = folder.run.input.get();
+  for (const input::Hydraulic& h : folder.data.hydraulics) {
+    const std::string condition = to_word(h.condition);
+    const std::optional<Shown> series = read_series(h, units);
+    json lines = json::array();
+    if (get_dimension(folder.run) == 2) lines = find_boundary_lines(h.on, echo.value("geometry", json::object()), mesh);
+    json entry{{"on", h.on},
                {"condition", condition},
                {"title", name_condition(condition)},
-               {"text", describe(h, condition, series, units)},
+               {"text", describe(h, series, units)},
                {"lines", lines}};
-    if (!series.is_null()) entry["series"] = std::move(series);
+    if (series) entry["series"] = to_json(*series);
     list.push_back(std::move(entry));
   }
   return list;

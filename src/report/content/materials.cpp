@@ -2,89 +2,109 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "report/content/properties.hpp"
 #include "report/content/soil_water.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
 
 namespace talus::report {
 
+using input::MaterialModel;
 using nlohmann::json;
 
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-std::string name_model(const json& soil) {
-  const std::string model = get_word(soil, "model");
-  if (model == "mohr_coulomb") return "Mohr–Coulomb";
-  if (model == "rooted_mohr_coulomb") return "Mohr–Coulomb with the cohesion of roots";
-  if (model == "modified_cam_clay") return "modified Cam-clay";
-  if (model == "rooted_cam_clay") return "rooted Cam-clay";
-  if (model == "linear_elastic") return "linear elastic";
-  if (model == "external")
-    return fmt::format("external: UMAT '{}' of {}", get_word(soil, "symbol", "umat_"), get_word(soil, "library"));
-  return model;
+std::string name_model(const input::Material& soil) {
+  switch (soil.model) {
+    case MaterialModel::mohr_coulomb:
+      return "Mohr–Coulomb";
+    case MaterialModel::rooted_mohr_coulomb:
+      return "Mohr–Coulomb with the cohesion of roots";
+    case MaterialModel::modified_cam_clay:
+      return "modified Cam-clay";
+    case MaterialModel::rooted_cam_clay:
+      return "rooted Cam-clay";
+    case MaterialModel::linear_elastic:
+      return "linear elastic";
+    default:
+      return fmt::format("external: UMAT '{}' of {}", soil.external.symbol, soil.external.library);
+  }
+}
+
+/// Whether Poisson's ratio is known: slices alone do not ask for it.
+bool has_poisson_ratio(const input::Case& data, const input::Material& soil) {
+  if (soil.model == MaterialModel::external) return false;
+  return soil.poisson_ratio != 0 || input::uses(data, input::Method::fem) || input::uses(data, input::Method::mpm) ||
+         !data.tests.empty();
+}
+
+void add_weights(const ResultFolder& folder, const input::Material& soil, Properties& properties) {
+  const double gravity = folder.data.gravity.acceleration;
+  const auto porosity = find_porosity(soil);
+  const auto& unit_weight = soil.slices.unit_weight;
+  const bool has_grains = soil.grain_density > 0 && porosity;
+  // A unit weight stands for both.
+  if (!unit_weight) {
+    if (soil.grain_density > 0)
+      properties.add("grain_density", "density of the grains", "ρs", {"kg/m³", 1}, soil.grain_density);
+    properties.add("porosity", "porosity", "n", {"-", 1}, porosity);
+  }
+  if (porosity && (soil.given_void_ratio || is_cam_clay(soil)))
+    properties.add("void_ratio", "void ratio at the start", "e₀", {"-", 1},
+                   soil.given_void_ratio.value_or(soil.void_ratio()));
+  if (unit_weight) {
+    properties.add("unit_weight", "unit weight above the water table", "γ", {"kN/m³", 1000}, unit_weight);
+    properties.add("saturated_unit_weight", "unit weight below the water table", "γ_r", {"kN/m³", 1000},
+                   soil.slices.saturated_unit_weight);
+  } else if (has_grains) {
+    properties.add("unit_weight", "unit weight (dry)", "γ", {"kN/m³", 1000}, soil.density() * gravity);
+  }
+  if (has_grains && soil.water.is_wet()) properties.add_wet_weights(folder, soil);
+}
+
+Properties list_properties(const ResultFolder& folder, const input::Material& soil, std::optional<double> stage_factor,
+                           std::optional<double> factor_of_safety) {
+  Properties properties(read_units(folder.run).stress, stage_factor, factor_of_safety);
+  add_weights(folder, soil, properties);
+  if (soil.young_modulus > 0) properties.add("young_modulus", "Young's modulus", "E", {"MPa", 1e6}, soil.young_modulus);
+  if (has_poisson_ratio(folder.data, soil))
+    properties.add("poisson_ratio", "Poisson's ratio", "ν", {"-", 1}, soil.poisson_ratio);
+  if (is_mohr_coulomb(soil)) properties.add_mohr_coulomb(soil);
+  if (is_cam_clay(soil)) properties.add_cam_clay(soil.cam_clay);
+  if (const double ratio = soil.slices.pore_pressure_ratio; ratio > 0)
+    properties.add("pore_pressure_ratio", "pore pressure over the weight above", "r_u", {"-", 1}, ratio);
+  if (soil.slices.suction_strength == input::SuctionStrength::phi_b)
+    properties.add("phi_b", "angle of the strength from suction", "φ_b", {"°", degree}, soil.slices.phi_b);
+  if (const double gradient = soil.slices.cohesion_gradient; gradient != 0)
+    properties.add("cohesion_gradient", "growth of the cohesion with depth", "dc/dz", {"kPa/m", 1000}, gradient);
+  properties.add_roots(folder.data.roots, soil);
+  if (soil.model == MaterialModel::external) properties.add_external(soil.external);
+  return properties;
 }
 
 }  // namespace
 
-json list_materials(const json& summary, std::optional<double> factor_of_safety) {
+json list_materials(const ResultFolder& folder, std::optional<double> factor_of_safety) {
   json rows = json::array();
-  const json* materials = find(summary, {"input", "materials"});
-  if (materials == nullptr || !materials->is_object()) return rows;
-  const ShownUnits units = read_units(summary);
-  const json* regions = find(summary, {"input", "regions"});
-  const json& stages = find_list(summary, {"input", "stage"});
-  const json* weight = find(summary, {"input", "gravity"});
-  const double gravity = weight != nullptr ? get_si(*weight, "acceleration", 9.81) : 9.81;
+  const input::Case& data = folder.data;
   std::optional<double> stage_factor;
-  if (!stages.empty()) stage_factor = find_si(stages.back(), "strength_factor");
+  if (!data.stages.empty()) stage_factor = data.stages.back().strength_factor;
   if (stage_factor == 1.0) stage_factor.reset();
-
   int index = 0;  // points carry the number of their material in the order of the names
-  for (const auto& [name, soil] : materials->items()) {
-    json own_regions = json::array();
-    if (regions != nullptr)
-      for (const auto& [region, material] : regions->items())
-        if (get_text(material, {"value"}) == name) own_regions.push_back(region);
-    Properties properties(units.stress, stage_factor, factor_of_safety);
-    const auto density = find_si(soil, "grain_density"), porosity = find_porosity(soil);
-    // A unit weight stands for both.
-    if (!find_si(soil, "unit_weight")) {
-      properties.add("grain_density", "density of the grains", "ρs", {"kg/m³", 1}, density);
-      properties.add("porosity", "porosity", "n", {"-", 1}, porosity);
-    }
-    if (find_si(soil, "void_ratio") || is_cam_clay(soil))
-      properties.add("void_ratio", "void ratio at the start", "e₀", {"-", 1}, find_void_ratio(soil));
-    if (const auto given = find_si(soil, "unit_weight")) {
-      properties.add("unit_weight", "unit weight above the water table", "γ", {"kN/m³", 1000}, given);
-      properties.add("saturated_unit_weight", "unit weight below the water table", "γ_r", {"kN/m³", 1000},
-                     find_si(soil, "saturated_unit_weight"));
-    } else if (density && porosity)
-      properties.add("unit_weight", "unit weight (dry)", "γ", {"kN/m³", 1000}, (1 - *porosity) * *density * gravity);
-    const input::PoreWater pore_water = read_pore_water(soil);
-    if (density && porosity && pore_water.is_wet())
-      properties.add_wet_weights(summary, pore_water, *density, *porosity, gravity);
-    properties.add("young_modulus", "Young's modulus", "E", {"MPa", 1e6}, find_si(soil, "young_modulus"));
-    properties.add("poisson_ratio", "Poisson's ratio", "ν", {"-", 1}, find_si(soil, "poisson_ratio"));
-    if (is_mohr_coulomb(soil)) properties.add_mohr_coulomb(soil);
-    if (is_cam_clay(soil)) properties.add_cam_clay(soil);
-    if (const double ratio = get_si(soil, "pore_pressure_ratio", 0); ratio > 0)
-      properties.add("pore_pressure_ratio", "pore pressure over the weight above", "r_u", {"-", 1}, ratio);
-    if (get_word(soil, "suction_strength") == "phi_b")
-      properties.add("phi_b", "angle of the strength from suction", "φ_b", {"°", degree}, find_si(soil, "phi_b"));
-    if (const double gradient = get_si(soil, "cohesion_gradient", 0); gradient != 0)
-      properties.add("cohesion_gradient", "growth of the cohesion with depth", "dc/dz", {"kPa/m", 1000}, gradient);
-    properties.add_roots(summary, soil);
-    if (get_word(soil, "model") == "external") properties.add_external(soil);
+  for (const auto& [name, soil] : data.materials) {
+    json regions = json::array();
+    for (const auto& [region, material] : data.regions)
+      if (material == name) regions.push_back(region);
     json row{{"name", name},
              {"index", index++},
              {"model", name_model(soil)},
-             {"regions", own_regions},
-             {"properties", properties.rows}};
-    if (json water = describe_soil_water(summary, soil); !water.is_null()) row["water"] = std::move(water);
+             {"regions", regions},
+             {"properties", list_properties(folder, soil, stage_factor, factor_of_safety).list()}};
+    if (json water = describe_soil_water(folder, soil.water); !water.is_null()) row["water"] = std::move(water);
     rows.push_back(std::move(row));
   }
   return rows;

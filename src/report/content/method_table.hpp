@@ -1,31 +1,51 @@
 #pragma once
 // The factors of safety by slices, finite elements and material points beside each other.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "report/folder.hpp"
 
 namespace talus::report {
 
 /// `MethodTable` of web/src/contract/; null for a run of material points alone.
-nlohmann::json make_method_table(const nlohmann::json& summary);
+nlohmann::json make_method_table(const ResultFolder& folder);
 
-/// `Factor`s of web/src/contract/ by slices and finite elements; given and handed surfaces only where no critical one
-/// was sought. Of each method one is marked as main: Spencer's critical circle, else the first with a value; of finite
-/// elements the first.
-nlohmann::json list_other_factors(const nlohmann::json& summary);
+/// A factor of safety as the answer lists it (`Factor` of web/src/contract/).
+struct Factor {
+  Method method = Method::mpm;
+  std::string name;   ///< as comparisons name it: "lem.noncircular.spencer"
+  std::string title;  ///< "Spencer, critical circle"
+  std::optional<double> value, lower, upper;
+  std::string note;
+  bool is_main = false;                      ///< it stands for its method in the first sentence
+  std::optional<input::WaterMotion> water;   ///< of material points in wet ground
+  std::optional<SliceMethod> slice_method;   ///< by which slices found it; nothing where they changed a given surface
+  std::optional<results::Flow> flow;         ///< of finite elements that find no equilibrium beyond it
+  std::optional<results::CriterionKind> by;  ///< of material points
+  bool is_extrapolated = false;              ///< to elements of no size
+};
+
+nlohmann::json to_json(const Factor& factor);
+
+/// Factors by slices and finite elements; given and handed surfaces only where no critical one was sought. Of each
+/// method one is marked as main: Spencer's critical circle, else the first with a value; of finite elements the first.
+std::vector<Factor> list_other_factors(const results::RunResult& run);
 
 /// "The factor of safety is 1.441 by slices (Spencer, critical circle) and 1.398 by finite elements (…)."; empty
 /// when no method found one. `factors` are those of all methods.
-std::string say_main_factors(const nlohmann::json& summary, const nlohmann::json& factors);
+std::string say_main_factors(const results::RunResult& run, const std::vector<Factor>& factors);
 
 /// How far the main factors lie apart, and how much of it is known to be the flow rule or the mesh; empty for fewer
 /// than two.
-std::string say_agreement(const nlohmann::json& factors);
+std::string say_agreement(const std::vector<Factor>& factors);
 
 /// Where slices found a surface that is weaker than the one of their main factor; empty otherwise.
-std::string say_weakest_surface(const nlohmann::json& factors);
+std::string say_weakest_surface(const std::vector<Factor>& factors);
 
 /// Whether the factors are those of partial factors' design values.
-bool has_design_values(const nlohmann::json& summary);
+bool has_design_values(const results::RunResult& run);
 
 }  // namespace talus::report

@@ -160,14 +160,13 @@ json list_stages(const ResultFolder& folder, const ShownUnits& units) {
   const std::vector<results::Stage> reports = folder.run.stages.value_or(std::vector<results::Stage>{});
   const results::Status status = folder.run.status;
   const bool stopped = status != results::Status::finished && status != results::Status::unfinished;
-  const bool wet = is_wet(folder.summary);
+  const bool wet = is_wet(folder);
   for (std::size_t i = 0; i < std::max(plans.size(), reports.size()); ++i) {
     const bool planned = i < plans.size();
     // A stage is reported when it ends: the first without a report is where a broken run stopped.
     const bool reported = i < reports.size(), stopped_here = i == reports.size() && stopped;
     const results::Stage report = reported ? reports[i] : results::Stage{};
-    const std::string water =
-        planned && wet ? describe_stage_water(folder.summary.at("input").at("stage").at(i)) : std::string();
+    const std::string water = planned && wet ? describe_stage_water(plans[i].step) : std::string();
     list.push_back({{"name", reported ? report.name : plans[i].name},
                     {"text", planned ? describe_stage(plans[i], units, water) : ""},
                     {"end", reported       ? results::to_word(report.end)
@@ -283,9 +282,9 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
           {"boundaries", list_boundaries(data, dimension, plane)},
           {"loads", folder.run.input.is_empty() ? json::array() : list_loads(data, dimension, units)},
           {"surcharges", list_surcharges(data)},
-          {"water", list_water_tables(folder.summary)},
+          {"water", list_water_tables(folder)},
           {"monitors", list_monitors(folder, dimension)},
-          {"materials", list_materials(folder.summary, factor_of_safety)},
+          {"materials", list_materials(folder, factor_of_safety)},
           {"stages", list_stages(folder, units)},
           {"mesh", mesh}};
 }

@@ -2,20 +2,21 @@
 // The rows of one soil in the table of materials: values as given, divided by the stage's strength factor, and at
 // failure.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "input/case/water.hpp"
-#include "report/look_up.hpp"
+#include "report/folder.hpp"
+#include "report/words/numbers.hpp"
 
 namespace talus::report {
 
-/// The kind of a material of the echo, bare or rooted.
-bool is_mohr_coulomb(const nlohmann::json& soil);
-bool is_cam_clay(const nlohmann::json& soil);
-/// n and e₀ of a material of the echo, whichever of them the case gives [-].
-std::optional<double> find_porosity(const nlohmann::json& soil);
-std::optional<double> find_void_ratio(const nlohmann::json& soil);
+/// The kind of a material, bare or rooted.
+bool is_mohr_coulomb(const input::Material& soil);
+bool is_cam_clay(const input::Material& soil);
+/// n [-]; nothing where a unit weight stands for grains and pores.
+std::optional<double> find_porosity(const input::Material& soil);
 
 /// M of a critical state whose tan φ is divided by a factor [-].
 double reduce_slope(double slope, double factor);
@@ -29,24 +30,31 @@ class Properties {
 
   void add(const std::string& key, const std::string& title, const std::string& symbol, const ShownUnit& unit,
            std::optional<double> value, std::optional<double> design = {}, std::optional<double> at_failure = {});
-  void add_mohr_coulomb(const nlohmann::json& soil);
-  void add_cam_clay(const nlohmann::json& soil);
-  /// What roots are worth in this soil, with those of [[roots]] of the whole case.
-  void add_roots(const nlohmann::json& summary, const nlohmann::json& soil);
+  void add_mohr_coulomb(const input::Material& soil);
+  void add_cam_clay(const input::CamClaySoil& clay);
+  /// What roots are worth in this soil; `blocks`: of the whole case.
+  void add_roots(const std::vector<input::Roots>& blocks, const input::Material& soil);
   /// What a UMAT is given. Its constants have no names and no units that anybody but the UMAT knows.
-  void add_external(const nlohmann::json& soil);
+  void add_external(const input::ExternalModel& external);
   /// With all pores that fill full of water, and as light as the driest soil of the model.
-  void add_wet_weights(const nlohmann::json& summary, const input::PoreWater& soil, double density, double porosity,
-                       double gravity);
+  void add_wet_weights(const ResultFolder& folder, const input::Material& soil);
 
-  nlohmann::json rows = nlohmann::json::array();
+  nlohmann::json list() const;
 
  private:
+  /// Values in the unit shown.
+  struct Row {
+    std::string key, title, symbol, unit;
+    std::optional<double> characteristic, design, at_failure;
+  };
+
   void add_slope(const std::string& key, const std::string& title, const std::string& symbol, double slope);
-  void add_cohesion(const std::string& key, const std::string& title, std::optional<double> cohesion);
+  void add_cohesion(const std::string& key, const std::string& title, double cohesion);
+  void add_rooted_clay(const input::Material& soil, double content);
 
   ShownUnit stress_;
   std::optional<double> design_, failure_;
+  std::vector<Row> rows_;
 };
 
 }  // namespace talus::report

@@ -94,8 +94,7 @@ json make_paths(const ResultFolder& folder, json& warnings) {
     const output::HistoryTable table = output::read_history(folder.path / "monitors.csv");
     json times = json::array(), paths = json::array();
     for (const results::MonitorMotion& monitor : motion->monitors) {
-      const run::MonitorPath path =
-          run::read_monitor_path(table, monitor.name, {clock->stage, clock->start, clock->resets});
+      const run::MonitorPath path = run::read_monitor_path(table, monitor.name, *clock);
       json displacement = json::array();
       const bool is_first = times.empty();
       for (const std::size_t i : choose_frames(path.time.size(), most_path_rows)) {

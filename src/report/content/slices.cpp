@@ -148,10 +148,10 @@ json make_slices(const ResultFolder& folder, Packer& packer, json& warnings) {
   if (lem.error) slices["error"] = *lem.error;
   if (lem.search) slices["search"] = take_search(*lem.search);
   try {
-    const auto file = results::read_file<results::SliceTrials>(folder.path / lem.trials_file.value_or("lem.json"));
-    if (!file) return slices;
-    if (json trials = pack_trials(*file, packer); !trials.is_null()) slices["trials"] = std::move(trials);
-    slices["maps"] = pack_maps(*file, packer);
+    const auto file = results::read_file<results::SliceFile>(folder.path / lem.trials_file.value_or("lem.json"));
+    if (!file || !file->trials) return slices;
+    if (json trials = pack_trials(*file->trials, packer); !trials.is_null()) slices["trials"] = std::move(trials);
+    slices["maps"] = pack_maps(*file->trials, packer);
   } catch (const Error& error) {
     warnings.push_back(fmt::format("The trial surfaces are not shown: {}", error.what()));
   }

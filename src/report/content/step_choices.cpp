@@ -2,35 +2,44 @@
 
 #include <algorithm>
 
-#include "report/look_up.hpp"
-
 namespace talus::report {
+namespace {
 
-using nlohmann::json;
+bool reduces_strength(const input::Case& data) {
+  return data.analysis == input::AnalysisKind::strength_reduction;
+}
 
-StepChoices gather_step_choices(const json& summary) {
+}  // namespace
+
+const input::StepSettings* find_curve_steps(const input::Case& data) {
+  const input::Curve& curve = data.strength_reduction.curve;
+  return reduces_strength(data) && curve.enabled ? &curve.step_settings : nullptr;
+}
+
+const input::StepSettings* find_frozen_steps(const input::Case& data) {
+  const input::FrozenFactor& frozen = data.strength_reduction.frozen;
+  return reduces_strength(data) && frozen.enabled ? &frozen.step_settings : nullptr;
+}
+
+StepChoices gather_step_choices(const input::Case& data) {
   StepChoices choices;
-  const auto add = [&](const json& step) {
-    choices.integrations.insert(get_word(step, "integration", "mixed"));
-    choices.smoothings.insert(get_word(step, "smoothing", "none"));
-    choices.largest_damping = std::max(choices.largest_damping, get_si(step, "damping", 0));
-    choices.largest_mass_scaling = std::max(choices.largest_mass_scaling, get_si(step, "mass_scaling", 1));
+  const auto add = [&](const input::StepSettings& step) {
+    choices.integrations.insert(step.integration);
+    choices.smoothings.insert(step.smoothing);
+    choices.largest_damping = std::max(choices.largest_damping, step.damping);
+    choices.largest_mass_scaling = std::max(choices.largest_mass_scaling, step.mass_scaling);
   };
-  for (const json& stage : find_list(summary, {"input", "stage"})) {
-    add(stage);
-    choices.stages_are_smoothed = get_word(stage, "smoothing", "none") != "none";
+  for (const input::Stage& stage : data.stages) {
+    add(stage.step);
+    choices.stages_are_smoothed = stage.step.smoothing != input::Smoothing::none;
   }
-  const json* analysis = find(summary, {"input", "analysis"});
-  choices.is_reduction = analysis != nullptr && get_word(*analysis, "kind") == "strength_reduction";
-  if (!choices.is_reduction) return choices;
-  if (const json* curve = find(summary, {"input", "strength_reduction", "curve"});
-      curve && get_flag(*curve, "enabled")) {
+  choices.is_reduction = reduces_strength(data);
+  if (const input::StepSettings* curve = find_curve_steps(data)) {
     choices.has_curve = true;
-    choices.curve_is_smoothed = get_word(*curve, "smoothing", "none") != "none";
+    choices.curve_is_smoothed = curve->smoothing != input::Smoothing::none;
     add(*curve);
   }
-  if (const json* frozen = find(summary, {"input", "strength_reduction", "frozen"});
-      frozen && get_flag(*frozen, "enabled")) {
+  if (const input::StepSettings* frozen = find_frozen_steps(data)) {
     choices.has_frozen = true;
     add(*frozen);
   }

@@ -112,9 +112,8 @@ ResultFolder take_first(std::vector<std::optional<ResultFolder>>& runs, const re
     first.run.units = {study.units.length, study.units.displacement, study.units.stress.value_or("kPa")};
     first.run.input = study.input.value_or(JsonTree());
     first.data = input::read_echo(first.run.input);
-    first.summary = results::to_json(first.run);
   }
-  if (!study.title.empty()) first.run.title = first.summary["title"] = study.title;
+  if (!study.title.empty()) first.run.title = study.title;
   return first;
 }
 

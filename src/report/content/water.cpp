@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "report/content/hydraulics.hpp"
 #include "report/content/soil_water.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 
 namespace talus::report {
@@ -17,43 +17,39 @@ using nlohmann::json;
 namespace {
 
 /// The state before the season, if there was one.
-std::string describe_first_state(const json& summary) {
-  const json* initial = find(summary, {"input", "initial"});
-  const std::string word = initial != nullptr ? get_word(*initial, "pore_pressure", "zero") : "";
-  if (word == "seepage") return "steady seepage with the hydraulic conditions of the start";
-  if (word == "zero") return "no pore pressure";
-  if (word != "water_table") return "";
+std::string describe_first_state(const ResultFolder& folder) {
+  if (folder.run.input.is_empty()) return "";
+  const input::InitialWater& water = folder.data.initial.water;
+  if (water.pressure == input::InitialPressure::seepage)
+    return "steady seepage with the hydraulic conditions of the start";
+  if (water.pressure == input::InitialPressure::zero) return "no pore pressure";
   std::string text = "hydrostatic under a water table, with suction above it";
-  if (const auto limit = find_si(*initial, "largest_suction"))
-    text += " up to " + show(*limit, read_units(summary).stress);
+  if (std::isfinite(water.largest_suction))
+    text += " up to " + show(water.largest_suction, read_units(folder.run).stress);
   return text;
 }
 
-std::string describe_start(const json& summary) {
-  std::string text = describe_first_state(summary);
-  if (const json* season = find(summary, {"season"}); season != nullptr && !text.empty())
-    text += fmt::format(", and {:.4g} days of weather since then", get_number(*season, {"duration"}) / 86400);
+std::string describe_start(const ResultFolder& folder) {
+  std::string text = describe_first_state(folder);
+  if (folder.run.season && !text.empty())
+    text += fmt::format(", and {:.4g} days of weather since then", folder.run.season->duration / 86400);
   return text;
 }
 
 /// "saturated and unsaturated" where some soil drains and suction is known or possible.
-std::string describe_state(const json& summary) {
-  const json* materials = find(summary, {"input", "materials"});
+std::string describe_state(const ResultFolder& folder) {
   bool drains = false, dry = false;
-  if (materials != nullptr)
-    for (const json& material : *materials) {
-      const input::PoreWater soil = read_pore_water(material);
-      dry = dry || !soil.is_wet();
-      drains = drains || (soil.is_wet() && soil.retention != input::RetentionCurve::saturated);
-    }
+  for (const auto& [name, soil] : folder.data.materials) {
+    dry = dry || !soil.water.is_wet();
+    drains = drains || (soil.water.is_wet() && soil.water.retention != input::RetentionCurve::saturated);
+  }
   std::string text = drains ? "Saturated and unsaturated soil" : "Saturated soil";
   if (dry) text += " beside dry soil";
-  const std::string start = describe_start(summary);
+  const std::string start = describe_start(folder);
   return text + (start.empty() ? "" : "; at the start " + start);
 }
 
-json list_properties(const json& summary) {
-  const input::Water water = read_water(summary);
+json list_properties(const input::Water& water) {
   json rows = json::array();
   const auto add = [&](const char* key, const char* title, const char* symbol, const char* unit, double value) {
     if (!std::isfinite(value)) return;
@@ -70,87 +66,93 @@ json list_properties(const json& summary) {
   return rows;
 }
 
-json make_budget(const json& water) {
+json make_budget(const results::WaterBudget& water) {
   json surfaces = json::array();
-  for (const json& s : find_list(water, {"surfaces"}))
-    surfaces.push_back({{"name", get_text(s, {"name"})},
-                        {"condition", name_condition(get_text(s, {"condition"}))},
-                        {"entered", get_number(s, {"entered"})},
-                        {"left", get_number(s, {"left"})},
-                        {"supplied", get_number(s, {"supplied"})},
-                        {"runoff", get_number(s, {"runoff"})}});
-  json budget{{"surfaces", surfaces}, {"density", get_number(water, {"density"}, 1000)}};
-  for (const char* key : {"initial", "stored", "entered", "left", "runoff", "left_grid", "pressed_in", "lost_between",
-                          "error", "largest_pressure", "largest_suction"})
-    budget[key] = get_number(water, {key});
-  if (water.contains("transpired")) budget["transpired"] = get_number(water, {"transpired"});
+  for (const results::SurfaceWater& s : water.surfaces)
+    surfaces.push_back({{"name", s.name},
+                        {"condition", name_condition(to_word(s.condition))},
+                        {"entered", s.entered},
+                        {"left", s.left},
+                        {"supplied", s.supplied},
+                        {"runoff", s.runoff}});
+  json budget{{"surfaces", surfaces},
+              {"density", water.density},
+              {"initial", water.initial},
+              {"stored", water.stored},
+              {"entered", water.entered},
+              {"left", water.left},
+              {"runoff", water.runoff},
+              {"left_grid", water.left_grid},
+              {"pressed_in", water.pressed_in},
+              {"lost_between", water.lost_between},
+              {"error", water.error},
+              {"largest_pressure", water.largest_pressure},
+              {"largest_suction", water.largest_suction}};
+  if (water.transpired) budget["transpired"] = *water.transpired;
   return budget;
 }
 
-json make_season(const json& season) {
-  json block, layers = json::array();
-  for (const char* key : {"duration", "inflow", "outflow", "runoff", "potential", "transpired", "growth", "error"})
-    block[key] = get_number(season, {key});
-  for (const json& layer : find_list(season, {"layers"})) {
-    json row;
-    for (const char* key : {"depth", "initial", "mean", "least", "greatest", "driest"})
-      row[key] = get_number(layer, {key});
-    layers.push_back(row);
-  }
-  block["layers"] = layers;
-  return block;
+json make_season(const results::Season& season) {
+  json layers = json::array();
+  for (const results::SuctionLayer& layer : season.layers)
+    layers.push_back({{"depth", layer.depth},
+                      {"initial", layer.initial},
+                      {"mean", layer.mean},
+                      {"least", layer.least},
+                      {"greatest", layer.greatest},
+                      {"driest", layer.driest}});
+  return {{"duration", season.duration}, {"inflow", season.inflow},       {"outflow", season.outflow},
+          {"runoff", season.runoff},     {"potential", season.potential}, {"transpired", season.transpired},
+          {"growth", season.growth},     {"error", season.error},         {"layers", layers}};
 }
 
-json make_seepage(const json& seepage) {
-  json block;
+json make_seepage(const results::Seepage& seepage) {
   json discharges = json::array(), exits = json::array();
-  for (const json& d : find_list(seepage, {"discharges"}))
-    discharges.push_back({{"name", get_text(d, {"name"})},
-                          {"inflow", get_number(d, {"inflow"})},
-                          {"outflow", get_number(d, {"outflow"})},
-                          {"runoff", get_number(d, {"runoff"})}});
-  for (const json& e : find_list(seepage, {"exits"}))
-    exits.push_back({{"name", get_text(e, {"name"})},
-                     {"lowest", find_list(e, {"lowest"})},
-                     {"highest", find_list(e, {"highest"})}});
-  for (const char* key : {"inflow", "outflow", "balance_error", "iterations", "undecided", "largest_suction"})
-    block[key] = get_number(seepage, {key});
-  block["largest_suction_at"] = find_list(seepage, {"largest_suction_at"});
-  block["discharges"] = discharges;
-  block["exits"] = exits;
-  return block;
+  for (const results::Discharge& d : seepage.discharges)
+    discharges.push_back({{"name", d.name}, {"inflow", d.inflow}, {"outflow", d.outflow}, {"runoff", d.runoff}});
+  for (const results::SeepageExit& e : seepage.exits)
+    exits.push_back({{"name", e.name}, {"lowest", e.lowest}, {"highest", e.highest}});
+  return {{"inflow", seepage.inflow},
+          {"outflow", seepage.outflow},
+          {"balance_error", seepage.balance_error},
+          {"iterations", seepage.iterations},
+          {"undecided", seepage.undecided},
+          {"largest_suction", seepage.largest_suction},
+          {"largest_suction_at", seepage.largest_suction_at},
+          {"discharges", discharges},
+          {"exits", exits}};
 }
 
 }  // namespace
 
 json make_water(const ResultFolder& folder) {
-  const json& summary = folder.summary;
-  if (!is_wet(summary)) return {};
+  if (!is_wet(folder)) return {};
   std::optional<mesh::Mesh<2>> mesh;
-  if (get_dimension(summary) == 2 && std::filesystem::exists(folder.path / "mesh.h5"))
+  if (get_dimension(folder.run) == 2 && std::filesystem::exists(folder.path / "mesh.h5"))
     mesh = run::get_mesh<2>(output::ArchiveReader(folder.path / "mesh.h5"));
-  json water{{"state", describe_state(summary)},
-             {"initial", describe_start(summary)},
-             {"properties", list_properties(summary)},
-             {"conditions", list_hydraulics(summary, mesh)}};
-  if (const json* budget = find(summary, {"water"})) water["budget"] = make_budget(*budget);
-  if (const json* seepage = find(summary, {"seepage"})) water["seepage"] = make_seepage(*seepage);
-  if (const json* season = find(summary, {"season"})) water["season"] = make_season(*season);
+  json water{{"state", describe_state(folder)},
+             {"initial", describe_start(folder)},
+             {"properties", list_properties(folder.data.water)},
+             {"conditions", list_hydraulics(folder, mesh)}};
+  if (folder.run.water) water["budget"] = make_budget(*folder.run.water);
+  if (folder.run.seepage) water["seepage"] = make_seepage(*folder.run.seepage);
+  if (folder.run.season) water["season"] = make_season(*folder.run.season);
   return water;
 }
 
-json list_water_tables(const json& summary) {
+json list_water_tables(const ResultFolder& folder) {
   json list = json::array();
-  if (get_dimension(summary) != 2) return list;
-  const json& lines = find_list(summary, {"seepage", "water_table"});
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    list.push_back(
-        {{"name", lines.size() == 1 ? std::string("steady seepage") : fmt::format("steady seepage, line {}", i + 1)},
-         {"points", lines[i]}});
-  const json* initial = find(summary, {"input", "initial"});
-  if (list.empty() && initial != nullptr && get_word(*initial, "pore_pressure") == "water_table")
-    if (const auto points = get_si_points(*initial, "water_table"); !points.empty())
-      list.push_back({{"name", "of the case"}, {"points", points}});
+  if (get_dimension(folder.run) != 2) return list;
+  if (folder.run.seepage) {
+    const auto& lines = folder.run.seepage->water_table;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      list.push_back(
+          {{"name", lines.size() == 1 ? std::string("steady seepage") : fmt::format("steady seepage, line {}", i + 1)},
+           {"points", lines[i]}});
+  }
+  const input::InitialWater& initial = folder.data.initial.water;
+  if (list.empty() && initial.pressure == input::InitialPressure::water_table && !initial.water_table.empty())
+    list.push_back({{"name", "of the case"}, {"points", initial.water_table}});
   return list;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // Pore water of a run: what it is, how it began, what it met, and where it went (`Water` in web/src/contract/).
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "report/folder.hpp"
 
 namespace talus::report {
@@ -9,6 +11,6 @@ namespace talus::report {
 nlohmann::json make_water(const ResultFolder& folder);
 
 /// Water tables at the start [m], as `Model.water` lists them: of the steady seepage, or of the case.
-nlohmann::json list_water_tables(const nlohmann::json& summary);
+nlohmann::json list_water_tables(const ResultFolder& folder);
 
 }  // namespace talus::report

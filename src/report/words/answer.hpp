@@ -1,7 +1,7 @@
 #pragma once
 // The answer of a run in plain words, and the factors of safety with what they rest on.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "report/folder.hpp"
@@ -10,12 +10,9 @@ namespace talus::report {
 
 /// The factor of safety that the first sentence names: of material points at frozen geometry, else by the first
 /// criterion of the curve that found one; without material points of slices, else of finite elements.
-std::optional<double> find_main_factor(const nlohmann::json& summary);
+std::optional<double> find_main_factor(const ResultFolder& folder);
 
 /// `Answer` of web/src/contract/.
 nlohmann::json make_answer(const ResultFolder& folder);
-
-/// finished, interrupted, unstable, failed; "unfinished" for a run that was killed.
-std::string find_status(const nlohmann::json& summary);
 
 }  // namespace talus::report

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "report/content/asked_methods.hpp"
@@ -11,7 +12,7 @@
 #include "report/content/roots.hpp"
 #include "report/content/soil_water.hpp"
 #include "report/content/step_choices.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
 #include "report/words/water_words.hpp"
 
 namespace talus::report {
@@ -27,14 +28,14 @@ constexpr double restless = 0.01;
 /// Collects the sentences about one run.
 class Assumptions {
  public:
-  explicit Assumptions(const json& summary)
-      : summary_(summary), choices_(gather_step_choices(summary)), dimension_(get_dimension(summary)) {}
+  explicit Assumptions(const ResultFolder& folder)
+      : folder_(folder), choices_(gather_step_choices(data_)), dimension_(get_dimension(run_)) {}
 
   json collect() {
-    if (find(summary_, {"input"}) == nullptr) return sentences_;
-    if (asks_for(summary_, "lem")) add_slices();
-    if (asks_for(summary_, "fem")) add_elements();
-    if (!asks_for(summary_, "mpm")) return sentences_;
+    if (run_.input.is_empty()) return sentences_;
+    if (asks_for(folder_, Method::lem)) add_slices();
+    if (asks_for(folder_, Method::fem)) add_elements();
+    if (!asks_for(folder_, Method::mpm)) return sentences_;
     add_ground();
     add_soils();
     add_mesh();
@@ -54,19 +55,17 @@ class Assumptions {
     add("Slices: the mass above a slip surface slides as one body in a plane, and the strength is reached along all of "
         "that surface at once. Deformation, the stress before failure and the dilatancy angle play no part; sides of a "
         "slide, which hold, are left out.");
-    if (find(summary_, {"lem", "search"}) != nullptr)
+    if (run_.slices && run_.slices->search)
       add("The critical surface is the weakest of those that were tried and then improved; a weaker one of another "
           "shape is possible.");
     add("Fellenius, Bishop and Janbu leave a part of the equilibrium out; Spencer and Morgenstern–Price "
         "satisfy all of it with an assumed inclination of the forces between slices.");
-    if (get_flag(get_table("lem"), "reject", true))
+    if (const input::LimitEquilibrium& lem = data_.lem; lem.reject)
       add("Surfaces with m_α below {:g}, with tension over more than {:g} % of the base, or (Spencer, "
           "Morgenstern–Price) with the thrust outside the mass at more than {:g} % of the slices' sides are rejected "
           "and counted.",
-          get_si(get_table("lem"), "smallest_m_alpha", 0.2), 100 * get_si(get_table("lem"), "most_tension", 0.1),
-          100 * get_si(get_table("lem"), "most_thrust_outside", 0.15));
-    const json& earthquake = get_table("earthquake");
-    if (get_si(earthquake, "horizontal", 0) != 0 || get_si(earthquake, "vertical", 0) != 0)
+          lem.smallest_m_alpha, 100 * lem.most_tension, 100 * lem.most_thrust_outside);
+    if (data_.earthquake.horizontal != 0 || data_.earthquake.vertical != 0)
       add("The earthquake is a constant acceleration (pseudo-static): neither its duration nor pore pressures that it "
           "causes are seen.");
   }
@@ -76,17 +75,11 @@ class Assumptions {
         "equilibrium that meets both the force and the displacement residual; a shear band is as wide as an element, "
         "so that a finer mesh gives a slightly lower factor.",
         dimension_ == 2 ? "quadratic triangles (six nodes)" : "quadratic tetrahedra (ten nodes)");
-    for (const json& run : find_list(summary_, {"fem", "runs"}))
-      if (get_text(run, {"flow"}) == "associated")
+    if (!run_.elements) return;
+    for (const results::ElementRun& run : run_.elements->runs)
+      if (run.flow == results::Flow::associated)
         add("With associated flow (ψ = φ) the factor can be compared with slices and limit analysis; with ψ as given "
             "it is what material points should come to.");
-  }
-
-  /// A table of the case; an empty one when it is not there.
-  const json& get_table(const char* name) const {
-    static const json none = json::object();
-    const json* found = find(summary_, {"input", name});
-    return found != nullptr ? *found : none;
   }
 
   void add_ground() {
@@ -96,40 +89,36 @@ class Assumptions {
     else
       add("Three dimensions: the section is extruded along z between walls. Tetrahedra lock more than triangles, and "
           "factors of safety in 3D have not been compared with other methods beyond a slab and an upper bound.");
-    if (is_wet(summary_))
-      for (std::string& sentence : list_water_assumptions(summary_)) sentences_.push_back(std::move(sentence));
+    if (is_wet(folder_))
+      for (std::string& sentence : list_water_assumptions(folder_)) sentences_.push_back(std::move(sentence));
     else
       add("Dry soil in one phase: no pore pressure, no seepage, no suction. Undrained ground can be calculated with "
           "total stresses only (φ = 0, c = su).");
-    const json* initial = find(summary_, {"input", "initial"});
-    if (initial == nullptr) return;
-    if (const std::string start = get_word(*initial, "result"); !start.empty())
-      add("The initial state is the end of the results in '{}'.", start);
-    else if (get_word(*initial, "stress") != "k0")
+    const input::Initial& initial = data_.initial;
+    if (!initial.result.empty())
+      add("The initial state is the end of the results in '{}'.", initial.result);
+    else if (initial.stress != input::InitialStress::k0)
       add("There is no initial stress: the first stage brings the weight on, and the horizontal stress of the settled "
           "ground is about ν/(1−ν) times the vertical one, a matter of Poisson's ratio.");
-    else if (const auto k0 = find_si(*initial, "k0"))
+    else if (initial.k0)
       add("The initial stress is geostatic with K0 = {}, as under a level ground; the first stage brings it into "
           "balance.",
-          show_number(*k0));
+          show_number(*initial.k0));
     else
       add("The initial stress is geostatic with K0 = ν/(1−ν) of each soil, as under a level ground; the first stage "
           "brings it into balance.");
   }
 
   void add_soils() {
-    const json* materials = find(summary_, {"input", "materials"});
-    if (materials == nullptr) return;
     std::vector<std::string> elastic, tensile, external, clay;
     std::size_t with_strength = 0;
-    for (const auto& [name, soil] : materials->items()) {
-      const std::string model = get_word(soil, "model");
-      if (model == "linear_elastic") elastic.push_back(name);
-      if (model == "external") external.push_back(name);
+    for (const auto& [name, soil] : data_.materials) {
+      if (soil.model == input::MaterialModel::linear_elastic) elastic.push_back(name);
+      if (soil.model == input::MaterialModel::external) external.push_back(name);
       if (is_cam_clay(soil)) clay.push_back(name);
       if (!is_mohr_coulomb(soil)) continue;
       ++with_strength;
-      if (get_si(soil, "tensile_strength", 0) > 0) tensile.push_back(name);
+      if (soil.tensile_strength > 0) tensile.push_back(name);
       add_dilatancy(name, soil);
     }
     is_plastic_ = with_strength + clay.size() > 0;
@@ -147,7 +136,7 @@ class Assumptions {
           "increments, not deformation gradients; its state variables are carried with the soil, and not rotated.",
           join_words(external));
     if (!clay.empty()) add_clay(clay);
-    for (std::string& sentence : list_root_assumptions(summary_)) sentences_.push_back(std::move(sentence));
+    for (std::string& sentence : list_root_assumptions(folder_)) sentences_.push_back(std::move(sentence));
     if (!elastic.empty()) add("Without any limit of strength (linear elastic): {}.", join_words(elastic));
   }
 
@@ -160,8 +149,8 @@ class Assumptions {
       add("In Cam-clay soils the factor divides tan φ of the critical state. The preconsolidation stays as it is.");
   }
 
-  void add_dilatancy(const std::string& name, const json& soil) {
-    const double psi = get_si(soil, "dilatancy_angle", 0), phi = get_si(soil, "friction_angle", 0);
+  void add_dilatancy(const std::string& name, const input::Material& soil) {
+    const double psi = soil.dilatancy_angle, phi = soil.friction_angle;
     if (phi <= 0) return;
     // Methods of slices give a factor of safety; a run without one has nothing to compare with them.
     const bool compares = choices_.is_reduction;
@@ -180,7 +169,7 @@ class Assumptions {
   }
 
   void add_mesh() {
-    const double size = get_number(summary_, {"mesh", "mean_size"}), height = get_number(summary_, {"slope_height"});
+    const double size = run_.mesh ? run_.mesh->mean_size : 0, height = run_.slope_height.value_or(0);
     if (size > 0 && height > 0) {
       const double across = height / size;
       add("The mean size of the elements is {} the height of the slope.{}",
@@ -203,43 +192,41 @@ class Assumptions {
           lock);
     else if (!choices_.is_reduction && !choices_.stages_are_smoothed)
       add("The stages: {}. They are too strong, and displacements come out too small.", lock);
-    if (choices_.smoothings.contains("strain"))
+    if (choices_.smoothings.contains(input::Smoothing::strain))
       add("Plain strain smoothing is used; with dilatancy (ψ > 0) it can become unstable.");
-    if (choices_.smoothings.contains("stable"))
+    if (choices_.smoothings.contains(input::Smoothing::stable))
       add("Locking of linear {} is relieved by stable strain smoothing, not removed: finer meshes still give {}.",
           simplex, choices_.is_reduction ? "lower factors" : "larger displacements");
   }
 
   void add_factor() {
     if (!choices_.is_reduction) return;
-    if (const json* frozen = find(summary_, {"factor_of_safety", "frozen"})) {
+    if (run_.factor_of_safety && run_.factor_of_safety->frozen) {
+      const results::FrozenFactor& frozen = *run_.factor_of_safety->frozen;
       add("The factor of safety is decided at frozen geometry (small strains): a trial comes to rest or runs away. "
           "What moves and changes its shape before it fails is not seen by it.");
-      const std::size_t meshes = find_list(*frozen, {"meshes"}).size();
-      if (find(*frozen, {"extrapolated"}) != nullptr)
+      if (frozen.extrapolated)
         add("It is extrapolated in a straight line from {} meshes to elements of no size. Its bracket is that of the "
             "search on these meshes; the individual mesh moves the factor by about 2 %, which a variation of mesh.size "
             "by some percent shows.",
-            meshes);
+            frozen.meshes.size());
       else
         add("It is that of one mesh and not extrapolated: about 5 % too high at elements of H/13, 3 % at H/27 on the "
             "slopes that were compared.");
-      for (const json& m : find_list(*frozen, {"meshes"}))
-        if (find(m, {"undecided"}) != nullptr && m["undecided"] == true)
+      for (const results::MeshFactor& m : frozen.meshes)
+        if (m.undecided)
           add("At h = {} a trial was neither at rest nor run away when its time was over; it counts as failed.",
-              show(get_number(m, {"size"}), read_units(summary_).length));
+              show(m.size, read_units(run_).length));
     }
     if (choices_.has_curve)
       add("Displacements of the curve are those after {:g} s with damping {:g}: other times and damping give other "
           "displacements, and the constructions on the curve are conventions.",
-          get_si(summary_["input"]["strength_reduction"]["curve"], "window", 0),
-          get_si(summary_["input"]["strength_reduction"]["curve"], "damping", 0));
-    const json& stages = find_list(summary_, {"stages"});
-    const bool all_done = stages.size() == find_list(summary_, {"input", "stage"}).size();
-    if (!stages.empty() && all_done && get_number(stages.back(), {"force_ratio"}) > restless)
+          data_.strength_reduction.curve.window, data_.strength_reduction.curve.step_settings.damping);
+    if (!run_.stages || run_.stages->empty() || run_.stages->size() != data_.stages.size()) return;
+    if (const double force_ratio = run_.stages->back().force_ratio; force_ratio > restless)
       add("The last stage was still moving when the strength reduction began (unbalanced force {:.2g} of the weight): "
           "displacements of the trials contain that motion.",
-          get_number(stages.back(), {"force_ratio"}));
+          force_ratio);
   }
 
   void add_motion() {
@@ -254,28 +241,28 @@ class Assumptions {
     if (choices_.largest_mass_scaling > 1)
       add("The inertia is multiplied by up to {:g} in some stages: their times and speeds have no physical meaning.",
           choices_.largest_mass_scaling);
-    if (const double lost = get_number(summary_, {"budgets", "lost", "points"}); lost > 0)
-      add("{:.0f} {} the grid and {} no longer calculated.", lost, lost == 1 ? "point left" : "points left",
+    if (const std::size_t lost = run_.budgets ? run_.budgets->lost.points : 0; lost > 0)
+      add("{} {} the grid and {} no longer calculated.", lost, lost == 1 ? "point left" : "points left",
           lost == 1 ? "is" : "are");
   }
 
   /// Of a run that nothing moved in, nothing is to be said about how far.
   bool has_moved() const {
-    bool moved = get_number(summary_, {"runout", "moved_volume"}) > 0;
-    for (const json& r : find_list(summary_, {"runouts"}))
-      moved = moved || get_number(r, {"runout", "moved_volume"}) > 0;
-    return moved;
+    const auto moves = [](const results::Runout& runout) { return runout.moved_volume > 0; };
+    if (run_.runout && moves(*run_.runout)) return true;
+    return run_.runouts && std::any_of(run_.runouts->begin(), run_.runouts->end(),
+                                       [&](const results::RunoutTrial& r) { return moves(r.runout); });
   }
 
   void add_walls() {
-    for (const json& b : find_list(summary_, {"input", "boundary"})) {
-      if (get_word(b, "fix") != "friction") continue;
+    if (std::any_of(data_.boundaries.begin(), data_.boundaries.end(),
+                    [](const input::Boundary& b) { return b.fix == input::Fix::friction; }))
       add("Walls with friction follow Coulomb's law with one coefficient and no cohesion.");
-      return;
-    }
   }
 
-  const json& summary_;
+  const ResultFolder& folder_;
+  const results::RunResult& run_ = folder_.run;
+  const input::Case& data_ = folder_.data;
   StepChoices choices_;
   std::size_t dimension_;
   bool is_plastic_ = false;  ///< some soil has a limit of strength
@@ -284,8 +271,8 @@ class Assumptions {
 
 }  // namespace
 
-json list_assumptions(const json& summary) {
-  return Assumptions(summary).collect();
+json list_assumptions(const ResultFolder& folder) {
+  return Assumptions(folder).collect();
 }
 
 }  // namespace talus::report

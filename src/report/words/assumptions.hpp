@@ -1,11 +1,13 @@
 #pragma once
 // What the numbers of a run rest on and where they end, as sentences derived from its case and its results.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include "report/folder.hpp"
 
 namespace talus::report {
 
 /// The sentences that apply, the ones that concern every reader first.
-nlohmann::json list_assumptions(const nlohmann::json& summary);
+nlohmann::json list_assumptions(const ResultFolder& folder);
 
 }  // namespace talus::report

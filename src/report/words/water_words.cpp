@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/content/properties.hpp"
 #include "report/content/soil_water.hpp"
+#include "report/content/step_choices.hpp"
 #include "report/content/water_choices.hpp"
-#include "report/look_up.hpp"
+#include "report/words/numbers.hpp"
 
 namespace talus::report {
 
-using nlohmann::json;
-
 namespace {
+
+using input::WaterMotion;
 
 /// Of water as it is [Pa].
 constexpr double real_modulus = 2.2e9;
@@ -23,12 +23,10 @@ constexpr double noticeable = 1e-6;
 
 /// Lists the soils of which `holds` is true.
 template <class Condition>
-std::vector<std::string> list_soils(const json& summary, Condition holds) {
+std::vector<std::string> list_soils(const input::Case& data, Condition holds) {
   std::vector<std::string> names;
-  const json* materials = find(summary, {"input", "materials"});
-  if (materials == nullptr || !materials->is_object()) return names;
-  for (const auto& [name, material] : materials->items())
-    if (holds(read_pore_water(material), material)) names.push_back(name);
+  for (const auto& [name, soil] : data.materials)
+    if (holds(soil)) names.push_back(name);
   return names;
 }
 
@@ -44,8 +42,8 @@ std::string join_parts(const std::vector<WaterPart>& parts, Condition holds) {
 /// Collects the sentences about one wet case.
 class WaterAssumptions {
  public:
-  explicit WaterAssumptions(const json& summary)
-      : summary_(summary), units_(read_units(summary)), parts_(list_water_parts(summary)) {}
+  explicit WaterAssumptions(const ResultFolder& folder)
+      : run_(folder.run), data_(folder.data), units_(read_units(run_)), parts_(list_water_parts(data_)) {}
 
   std::vector<std::string> collect() {
     add_phases();
@@ -65,9 +63,9 @@ class WaterAssumptions {
   }
 
   void add_phases() {
-    const auto dry = list_soils(summary_, [](const auto& soil, const json&) { return !soil.is_wet(); });
-    const auto khalili = list_soils(summary_, [](const auto& soil, const json&) {
-      return soil.is_wet() && soil.chi == input::BishopChi::khalili_khabbaz;
+    const auto dry = list_soils(data_, [](const auto& soil) { return !soil.water.is_wet(); });
+    const auto khalili = list_soils(data_, [](const auto& soil) {
+      return soil.water.is_wet() && soil.water.chi == input::BishopChi::khalili_khabbaz;
     });
     add("Soil and pore water are two phases on the same points; air stays at atmospheric pressure. Effective stress "
         "after Bishop{}. Retention curves have no hysteresis, and water that leaves does not run down the slope and "
@@ -78,9 +76,9 @@ class WaterAssumptions {
       add("Without pore water: {}. There is neither seepage nor suction in it; wet soil beside it loses water to it as "
           "through a seepage face.",
           join_words(dry));
-    const auto largest = find_largest_suction(summary_);
-    const auto limp = list_soils(
-        summary_, [&](const auto& soil, const json&) { return soil.retention == input::RetentionCurve::saturated; });
+    const auto largest = find_largest_suction(run_);
+    const auto limp =
+        list_soils(data_, [](const auto& soil) { return soil.water.retention == input::RetentionCurve::saturated; });
     if (largest && !limp.empty())
       add("{} above the water table too, with suctions up to {}: that is on the unsafe side.",
           join_words(limp) + (limp.size() == 1 ? " stays saturated" : " stay saturated"),
@@ -88,32 +86,29 @@ class WaterAssumptions {
   }
 
   /// E_c of the soil [Pa]; nothing where it changes with the stress.
-  static std::optional<double> find_oedometric(const json& material) {
-    if (const auto given = find_si(material, "constrained_modulus")) return given;
-    const auto young = find_si(material, "young_modulus");
-    const double poisson = get_si(material, "poisson_ratio", 0);
-    return young ? std::optional(*young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson))) : std::nullopt;
+  static std::optional<double> find_oedometric(const input::Material& soil) {
+    if (soil.model == input::MaterialModel::external) return soil.external.constrained_modulus;
+    return soil.young_modulus > 0 ? std::optional(soil.constrained_modulus()) : std::nullopt;
   }
 
   /// How much of a load that is brought on undrained the water takes: 1/(1 + n E_c/K_w), in one dimension.
-  static double find_share(const json& material, double oedometric, double modulus) {
-    return 1 / (1 + find_porosity(material).value_or(0) * oedometric / modulus);
+  static double find_share(const input::Material& soil, double oedometric, double modulus) {
+    return 1 / (1 + soil.porosity * oedometric / modulus);
   }
 
   void add_modulus() {
-    const double modulus = read_water(summary_).bulk_modulus;
+    const double modulus = data_.water.bulk_modulus;
     const double ratio = real_modulus / modulus;
     if (!(ratio > 1.1)) return;
     double lowest = 1, real = 1;
-    list_soils(summary_, [&](const auto& soil, const json& material) {
-      const auto oedometric = find_oedometric(material);
-      if (!soil.is_wet() || !oedometric) return false;
-      if (const double share = find_share(material, *oedometric, modulus); share < lowest) {
+    for (const auto& [name, soil] : data_.materials) {
+      const auto oedometric = find_oedometric(soil);
+      if (!soil.water.is_wet() || !oedometric) continue;
+      if (const double share = find_share(soil, *oedometric, modulus); share < lowest) {
         lowest = share;
-        real = find_share(material, *oedometric, real_modulus);
+        real = find_share(soil, *oedometric, real_modulus);
       }
-      return true;
-    });
+    }
     const std::string effect =
         lowest == 1 ? "Of a load that is brought on undrained, water carries less than it would, the less the stiffer "
                       "the soil is under its stress"
@@ -127,9 +122,9 @@ class WaterAssumptions {
   }
 
   void add_conductivity() {
-    const auto constant = list_soils(summary_, [](const auto& soil, const json&) {
-      return soil.is_wet() && soil.retention != input::RetentionCurve::saturated &&
-             soil.relative_conductivity == input::ConductivityCurve::constant;
+    const auto constant = list_soils(data_, [](const auto& soil) {
+      return soil.water.is_wet() && soil.water.retention != input::RetentionCurve::saturated &&
+             soil.water.relative_conductivity == input::ConductivityCurve::constant;
     });
     if (!constant.empty())
       add("The conductivity of {} does not fall with suction: above the water table the soil lets as much water "
@@ -137,57 +132,57 @@ class WaterAssumptions {
           "below it, and rain enters and drains faster than in real soil.",
           join_words(constant));
     for (const WaterPart& part : parts_)
-      if (part.flows && part.conductivity_factor != 1)
-        add("Conductivities are multiplied by {:g} in {}: flow changes there {} times {} than in reality.",
-            part.conductivity_factor, part.name,
-            show_number(std::max(part.conductivity_factor, 1 / part.conductivity_factor)),
-            part.conductivity_factor > 1 ? "faster" : "slower");
+      if (const double factor = part.step.conductivity_factor; part.flows() && factor != 1)
+        add("Conductivities are multiplied by {:g} in {}: flow changes there {} times {} than in reality.", factor,
+            part.name, show_number(std::max(factor, 1 / factor)), factor > 1 ? "faster" : "slower");
   }
 
   void add_trials() {
-    const std::string frozen = find_water_of_trials(summary_, "frozen"),
-                      curve = find_water_of_trials(summary_, "curve");
-    if (frozen == "held")
+    const input::StepSettings *frozen = find_frozen_steps(data_), *curve = find_curve_steps(data_);
+    if (frozen != nullptr && frozen->water == WaterMotion::held)
       add("The factor at frozen geometry is drained: pore pressures and suctions stay as they were at the start, "
           "whatever "
           "the soil does. Pressures that shearing raises in loose soil, and those of a rapid drawdown, are not in it.");
-    else if (frozen == "flows")
+    else if (frozen != nullptr)
       add("The factor at frozen geometry is coupled: water flows in its trials, and shearing changes the pore "
           "pressures.");
-    if (curve == "flows")
+    if (curve != nullptr && curve->water == WaterMotion::flows)
       add("The criteria on the displacement curve are coupled: in the {:g} s of a trial water flows, and shearing "
           "raises or lowers pore pressures that may have no time to even out.",
-          get_si(summary_["input"]["strength_reduction"]["curve"], "window", 0));
-    else if (curve == "held")
+          data_.strength_reduction.curve.window);
+    else if (curve != nullptr)
       add("The criteria on the displacement curve are drained: pore pressures are held.");
-    if (!frozen.empty() && !curve.empty() && frozen != curve)
+    if (frozen != nullptr && curve != nullptr && frozen->water != curve->water)
       add("The drained and the coupled factors answer different questions and need not agree.");
   }
 
   void add_steps() {
-    if (const auto scaled = join_parts(parts_, [](const auto& p) { return p.flows && p.mass_scaling > 1; });
+    if (const auto scaled = join_parts(parts_, [](const auto& p) { return p.flows() && p.step.mass_scaling > 1; });
         !scaled.empty())
       add("Mass scaling in {} multiplies the inertia of the water too: a water hammer, where water is stopped, grows "
           "with "
           "its root.",
           scaled);
-    if (const auto pressed = join_parts(parts_, [](const auto& p) { return p.flows && p.is_frozen_geometry; });
+    if (const auto pressed =
+            join_parts(parts_, [](const auto& p) { return p.flows() && p.step.geometry == input::Geometry::frozen; });
         !pressed.empty())
       add("Geometry is frozen while water flows in {}: pores keep their volume, and the water that straining would "
           "press "
           "out of them stays in them under a higher pressure.",
           pressed);
-    if (const auto lowered =
-            join_parts(parts_, [](const auto& p) { return p.flows && p.damping > 0 && p.damps_without_drag; });
+    if (const auto lowered = join_parts(parts_,
+                                        [](const auto& p) {
+                                          return p.flows() && p.step.water_damping > 0 &&
+                                                 p.step.damped_force == input::DampedForce::without_drag;
+                                        });
         !lowered.empty())
       add("The damping of the water without drag in {} acts like a conductivity that is lower by the share of the "
           "damping.",
           lowered);
-    const double gravity = read_water(summary_).drag_gravity;
-    if (const json* weight = find(summary_, {"input", "gravity"});
-        weight != nullptr && std::abs(get_si(*weight, "acceleration", gravity) / gravity - 1) > 1e-3)
-      add("Conductivities hold at {:g} m/s² while gravity is {:g} m/s²: water flows in proportion to gravity.", gravity,
-          get_si(*weight, "acceleration", gravity));
+    const double measured = data_.water.drag_gravity, gravity = data_.gravity.acceleration;
+    if (std::abs(gravity / measured - 1) > 1e-3)
+      add("Conductivities hold at {:g} m/s² while gravity is {:g} m/s²: water flows in proportion to gravity.",
+          measured, gravity);
   }
 
   void add_surfaces() {
@@ -196,23 +191,23 @@ class WaterAssumptions {
         "without any is a seepage face. Outer water and its weight act on the sides of the mesh beside the soil, so "
         "that a "
         "surface under water is known to about one element.");
-    if (const double undecided = get_number(summary_, {"seepage", "undecided"}); undecided > 0)
-      add("In the steady seepage {:.0f} {} a surface did not settle between taking and giving water.", undecided,
+    if (const int undecided = run_.seepage ? run_.seepage->undecided : 0; undecided > 0)
+      add("In the steady seepage {} {} a surface did not settle between taking and giving water.", undecided,
           undecided == 1 ? "node of" : "nodes of");
   }
 
   void add_budget() {
-    const double stored = get_number(summary_, {"water", "stored"});
-    if (!(stored > 0)) return;
-    if (const double error = std::abs(get_number(summary_, {"water", "error"})); error > noticeable)
+    if (!run_.water || !(run_.water->stored > 0)) return;
+    const results::WaterBudget& water = *run_.water;
+    if (const double error = std::abs(water.error); error > noticeable)
       add("The water budget does not close: {} of the water is not explained.", show_number(error, 2));
-    if (const double between = std::abs(get_number(summary_, {"water", "lost_between"})) / stored; between > noticeable)
+    if (const double between = std::abs(water.lost_between) / water.stored; between > noticeable)
       add("Between elements that are integrated differently {} of the water came or went.", show_number(between, 2));
-    if (const double gone = get_number(summary_, {"water", "left_grid"}); gone > 0)
-      add("{} kg of water left the grid with its soil.", show_number(gone));
+    if (water.left_grid > 0) add("{} kg of water left the grid with its soil.", show_number(water.left_grid));
   }
 
-  const json& summary_;
+  const results::RunResult& run_;
+  const input::Case& data_;
   ShownUnits units_;
   std::vector<WaterPart> parts_;
   std::vector<std::string> sentences_;
@@ -225,33 +220,31 @@ std::string tell_closure(double error) {
 
 }  // namespace
 
-std::vector<std::string> tell_water(const json& summary) {
+std::vector<std::string> tell_water(const ResultFolder& folder) {
   std::vector<std::string> sentences;
-  if (!is_wet(summary)) return sentences;
-  const ShownUnits units = read_units(summary);
-  const std::string per = get_dimension(summary) == 2 ? " m³/s per metre" : " m³/s";
-  if (const json* seepage = find(summary, {"seepage"}))
-    sentences.push_back(
-        fmt::format("In the steady seepage of the start {}{} flow through the ground; the largest suction "
-                    "is {}.",
-                    show_number(get_number(*seepage, {"outflow"})), per,
-                    show(get_number(*seepage, {"largest_suction"}), units.stress)));
-  if (const json* water = find(summary, {"water"})) {
-    const double suction = get_number(*water, {"largest_suction"}), runoff = get_number(*water, {"runoff"});
-    const double density = get_number(*water, {"density"}, 1000);
-    std::string text = fmt::format("At the end of the stages the largest pore pressure is {}",
-                                   show(get_number(*water, {"largest_pressure"}), units.stress));
-    text += suction > 0 ? " and the largest suction " + show(suction, units.stress) : ", and there is no suction";
-    if (runoff > 0)
-      text += fmt::format("; {} m³{} of rain ran off", show_number(runoff / density),
-                          get_dimension(summary) == 2 ? " per metre" : "");
-    sentences.push_back(text + "; the water budget " + tell_closure(get_number(*water, {"error"})) + ".");
+  if (!is_wet(folder)) return sentences;
+  const ShownUnit stress = read_units(folder.run).stress;
+  const bool is_plane = get_dimension(folder.run) == 2;
+  if (const auto& seepage = folder.run.seepage)
+    sentences.push_back(fmt::format(
+        "In the steady seepage of the start {}{} flow through the ground; the largest suction "
+        "is {}.",
+        show_number(seepage->outflow), is_plane ? " m³/s per metre" : " m³/s", show(seepage->largest_suction, stress)));
+  if (const auto& water = folder.run.water) {
+    std::string text =
+        fmt::format("At the end of the stages the largest pore pressure is {}", show(water->largest_pressure, stress));
+    text += water->largest_suction > 0 ? " and the largest suction " + show(water->largest_suction, stress)
+                                       : ", and there is no suction";
+    if (water->runoff > 0)
+      text += fmt::format("; {} m³{} of rain ran off", show_number(water->runoff / water->density),
+                          is_plane ? " per metre" : "");
+    sentences.push_back(text + "; the water budget " + tell_closure(water->error) + ".");
   }
   return sentences;
 }
 
-std::vector<std::string> list_water_assumptions(const json& summary) {
-  return is_wet(summary) ? WaterAssumptions(summary).collect() : std::vector<std::string>{};
+std::vector<std::string> list_water_assumptions(const ResultFolder& folder) {
+  return is_wet(folder) ? WaterAssumptions(folder).collect() : std::vector<std::string>{};
 }
 
 }  // namespace talus::report

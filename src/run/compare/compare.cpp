@@ -32,13 +32,14 @@ std::optional<double> get_factor(const lem::Critical& critical) {
 }
 
 results::MethodRow begin_row(Method method, std::string name, std::string title, std::string criterion,
-                             std::string surface) {
+                             std::string surface, results::SurfaceSource source) {
   results::MethodRow row;
   row.method = method;
   row.name = std::move(name);
-  row.title = std::move(title);
+  row.title = row.label = std::move(title);
   row.criterion = std::move(criterion);
   row.surface = std::move(surface);
+  row.source = source;
   return row;
 }
 
@@ -47,6 +48,8 @@ class Comparison {
   Comparison(const input::Case& data, const lem::Slope* slope, const results::RunResult& run, const fs::path& folder,
              int threads)
       : data_(data), slope_(slope), run_(run), folder_(folder), threads_(threads) {}
+
+  using Source = results::SurfaceSource;
 
   results::MethodComparison make() {
     told_.asked = data_.methods;
@@ -59,9 +62,10 @@ class Comparison {
   }
 
  private:
-  void add_critical(const results::CriticalSurface& c, const std::string& name, const std::string& criterion) {
+  void add_critical(const results::CriticalSurface& c, const std::string& name, const std::string& criterion,
+                    Source source) {
     const results::SlipSurface& s = c.surface;
-    results::MethodRow row = begin_row(Method::lem, results::to_word(s.method), s.title, criterion, name);
+    results::MethodRow row = begin_row(Method::lem, results::to_word(s.method), s.title, criterion, name, source);
     row.factor = s.factor;
     if (c.lambda) row.note = fmt::format("λ = {:.3g}", *c.lambda);
     if (c.correction != 1) row.note = fmt::format("f₀ = {:.3f}", c.correction);
@@ -73,13 +77,14 @@ class Comparison {
   void add_slices(const results::SliceResult& slices) {
     const std::size_t first = told_.table.size();
     for (const auto& c : slices.critical)
-      add_critical(c, fmt::format("lem.{}", results::to_word(c.surface.method)), "critical circle");
+      add_critical(c, fmt::format("lem.{}", results::to_word(c.surface.method)), "critical circle", Source::critical);
     for (const auto& c : slices.noncircular)
-      add_critical(c, fmt::format("lem.noncircular.{}", results::to_word(c.surface.method)), "critical polyline");
+      add_critical(c, fmt::format("lem.noncircular.{}", results::to_word(c.surface.method)), "critical polyline",
+                   Source::noncircular);
     for (const auto& c : slices.given) {
       const std::string given = c.surface.name.value_or("");
       add_critical(c, fmt::format("lem.surface[{}].{}", given, results::to_word(c.surface.method)),
-                   fmt::format("given surface '{}'", given));
+                   fmt::format("given surface '{}'", given), Source::given);
     }
     if (told_.table.size() > first) told_.table[first].seconds = slices.seconds;  // of all of them together
   }
@@ -87,8 +92,11 @@ class Comparison {
   void add_elements(const results::ElementResult& fem) {
     for (const results::ElementRun& run : fem.runs) {
       const std::string words = describe_flow(run), band = name_band(run.flow);
-      results::MethodRow row = begin_row(Method::fem, results::to_word(run.flow), "Finite elements, " + words,
-                                         "no equilibrium", run.slip_line.empty() ? "" : band);
+      results::MethodRow row =
+          begin_row(Method::fem, results::to_word(run.flow), "Finite elements, " + words, "no equilibrium",
+                    run.slip_line.empty() ? "" : band, run.slip_line.empty() ? Source::none : Source::band);
+      row.label = words;
+      row.measure = results::FactorMeasure::equilibrium;
       row.factor = run.factor;
       row.lower = run.stable;
       row.upper = run.failed;
@@ -97,6 +105,7 @@ class Comparison {
       told_.table.push_back(row);
       if (run.by_displacement) {
         row.criterion = "displacement runs away";
+        row.measure = results::FactorMeasure::displacement;
         row.factor = run.by_displacement;
         row.lower = row.upper = row.seconds = std::nullopt;
         told_.table.push_back(row);
@@ -126,9 +135,10 @@ class Comparison {
   }
 
   void add_point_factors(const results::PointFactors& factors, const std::string& surface) {
+    const Source source = surface.empty() ? Source::none : Source::slip_line;
     if (const auto& frozen = factors.frozen) {
       results::MethodRow row =
-          begin_row(Method::mpm, "frozen", "Material points", "rest or run-away at frozen geometry", surface);
+          begin_row(Method::mpm, "frozen", "Material points", "rest or run-away at frozen geometry", surface, source);
       row.factor = frozen->factor;
       row.lower = frozen->factor - frozen->uncertainty;
       row.upper = frozen->factor + frozen->uncertainty;
@@ -140,8 +150,8 @@ class Comparison {
     if (!factors.criteria) return;
     for (const results::Criterion& c : *factors.criteria) {
       const std::string word = results::to_word(c.kind);
-      results::MethodRow row =
-          begin_row(Method::mpm, word, "Material points", word + " criterion on the displacement curve", surface);
+      results::MethodRow row = begin_row(Method::mpm, word, "Material points",
+                                         word + " criterion on the displacement curve", surface, source);
       row.factor = c.factor;
       row.lower = c.lower;
       row.upper = c.upper;
@@ -177,7 +187,8 @@ class Comparison {
         const std::string refusal = why == lem::Refusal::none ? "" : lem::name_refusal(why);
         told_.handed.push_back({s.name, name, title, get_factor(found), refusal});
         if (method != SliceMethod::spencer && method != SliceMethod::morgenstern_price) continue;
-        results::MethodRow row = begin_row(Method::lem, name, lem::title_method(method), "on: " + s.title, s.name);
+        results::MethodRow row =
+            begin_row(Method::lem, name, lem::title_method(method), "on: " + s.title, s.name, Source::handed);
         row.factor = get_factor(found);
         row.note = refusal;
         told_.table.push_back(std::move(row));
@@ -194,7 +205,7 @@ class Comparison {
                       name = fmt::format("lem.handed[{}].spencer_optimised", of.name);
     told_.handed.push_back({of.name, "spencer_optimised", title, factor, ""});
     results::MethodRow row =
-        begin_row(Method::lem, "spencer_optimised", "Spencer", "optimised from: " + of.title, name);
+        begin_row(Method::lem, "spencer_optimised", "Spencer", "optimised from: " + of.title, name, Source::optimised);
     row.factor = factor;
     told_.table.push_back(std::move(row));
     told_.surfaces.push_back({name, title, Method::lem, factor, best.surface.line, {}});
