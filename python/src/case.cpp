@@ -1,5 +1,7 @@
 // Reading and checking a case, and the declarations of all keys.
 
+#include <nlohmann/json.hpp>
+
 #include "input/catalogue.hpp"
 #include "input/read.hpp"
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"

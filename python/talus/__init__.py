@@ -31,6 +31,7 @@ from .case import Case, describe  # noqa: E402
 from .errors import CannotWrite, Error, Finding, FolderExists, InputError, Interrupted, Unstable  # noqa: E402
 from .fields import Fields, History  # noqa: E402
 from .frames import Frame, Mesh  # noqa: E402
+from .methods import MethodFactor, MethodTable, Surface  # noqa: E402
 from .named import Comparison, Result  # noqa: E402
 from .results import Results  # noqa: E402
 from .studies import Study  # noqa: E402
@@ -50,10 +51,13 @@ __all__ = [
     "InputError",
     "Interrupted",
     "Mesh",
+    "MethodFactor",
+    "MethodTable",
     "Progress",
     "Result",
     "Results",
     "Study",
+    "Surface",
     "Unstable",
     "describe",
     "plot",

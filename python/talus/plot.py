@@ -13,11 +13,12 @@ from .fields import Fields
 from .results import Results
 from .section import animate_section, plot_section
 from .studies import Study
+from .surfaces import plot_surfaces
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["animate_section", "plot_curve", "plot_curves", "plot_history", "plot_section"]
+__all__ = ["animate_section", "plot_curve", "plot_curves", "plot_history", "plot_section", "plot_surfaces"]
 
 
 def plot_curve(results: Results, ax: Optional["Axes"] = None, logarithmic: bool = False) -> "Axes":
@@ -41,9 +42,10 @@ def plot_curve(results: Results, ax: Optional["Axes"] = None, logarithmic: bool 
             line = (bilinear[part]["slope"] * factor + bilinear[part]["intercept"]) * scale
             inside = (line >= low - margin) & (line <= high + margin)
             ax.plot(factor[inside], line[inside], color=colour, linewidth=2, label=name)
+    frozen = results.summary.get("factor_of_safety", {}).get("value")
     for i, criterion in enumerate(block["criteria"]):
         if criterion["factor"] is not None:
-            is_the_factor = criterion["factor"] == results.factor_of_safety
+            is_the_factor = criterion["factor"] == frozen
             words = "factor of safety" if is_the_factor else criterion["name"].replace("_", " ")
             ax.axvline(
                 criterion["factor"],

@@ -17,6 +17,7 @@ from . import _core
 from .errors import InputError
 from .fields import Fields, History
 from .frames import Frame, Mesh, follow_points
+from .methods import MethodTable, Surface, find_main_factor, read_methods, read_surfaces
 from .named import Comparison, ResultTable, read_comparisons, read_results
 
 _CURVE_TYPE = np.dtype(
@@ -103,9 +104,20 @@ class Results:
 
     @property
     def factor_of_safety(self) -> Optional[float]:
-        """The factor of safety (frozen geometry), or None where none was calculated."""
-        value: Optional[float] = self.summary.get("factor_of_safety", {}).get("value")
-        return value
+        """The factor of safety of the run, or None where none was calculated: of material points (frozen geometry, or
+        the first construction on the curve), else of finite elements, else the smallest of slices by a method that
+        satisfies all equilibrium. `methods` lists all factors."""
+        return find_main_factor(self.summary)
+
+    @property
+    def methods(self) -> MethodTable:
+        """The factors of all methods beside one another; empty for material points alone and for trials."""
+        return read_methods(self.summary)
+
+    @property
+    def surfaces(self) -> dict[str, Surface]:
+        """The slip surfaces of the methods by name, surfaces["lem.spencer"].points (points, 2) [m]."""
+        return read_surfaces(self.summary)
 
     @property
     def criteria(self) -> dict[str, Optional[float]]:

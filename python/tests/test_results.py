@@ -274,3 +274,54 @@ def test_data_frames_have_a_column_for_each_component(results):
     assert np.array_equal(table["stress.xy"], frame.field("stress")[:, 3]) and table.attrs["units"]["stress.xy"] == "Pa"
     assert list(table.index) == list(frame.ids) and np.array_equal(table["position.y"], frame.positions[:, 1])
     assert len(results.history.to_dataframe()) == len(results.history["time"])
+
+
+def test_slices_and_elements_alone_have_a_factor_and_surfaces(slope, tmp_path):
+    from matplotlib import pyplot
+
+    case = slope(analysis__methods=["lem", "fem"], analysis__kind="strength_reduction")
+    case.limit_equilibrium.methods = ["bishop", "spencer"]
+    case.output.length_unit = "cm"
+    results = talus.run(case, tmp_path / "run")
+    listed = {row.surface: row.factor for row in reversed(results.methods)}  # of a surface the first row
+    assert results.factor_of_safety == listed["fem.band"] == results.results["fem.factor"].value
+    assert results.methods[0].title == "Bishop simplified"
+    assert "Bishop simplified, critical circle" in repr(results.methods)
+    assert "<td>Bishop simplified</td>" in results.methods._repr_html_() and "factor of safety" in results._repr_html_()
+    spencer = results.surfaces["lem.spencer"]
+    assert spencer.factor == listed["lem.spencer"] and spencer.points.shape[1] == 2
+
+    axes = talus.plot.plot_surfaces(results, "lem.spencer", "fem.band")
+    outline, circle, band = axes.lines
+    assert np.allclose(circle.get_xydata(), 100 * spencer.points) and axes.get_xlabel() == "x [cm]"
+    assert band.get_linewidth() > circle.get_linewidth() and axes.get_aspect() == 1
+    assert f"{spencer.factor:.3f}  Spencer, critical circle" in [t.get_text() for t in axes.get_legend().get_texts()]
+    with pytest.raises(talus.InputError, match="there is no surface 'lem.janbu'; there are lem.bishop, lem.spencer"):
+        talus.plot.plot_surfaces(results, "lem.janbu")
+    pyplot.close("all")
+
+    case.analysis.methods = ["lem"]
+    alone = talus.run(case, tmp_path / "slices")
+    assert alone.factor_of_safety == alone.results["lem.spencer"].value, "Bishop's is not of all equilibrium"
+
+
+def test_the_main_factor_follows_what_was_calculated():
+    from talus.methods import find_main_factor
+
+    slices = {"critical": [{"method": "fellenius", "factor": 1.1}, {"method": "bishop", "factor": None}]}
+    assert find_main_factor({}) is None
+    assert find_main_factor({"lem": {"error": "no circle"}}) is None
+    assert find_main_factor({"lem": slices}) == 1.1
+    slices["noncircular"] = [{"method": "spencer", "factor": 1.3}, {"method": "morgenstern_price", "factor": 1.25}]
+    assert find_main_factor({"lem": slices}) == 1.25
+    assert find_main_factor({"lem": slices, "fem": {"runs": [{"factor": 1.2}]}}) == 1.2
+    factors = {"criteria": [{"factor": None}, {"factor": 1.4}]}
+    assert find_main_factor({"lem": slices, "factor_of_safety": factors}) == 1.4
+    assert find_main_factor({"factor_of_safety": {**factors, "value": 1.35}}) == 1.35
+
+
+def test_runs_without_methods_have_no_surfaces(slope, tmp_path):
+    results = talus.run(slope(), tmp_path / "run")
+    assert results.methods == [] and results.surfaces == {}
+    with pytest.raises(talus.InputError, match="there are no slip surfaces"):
+        talus.plot.plot_surfaces(results)

@@ -2,45 +2,32 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "app/commands.hpp"
+#include "app/plot_results.hpp"
 #include "app/plot_soil_water.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
-#include "output/files/frames_reader.hpp"
 #include "output/plots/curve_plot.hpp"
-#include "output/plots/field_plot.hpp"
-#include "output/plots/gnuplot.hpp"
+#include "output/plots/section_plot.hpp"
 #include "results/json.hpp"
-#include "results/run.hpp"
 
 namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Above this an SVG picture has tens of megabytes, and PNG is the default.
-constexpr std::size_t most_points_in_svg = 20000;
-
-struct PlotOptions {
-  fs::path folder;
-  std::string field;
-  std::string frame = "last";
-  std::optional<double> time;
-  std::string format;
-  fs::path out;
-  bool logarithmic = false;
-  std::vector<std::string> sets;  ///< changes to a case, key=value
-};
-
 [[noreturn]] void fail(const std::string& sentence) {
   throw Error(ExitCode::wrong_input, sentence);
+}
+
+template <class Plot>
+void draw(const PlotOptions& options, const Plot& plot, const std::string& stem) {
+  const fs::path picture = options.choose_picture(stem, false);
+  output::draw(plot, picture);
+  fmt::print("{}\n", picture.string());
 }
 
 output::CurvePlot describe_curve(const results::RunResult& run, const results::Curve& curve) {
@@ -62,108 +49,6 @@ output::CurvePlot describe_curve(const results::RunResult& run, const results::C
   return plot;
 }
 
-int choose_frame(const output::ResultsReader& reader, const PlotOptions& options) {
-  if (options.time) return reader.find_nearest(*options.time);
-  if (options.frame == "last") return reader.size() - 1;
-  int number = 0;
-  const char* end = options.frame.data() + options.frame.size();
-  const auto [stop, failure] = std::from_chars(options.frame.data(), end, number);
-  if (failure != std::errc() || stop != end)
-    fail(fmt::format("--frame '{}' is neither a number nor 'last'", options.frame));
-  return number;
-}
-
-std::string join(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-/// Names of the components of a field, the shown one first when none is asked for.
-std::vector<std::string> list_components(int components) {
-  if (components == 1) return {};
-  if (components == 2) return {"magnitude", "x", "y"};
-  if (components == 3) return {"magnitude", "x", "y", "z"};
-  if (components == 4) return {"mean", "xx", "yy", "zz", "xy"};
-  if (components == 6) return {"mean", "xx", "yy", "zz", "xy", "yz", "xz"};
-  std::vector<std::string> names{"magnitude"};
-  for (int c = 0; c < components; ++c) names.push_back(std::to_string(c));
-  return names;
-}
-
-/// One number per point of `field`: a component, the length of a vector, or a third of a tensor's trace.
-std::vector<double> reduce(const output::Field& field, const std::string& component) {
-  const std::vector<std::string> names = list_components(field.components);
-  const auto n = static_cast<std::size_t>(field.components), count = field.values.size() / n;
-  if (names.empty() && component.empty()) return field.values;
-  const std::string wanted = component.empty() ? names[0] : component;
-  const auto found = std::ranges::find(names, wanted);
-  if (found == names.end())
-    fail(fmt::format("'{}' has no component '{}'{}", field.name, wanted,
-                     names.empty() ? "" : fmt::format("; it has {}", join(names))));
-  std::vector<double> values(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double* v = &field.values[i * n];
-    double square = 0;
-    for (std::size_t c = 0; c < n; ++c) square += v[c] * v[c];
-    values[i] = wanted == "magnitude" ? std::sqrt(square)
-                : wanted == "mean"    ? (v[0] + v[1] + v[2]) / 3
-                                      : v[static_cast<std::size_t>(found - names.begin()) - 1];
-  }
-  return values;
-}
-
-/// The unit in which a stored unit is shown.
-std::string choose_unit(const output::Field& field, const results::DisplayUnits& units) {
-  if (field.unit == "Pa") return units.stress;
-  if (field.unit == "m") return units.displacement;
-  return field.unit;
-}
-
-fs::path choose_picture(const PlotOptions& options, const std::string& stem, bool large) {
-  if (!options.out.empty()) return options.out;
-  return options.folder / (stem + "." + (!options.format.empty() ? options.format : large ? "png" : "svg"));
-}
-
-void draw_field(const PlotOptions& options, const results::RunResult& run) {
-  const output::ResultsReader reader(options.folder);
-  std::string name = options.field, component;
-  const auto& names = reader.field_names();
-  if (name.empty())
-    name =
-        std::ranges::find(names, "deviatoric_strain") != names.end() || names.empty() ? "deviatoric_strain" : names[0];
-  if (std::ranges::find(names, name) == names.end()) {
-    const std::size_t dot = name.rfind('.');
-    if (dot != std::string::npos) component = name.substr(dot + 1), name.resize(dot);
-    if (std::ranges::find(names, name) == names.end())
-      fail(
-          fmt::format("there is no field '{}' in '{}'; the fields are {}", name, options.folder.string(), join(names)));
-  }
-  const int index = choose_frame(reader, options);
-  const output::Frame frame = reader.read(index);
-  const output::Field* field = output::find(frame.point_fields, name);
-  if (field == nullptr) fail(fmt::format("frame {} has no field '{}'", index, name));
-
-  output::FieldPlot plot;
-  const std::string shown =
-      component.empty() && field->components > 1 ? list_components(field->components)[0] : component;
-  plot.title = output::to_words(name) + (shown.empty() ? "" : ", " + shown);
-  plot.subtitle = fmt::format("t = {:.4g} s, {}", frame.time, frame.stage);
-  plot.positions = frame.positions;
-  plot.values = reduce(*field, component);
-  plot.unit = choose_unit(*field, run.units);
-  plot.length_unit = run.units.length;
-  plot.units_per_metre = 1 / units::get_si_factor(run.units.length);
-  if (plot.unit != field->unit)
-    for (double& v : plot.values) v /= units::get_si_factor(plot.unit);
-  if (shown == "magnitude") plot.signed_values = false;
-  plot.outlines = run.outlines;
-  const std::string stem = fmt::format("{}{}{}_{:04d}", name, component.empty() ? "" : "_", component, index);
-  const fs::path picture = choose_picture(options, stem, plot.values.size() > most_points_in_svg);
-  output::draw(plot, picture);
-  fmt::print("{}\n", picture.string());
-}
-
 void plot_case(const PlotOptions& options) {
   if (!options.field.empty() || options.time || options.frame != "last" || options.logarithmic)
     fail(
@@ -183,18 +68,17 @@ void plot_folder(const PlotOptions& options) {
   if (run.curve && !wants_field) {
     output::CurvePlot plot = describe_curve(run, *run.curve);
     plot.log_displacement = options.logarithmic;
-    const fs::path picture = choose_picture(options, "curve", false);
-    output::draw(plot, picture);
-    fmt::print("{}\n", picture.string());
+    draw(options, plot, "curve");
     if (!options.out.empty()) return;
   }
   const bool has_frames = fs::exists(options.folder / "results.vtkhdf") || fs::exists(options.folder / "frames");
   if (wants_field || has_frames)
     draw_field(options, run);
+  else if (run.methods && !run.methods->surfaces.empty() && !run.curve)
+    draw(options, output::SectionPlot{run.title, run.outlines, run.methods->surfaces, run.units.length}, "section");
   else if (!run.curve)
     fail(run.slices || run.elements
-             ? fmt::format("'{}' holds slices and finite elements without material points: report.html shows them, and "
-                           "ParaView opens fem.vtu where there is one",
+             ? fmt::format("there is nothing to draw in '{}': the methods have found no slip surface",
                            options.folder.string())
              : fmt::format("there is nothing to draw in '{}': neither frames nor a summary.json with a curve",
                            options.folder.string()));
@@ -204,7 +88,7 @@ void plot_folder(const PlotOptions& options) {
 
 void add_plot(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "plot", "Draw the curve and the fields of a run's results, or the soil-water curves of a case");
+      "plot", "Draw the curve, the fields or the slip surfaces of a run's results, or the soil-water curves of a case");
   const auto options = std::make_shared<PlotOptions>();
   command->add_option("DIR", options->folder, "folder of the results, or a case file: its soil-water curves")
       ->required();

@@ -5,8 +5,10 @@
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "cases/sampling_slope.hpp"
+#include "results/json.hpp"
 #include "study/normal_law.hpp"
 #include "study/sampling.hpp"
 
@@ -23,7 +25,8 @@ json run(const std::string& study, const std::string& name, int threads = 1,
   StudyOptions options;
   options.folder = sampling_slope::make_folder(name);
   options.threads = threads;
-  return run_sampling(sampling_slope::read(study, changes), changes, options).study.at("sampling");
+  const SamplingResult result = run_sampling(sampling_slope::read(study, changes), changes, options);
+  return results::to_json(result.study).at("sampling");
 }
 
 /// Hassan and Wolff's problem (1999); the numbers are an independent recomputation by Bishop's method with a search for

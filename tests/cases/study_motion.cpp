@@ -22,15 +22,15 @@ TEST(StudyOfRuns, ListsMotionOverThatOfTheReference) {
   const auto rows = run_study(plan, write_to(folder));
   ASSERT_FALSE(find_failure(plan, rows));
   const auto table = make_study_table(plan, rows);
-  const StudyColumn onset = get_column(table, "onset of toe"), u = get_column(table, "displacement of crest"),
-                    ratio = get_column(table, "displacement of crest over that of base");
+  const results::StudyColumn onset = get_column(table, "onset of toe"), u = get_column(table, "displacement of crest"),
+                             ratio = get_column(table, "displacement of crest over that of base");
   EXPECT_EQ(onset.unit, "s");
   const double weak = std::stod(u.cells[0].full), strong = std::stod(u.cells[1].full);
   EXPECT_LT(strong, weak) << "friction holds it back";
   EXPECT_EQ(ratio.cells[0].full, "1");
   EXPECT_NEAR(std::stod(ratio.cells[1].full), strong / weak, 1e-12);
   // The onset is where monitors.csv passes 5 cm, after the start of the stage.
-  const double start = rows[0].summary.at("stages")[1].at("start");
+  const double start = rows[0].result->stages->at(1).start;
   const auto history = output::read_history(folder / "base" / "monitors.csv");
   const auto column = std::find_if(history.columns.begin(), history.columns.end(),
                                    [](const output::Column& c) { return c.name == "toe.displacement"; });

@@ -27,9 +27,9 @@ TEST(Study, TableHoldsWhatEachVariantAloneGives) {
   const auto table = make_study_table(plan, rows);
   EXPECT_EQ(table.front().name, "variant");
   EXPECT_EQ(table.back().name, "result");
-  const StudyColumn cohesion = get_column(table, "materials.sand.cohesion");
-  const StudyColumn small = get_column(table, "displacement at SRF 1.4"),
-                    large = get_column(table, "displacement at SRF 2");
+  const results::StudyColumn cohesion = get_column(table, "materials.sand.cohesion");
+  const results::StudyColumn small = get_column(table, "displacement at SRF 1.4"),
+                             large = get_column(table, "displacement at SRF 2");
   EXPECT_EQ(cohesion.unit, "kPa");
   EXPECT_EQ(small.unit, "mm");
   const std::string cohesions[] = {"2", "4", "8"};
@@ -47,7 +47,7 @@ TEST(Study, TableHoldsWhatEachVariantAloneGives) {
     EXPECT_EQ(std::stod(large.cells[i].full), read_displacement(alone.folder / "curve.csv", "2") / 0.001);
   }
   // Cohesion holds a slope: the more, the less it moves.
-  for (const StudyColumn& u : {small, large})
+  for (const results::StudyColumn& u : {small, large})
     for (std::size_t i = 1; i < 3; ++i) EXPECT_LT(std::stod(u.cells[i].full), std::stod(u.cells[i - 1].full)) << u.name;
 
   const std::string csv = read_file(folder / "study.csv");
@@ -98,7 +98,7 @@ TEST(Study, InterruptedStartsNoOtherVariantAndGoesOnLater) {
   request_interrupt();
   auto rows = run_study(plan, write_to(folder));
   request_interrupt(false);
-  for (const StudyRow& row : rows) EXPECT_EQ(row.status, "not started");
+  for (const StudyRow& row : rows) EXPECT_EQ(row.status, results::VariantStatus::not_started);
   ASSERT_TRUE(find_failure(plan, rows));
   EXPECT_EQ(find_failure(plan, rows)->code(), ExitCode::interrupted);
   rows = run_study(plan, write_to(folder, true));
@@ -118,9 +118,9 @@ values = [1e9, 8]
   const fs::path folder = make_test_folder();
   const auto rows = run_study(plan, write_to(folder));
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[0].status, "finished");
-  EXPECT_EQ(rows[1].status, "unstable");
-  EXPECT_EQ(rows[2].status, "finished");
+  EXPECT_EQ(rows[0].status, results::VariantStatus::finished);
+  EXPECT_EQ(rows[1].status, results::VariantStatus::unstable);
+  EXPECT_EQ(rows[2].status, results::VariantStatus::finished);
   const auto failure = find_failure(plan, rows);
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->code(), ExitCode::unstable);
@@ -130,7 +130,7 @@ values = [1e9, 8]
             std::string::npos)
       << page;
   const auto table = make_study_table(plan, rows);
-  const StudyColumn u = get_column(table, "displacement at SRF 1.4");
+  const results::StudyColumn u = get_column(table, "displacement at SRF 1.4");
   EXPECT_TRUE(u.cells[1].full.empty());
   EXPECT_LT(std::stod(u.cells[2].full), std::stod(u.cells[0].full)) << "less weight, less displacement";
 }
@@ -173,11 +173,11 @@ TEST(Study, ListsRunoutsForCasesWithoutStrengthReduction) {
   const auto rows = run_study(plan, write_to(make_test_folder()));
   EXPECT_FALSE(find_failure(plan, rows));
   const auto table = make_study_table(plan, rows);
-  const StudyColumn front = get_column(table, "front advance"), u = get_column(table, "largest displacement");
+  const results::StudyColumn front = get_column(table, "front advance"), u = get_column(table, "largest displacement");
   EXPECT_EQ(front.unit, "m");
   for (std::size_t i = 1; i < 3; ++i) EXPECT_LT(std::stod(u.cells[i].full), std::stod(u.cells[i - 1].full));
   EXPECT_GT(std::stod(front.cells[0].full), 0);
-  for (const StudyColumn& c : table) EXPECT_EQ(c.name.find("FoS"), std::string::npos);
+  for (const results::StudyColumn& c : table) EXPECT_EQ(c.name.find("FoS"), std::string::npos);
 }
 
 }  // namespace

@@ -115,8 +115,9 @@ inline std::string read_file(const std::filesystem::path& path) {
 }
 
 /// The column of a table with this name; fails the test when there is none.
-inline StudyColumn get_column(const std::vector<StudyColumn>& table, const std::string& name) {
-  const auto at = std::find_if(table.begin(), table.end(), [&](const StudyColumn& c) { return c.name == name; });
+inline results::StudyColumn get_column(const std::vector<results::StudyColumn>& table, const std::string& name) {
+  const auto at =
+      std::find_if(table.begin(), table.end(), [&](const results::StudyColumn& c) { return c.name == name; });
   if (at != table.end()) return *at;
   ADD_FAILURE() << "there is no column '" << name << "'";
   return {};

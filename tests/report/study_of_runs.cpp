@@ -6,6 +6,7 @@
 #include "output/files/history.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
+#include "results/json.hpp"
 #include "schema.hpp"
 #include "study/study.hpp"
 #include "support/sliding_bank.hpp"
@@ -49,7 +50,7 @@ TEST_F(ReportOfRuns, KeepsTheContract) {
 TEST_F(ReportOfRuns, ShowsThePathsOfItsMonitors) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const json& row = study().at("rows")[i];
-    EXPECT_EQ(row.at("motion").at("monitors"), rows_[i].summary.at("motion").at("monitors"));
+    EXPECT_EQ(row.at("motion").at("monitors"), results::to_json(*rows_[i].result).at("motion").at("monitors"));
     const json& paths = row.at("paths");
     EXPECT_EQ(paths.at("time")[0], 0);
     EXPECT_NEAR(paths.at("time").back().get<double>(), 1.5, 1e-9);
@@ -92,7 +93,7 @@ TEST_F(ReportOfRuns, PutsPicturesSideBySide) {
 }
 
 TEST_F(ReportOfRuns, SaysTheOrderOfMovementInWords) {
-  const std::string sentence = rows_[0].summary.at("motion").at("sentence");
+  const std::string sentence = rows_[0].result->motion->sentence;
   bool in_study = false, in_run = false;
   for (const json& s : page_->document.at("answer").at("sentences"))
     in_study = in_study || s.get<std::string>() == "base: " + sentence;

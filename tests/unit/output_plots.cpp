@@ -16,6 +16,7 @@
 #include "output/plots/curve_plot.hpp"
 #include "output/plots/field_plot.hpp"
 #include "output/plots/gnuplot.hpp"
+#include "output/plots/section_plot.hpp"
 
 namespace {
 
@@ -49,8 +50,8 @@ output::CurvePlot make_curve() {
     plot.factors.push_back(f);
     plot.displacements.push_back(std::max(0.003 * f - 0.002, 0.06 * f - 0.0855));
   }
-  plot.first = output::FittedLine{0.003, -0.002, {1, 1.05, 1.1}};
-  plot.second = output::FittedLine{0.06, -0.0855, {1.65, 1.7, 1.75}};
+  plot.first = results::Branch{0.003, -0.002, {1, 1.05, 1.1}};
+  plot.second = results::Branch{0.06, -0.0855, {1.65, 1.7, 1.75}};
   plot.intersection = 0.0835 / 0.057;
   plot.criteria = {{"bilinear", 0.0835 / 0.057, {}, {}},
                    {"displacement ratio", 1.58, {}, {}},
@@ -194,6 +195,26 @@ TEST_F(Pictures, ThatGnuplotCannotDrawLeaveNoFile) {
   EXPECT_THROW(output::run_gnuplot(folder_ / "bad.pdf", "plot x\n", 100, 100), Error);
 }
 
+TEST_F(Pictures, OfASectionNameEverySurfaceWithItsFactor) {
+  output::SectionPlot plot;
+  plot.title = "A bank";
+  plot.outlines = {{{0, 0}, {20, 0}, {20, 5}, {10, 5}, {5, 10}, {0, 10}}};
+  plot.surfaces = {{"lem.bishop", "Bishop, critical circle", Method::lem, 1.2344, {{2, 10}, {6, 6}, {12, 5}}, {}},
+                   {"fem.band", "Band of the finite elements", Method::fem, 1.1, {{1, 10}, {6, 5}, {13, 5}}, {}}};
+  plot.length_unit = "cm";
+  output::draw(plot, folder_ / "section.svg");
+  const std::string script = read("section.gp");
+  for (const char* part : {"'1.234  Bishop, critical circle'", "'1.100  Band of the finite elements'", "'A bank'",
+                           "'x [cm]'", "$outlines << END\n0 0\n2000 0\n", "$surface0 << END\n200 1000\n600 600\n"})
+    EXPECT_NE(script.find(part), std::string::npos) << part;
+  EXPECT_LT(script.find("$surface1 using"), script.find("$surface0 using")) << "lines lie on bands";
+  const Frame frame = read_frame(script);
+  const double wide = frame.width * (frame.right - frame.left), high = frame.height * (frame.top - frame.bottom);
+  EXPECT_NEAR(wide / high, (frame.x1 - frame.x0) / (frame.y1 - frame.y0), 0.01) << "lengths are true";
+  plot.surfaces.clear();
+  EXPECT_THROW(output::draw(plot, folder_ / "none.svg"), Error);
+}
+
 /// Exit code and output of the program.
 std::pair<int, std::string> run_program(const std::string& arguments) {
   std::FILE* pipe = popen((std::string(TALUS_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
@@ -219,7 +240,7 @@ TEST_F(Pictures, AreDrawnByTheCommandPlot) {
              "bilinear": {"factor": 1.5, "first": {"slope": 0.002, "intercept": -0.001, "points": [1.0, 1.5]},
                           "second": {"slope": 0.1, "intercept": -0.15, "points": [1.6, 1.7]}},
              "criteria": [{"name": "bilinear", "factor": 1.5, "lower": null, "upper": null},
-                          {"name": "none found", "factor": null}]}})";
+                          {"name": "jump", "factor": null}]}})";
   const std::string folder = folder_.string();
   auto [code, text] = run_program("plot '" + folder + "'");
   EXPECT_EQ(code, 0) << text;
@@ -236,6 +257,24 @@ TEST_F(Pictures, AreDrawnByTheCommandPlot) {
   std::tie(code, text) = run_program("plot '" + folder + "' --field stress.yy --frame 7");
   EXPECT_EQ(code, 2);
   EXPECT_NE(text.find("there is no frame 7"), std::string::npos) << text;
+}
+
+TEST_F(Pictures, OfSlicesAloneAreTheSection) {
+  const std::string folder = folder_.string();
+  const auto write = [&](const std::string& surfaces) {
+    std::ofstream(folder_ / "summary.json") << R"({"title": "Bank", "outlines": [[[0, 0], [9, 0], [0, 9]]], "lem": {},
+                                                   "methods": {"surfaces": [)" +
+                                                   surfaces + "]}}";
+  };
+  write(R"({"name": "lem.bishop", "title": "Bishop", "method": "lem", "factor": 1.5, "points": [[0, 9], [5, 4]]})");
+  auto [code, text] = run_program("plot '" + folder + "'");
+  EXPECT_EQ(code, 0) << text;
+  EXPECT_EQ(text, folder + "/section.svg\n");
+  EXPECT_NE(read("section.svg").find("1.500  Bishop"), std::string::npos);
+  write("");
+  std::tie(code, text) = run_program("plot '" + folder + "'");
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(text.find("have found no slip surface"), std::string::npos) << text;
 }
 
 }  // namespace

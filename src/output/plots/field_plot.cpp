@@ -10,12 +10,12 @@
 
 #include "base/error.hpp"
 #include "output/plots/gnuplot.hpp"
+#include "output/plots/true_scale.hpp"
 
 namespace talus::output {
 namespace {
 
-constexpr double plot_width = 800, left = 75, right = 125, bottom = 62;  ///< [px]
-constexpr double smallest_height = 110, largest_height = 640;
+constexpr double left = 75, right = 125, bottom = 62;  ///< [px]
 
 // Viridis (van der Walt and Smith 2015, https://bids.github.io/colormap, CC0) at ten even places.
 constexpr const char* viridis =
@@ -25,14 +25,6 @@ constexpr const char* viridis =
 constexpr const char* blue_white_red =
     "0 '#2166ac', 1 '#4393c3', 2 '#92c5de', 3 '#d1e5f0', 4 '#f7f7f7', 5 '#fddbc7', 6 '#f4a582', 7 '#d6604d', "
     "8 '#b2182b'";
-
-struct Box {
-  double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
-  void include(double x, double y) {
-    x0 = std::min(x0, x), x1 = std::max(x1, x);
-    y0 = std::min(y0, y), y1 = std::max(y1, y);
-  }
-};
 
 /// Distance between neighbouring points: the root of the area that a point has for itself. The covered area is counted
 /// in square cells that hold a few points each.
@@ -69,13 +61,6 @@ bool is_signed(const std::vector<double>& values) {
   return low < 0 && high > 0 && std::min(-low, high) > 0.05 * std::max(-low, high);
 }
 
-std::string draw_line(const std::vector<std::array<double, 2>>& points, double unit, bool close) {
-  std::string rows;
-  for (const auto& p : points) rows += fmt::format("{:.7g} {:.7g}\n", p[0] * unit, p[1] * unit);
-  if (close && !points.empty()) rows += fmt::format("{:.7g} {:.7g}\n", points[0][0] * unit, points[0][1] * unit);
-  return rows + "\n";
-}
-
 }  // namespace
 
 void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
@@ -109,17 +94,10 @@ void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
   for (const auto& outline : plot.outlines)
     for (const auto& p : outline) box.include(p[0] * unit, p[1] * unit);
   const double pad = std::max(0.02 * std::max(box.x1 - box.x0, box.y1 - box.y0), diameter);
-  box.include(box.x0 - pad, box.y0 - pad);
-  box.include(box.x1 + pad, box.y1 + pad);
+  box.widen(pad);
 
   // The frame has exactly the shape of the data, so that lengths are true and the colour bar is as high as it.
-  double w = plot_width, h = w * (box.y1 - box.y0) / (box.x1 - box.x0);
-  if (h > largest_height) w *= largest_height / h, h = largest_height;
-  if (h < smallest_height) {
-    const double grow = 0.5 * (smallest_height / h - 1) * (box.y1 - box.y0);
-    box.y0 -= grow, box.y1 += grow, h = smallest_height;
-  }
-  w = std::max(w, 60.0);
+  const auto [w, h] = fit_frame(box);
   const double title_width = estimate_width(plot.title) * 14 / 12, subtitle_width = estimate_width(plot.subtitle);
   const bool two_rows = title_width + subtitle_width + 30 > w + right - 20;
   const double top = two_rows ? 66 : 46;

@@ -1,0 +1,104 @@
+"""The methods of a run beside one another: their factors, their slip surfaces, and the one factor of the run."""
+
+from __future__ import annotations
+
+import html
+from dataclasses import astuple, dataclass, fields
+from typing import Any, Iterator, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class MethodFactor:
+    """A row of the table of methods."""
+
+    method: str  #: "lem", "fem", "mpm": slices, finite elements, material points
+    name: str  #: "spencer", "as_given", "frozen"
+    title: str  #: in words
+    criterion: str  #: "critical circle", "no equilibrium"
+    surface: str  #: name of its surface in `Results.surfaces`; empty where it has none
+    factor: Optional[float]
+    lower: Optional[float]  #: the largest factor that is known to stand
+    upper: Optional[float]  #: the smallest factor that is known to fail
+    seconds: Optional[float]  #: of all rows of its method together, at the first of them
+    note: str
+
+    def __str__(self) -> str:
+        return f"{self.title}, {self.criterion}: {_show(self.factor)}"
+
+
+class MethodTable(list[MethodFactor]):
+    """The factors of all methods in the order of the report."""
+
+    def __repr__(self) -> str:
+        return "\n".join(map(str, self))
+
+    def _repr_html_(self) -> str:
+        heads = ("method", "criterion", "factor", "from", "to", "seconds", "note")
+        lines = [
+            (r.title, r.criterion, _show(r.factor), _show(r.lower), _show(r.upper), _show(r.seconds), r.note)
+            for r in self
+        ]
+        cells = ["".join(f"<td>{html.escape(cell)}</td>" for cell in line) for line in lines]
+        head = "".join(f"<th>{word}</th>" for word in heads)
+        return f"<table><thead><tr>{head}</tr></thead><tbody><tr>{'</tr><tr>'.join(cells)}</tr></tbody></table>"
+
+    def to_dataframe(self) -> Any:
+        """The table as a pandas.DataFrame. Needs pandas."""
+        try:
+            import pandas
+        except ImportError as missing:
+            raise ImportError("to_dataframe needs pandas (Debian: python3-pandas)") from missing
+        return pandas.DataFrame([astuple(row) for row in self], columns=[f.name for f in fields(MethodFactor)])
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A slip surface of a method."""
+
+    name: str  #: "lem.spencer", "fem.band", "mpm.slip_line"
+    title: str  #: in words
+    method: str  #: "lem", "fem", "mpm"
+    factor: Optional[float]
+    points: NDArray[Any]  #: (points, 2) [m]
+
+
+def read_methods(summary: dict[str, Any]) -> MethodTable:
+    """`methods.table` of a summary.json; empty where there is none."""
+    names = [f.name for f in fields(MethodFactor)]
+    return MethodTable(
+        MethodFactor(**{name: row[name] for name in names}) for row in summary.get("methods", {}).get("table", [])
+    )
+
+
+def read_surfaces(summary: dict[str, Any]) -> dict[str, Surface]:
+    """`methods.surfaces` of a summary.json by name; empty where there are none."""
+    listed = summary.get("methods", {}).get("surfaces", [])
+    return {
+        s["name"]: Surface(s["name"], s["title"], s["method"], s["factor"], np.array(s["points"], float).reshape(-1, 2))
+        for s in listed
+    }
+
+
+def find_main_factor(summary: dict[str, Any]) -> Optional[float]:
+    """The factor that a run is known by: of material points the frozen one, else the first construction on the curve;
+    of finite elements; of slices the smallest by a method that satisfies all equilibrium, else the smallest."""
+    # The rule is that of src/run/compare: this function goes when the summary names the factor itself.
+    return next((factor for factor in _list_factors(summary) if factor is not None), None)
+
+
+def _list_factors(summary: dict[str, Any]) -> Iterator[Optional[float]]:
+    of_points = summary.get("factor_of_safety", {})
+    yield of_points.get("value")
+    yield from (criterion["factor"] for criterion in of_points.get("criteria", []))
+    yield from (run["factor"] for run in summary.get("fem", {}).get("runs", []))
+    slices = summary.get("lem", {})
+    found = [s for kind in ("critical", "noncircular", "given") for s in slices.get(kind, []) if (s["factor"] or 0) > 0]
+    rigorous = [s for s in found if s["method"] in ("spencer", "morgenstern_price", "morgenstern_price_constant")]
+    yield min((s["factor"] for s in rigorous or found), default=None)
+
+
+def _show(value: Optional[float]) -> str:
+    return "–" if value is None else f"{value:.3f}"
