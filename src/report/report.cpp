@@ -13,6 +13,7 @@
 #include "report/content/head.hpp"
 #include "report/content/method_table.hpp"
 #include "report/content/model.hpp"
+#include "report/content/named_results.hpp"
 #include "report/content/point_tests.hpp"
 #include "report/content/run_sequences.hpp"
 #include "report/content/sections.hpp"
@@ -79,6 +80,7 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   const results::RunResult& run = folder.run;
   if (run.error && !run.error->empty()) document["error"] = *run.error;
   document["answer"] = make_answer(folder);
+  document["answer"]["results"] = list_named_results(folder);
   document["warnings"] = run.warnings;
   if (json curve = make_curve(folder); !curve.is_null()) document["curve"] = std::move(curve);
   document["sequences"] = pack_sequences(folder, packer);

@@ -55,7 +55,7 @@ Packed pack(const std::string& name, int frames, int points, bool space, const B
   for (int i = 0; i < frames; ++i) writer.write(make_frame(i, points, space));
   writer.finish();
   const auto reader = std::make_shared<const output::ResultsReader>(folder);
-  SequencePlan plan{"stages", "Stages", "time", {}};
+  SequencePlan plan{SequenceKind::stages, "stages", "Stages", {}};
   for (int i = 0; i < frames; ++i) plan.frames.push_back({reader, i, std::nullopt, "frame"});
   Packer packer;
   Packed packed{pack_sequence(plan, space ? 3 : 2, {}, budget, packer), {}};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "output/files/frames_reader.hpp"
 #include "report/words/numbers.hpp"
@@ -153,6 +154,28 @@ TEST_F(WetReport, TheBudgetClosesWithWhatPassedEachSurface) {
   EXPECT_GT(runoff, 0) << "all rain enters, so runoff is not tested";
   EXPECT_NEAR(of("runoff"), runoff, 1e-12 * runoff);
   EXPECT_SAYS(join_all(document().at("answer").at("sentences")), "of rain ran off; the water budget closes to");
+}
+
+TEST_F(WetReport, ColumnsOfHistoriesAreDescribed) {
+  const auto describe = [](const json& table) {
+    std::map<std::string, std::string> described;
+    for (const json& c : table.at("columns")) {
+      EXPECT_NE(c.at("quantity"), "state") << c.at("name");
+      described[c.at("name")] = c.at("quantity").get<std::string>() + (c.at("largest") == true ? " largest" : "") +
+                                (c.at("extensive") == true ? " extensive" : "") + " " + c.value("component", "-") +
+                                " of " + c.at("of").get<std::string>();
+    }
+    return described;
+  };
+  auto body = describe(document().at("tables")[0]);
+  EXPECT_EQ(body["largest_suction"], "suction largest - of ");
+  EXPECT_EQ(body["water_mass"], "water_mass extensive - of ");
+  EXPECT_EQ(body["momentum_y"], "momentum extensive y of ");
+  const bool flows = std::any_of(body.begin(), body.end(), [](const auto& c) {
+    return c.first.ends_with(".runoff") &&
+           c.second == "water_flow extensive - of " + c.first.substr(0, c.first.size() - 7);
+  });
+  EXPECT_TRUE(flows);
 }
 
 TEST_F(WetReport, SeriesAreWrittenAsTheyAct) {

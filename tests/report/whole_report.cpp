@@ -147,8 +147,15 @@ TEST_F(WholeReport, TablesAreTheHistories) {
   ASSERT_EQ(first.at("columns").size() + 1, history.columns.size());
   EXPECT_EQ(first.at("x").at("values").size(), history.values[0].size());
   EXPECT_EQ(first.at("columns").back().at("values").back(), history.values.back().back());
+  for (const json& t : tables)
+    for (const json& column : t.at("columns"))
+      EXPECT_NE(column.at("quantity"), "state") << column.at("name") << " is written by no name that is known";
   std::vector<std::string> ids;
-  for (const json& t : tables) ids.push_back(t.at("id"));
+  for (const json& t : tables) {
+    ids.push_back(t.at("id"));
+    EXPECT_EQ(t.at("sequence"), ids.back().ends_with("_runout_2") ? "runout_2" : "stages");
+    EXPECT_EQ(page_->sequence(t.at("sequence")).at("kind"), ids.back().ends_with("_runout_2") ? "runout" : "stages");
+  }
   for (const char* id : {"monitors", "history_runout_2", "monitors_runout_2", "profile_runout_2"})
     EXPECT_NE(std::find(ids.begin(), ids.end(), id), ids.end()) << id;
 }

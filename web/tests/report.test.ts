@@ -106,7 +106,7 @@ describe.skipIf(!given)("a report holds the contract", () => {
 
   it("draws the water table of the first frame where the steady seepage has it", async () => {
     const [start] = report.model.water;
-    const stages = report.sequences.find((s) => s.id === "stages");
+    const stages = report.sequences.find((s) => s.kind === "stages");
     const field = stages?.fields.find((f) => f.name === "pore_pressure");
     if (!start || !report.water?.seepage || !stages || !field) return;
     const count = stages.point_count;
@@ -185,7 +185,7 @@ describe.skipIf(!given)("a report holds the contract", () => {
     const steps = parts.map((part) => findStep(part!.values.range!));
     const slack = steps.reduce((a, b) => a + b, 0) / 2 + findStep(length.values.range!) / 2 + 1e-6;
     // Displacements start anew with a stage that resets them: within a runout, and along the curve, they do not.
-    const moves = s.id !== "stages";
+    const moves = s.kind !== "stages";
     for (let i = 0; i < size.length; ++i) {
       if (Number.isNaN(size[i]!)) continue;
       const expected = Math.hypot(...u.map((part) => part[i]!));

@@ -15,7 +15,7 @@ describe.skipIf(!given?.results)("a report says what the results say", () => {
   const summary = folder ? readJson(folder, "summary.json") : null;
   const runouts: any[] = summary?.runouts ?? [];
   const runoutOf = (s: Sequence) => runouts.find((r) => Math.abs(r.srf - s.frames[0]!.factor!) < 1e-9);
-  const runoutSequences = report?.sequences?.filter((s) => s.id.startsWith("runout")) ?? [];
+  const runoutSequences = report?.sequences?.filter((s) => s.kind === "runout") ?? [];
 
   it("the same status, title and warnings", () => {
     expect(report.status).toBe(summary.status);
@@ -132,7 +132,7 @@ describe.skipIf(!given?.results)("a report says what the results say", () => {
     expect(ids).toContain("stages");
     if ((summary.curve?.points?.length ?? 0) > 0) expect(ids).toContain("curve");
     expect(runoutSequences.map((s) => runoutOf(s)?.srf)).toEqual(runouts.map((r) => r.srf));
-    for (const s of report.sequences.filter((one) => one.id === "curve"))
+    for (const s of report.sequences.filter((one) => one.kind === "curve"))
       for (const frame of s.frames) expect(summary.curve.points.map((p: any) => p.srf)).toContain(frame.factor);
   });
 

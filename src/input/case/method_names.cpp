@@ -38,9 +38,10 @@ bool suits_polylines(SliceMethod method) {
 
 void add_slice_results(std::vector<ResultName>& names, const Case& data) {
   const LimitEquilibrium& lem = data.lem;
-  const auto add = [&](const std::string& place, SliceMethod method, const std::string& title) {
-    names.push_back(
-        {fmt::format("lem.{}{}", place, get_word(method)), fmt::format("{}, {}", get_title(method), title), ""});
+  const auto add = [&](const std::string& place, SliceMethod method, const std::string& title,
+                       ResultKind kind = ResultKind::factor, const char* quantity = "factor") {
+    names.push_back({fmt::format("lem.{}{}", place, get_word(method)), fmt::format("{}, {}", get_title(method), title),
+                     "", kind, quantity, method});
   };
   const bool searches = lem.search != SurfaceSearch::none;
   if (searches)
@@ -53,7 +54,8 @@ void add_slice_results(std::vector<ResultName>& names, const Case& data) {
       add(fmt::format("surface[{}].", surface.name), m, fmt::format("factor of safety of surface '{}'", surface.name));
   if (searches && lem.yield_acceleration)
     for (const SliceMethod m : lem.methods)
-      add("yield_acceleration.", m, "yield acceleration over g of the critical circle");
+      add("yield_acceleration.", m, "yield acceleration over g of the critical circle", ResultKind::yield_acceleration,
+          "yield_acceleration");
   for (const auto& [method, label, title] :
        {std::tuple{Method::fem, "fem.band", "the band of the finite elements"},
         std::tuple{Method::mpm, "mpm.slip_line", "the slip line of the material points"}})

@@ -53,14 +53,19 @@ struct PointTest {
   const char* get_strain_word() const { return kind == PointTestKind::simple_shear ? "shear" : "axial"; }
 };
 
+enum class PointQuantityKind { strain, stress, other };
+
 /// What a row of a test tells.
 struct PointQuantity {
   const char* name;    ///< as in CSV files and [[compare]]: "axial_strain"
   const char* title;   ///< for people
   const char* symbol;  ///< for axes; empty where there is none
   const char* unit;    ///< SI: "Pa", or "-"
+  PointQuantityKind kind = PointQuantityKind::other;
 };
 /// All of them, in the order of the tables.
 const std::vector<PointQuantity>& list_point_quantities();
+/// What the quantity called `name` is.
+PointQuantityKind find_point_quantity_kind(const std::string& name);
 
 }  // namespace talus::input

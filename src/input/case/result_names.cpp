@@ -30,7 +30,7 @@ std::optional<double> read_number_between(const std::string& text, const std::st
 }
 
 ResultName name_trial(const std::string& name, double factor) {
-  return {name, fmt::format("largest displacement at SRF {:g}", factor), "m"};
+  return {name, fmt::format("largest displacement at SRF {:g}", factor), "m", ResultKind::other, "displacement"};
 }
 
 /// Nothing when the case has no such test, or tests have no such quantity.
@@ -39,20 +39,21 @@ std::optional<ResultName> name_point_result(const Case& data, const std::string&
       std::find_if(data.tests.begin(), data.tests.end(), [&](const PointTest& t) { return t.name == result.test; });
   if (test == data.tests.end()) return std::nullopt;
   if (result.quantity == "peak_q" && !result.strain)
-    return ResultName{name, fmt::format("largest deviatoric stress, {}", result.test), "Pa"};
+    return ResultName{name, fmt::format("largest deviatoric stress, {}", result.test), "Pa", ResultKind::other,
+                      result.quantity};
   for (const PointQuantity& q : list_point_quantities()) {
     if (result.quantity != q.name) continue;
     const std::string at =
         result.strain ? fmt::format(" at {} strain {:g}", test->get_strain_word(), *result.strain) : " at the end";
-    return ResultName{name, fmt::format("{}{}, {}", q.title, at, result.test),
-                      std::string(q.unit) == "-" ? "" : q.unit};
+    return ResultName{name, fmt::format("{}{}, {}", q.title, at, result.test), std::string(q.unit) == "-" ? "" : q.unit,
+                      ResultKind::other, result.quantity};
   }
   return std::nullopt;
 }
 
 void add_runout(std::vector<ResultName>& names, const Case& data, const std::string& path, const std::string& of) {
   const auto add = [&](const char* key, const char* title, const char* unit) {
-    names.push_back({path + "." + key, title + of, unit});
+    names.push_back({path + "." + key, title + of, unit, ResultKind::runout, key});
   };
   // A plane section is one metre thick.
   add("moved_volume", "moved volume", data.mesh.dimension == 2 ? "m3/m" : "m3");
@@ -86,9 +87,10 @@ void add_motion(std::vector<ResultName>& names, const Case& data) {
   if (from == nullptr) return;
   for (const Monitor& m : data.output.monitors) {
     names.push_back({fmt::format("onset[{}]", m.name),
-                     fmt::format("onset of movement of '{}' after the start of '{}'", m.name, from->name), "s"});
-    names.push_back(
-        {fmt::format("displacement[{}]", m.name), fmt::format("displacement of '{}' at the end", m.name), "m"});
+                     fmt::format("onset of movement of '{}' after the start of '{}'", m.name, from->name), "s",
+                     ResultKind::motion, "onset"});
+    names.push_back({fmt::format("displacement[{}]", m.name), fmt::format("displacement of '{}' at the end", m.name),
+                     "m", ResultKind::motion, "displacement"});
   }
 }
 
@@ -98,16 +100,19 @@ void add_water(std::vector<ResultName>& names, const Case& data) {
   const std::string volume = plane ? "m3/m" : "m3";
   for (const Hydraulic& h : data.hydraulics) {
     if (h.condition == WaterCondition::no_flow) continue;
-    names.push_back(
-        {fmt::format("water.inflow[{}]", h.on), fmt::format("water that came in through '{}'", h.on), volume});
-    names.push_back(
-        {fmt::format("water.outflow[{}]", h.on), fmt::format("water that left through '{}'", h.on), volume});
+    names.push_back({fmt::format("water.inflow[{}]", h.on), fmt::format("water that came in through '{}'", h.on),
+                     volume, ResultKind::water, "inflow"});
+    names.push_back({fmt::format("water.outflow[{}]", h.on), fmt::format("water that left through '{}'", h.on), volume,
+                     ResultKind::water, "outflow"});
     if (h.condition == WaterCondition::rain)
-      names.push_back({fmt::format("water.runoff[{}]", h.on), fmt::format("rain that ran off '{}'", h.on), volume});
+      names.push_back({fmt::format("water.runoff[{}]", h.on), fmt::format("rain that ran off '{}'", h.on), volume,
+                       ResultKind::water, "runoff"});
   }
-  names.push_back({"water.largest_suction", "largest suction at the end", "Pa"});
-  names.push_back({"water.largest_pressure", "largest pore pressure at the end", "Pa"});
-  names.push_back({"water.budget_error", "error of the water budget over the water in the model", ""});
+  names.push_back({"water.largest_suction", "largest suction at the end", "Pa", ResultKind::water, "largest_suction"});
+  names.push_back(
+      {"water.largest_pressure", "largest pore pressure at the end", "Pa", ResultKind::water, "largest_pressure"});
+  names.push_back({"water.budget_error", "error of the water budget over the water in the model", "", ResultKind::water,
+                   "budget_error"});
 }
 
 /// Of the steady seepage that soil with pore water starts from.
@@ -116,10 +121,11 @@ void add_seepage(std::vector<ResultName>& names, const Case& data) {
   if (data.initial.water.pressure != InitialPressure::seepage) return;
   for (const Hydraulic& h : data.hydraulics) {
     if (h.condition != WaterCondition::no_flow)
-      names.push_back(
-          {fmt::format("seepage.discharge[{}]", h.on), fmt::format("steady seepage out through '{}'", h.on), flow});
+      names.push_back({fmt::format("seepage.discharge[{}]", h.on), fmt::format("steady seepage out through '{}'", h.on),
+                       flow, ResultKind::seepage, "discharge"});
   }
-  names.push_back({"seepage.largest_suction", "largest suction in steady seepage", "Pa"});
+  names.push_back(
+      {"seepage.largest_suction", "largest suction in steady seepage", "Pa", ResultKind::seepage, "largest_suction"});
 }
 
 }  // namespace
@@ -137,7 +143,8 @@ std::vector<ResultName> list_result_names(const Case& data) {
   if (uses(data, Method::lem)) add_slice_results(names, data);
   if (uses(data, Method::fem)) add_element_results(names, data);
   if (data.partial_factors.set != DesignApproach::none)
-    names.push_back({"partial_factors.over_design", "degree of over-design with partial factors", ""});
+    names.push_back({"partial_factors.over_design", "degree of over-design with partial factors", "",
+                     ResultKind::over_design, "over_design"});
   if (!uses(data, Method::mpm)) {
     if (is_wet(data)) add_seepage(names, data);
     return names;
@@ -150,15 +157,17 @@ std::vector<ResultName> list_result_names(const Case& data) {
   }
   for (const Stage& stage : data.stages) {
     names.push_back({fmt::format("stage[{}].displacement", stage.name),
-                     fmt::format("largest displacement at the end of '{}'", stage.name), "m"});
-    names.push_back(
-        {fmt::format("stage[{}].time", stage.name), fmt::format("simulated time at the end of '{}'", stage.name), "s"});
+                     fmt::format("largest displacement at the end of '{}'", stage.name), "m", ResultKind::stage,
+                     "displacement"});
+    names.push_back({fmt::format("stage[{}].time", stage.name),
+                     fmt::format("simulated time at the end of '{}'", stage.name), "s", ResultKind::stage, "time"});
   }
   if (is_wet(data)) add_water(names, data);
   if (is_wet(data)) add_seepage(names, data);
-  names.push_back({"mesh.critical_time_step", "critical time step of the mesh", "s"});
-  names.push_back({"mesh.points", "material points", ""});
-  names.push_back({"mesh.soil_elements", "elements with soil", ""});
+  names.push_back(
+      {"mesh.critical_time_step", "critical time step of the mesh", "s", ResultKind::mesh, "critical_time_step"});
+  names.push_back({"mesh.points", "material points", "", ResultKind::mesh, "points"});
+  names.push_back({"mesh.soil_elements", "elements with soil", "", ResultKind::mesh, "soil_elements"});
   return names;
 }
 

@@ -9,11 +9,17 @@
 
 namespace talus::input {
 
+/// What a result is about.
+enum class ResultKind { factor, yield_acceleration, over_design, runout, motion, stage, mesh, water, seepage, other };
+
 /// A result before it is known.
 struct ResultName {
   std::string name;   ///< "runout[1.75].moved_volume"
   std::string title;  ///< "moved volume, runout at SRF 1.75"
   std::string unit;   ///< SI, as UDUNITS writes it; empty for a plain number
+  ResultKind kind = ResultKind::factor;
+  std::string quantity = "factor";  ///< "moved_volume"
+  std::optional<SliceMethod> by{};  ///< of the slices, factors and accelerations
 };
 
 /// The stage at whose start the clock of onset and sections is zero; nullptr for a case without stages.

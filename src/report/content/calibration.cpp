@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "input/case/point_test.hpp"
 #include "results/json.hpp"
 
 namespace talus::report {
@@ -21,6 +22,12 @@ std::string describe_parameter(const results::CalibratedParameter& p) {
   return p.limit == results::AtLimit::no ? text : text + " (at its limit)";
 }
 
+const char* name_kind(const results::ShownQuantity& quantity) {
+  using input::PointQuantityKind;
+  const PointQuantityKind kind = input::find_point_quantity_kind(quantity.name);
+  return kind == PointQuantityKind::strain ? "strain" : kind == PointQuantityKind::stress ? "stress" : "other";
+}
+
 }  // namespace
 
 void add_calibration(const ResultFolder& folder, json& document) {
@@ -29,6 +36,10 @@ void add_calibration(const ResultFolder& folder, json& document) {
   json section = results::to_json(*found);
   for (const char* key : {"format", "title", "seed", "wall", "findings"}) section.erase(key);
   for (json& parameter : section["parameters"]) parameter.erase("text");
+  for (std::size_t i = 0; i < found->curves.size(); ++i) {
+    section["curves"][i]["x"]["kind"] = name_kind(found->curves[i].x);
+    section["curves"][i]["y"]["kind"] = name_kind(found->curves[i].y);
+  }
   document["calibration"] = std::move(section);
   json warnings = found->findings;
   for (const json& warning : document["warnings"]) warnings.push_back(warning);

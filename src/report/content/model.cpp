@@ -269,6 +269,8 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
       add_mesh<3>(*space, mesh, packer);
     }
   }
+  // Nothing tells of the case of a run that was killed, and element tests have no weight.
+  const bool has_weight = !folder.run.input.is_empty() && !folder.has_tests_alone;
   json polygons = json::array();
   for (const mesh::Polygon& p : data.mesh.polygons) {
     const auto material = data.regions.find(p.name);
@@ -280,7 +282,7 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
           {"slope_height", folder.run.slope_height.value_or(0)},
           {"polygons", polygons},
           {"boundaries", list_boundaries(data, dimension, plane)},
-          {"loads", folder.run.input.is_empty() ? json::array() : list_loads(data, dimension, units)},
+          {"loads", has_weight ? list_loads(data, dimension, units) : json::array()},
           {"surcharges", list_surcharges(data)},
           {"water", list_water_tables(folder)},
           {"monitors", list_monitors(folder, dimension)},

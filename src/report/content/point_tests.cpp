@@ -28,10 +28,6 @@ double round_off(double value) {
   return std::round(value * power) / power;
 }
 
-bool is_strain(const std::string& name) {
-  return name.ends_with("strain");
-}
-
 /// The columns that the diagrams show, thinned; strains in per cent.
 json read_columns(const std::filesystem::path& table, const std::set<std::string>& wanted,
                   const std::vector<std::size_t>& turns) {
@@ -44,14 +40,14 @@ json read_columns(const std::filesystem::path& table, const std::set<std::string
   json columns = json::array();
   for (const input::PointQuantity& quantity : input::list_point_quantities()) {
     if (!wanted.contains(quantity.name)) continue;
+    const bool is_strain = quantity.kind == input::PointQuantityKind::strain;
     for (std::size_t c = 0; c < curve.columns.size(); ++c) {
       if (curve.columns[c].name != quantity.name) continue;
       json values = json::array();
-      for (const std::size_t i : shown)
-        values.push_back(round_off(curve.values[c][i] * (is_strain(quantity.name) ? 100 : 1)));
+      for (const std::size_t i : shown) values.push_back(round_off(curve.values[c][i] * (is_strain ? 100 : 1)));
       columns.push_back({{"name", quantity.name},
                          {"title", std::string(quantity.title) + (*quantity.symbol ? " " : "") + quantity.symbol},
-                         {"unit", is_strain(quantity.name) ? "%" : curve.columns[c].unit},
+                         {"unit", is_strain ? "%" : curve.columns[c].unit},
                          {"values", values}});
     }
   }

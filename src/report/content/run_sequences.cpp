@@ -11,7 +11,7 @@ namespace talus::report {
 namespace {
 
 SequencePlan plan_stages(const ResultFolder& folder) {
-  SequencePlan plan{"stages", "Stages", "time", {}};
+  SequencePlan plan{SequenceKind::stages, "stages", "Stages", {}};
   if (!folder.frames) return plan;
   for (int i = 0; i < folder.frames->size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -30,7 +30,7 @@ int find_end_of_trial(const output::ResultsReader& frames) {
 }
 
 std::vector<SequencePlan> plan_trials(const ResultFolder& folder) {
-  SequencePlan curve{"curve", "Trials of the displacement curve", "factor", {}};
+  SequencePlan curve{SequenceKind::curve, "curve", "Trials of the displacement curve", {}};
   std::vector<SequencePlan> plans;
   for (const TrialFolder& trial : folder.trials) {
     const auto frames = open_frames(trial.path);
@@ -38,8 +38,10 @@ std::vector<SequencePlan> plan_trials(const ResultFolder& folder) {
     if (!trial.runs_out || frames->size() > 1)
       curve.frames.push_back({frames, find_end_of_trial(*frames), trial.factor, fmt::format("SRF {:g}", trial.factor)});
     if (!trial.runs_out) continue;
-    SequencePlan runout{
-        fmt::format("runout_{:g}", trial.factor), fmt::format("Runout at SRF {:g}", trial.factor), "time", {}};
+    SequencePlan runout{SequenceKind::runout,
+                        fmt::format("runout_{:g}", trial.factor),
+                        fmt::format("Runout at SRF {:g}", trial.factor),
+                        {}};
     for (int i = 0; i < frames->size(); ++i)
       runout.frames.push_back(
           {frames, i, trial.factor, fmt::format("t = {:.3g} s", frames->times()[static_cast<std::size_t>(i)])});

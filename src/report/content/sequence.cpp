@@ -14,6 +14,20 @@ using nlohmann::json;
 
 namespace {
 
+const char* to_word(SequenceKind kind) {
+  switch (kind) {
+    case SequenceKind::stages:
+      return "stages";
+    case SequenceKind::curve:
+      return "curve";
+    case SequenceKind::runout:
+      return "runout";
+    case SequenceKind::variant:
+      return "variant";
+  }
+  return "";
+}
+
 /// What is kept of a frame.
 struct ThinFrame {
   double time = 0;
@@ -53,7 +67,8 @@ class SequencePacker {
     }
     json sequence{{"id", plan_.id},
                   {"title", plan_.title},
-                  {"axis", plan_.axis},
+                  {"kind", to_word(plan_.kind)},
+                  {"axis", plan_.kind == SequenceKind::curve ? "factor" : "time"},
                   {"frames", frames},
                   {"thinning", describe_thinning(plan_.frames.size(), chosen.size(), most_points_, count, stride_)},
                   {"point_count", count}};

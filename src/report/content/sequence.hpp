@@ -23,10 +23,13 @@ struct SequenceFrame {
   bool starts_count = false;  ///< displacements are zero here, whatever the frame, written before that, says
 };
 
+/// What frames belong together for. Along the trials of the curve runs the factor, elsewhere time.
+enum class SequenceKind { stages, curve, runout, variant };
+
 struct SequencePlan {
+  SequenceKind kind = SequenceKind::stages;
   std::string id;  ///< letters, digits, '_' and '.'
   std::string title;
-  std::string axis;  ///< "time" or "factor"
   std::vector<SequenceFrame> frames;
   std::vector<std::string> fields{};  ///< names of the stored fields that are packed; empty: all
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -23,50 +24,48 @@ using nlohmann::json;
 
 namespace {
 
-/// A number in full digits; null for a word or nothing.
-json to_number(const std::string& text) {
+/// A number in full digits; nothing for a word or an empty cell. "25" may be the name of a variant.
+std::optional<double> read_number(const results::StudyColumn& column, const results::StudyCell& cell) {
+  const std::string& text = cell.full;
   double value = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return failure == std::errc() && end == text.data() + text.size() && !text.empty() ? json(value) : json();
+  const bool whole = failure == std::errc() && end == text.data() + text.size() && !text.empty();
+  return whole && column.name != "variant" ? std::optional(value) : std::nullopt;
 }
 
 json make_column(const results::StudyColumn& column) {
   json shown = json::array(), values = json::array();
-  const bool is_name = column.name == "variant";  // "25" may be the name of a folder
   for (const results::StudyCell& cell : column.cells) {
+    const std::optional<double> number = read_number(column, cell);
     shown.push_back(cell.shown);
-    values.push_back(is_name ? json() : to_number(cell.full));
+    values.push_back(number ? json(*number) : json());
   }
   return {{"name", column.name}, {"title", column.title}, {"unit", column.unit}, {"shown", shown}, {"values", values}};
 }
 
 /// "FoS, frozen: 1.39 to 1.45 over 12 variants".
-void say_ranges(const json& columns, std::vector<std::string>& sentences) {
-  for (const json& c : columns) {
-    const std::string name = c["name"];
+void say_ranges(const std::vector<results::StudyColumn>& columns, std::vector<std::string>& sentences) {
+  for (const results::StudyColumn& c : columns) {
+    const std::string& name = c.name;
     const bool is_ratio = name.starts_with("displacement of ") && name.find(" over ") != std::string::npos;
     if (!name.starts_with("FoS") && !name.starts_with("front advance") && name != "largest displacement" && !is_ratio)
       continue;
-    double low = 0, high = 0;
-    int count = 0;
-    for (const json& v : c["values"]) {
-      if (!v.is_number()) continue;
-      const double value = v;
-      low = count == 0 ? value : std::min(low, value);
-      high = count == 0 ? value : std::max(high, value);
-      ++count;
-    }
-    if (count == 0) continue;
-    const std::string unit = c["unit"] == "" ? "" : " " + c["unit"].get<std::string>();
-    const std::string title = name.starts_with("FoS, ") ? "The factor of safety (" + name.substr(5) + ")"
-                                                        : "The " + c["title"].get<std::string>();
-    const std::string lowest = show_number(low, 4) + unit, highest = show_number(high, 4) + unit;
-    if (count == 1)
+    std::vector<double> values;
+    for (const results::StudyCell& cell : c.cells)
+      if (const auto value = read_number(c, cell); value && std::isfinite(*value)) values.push_back(*value);
+    if (values.empty()) continue;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const std::string unit = c.unit.empty() ? "" : " " + c.unit;
+    const std::string title =
+        name.starts_with("FoS, ") ? "The factor of safety (" + name.substr(5) + ")" : "The " + c.title;
+    const std::string lowest = show_number(*low, 4) + unit, highest = show_number(*high, 4) + unit;
+    if (values.size() == 1)
       sentences.push_back(fmt::format("{} is {} in the one variant that has it.", title, lowest));
-    else if (low == high)
-      sentences.push_back(fmt::format("{} is {} in all {} variants that have it.", title, lowest, count));
+    else if (*low == *high)
+      sentences.push_back(fmt::format("{} is {} in all {} variants that have it.", title, lowest, values.size()));
     else
-      sentences.push_back(fmt::format("{} lies between {} and {} over {} variants.", title, lowest, highest, count));
+      sentences.push_back(
+          fmt::format("{} lies between {} and {} over {} variants.", title, lowest, highest, values.size()));
   }
 }
 
@@ -137,10 +136,11 @@ std::string find_status(const results::StudyResult& study) {
 /// A variant with what its run did: its curve, onset, paths of the monitors, sections.
 json make_row(const results::StudyVariant& variant, const std::optional<ResultFolder>& folder,
               std::vector<std::string>& said) {
+  const std::vector<std::string> own = folder ? folder->run.warnings : std::vector<std::string>{};
   json row{{"name", variant.name},
            {"status", results::to_word(variant.status)},
            {"reason", variant.reason},
-           {"warnings", folder ? folder->run.warnings : std::vector<std::string>{}}};
+           {"warnings", own}};
   json warnings = json::array();
   if (folder) {
     if (json curve = make_curve(*folder); !curve.is_null()) row["curve"] = std::move(curve);
@@ -149,7 +149,7 @@ json make_row(const results::StudyVariant& variant, const std::optional<ResultFo
     if (json sections = make_sections(*folder, warnings); !sections.empty()) row["sections"] = std::move(sections);
   }
   if (!variant.reason.empty()) said.push_back(fmt::format("{}: {}", variant.name, variant.reason));
-  for (const json& w : row["warnings"]) said.push_back(fmt::format("{}: {}", variant.name, w.get<std::string>()));
+  for (const std::string& warning : own) said.push_back(fmt::format("{}: {}", variant.name, warning));
   for (const json& w : warnings) said.push_back(w.get<std::string>());
   return row;
 }
@@ -203,7 +203,7 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   std::vector<std::string>& sentences = content.sentences;
   if (study.sampling) say_sampling(*study.sampling, sentences);
   if (study.extrapolation) say_extrapolation(*study.extrapolation, sentences);
-  say_ranges(columns, sentences);
+  say_ranges(study.columns, sentences);
   if (!rows.empty()) {
     const auto finished = std::count_if(study.variants.begin(), study.variants.end(),
                                         [](const auto& v) { return v.status == results::VariantStatus::finished; });

@@ -50,7 +50,7 @@ std::optional<Choice> choose(const PictureSource& source, std::size_t number) {
   std::sort(chosen.begin(), chosen.end());
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   Choice choice;
-  choice.plan = {fmt::format("variant_{}", number), source.title, "time", {}, {}};
+  choice.plan = {SequenceKind::variant, fmt::format("variant_{}", number), source.title, {}, {}};
   choice.plan.fields = {"displacement",  "deviatoric_strain", "plastic_strain",           "volume",
                         "pore_pressure", "saturation",        "preconsolidation_pressure"};
   for (const std::size_t i : chosen) {

@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "output/files/history.hpp"
+#include "output/files/history_columns.hpp"
 #include "report/content/thinning.hpp"
 #include "report/words/numbers.hpp"
 
@@ -37,11 +38,24 @@ std::vector<std::string> split(const std::string& line) {
   return cells;
 }
 
-json make_column(const output::Column& column, const std::vector<double>& values,
+/// Of a history, or of the ground.
+json make_column(const output::Column& column, bool ground, const std::vector<double>& values,
                  const std::vector<std::size_t>& rows) {
+  const output::HistoryColumn described =
+      ground ? output::HistoryColumn{.quantity = output::HistoryQuantity::position, .of = ""}
+             : output::describe_column(column.name);
   json list = json::array();
   for (const std::size_t i : rows) list.push_back(std::isfinite(values[i]) ? json(values[i]) : json());
-  return {{"name", column.name}, {"title", to_title(column.name)}, {"unit", column.unit}, {"values", list}};
+  json made{{"name", column.name},
+            {"title", to_title(column.name)},
+            {"unit", column.unit},
+            {"quantity", results::to_word(described.quantity)},
+            {"of", described.of},
+            {"largest", described.largest},
+            {"extensive", described.extensive},
+            {"values", list}};
+  if (described.component != 0) made["component"] = std::string(1, described.component);
+  return made;
 }
 
 /// "x [m],ground before [m],ground after [m]": unlike a history it has empty cells, where there is no ground.
@@ -82,6 +96,18 @@ class TableList {
  public:
   TableList(const ShownUnit& length, json& warnings) : length_(length), warnings_(warnings) {}
 
+  /// The three tables of `folder`, which run along the time of a sequence of frames.
+  void add(const fs::path& folder, const std::string& sequence, const std::string& suffix, const std::string& history,
+           const std::string& monitors, const std::string& ground) {
+    sequence_ = sequence;
+    add(folder / "history.csv", "history" + suffix, history, "history");
+    add(folder / "monitors.csv", "monitors" + suffix, monitors, "monitors");
+    add(folder / "profile.csv", "profile" + suffix, ground, "ground");
+  }
+
+  json tables = json::array();
+
+ private:
   void add(const fs::path& path, const std::string& id, const std::string& title, const std::string& kind) {
     if (!fs::exists(path) || fs::file_size(path) == 0) return;
     try {
@@ -93,9 +119,6 @@ class TableList {
     }
   }
 
-  json tables = json::array();
-
- private:
   void add(const output::HistoryTable& table, const std::string& id, const std::string& title,
            const std::string& kind) {
     if (table.columns.empty() || table.values[0].empty()) return;
@@ -103,16 +126,18 @@ class TableList {
     const std::vector<std::size_t> rows = choose_frames(count, most_rows);
     json columns = json::array();
     for (std::size_t k = 1; k < table.columns.size(); ++k)
-      columns.push_back(make_column(table.columns[k], table.values[k], rows));
+      columns.push_back(make_column(table.columns[k], kind == "ground", table.values[k], rows));
     tables.push_back(
         {{"id", id},
          {"title", rows.size() == count ? title : fmt::format("{} ({} of {} rows)", title, rows.size(), count)},
          {"kind", kind},
-         {"x", make_column(table.columns[0], table.values[0], rows)},
+         {"sequence", sequence_},
+         {"x", make_column(table.columns[0], kind == "ground", table.values[0], rows)},
          {"columns", columns}});
   }
 
   ShownUnit length_;
+  std::string sequence_;
   json& warnings_;
 };
 
@@ -120,16 +145,13 @@ class TableList {
 
 json make_tables(const ResultFolder& folder, json& warnings) {
   TableList list(read_units(folder.run).length, warnings);
-  list.add(folder.path / "history.csv", "history", "History of the stages", "history");
-  list.add(folder.path / "monitors.csv", "monitors", "Monitors during the stages", "monitors");
-  list.add(folder.path / "profile.csv", "profile", "Ground before and after", "ground");
+  list.add(folder.path, "stages", "", "History of the stages", "Monitors during the stages", "Ground before and after");
   for (const TrialFolder& trial : folder.trials) {
     if (!trial.runs_out) continue;
     const std::string name = fmt::format("runout_{:g}", trial.factor),
                       words = fmt::format("runout at SRF {:g}", trial.factor);
-    list.add(trial.path / "history.csv", "history_" + name, "History of the " + words, "history");
-    list.add(trial.path / "monitors.csv", "monitors_" + name, "Monitors during the " + words, "monitors");
-    list.add(trial.path / "profile.csv", "profile_" + name, "Ground before and after the " + words, "ground");
+    list.add(trial.path, name, "_" + name, "History of the " + words, "Monitors during the " + words,
+             "Ground before and after the " + words);
   }
   return list.tables;
 }

@@ -33,6 +33,21 @@ export interface NamedResult {
   title: string;
   value: number;
   unit: Unit;
+  kind:
+    | "factor"
+    | "yield_acceleration"
+    | "over_design"
+    | "runout"
+    | "motion"
+    | "stage"
+    | "mesh"
+    | "water"
+    | "seepage"
+    | "other";
+  /** "moved_volume", "largest_suction". */
+  quantity: string;
+  /** Word of the method of slices: "spencer"; empty for other results. */
+  by: string;
 }
 
 /** A [[compare]] of the case. */

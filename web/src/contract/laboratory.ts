@@ -45,6 +45,7 @@ export interface CalibratedQuantity {
   name: string;
   title: string;
   unit: string;
+  kind: "strain" | "stress" | "other";
 }
 
 /** A fitted number of a soil, in `unit`. */

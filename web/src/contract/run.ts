@@ -1,10 +1,11 @@
 /** What one run has: frames, the displacement curve, tables over time, motion, sections. */
-import type { Column, PackedArray, Unit } from "./units";
+import type { PackedArray, TableColumn, Unit } from "./units";
 
 /** Frames that belong together: the stages, the trials of the curve, one runout. */
 export interface Sequence {
   /** "stages", "curve", "runout_1.75". */
   id: string;
+  kind: "stages" | "curve" | "runout" | "variant";
   title: string;
   /** What runs along the frames: simulated time, or the strength reduction factor. */
   axis: "time" | "factor";
@@ -54,8 +55,10 @@ export interface Table {
   id: string;
   title: string;
   kind: "history" | "monitors" | "ground";
-  x: Column;
-  columns: Column[];
+  /** Id of the sequence that runs along the same time: "stages", "runout_1.75"; it may have no frames to show. */
+  sequence: string;
+  x: TableColumn;
+  columns: TableColumn[];
 }
 
 /** When the monitored points began to move. */

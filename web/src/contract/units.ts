@@ -29,3 +29,40 @@ export interface Column {
   /** null where there is no value. */
   values: (number | null)[];
 }
+
+/** A column of a history, of monitors, or of the ground. */
+export interface TableColumn extends Column {
+  quantity: HistoryQuantity;
+  /** Monitor, or side that water passes; empty: the whole body. */
+  of: string;
+  /** Of all points. */
+  largest: boolean;
+  /** Absent for a scalar, and the length of a vector. */
+  component?: "x" | "y" | "z";
+  /** Whether it is per metre of thickness in plane strain. */
+  extensive: boolean;
+}
+
+/** "energy" is what the balance of energy adds up, "state" another variable of a soil model. */
+export type HistoryQuantity =
+  | "time"
+  | "time_step"
+  | "count"
+  | "energy"
+  | "potential_energy"
+  | "force_ratio"
+  | "nodal_speed"
+  | "mass"
+  | "momentum"
+  | "position"
+  | "displacement"
+  | "velocity"
+  | "stress"
+  | "strain"
+  | "pore_pressure"
+  | "suction"
+  | "saturation"
+  | "water_mass"
+  | "water_flow"
+  | "transpiration"
+  | "state";

@@ -94,28 +94,23 @@ const wanted = [
   "largest_pressure",
 ];
 
-/** Of material points, slices or finite elements. */
-const isFactor = (name: string) =>
-  name.startsWith("factor_of_safety") || (/^(lem|fem)\./.test(name) && !name.includes("yield_acceleration"));
-
 /** One yield acceleration is enough here: that of the method whose factor stands above. */
-function isOtherAcceleration(name: string): boolean {
-  const method = /^lem\.yield_acceleration\.(.*)$/.exec(name)?.[1];
+function isOtherAcceleration({ kind, by }: NamedResult): boolean {
   const main = report.value.answer.factors.find((factor) => factor.main && factor.method === "lem");
-  return method !== undefined && main !== undefined && main.name !== `lem.${method}`;
+  return kind === "yield_acceleration" && main !== undefined && main.name !== `lem.${by}`;
 }
 
 /** The results that are not factors, those named above first. */
 function pickResults(results: NamedResult[], most: number): NamedResult[] {
-  const rank = (result: NamedResult) => {
-    const last = result.name.split(".").at(-1) ?? "";
-    const found = wanted.indexOf(last);
+  const rank = ({ quantity }: NamedResult) => {
+    const found = wanted.indexOf(quantity);
     return found < 0 ? wanted.length : found;
   };
   // Beside other methods the stages only prepare the strength reduction, and the mesh is told below.
-  const isAside = (name: string) => (report.value.method_table?.asked.length ?? 1) > 1 && /^(stage\[|mesh\.)/.test(name);
+  const beside = (report.value.method_table?.asked.length ?? 1) > 1;
+  const isAside = ({ kind }: NamedResult) => beside && (kind === "stage" || kind === "mesh");
   return results
-    .filter(({ name }) => !isFactor(name) && !isOtherAcceleration(name) && !isAside(name))
+    .filter((result) => result.kind !== "factor" && !isOtherAcceleration(result) && !isAside(result))
     .sort((a, b) => rank(a) - rank(b))
     .slice(0, most);
 }

@@ -50,8 +50,8 @@ describe("the viewer", () => {
       input: {},
       model: { slope_height: 10 },
       sequences: [
-        { id: "stages", frames: [{ factor: null }] },
-        { id: "curve", frames: [1.3, 1.4, 1.5, 1.6].map((factor) => ({ factor })), fields: [] },
+        { id: "stages", kind: "stages", frames: [{ factor: null }] },
+        { id: "curve", kind: "curve", frames: [1.3, 1.4, 1.5, 1.6].map((factor) => ({ factor })), fields: [] },
       ],
       curve: { points },
     }) as unknown as Report;

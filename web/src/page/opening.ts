@@ -12,7 +12,7 @@ import { limitMode } from "../viewer/settings";
 export function findMechanism(report: Report): { sequence: number; frame: number } | null {
   if (!report.method_table || report.method_table.surfaces.every((s) => s.method === "mpm")) return null;
   const main = report.answer.factors.find((f) => f.method === "mpm" && f.main)?.value;
-  const sequence = report.sequences.findIndex((s) => s.id === "curve");
+  const sequence = report.sequences.findIndex((s) => s.kind === "curve");
   if (main === null || main === undefined || sequence < 0) return null;
   const limits = findRestLimits(report.input, report.model.slope_height);
   const moves = (factor: number) => {

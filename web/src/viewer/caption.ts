@@ -13,9 +13,7 @@ export function writeCaption(): [string, string] {
   const { title, revision } = report.value.project;
   const head = [title || report.value.provenance.case_file, revision && `revision ${revision}`];
   const label = now.sequence.frames[frame.value]?.label ?? "";
-  const factor = now.sequence.frames[frame.value]?.factor;
-  const known = label.includes("SRF") || now.sequence.title.includes("SRF") || factor === null || factor === undefined;
-  const below = [now.sequence.title, label, known ? "" : `SRF ${factor}`, now.field.title];
+  const below = [now.sequence.title, label, now.field.title];
   return [head.filter(Boolean).join(", "), below.filter(Boolean).join(" · ")];
 }
 

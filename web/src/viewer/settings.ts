@@ -85,11 +85,11 @@ export function openAtFailure(): void {
   if (opened || sequenceIndex.value !== 0 || frameIndex.value !== 0) return;
   opened = true;
   const sequences = report.value.sequences;
-  let best = Math.max(0, sequences.findIndex((s) => s.id === "stages"));
+  let best = Math.max(0, sequences.findIndex((s) => s.kind === "stages"));
   let largest = -Infinity;
   sequences.forEach((s, i) => {
     const factor = s.frames.at(-1)?.factor ?? 0;
-    if (s.id.startsWith("runout") && factor > largest) [best, largest] = [i, factor];
+    if (s.kind === "runout" && factor > largest) [best, largest] = [i, factor];
   });
   const telling = sequences[best];
   if (!telling) return;

@@ -4,7 +4,8 @@ import { describe, expect, it } from "vitest";
 import { findRange, groupCurves, makeCurveCsv, makeParameterCsv, shortenKey } from "../../src/charts/laboratory/calibrationData";
 import type { CalibratedCurve, Calibration } from "../../src/contract";
 
-const quantity = (name: string, unit: string) => ({ name, title: name, unit });
+const quantity = (name: string, unit: string) =>
+  ({ name, title: name, unit, kind: unit === "%" ? "strain" : unit === "kPa" ? "stress" : "other" }) as const;
 const curve = (test: string, x: string, y: string, at: number[], measured: number[]): CalibratedCurve => ({
   test,
   x: quantity(x, x.endsWith("strain") ? "%" : "kPa"),

@@ -2,6 +2,7 @@
 import { expect, test } from "vitest";
 
 import type { Report, Table } from "../../src/contract";
+import { makeColumn } from "./columns";
 import { findStageSpans, groupHistories, makePanels } from "../../src/charts/history/histories";
 
 const names: [string, string][] = [
@@ -13,8 +14,9 @@ const makeTable = (id: string, columns: [string, string][], kind: Table["kind"] 
   id,
   title: id,
   kind,
-  x: { name: "time", title: "Time", unit: "s", values: [0, 1] },
-  columns: columns.map(([name, unit], i) => ({ name, title: name, unit, values: [10 * i, 1000 + 10 * i] })),
+  sequence: id.includes("runout_1.75") ? "runout_1.75" : "stages",
+  x: makeColumn("time", "s", [0, 1]),
+  columns: columns.map(([name, unit], i) => makeColumn(name, unit, [10 * i, 1000 + 10 * i])),
 });
 const sequence = (id: string, axis: "time" | "factor") => ({ id, title: id, axis }) as Report["sequences"][number];
 

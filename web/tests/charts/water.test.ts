@@ -1,17 +1,19 @@
 /** Charts of soil water, and the water in the histories. */
 import { describe, expect, it } from "vitest";
 
+import { makeColumn } from "./columns";
 import { makePanels } from "../../src/charts/history/histories";
 import { chooseTimeUnit, findChanging, makeCurves } from "../../src/charts/water/soilWaterData";
 import type { HydraulicCondition, SoilWater, Table } from "../../src/contract";
 
-const column = (name: string, unit: string, values: number[]) => ({ name, title: name, unit, values });
+const column = makeColumn;
 
 describe("histories of water", () => {
   const table: Table = {
     id: "history",
     title: "History",
     kind: "history",
+    sequence: "stages",
     x: column("time", "s", [0, 1, 2]),
     columns: [
       column("largest_displacement", "mm", [0, 1, 2]),

@@ -166,13 +166,13 @@ function CurveChart({ curve }: { curve: Curve }) {
   };
 
   const show = (stop: number) => {
-    const index = report.value.sequences.findIndex((s) => s.id === "curve");
+    const index = report.value.sequences.findIndex((s) => s.kind === "curve");
     const frame = findNearestFrame(report.value.sequences[index]?.frames ?? [], (f) => f.factor, visible[stop]!.srf);
     if (index < 0 || frame < 0) return;
     sequenceIndex.value = index;
     frameIndex.value = frame;
   };
-  const canShow = report.value.sequences.some((s) => s.id === "curve");
+  const canShow = report.value.sequences.some((s) => s.kind === "curve");
   const omitted = trials.length - visible.length;
 
   return (
@@ -207,7 +207,7 @@ function CurveChart({ curve }: { curve: Curve }) {
         onPick={canShow ? show : undefined}
         ruler={() => {
           const shown = sequence.value;
-          return shown?.id === "curve" ? (shown.frames[frameIndex.value]?.factor ?? null) : null;
+          return shown?.kind === "curve" ? (shown.frames[frameIndex.value]?.factor ?? null) : null;
         }}
       />
       <CurveLegend states={trials.map((t) => t.state)} bilinear={!!curve.bilinear} />

@@ -25,16 +25,15 @@ interface PanelProps {
 }
 
 /** In the plane energies and momenta are those of a slice of one metre. */
-function nameUnit(unit: string): string {
+function nameUnit({ unit, extensive }: Panel): string {
   const shown = unit === "m3/s" ? "m³/s" : unit;
-  const perMetre = /^([kMG]?J|kg|kg m\/s|m³\/s)$/.test(shown);
-  return report.value.model.dimension === 2 && perMetre ? `${shown} per m` : shown;
+  return report.value.model.dimension === 2 && extensive ? `${shown} per m` : shown;
 }
 
 export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelProps) {
   const [log, setLog] = useState(panel.log);
   const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
-  const unit = nameUnit(panel.unit);
+  const unit = nameUnit(panel);
   const series = useMemo(() => panel.series.map((s, i) => ({ ...s, style: styleOf(i) })), [panel]);
   const single = series.length === 1 ? series[0] : undefined;
   const visible = series.filter((s) => !hidden.has(s.name));
@@ -60,7 +59,7 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
     const last = times[times.length - 1] ?? 1;
     const axis = describeAxis(domain[0], domain[1], 5);
     const ticks = log ? findLogTicks(domain, 6) : 5;
-    const stages = own === sequenceOfStages() ? findStageSpans(report.value.model.stages) : [];
+    const stages = isOfStages(own) ? findStageSpans(report.value.model.stages) : [];
     return {
       height: panel.kind === "energy" || monitors ? 250 : 200,
       marginLeft: 58,
@@ -193,8 +192,8 @@ function findRoom(name: string): number {
   return name.length * 8 + 8;
 }
 
-function sequenceOfStages(): string | undefined {
-  return report.value.sequences.find((s) => s.axis === "time")?.id;
+function isOfStages(own: string): boolean {
+  return report.value.sequences.some((s) => s.id === own && s.kind === "stages");
 }
 
 function findDomain(values: number[], log: boolean, limit: number | null): [number, number] {

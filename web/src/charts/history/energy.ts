@@ -1,5 +1,5 @@
 /** The balance of energy of a history, see "Budgets" in the theory: what goes in, where it goes, what is left over. */
-import type { Column, Table } from "../../contract";
+import type { Column } from "../../contract";
 
 const stores = ["kinetic_energy", "elastic_energy", "plastic_work", "damping_work"] as const;
 
@@ -16,10 +16,13 @@ export function takeChange(values: readonly (number | null)[]): (number | null)[
   return values.map((v) => (v === null ? null : v - first));
 }
 
+/** Whether it is what goes into the body; the other energies are what it becomes. */
+export const isWork = ({ name }: Pick<Column, "name">) => name === "external_work";
+
 /** null when the table lacks one of the columns. */
-export function findEnergyBalance(table: Pick<Table, "columns">): EnergyBalance | null {
+export function findEnergyBalance(table: { columns: Column[] }): EnergyBalance | null {
   const find = (name: string): Column | undefined => table.columns.find((c) => c.name === name);
-  const work = find("external_work");
+  const work = table.columns.find(isWork);
   const parts = stores.map(find);
   if (!work || parts.some((p) => !p)) return null;
   const changes = parts.map((p) => takeChange(p!.values));

@@ -1,6 +1,6 @@
 /** Which histories belong together: tables by run, columns by panel. */
-import type { Column, Report, Sequence, Table } from "../../contract";
-import { findEnergyBalance, takeChange } from "./energy";
+import type { Column, Report, Table, TableColumn } from "../../contract";
+import { findEnergyBalance, isWork, takeChange } from "./energy";
 import { findLargest, scaleUnit } from "../base/numbers";
 
 /** What a panel shows; "other" for a quantity that stands alone. */
@@ -33,6 +33,8 @@ export interface Panel {
   kind: PanelKind;
   title: string;
   unit: string;
+  /** Whether it is per metre of thickness in plane strain. */
+  extensive: boolean;
   log: boolean;
   /** Whether it is drawn before the user asks for it. */
   first: boolean;
@@ -49,31 +51,19 @@ export interface HistoryGroup {
   tables: Table[];
 }
 
-function findSuffix(table: Table): string {
-  return table.id.replace(/^(history|monitors)_?/, "");
-}
-
 export function groupHistories(report: Pick<Report, "tables" | "sequences">): HistoryGroup[] {
   const groups = new Map<string, HistoryGroup>();
   for (const table of report.tables) {
     if (table.kind === "ground" || table.x.values.length === 0) continue;
-    const suffix = findSuffix(table);
-    // Tables without a suffix run along the whole run, whose frames are the first sequence over time.
-    const own = report.sequences.find((s) => s.id === suffix) ?? (suffix ? undefined : firstOverTime(report.sequences));
-    const group = groups.get(suffix) ?? { sequence: own?.id ?? "", title: own?.title ?? table.title, tables: [] };
+    const own = report.sequences.find((s) => s.id === table.sequence);
+    const fresh = { sequence: own?.id ?? "", title: own?.title ?? table.title, tables: [] };
+    const group = groups.get(table.sequence) ?? fresh;
     group.tables.push(table);
-    groups.set(suffix, group);
+    groups.set(table.sequence, group);
   }
   return [...groups.values()];
 }
 
-function firstOverTime(sequences: readonly Sequence[]): Sequence | undefined {
-  return sequences.find((s) => s.axis === "time");
-}
-
-/** Of the whole body, not of a monitor. */
-const isPressure = (name: string) => /^largest_(pore_pressure|suction)$/.test(name);
-const isFlow = (name: string) => /\.(inflow|outflow|runoff)$/.test(name);
 /** Flows below this share of the largest are round-off: nothing passes there. */
 const leastFlow = 1e-9;
 
@@ -82,31 +72,34 @@ interface Kind {
   title: string;
   log: boolean;
   first: boolean;
-  matches: (name: string) => boolean;
 }
 
 const kinds: Kind[] = [
-  { id: "force_ratio", title: "Force ratio", log: true, first: true, matches: (n) => n === "force_ratio" },
-  { id: "nodal_speed", title: "Nodal speed", log: true, first: true, matches: (n) => n === "nodal_speed" },
-  { id: "momentum", title: "Momentum, magnitude", log: true, first: true, matches: (n) => n.startsWith("momentum") },
-  // In front of what their names would match as well.
-  { id: "largest_pressure", title: "Largest pore pressure and suction", log: false, first: false, matches: isPressure },
-  { id: "water_flow", title: "Water through the border", log: false, first: true, matches: isFlow },
-  { id: "water_mass", title: "Water in the model", log: false, first: false, matches: (n) => n === "water_mass" },
-  { id: "pore_pressure", title: "Pore pressure", log: false, first: true, matches: (n) => n.endsWith(".pore_pressure") },
-  { id: "saturation", title: "Degree of saturation", log: false, first: true, matches: (n) => n.endsWith(".saturation") },
-  { id: "largest", title: "Largest displacement", log: false, first: false, matches: (n) => n.startsWith("largest_") },
-  { id: "displacement", title: "Displacement", log: false, first: true, matches: (n) => /displacement/.test(n) },
-  { id: "stress", title: "Stress", log: false, first: true, matches: (n) => /stress|pressure/.test(n) },
-  { id: "velocity", title: "Velocity", log: false, first: false, matches: (n) => /velocity/.test(n) },
-  { id: "strain", title: "Strain", log: false, first: false, matches: (n) => /strain/.test(n) },
+  { id: "force_ratio", title: "Force ratio", log: true, first: true },
+  { id: "nodal_speed", title: "Nodal speed", log: true, first: true },
+  { id: "momentum", title: "Momentum, magnitude", log: true, first: true },
+  { id: "largest_pressure", title: "Largest pore pressure and suction", log: false, first: false },
+  { id: "water_flow", title: "Water through the border", log: false, first: true },
+  { id: "water_mass", title: "Water in the model", log: false, first: false },
+  { id: "pore_pressure", title: "Pore pressure", log: false, first: true },
+  { id: "saturation", title: "Degree of saturation", log: false, first: true },
+  { id: "largest", title: "Largest displacement", log: false, first: false },
+  { id: "displacement", title: "Displacement", log: false, first: true },
+  { id: "stress", title: "Stress", log: false, first: true },
+  { id: "velocity", title: "Velocity", log: false, first: false },
+  { id: "strain", title: "Strain", log: false, first: false },
 ];
 
-const budgets = ["external_work", "kinetic_energy", "elastic_energy", "plastic_work", "damping_work"];
+function findKind({ quantity, largest }: TableColumn): Kind | undefined {
+  const whole = quantity === "displacement" ? "largest" : "largest_pressure";
+  return kinds.find((k) => k.id === (largest ? whole : quantity));
+}
 
 function makeEnergyPanel(table: Table): Panel | null {
-  const columns = budgets.map((name) => table.columns.find((c) => c.name === name)).filter((c) => c !== undefined);
-  if (columns.length === 0) return null;
+  const parts = table.columns.filter((c) => c.quantity === "energy");
+  if (parts.length === 0) return null;
+  // What goes in stands first.
+  const columns = [...parts.filter(isWork), ...parts.filter((c) => !isWork(c))];
   const changes = columns.map((c) => takeChange(c.values));
   const balance = findEnergyBalance(table);
   const { unit, factor } = scaleUnit(columns[0]!.unit, findLargest(changes.flat()));
@@ -119,25 +112,28 @@ function makeEnergyPanel(table: Table): Panel | null {
       `Residual at the end: ${((100 * Math.abs(last)) / balance.work).toPrecision(2)} % of the largest external work.`
     : undefined;
   const head = { id: `${table.id}.energy`, kind: "energy" as const, title: "Energies and work", log: false, first: true };
-  return { ...head, unit, x: table.x, series, note };
+  return { ...head, unit, extensive: true, x: table.x, series, note };
 }
 
 /** The panels of a table; columns of one panel have one unit. */
 export function makePanels(table: Table): Panel[] {
   const energy = makeEnergyPanel(table);
   const panels: Panel[] = energy ? [energy] : [];
-  const flows = table.columns.filter((c) => isFlow(c.name));
+  const flows = table.columns.filter((c) => c.quantity === "water_flow");
   const least = leastFlow * findLargest(flows.flatMap((c) => c.values));
-  const isIdle = (column: Column) => flows.includes(column) && !(findLargest(column.values) > least);
+  const isIdle = (column: TableColumn) => flows.includes(column) && !(findLargest(column.values) > least);
   const rest = new Map<string, Panel>();
   for (const column of table.columns) {
-    if ((energy && budgets.includes(column.name)) || isIdle(column)) continue;
-    const kind = kinds.find((k) => k.matches(column.name));
-    const key = kind ? `${kind.id} ${column.unit}` : `other ${column.name.replace(/_[xyz]$/, "")}`;
+    if (column.quantity === "energy" || isIdle(column)) continue;
+    const kind = findKind(column);
+    // Components of one vector stand together: "centre_x" and "centre_y".
+    const whole = (text: string) => (column.component ? text.slice(0, -2) : text);
+    const key = kind ? `${kind.id} ${column.unit}` : `other ${whole(column.name)}`;
     let panel = rest.get(key);
     if (!panel) {
-      const title = kind?.title ?? column.title.replace(/ [xyz]$/, "");
-      const head = { id: `${table.id}.${key}`, kind: kind?.id ?? "other", title, unit: column.unit, x: table.x };
+      const { unit, extensive } = column;
+      const title = kind?.title ?? whole(column.title);
+      const head = { id: `${table.id}.${key}`, kind: kind?.id ?? "other", title, unit, extensive, x: table.x };
       rest.set(key, (panel = { ...head, log: kind?.log ?? false, first: kind?.first ?? false, series: [] }));
     }
     // "crest.displacement_x" is read as "crest, displacement x".
