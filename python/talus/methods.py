@@ -82,23 +82,5 @@ def read_surfaces(summary: dict[str, Any]) -> dict[str, Surface]:
     }
 
 
-def find_main_factor(summary: dict[str, Any]) -> Optional[float]:
-    """The factor that a run is known by: of material points the frozen one, else the first construction on the curve;
-    of finite elements; of slices the smallest by a method that satisfies all equilibrium, else the smallest."""
-    # The rule is that of src/run/compare: this function goes when the summary names the factor itself.
-    return next((factor for factor in _list_factors(summary) if factor is not None), None)
-
-
-def _list_factors(summary: dict[str, Any]) -> Iterator[Optional[float]]:
-    of_points = summary.get("factor_of_safety", {})
-    yield of_points.get("value")
-    yield from (criterion["factor"] for criterion in of_points.get("criteria", []))
-    yield from (run["factor"] for run in summary.get("fem", {}).get("runs", []))
-    slices = summary.get("lem", {})
-    found = [s for kind in ("critical", "noncircular", "given") for s in slices.get(kind, []) if (s["factor"] or 0) > 0]
-    rigorous = [s for s in found if s["method"] in ("spencer", "morgenstern_price", "morgenstern_price_constant")]
-    yield min((s["factor"] for s in rigorous or found), default=None)
-
-
 def _show(value: Optional[float]) -> str:
     return "–" if value is None else f"{value:.3f}"

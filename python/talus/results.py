@@ -17,7 +17,7 @@ from . import _core
 from .errors import InputError
 from .fields import Fields, History
 from .frames import Frame, Mesh, follow_points
-from .methods import MethodTable, Surface, find_main_factor, read_methods, read_surfaces
+from .methods import MethodTable, Surface, read_methods, read_surfaces
 from .named import Comparison, ResultTable, read_comparisons, read_results
 
 _CURVE_TYPE = np.dtype(
@@ -107,7 +107,8 @@ class Results:
         """The factor of safety of the run, or None where none was calculated: of material points (frozen geometry, or
         the first construction on the curve), else of finite elements, else the smallest of slices by a method that
         satisfies all equilibrium. `methods` lists all factors."""
-        return find_main_factor(self.summary)
+        value: Optional[float] = self.summary.get("main_factor")
+        return value
 
     @property
     def methods(self) -> MethodTable:

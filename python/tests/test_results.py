@@ -280,7 +280,7 @@ def test_slices_and_elements_alone_have_a_factor_and_surfaces(slope, tmp_path):
     from matplotlib import pyplot
 
     case = slope(analysis__methods=["lem", "fem"], analysis__kind="strength_reduction")
-    case.limit_equilibrium.methods = ["bishop", "spencer"]
+    case.lem.methods = ["bishop", "spencer"]
     case.output.length_unit = "cm"
     results = talus.run(case, tmp_path / "run")
     listed = {row.surface: row.factor for row in reversed(results.methods)}  # of a surface the first row
@@ -302,22 +302,8 @@ def test_slices_and_elements_alone_have_a_factor_and_surfaces(slope, tmp_path):
 
     case.analysis.methods = ["lem"]
     alone = talus.run(case, tmp_path / "slices")
-    assert alone.factor_of_safety == alone.results["lem.spencer"].value, "Bishop's is not of all equilibrium"
-
-
-def test_the_main_factor_follows_what_was_calculated():
-    from talus.methods import find_main_factor
-
-    slices = {"critical": [{"method": "fellenius", "factor": 1.1}, {"method": "bishop", "factor": None}]}
-    assert find_main_factor({}) is None
-    assert find_main_factor({"lem": {"error": "no circle"}}) is None
-    assert find_main_factor({"lem": slices}) == 1.1
-    slices["noncircular"] = [{"method": "spencer", "factor": 1.3}, {"method": "morgenstern_price", "factor": 1.25}]
-    assert find_main_factor({"lem": slices}) == 1.25
-    assert find_main_factor({"lem": slices, "fem": {"runs": [{"factor": 1.2}]}}) == 1.2
-    factors = {"criteria": [{"factor": None}, {"factor": 1.4}]}
-    assert find_main_factor({"lem": slices, "factor_of_safety": factors}) == 1.4
-    assert find_main_factor({"factor_of_safety": {**factors, "value": 1.35}}) == 1.35
+    named = alone.results  # Bishop's is not of all equilibrium
+    assert alone.factor_of_safety == min(named["lem.spencer"].value, named["lem.noncircular.spencer"].value)
 
 
 def test_runs_without_methods_have_no_surfaces(slope, tmp_path):

@@ -48,7 +48,7 @@ json make_common(const ResultFolder& folder, Packer& packer) {
                  {{"length", to_json(units.length)},
                   {"displacement", to_json(units.displacement)},
                   {"stress", to_json(units.stress)}}},
-                {"model", make_model(folder, find_main_factor(folder), packer)},
+                {"model", make_model(folder, results::find_main_factor(run), packer)},
                 {"sequences", json::array()},
                 {"tables", json::array()},
                 {"comparisons", results::to_json(run.comparisons)},

@@ -25,10 +25,4 @@ struct CurveValue {
 };
 CurveValue find_displacement(const RunResult& run, double factor);
 
-/// The factor that stands for the run: that of the material points, at frozen geometry or else by the first criterion
-/// that found one; else the first of the finite elements (ψ as given before ψ = φ); else the smallest of the rigorous
-/// methods of slices (Spencer, Morgenstern and Price), or of any where none of these has one. Every place that needs
-/// one number takes it from here. Nothing: no method found a factor.
-std::optional<double> find_main_factor(const RunResult& run);
-
 }  // namespace talus::results

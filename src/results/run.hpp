@@ -144,6 +144,13 @@ struct RunResult {
   std::vector<Comparison> comparisons;
   std::optional<Timing> timing;
 };
+
+/// The factor that stands for the run: that of the material points, at frozen geometry or else by the first criterion
+/// that found one; else the first of the finite elements (ψ as given before ψ = φ); else the smallest of the rigorous
+/// methods of slices (Spencer, Morgenstern and Price), or of any where none of these has one. Every place that needs
+/// one number takes it from here. Nothing: no method found a factor.
+std::optional<double> find_main_factor(const RunResult& run);
+
 template <class V, As<RunResult> R>
 void describe(V& v, R& r) {
   v.key("title", r.title, {"", "title of the case"});
@@ -174,6 +181,7 @@ void describe(V& v, R& r) {
   v.maybe("seepage", r.seepage, {"", "steady seepage"});
   v.maybe("season", r.season, {"", "rain and transpiration before the run"});
   v.maybe("methods", r.methods, {"", "the methods beside one another"});
+  v.told("main_factor", find_main_factor(r), {"", "factor of safety that stands for the run"});
   v.key("results", r.results, {"", "results by name"});
   v.key("comparisons", r.comparisons, {"", "results beside what the case expects"});
   v.maybe("timing", r.timing, {"", "seconds"});

@@ -80,9 +80,4 @@ std::vector<Polyline> find_boundary_lines(const std::string& name, const mesh::P
   return {};
 }
 
-std::vector<Polyline> find_boundary_lines(const std::string& name, const nlohmann::json& geometry,
-                                          const std::optional<mesh::Mesh<2>>& mesh) {
-  return find_boundary_lines(name, input::read_echo(JsonTree(nlohmann::json{{"geometry", geometry}})).mesh, mesh);
-}
-
 }  // namespace talus::report

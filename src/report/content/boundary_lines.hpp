@@ -20,8 +20,5 @@ std::vector<Polyline> join_sides(const mesh::Mesh<2>& mesh, const std::vector<me
 /// The lines that `name` stands for: from the mesh where it is kept, else from the box and the lines of the case.
 std::vector<Polyline> find_boundary_lines(const std::string& name, const mesh::Plan& plan,
                                           const std::optional<mesh::Mesh<2>>& mesh);
-/// The same from [geometry] of the echo.
-std::vector<Polyline> find_boundary_lines(const std::string& name, const nlohmann::json& geometry,
-                                          const std::optional<mesh::Mesh<2>>& mesh);
 
 }  // namespace talus::report

@@ -108,12 +108,11 @@ std::string name_condition(std::string word) {
 json list_hydraulics(const ResultFolder& folder, const std::optional<mesh::Mesh<2>>& mesh) {
   json list = json::array();
   const ShownUnits units = read_units(folder.run);
-  const json& echo = folder.run.input.get();
   for (const input::Hydraulic& h : folder.data.hydraulics) {
     const std::string condition = to_word(h.condition);
     const std::optional<Shown> series = read_series(h, units);
     json lines = json::array();
-    if (get_dimension(folder.run) == 2) lines = find_boundary_lines(h.on, echo.value("geometry", json::object()), mesh);
+    if (get_dimension(folder.run) == 2) lines = find_boundary_lines(h.on, folder.data.mesh, mesh);
     json entry{{"on", h.on},
                {"condition", condition},
                {"title", name_condition(condition)},

@@ -186,18 +186,6 @@ bool has_lost_all(const results::RunResult& run) {
   return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
 }
 
-/// The results, without the zeros that a runout without any soil comes to.
-json list_results(const results::RunResult& run) {
-  json results = json::array();
-  for (const results::NamedResult& r : run.results)
-    if (!has_lost_all(run) || !r.name.starts_with("runout."))
-      results.push_back({{"name", r.name},
-                         {"title", r.title},
-                         {"value", r.value},
-                         {"unit", {{"name", r.unit.name}, {"si", r.unit.si}}}});
-  return results;
-}
-
 /// Points that left the grid are in no number of the answer. Returns whether any soil is left.
 bool say_lost(const results::RunResult& run, json& sentences) {
   if (!run.budgets || run.budgets->lost.points == 0) return true;
@@ -271,13 +259,6 @@ void say_state(const results::RunResult& run, json& sentences) {
 
 }  // namespace
 
-std::optional<double> find_main_factor(const ResultFolder& folder) {
-  for (const std::vector<Factor>& factors : {list_own_factors(folder), list_other_factors(folder.run)})
-    for (const Factor& f : factors)
-      if (f.is_main) return f.value;
-  return std::nullopt;
-}
-
 json make_answer(const ResultFolder& folder) {
   const results::RunResult& run = folder.run;
   const std::vector<Factor> own = list_own_factors(folder);
@@ -294,7 +275,7 @@ json make_answer(const ResultFolder& folder) {
   for (const std::string& sentence : tell_water(folder)) sentences.push_back(sentence);
   say_comparisons(run.comparisons, sentences);
   for (const Factor& factor : factors) listed.push_back(to_json(factor));
-  return {{"sentences", sentences}, {"factors", listed}, {"results", list_results(run)}};
+  return {{"sentences", sentences}, {"factors", listed}, {"results", json::array()}};
 }
 
 }  // namespace talus::report
