@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 from dataclasses import astuple, dataclass, fields
-from typing import Any, Iterator, Optional
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import NDArray

@@ -34,12 +34,20 @@ void describe(V& v, R& r) {
   v.key("shown", r.shown, {"", "as people read it"});
 }
 
+/// What a column is of, where somebody asks: ranges are told of these, and factors are extrapolated.
+enum class ColumnKind { other, factor, runout, displacement, ratio };
+template <>
+inline constexpr auto words<ColumnKind> =
+    std::array{Word{ColumnKind::other, "other"}, Word{ColumnKind::factor, "factor"}, Word{ColumnKind::runout, "runout"},
+               Word{ColumnKind::displacement, "displacement"}, Word{ColumnKind::ratio, "ratio"}};
+
 struct StudyColumn {
   std::string name;              ///< in the CSV, `strength_reduction.curve.damping`
   std::string title;             ///< in the Markdown, `damping`
   std::string unit;              ///< empty for plain numbers and words
   std::vector<StudyCell> cells;  ///< one per variant
-  bool is_factor = false;        ///< of safety: what is extrapolated
+  ColumnKind kind = ColumnKind::other;
+  std::string by;  ///< of a factor of safety: by which method or criterion
 };
 template <class V, As<StudyColumn> R>
 void describe(V& v, R& r) {
@@ -47,6 +55,8 @@ void describe(V& v, R& r) {
   v.key("title", r.title, {"", "title"});
   v.key("unit", r.unit, {"", "unit"});
   v.key("cells", r.cells, {"", "cells, one for each variant"});
+  v.key("kind", r.kind, {"", "what it is of"});
+  v.key("by", r.by, {"", "method or criterion of a factor of safety"});
 }
 
 /// How a variant went.
@@ -72,7 +82,7 @@ void describe(V& v, R& r) {
 
 /// One factor over the key, extrapolated to zero (docs/manual/study.md).
 struct ExtrapolatedFactor {
-  std::string criterion, variant;
+  std::string criterion, by, variant;  ///< title of the column, method or criterion, other keys
   std::vector<double> sizes, factors;
   double linear = 0;
   std::optional<double> standard_error;
@@ -82,6 +92,7 @@ struct ExtrapolatedFactor {
 template <class V, As<ExtrapolatedFactor> R>
 void describe(V& v, R& r) {
   v.key("criterion", r.criterion, {"", "factor"});
+  v.key("by", r.by, {"", "method or criterion"});
   v.key("variant", r.variant, {"", "other keys"});
   v.key("sizes", r.sizes, {"", "values of the key"});
   v.key("factors", r.factors, {"", "factors"});

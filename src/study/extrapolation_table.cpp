@@ -41,7 +41,7 @@ std::optional<results::StudyExtrapolation> extrapolate_factors(const StudyPlan& 
   if (!key) return std::nullopt;
   results::StudyExtrapolation found{plan.extrapolate, plan.keys[*key].unit, {}};
   for (const results::StudyColumn& column : make_study_table(plan, rows)) {
-    if (!column.is_factor) continue;
+    if (column.kind != results::ColumnKind::factor) continue;
     std::vector<std::string> order;  // groups as they come
     std::map<std::string, std::map<double, double>> groups;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -63,8 +63,8 @@ std::optional<results::StudyExtrapolation> extrapolate_factors(const StudyPlan& 
       const auto [low, high] = std::minmax_element(factors.begin(), factors.end());
       if (!(*low < *high)) continue;
       const Extrapolation e = extrapolate(sizes, factors);
-      found.factors.push_back(
-          {column.title, name, e.sizes, e.factors, e.linear, e.standard_error, e.finest_pair, e.order, e.by_order});
+      found.factors.push_back({column.title, column.by, name, e.sizes, e.factors, e.linear, e.standard_error,
+                               e.finest_pair, e.order, e.by_order});
     }
   }
   return found;

@@ -19,6 +19,7 @@
 namespace talus::study {
 namespace {
 
+using results::ColumnKind;
 using results::Runout;
 using results::RunResult;
 using results::StudyCell;
@@ -92,6 +93,14 @@ std::string explain_missing_factors(const RunResult& r, const std::string& label
   return remarks;
 }
 
+StudyColumn begin_column(const std::string& name, const std::string& title, const std::string& unit) {
+  StudyColumn column;
+  column.name = name;
+  column.title = title;
+  column.unit = unit;
+  return column;
+}
+
 /// Adds columns of numbers to a table.
 class Columns {
  public:
@@ -99,8 +108,10 @@ class Columns {
 
   using Getter = std::function<std::optional<double>(const RunResult&)>;
   /// `format` is that of the shown number, `{:.3f}`; the numbers are SI and shown in `unit`.
-  void add(const std::string& name, const std::string& unit, const char* format, bool always, const Getter& get) {
-    StudyColumn column{name, name, unit, {}, false};
+  void add(const std::string& name, const std::string& unit, const char* format, bool always, const Getter& get,
+           ColumnKind kind = ColumnKind::other) {
+    StudyColumn column = begin_column(name, name, unit);
+    column.kind = kind;
     const double factor = unit.empty() ? 1 : units::get_si_factor(unit);
     bool any = false;
     for (const StudyRow& row : rows_) {
@@ -117,8 +128,10 @@ class Columns {
   /// The factor of safety that runs call `name`.
   void add_factor(const std::string& title, const std::string& name) {
     const std::size_t count = table.size();
-    add("FoS, " + title, "", "{:.3f}", false, [&](const RunResult& r) { return run::find_result(r, name); });
-    if (table.size() > count) table.back().is_factor = true;
+    add(
+        "FoS, " + title, "", "{:.3f}", false, [&](const RunResult& r) { return run::find_result(r, name); },
+        ColumnKind::factor);
+    if (table.size() > count) table.back().by = title;
   }
 
   std::vector<StudyColumn> table;
@@ -154,13 +167,16 @@ void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Column
     const auto& base = rows[plan.reference].result;
     const bool moves = base && run::find_result(*base, fmt::format("onset[{}]", name));
     const std::optional<double> reference = moves ? get_end(*base) : std::nullopt;
-    columns.add(fmt::format("displacement of {} over that of {}", name, plan.variants[plan.reference].label), "",
-                "{:.3f}", false, [&](const RunResult& r) {
-                  const std::optional<double> value = get_end(r);
-                  return value && reference && *reference > 0 ? std::optional(*value / *reference) : std::nullopt;
-                });
+    columns.add(
+        fmt::format("displacement of {} over that of {}", name, plan.variants[plan.reference].label), "", "{:.3f}",
+        false,
+        [&](const RunResult& r) {
+          const std::optional<double> value = get_end(r);
+          return value && reference && *reference > 0 ? std::optional(*value / *reference) : std::nullopt;
+        },
+        ColumnKind::ratio);
   }
-  StudyColumn order{"order of movement", "order of movement", "", {}, false};
+  StudyColumn order = begin_column("order of movement", "order of movement", "");
   for (const StudyRow& row : rows) {
     const std::string words = row.result && row.result->motion ? describe_pattern(row.result->motion->pattern) : "";
     order.cells.push_back({words, words});
@@ -173,14 +189,14 @@ void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Column
 
 std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
   Columns columns(rows);
-  StudyColumn names{"variant", "variant", "", {}, false}, ends{"result", "result", "", {}, false};
+  StudyColumn names = begin_column("variant", "variant", ""), ends = begin_column("result", "result", "");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     names.cells.push_back({plan.variants[i].name, plan.variants[i].label});
     ends.cells.push_back({to_word(rows[i].status), to_word(rows[i].status)});
   }
   columns.table.push_back(std::move(names));
   for (std::size_t k = 0; k < plan.keys.size(); ++k) {
-    StudyColumn column{plan.keys[k].path, plan.keys[k].name, plan.keys[k].unit, {}, false};
+    StudyColumn column = begin_column(plan.keys[k].path, plan.keys[k].name, plan.keys[k].unit);
     for (const Variant& v : plan.variants) column.cells.push_back({v.values[k], v.values[k]});
     columns.table.push_back(std::move(column));
   }
@@ -204,16 +220,20 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
            {"fem.associated.factor", "finite elements, ψ = φ"}})
     columns.add_factor(title, name);
   for (const double f : list_runout_factors(rows))
-    columns.add(fmt::format("front advance at SRF {:g}", f), plan.length_unit, "{:.3g}", false,
-                [f](const RunResult& r) { return get_front_advance(r, f); });
+    columns.add(
+        fmt::format("front advance at SRF {:g}", f), plan.length_unit, "{:.3g}", false,
+        [f](const RunResult& r) { return get_front_advance(r, f); }, ColumnKind::runout);
   add_motion(plan, rows, columns);
-  columns.add("largest displacement", plan.displacement_unit, "{:.4g}", false,
-              [](const RunResult& r) { return get(r.runout, &Runout::largest_displacement); });
+  columns.add(
+      "largest displacement", plan.displacement_unit, "{:.4g}", false,
+      [](const RunResult& r) { return get(r.runout, &Runout::largest_displacement); }, ColumnKind::displacement);
   for (const auto& [name, number] : {std::pair{"front advance", &Runout::front_advance},
                                      {"runout beyond the toe", &Runout::toe_distance},
                                      {"crest retreat", &Runout::crest_retreat},
                                      {"advance of the centre", &Runout::centre_advance}})
-    columns.add(name, plan.length_unit, "{:.3g}", false, [n = number](const RunResult& r) { return get(r.runout, n); });
+    columns.add(
+        name, plan.length_unit, "{:.3g}", false, [n = number](const RunResult& r) { return get(r.runout, n); },
+        number == &Runout::front_advance ? ColumnKind::runout : ColumnKind::other);
   const bool plane = std::all_of(rows.begin(), rows.end(), [](const StudyRow& row) {
     return !row.result || !row.result->mesh || row.result->mesh->dimension == 2;
   });

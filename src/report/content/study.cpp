@@ -43,13 +43,10 @@ json make_column(const results::StudyColumn& column) {
   return {{"name", column.name}, {"title", column.title}, {"unit", column.unit}, {"shown", shown}, {"values", values}};
 }
 
-/// "FoS, frozen: 1.39 to 1.45 over 12 variants".
+/// "The factor of safety (frozen) lies between 1.39 and 1.45 over 12 variants."
 void say_ranges(const std::vector<results::StudyColumn>& columns, std::vector<std::string>& sentences) {
   for (const results::StudyColumn& c : columns) {
-    const std::string& name = c.name;
-    const bool is_ratio = name.starts_with("displacement of ") && name.find(" over ") != std::string::npos;
-    if (!name.starts_with("FoS") && !name.starts_with("front advance") && name != "largest displacement" && !is_ratio)
-      continue;
+    if (c.kind == results::ColumnKind::other) continue;
     std::vector<double> values;
     for (const results::StudyCell& cell : c.cells)
       if (const auto value = read_number(c, cell); value && std::isfinite(*value)) values.push_back(*value);
@@ -57,7 +54,7 @@ void say_ranges(const std::vector<results::StudyColumn>& columns, std::vector<st
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const std::string unit = c.unit.empty() ? "" : " " + c.unit;
     const std::string title =
-        name.starts_with("FoS, ") ? "The factor of safety (" + name.substr(5) + ")" : "The " + c.title;
+        c.kind == results::ColumnKind::factor ? fmt::format("The factor of safety ({})", c.by) : "The " + c.title;
     const std::string lowest = show_number(*low, 4) + unit, highest = show_number(*high, 4) + unit;
     if (values.size() == 1)
       sentences.push_back(fmt::format("{} is {} in the one variant that has it.", title, lowest));
@@ -86,10 +83,8 @@ void say_extrapolation(const results::StudyExtrapolation& extrapolation, std::ve
   if (factors.empty() || factors.size() > most_extrapolated) return;
   std::vector<std::string> parts;
   for (const results::ExtrapolatedFactor& f : factors) {
-    std::string criterion = f.criterion;
-    if (criterion.starts_with("FoS, ")) criterion.erase(0, 5);
     parts.push_back(fmt::format("{:.3f}{} ({}{})", f.linear,
-                                f.standard_error ? fmt::format(" ± {:.3f}", *f.standard_error) : "", criterion,
+                                f.standard_error ? fmt::format(" ± {:.3f}", *f.standard_error) : "", f.by,
                                 f.variant.empty() ? "" : "; " + f.variant));
   }
   sentences.push_back(

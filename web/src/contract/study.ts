@@ -16,6 +16,8 @@ export interface Study {
     factors: {
       /** "FoS, frozen". */
       criterion: string;
+      /** The method or criterion alone: "frozen". */
+      by: string;
       /** The other keys: "smoothing = stable"; empty when there are none. */
       variant: string;
       /** From coarse to fine. */
