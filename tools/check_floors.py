@@ -25,7 +25,7 @@ ALLOWED = {
     "run": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "output", "ground"],
     "laboratory": ["base", "material", "results", "input", "output", "ground", "run"],
     "study": ["base", "results", "input", "lem", "output", "run"],
-    "report": ["base", "material", "mesh", "results", "input", "output", "run"],
+    "report": ["base", "material", "mesh", "results", "input", "output", "ground", "run"],
     "app": ["base", "results", "input", "output", "run", "laboratory", "study", "report"],
 }
 # Rooms of one floor that do not know each other: no method owns the run.

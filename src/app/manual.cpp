@@ -1,14 +1,18 @@
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "app/commands.hpp"
 #include "input/read.hpp"
+#include "results/documents.hpp"
 
 namespace talus::app {
 
 void add_manual(CLI::App& app) {
-  app.add_subcommand("manual", "Print the reference of every key of a case file (Markdown)")->callback([] {
-    fmt::print("{}", input::write_manual());
-  });
+  CLI::App* command = app.add_subcommand("manual", "Print the reference of every key of a case file (Markdown)");
+  const auto of_results = std::make_shared<bool>(false);
+  command->add_flag("--results", *of_results, "Print that of summary.json, the results of a run");
+  command->callback([of_results] { fmt::print("{}", *of_results ? results::write_manual() : input::write_manual()); });
 }
 
 }  // namespace talus::app

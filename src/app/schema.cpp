@@ -1,13 +1,23 @@
 #include <fmt/format.h>
 
+#include <memory>
+#include <nlohmann/json.hpp>
+
 #include "app/commands.hpp"
 #include "input/read.hpp"
+#include "results/documents.hpp"
 
 namespace talus::app {
 
 void add_schema(CLI::App& app) {
-  app.add_subcommand("schema", "Print the JSON Schema of case files, for editors")->callback([] {
-    fmt::print("{}\n", input::write_schema().dump(2));
+  CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of case files, for editors");
+  const auto of_results = std::make_shared<bool>(false);
+  command->add_flag("--results", *of_results, "Print that of summary.json, the results of a run");
+  command->callback([of_results] {
+    if (*of_results)
+      fmt::print("{}", results::write_schema());
+    else
+      fmt::print("{}\n", input::write_schema().dump(2));
   });
 }
 

@@ -177,10 +177,12 @@ std::string write_point_digest(const results::PointTests& tests) {
   for (const results::PointTest& test : tests.tests) width = std::max(width, test.name.size());
   std::string text = fmt::format("{:<{}}  {:>12}  {:>9}  {:>12}  {:>9}  {:>8}\n", "test", width, "peak q " + unit,
                                  "at strain", "end q " + unit, "ε_v", "e");
-  for (const results::PointTest& test : tests.tests)
+  for (const results::PointTest& test : tests.tests) {
+    const auto at_end = [&](const std::string& quantity) { return test.end.at(quantity); };
     text += fmt::format("{:<{}}  {:>12.4g}  {:>7.3g} %  {:>12.4g}  {:>7.3g} %  {:>8.4f}\n", test.name, width,
-                        test.peak_q / si, 100 * test.peak_q_strain, test.end.at("q") / si,
-                        100 * test.end.at("volumetric_strain"), test.end.at("void_ratio"));
+                        test.peak_q / si, 100 * test.peak_q_strain, at_end("q") / si, 100 * at_end("volumetric_strain"),
+                        at_end("void_ratio"));
+  }
   for (const std::string& warning : tests.warnings) text += "warning: " + warning + "\n";
   std::size_t agree = 0;
   for (const results::Comparison& c : tests.comparisons) {

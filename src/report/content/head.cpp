@@ -12,8 +12,8 @@ using nlohmann::json;
 json make_project(const results::RunResult& run) {
   json project = results::to_json(run.project);
   project["date"] = run.provenance.started;
-  if (!run.title.empty()) project["title"] = run.title;
-  if (project["title"] == "") project["title"] = "Untitled case";
+  const std::string& title = run.title.empty() ? run.project.title : run.title;
+  project["title"] = title.empty() ? "Untitled case" : title;
   return project;
 }
 
