@@ -1,6 +1,7 @@
 #include "input/case/uncertain_number.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
