@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs every test of a preset (default: release) and names the skipped ones with their reasons, above ctest's summary's
-# verdict: a skipped test proves nothing, so it must be seen.
+# Runs every test of a preset (default: release) and names the ten slowest, and the skipped ones with their reasons: a skipped
+# test proves nothing, so it must be seen.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
@@ -15,4 +15,11 @@ awk '
   reason_follows { print "SKIP " name ": " $0; reason_follows = 0; next }
   /: Skipped$/ { reason_follows = 1 }
 ' "build/$preset/Testing/Temporary/LastTest.log" 2>/dev/null
+
+# "12/1041 Test  #7: unit.Name ....   Passed    0.05 sec" stands in the log of the run as "Test time =   0.05 sec".
+echo "The ten slowest tests:"
+awk '
+  /^[0-9]+\/[0-9]+ Test: / { name = $0; sub(/^[0-9]+\/[0-9]+ Test: /, "", name) }
+  /^Test time = / { printf "%8.1f s  %s\n", $4, name }
+' "build/$preset/Testing/Temporary/LastTest.log" 2>/dev/null | sort -rn | head -10
 exit $status

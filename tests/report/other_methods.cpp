@@ -3,7 +3,7 @@
 #include "input/read.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 #include "schema.hpp"
 
 namespace talus::report {
@@ -98,7 +98,7 @@ json run(const fs::path& folder, const std::vector<input::Override>& overrides =
   run::RunOptions options;
   options.folder = folder;
   options.overwrite = true;
-  return run::run_case(input::read_case_text(layered_case, "layered.toml", overrides), options);
+  return support::run_case(input::read_case_text(layered_case, "layered.toml", overrides), options);
 }
 
 class OtherMethods : public ::testing::Test {
@@ -210,7 +210,7 @@ TEST_F(OtherMethods, AreNamedAlikeWhereAnOlderVersionSaysLessOfThem) {
       if (row["method"] == "fem" && row["lower"].is_number() && measure != nullptr) row["measure"] = measure;
     }
     std::ofstream(folder / "summary.json") << summary.dump();
-    const json factors = collect_report(folder).document.at("answer").at("factors");
+    const json factors = collect_report(folder).document.get().at("answer").at("factors");
     fs::remove_all(folder);
     std::vector<std::string> names;
     for (const json& f : factors) names.push_back(f.at("name"));

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "input/read.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 
 namespace talus::report {
 
@@ -111,7 +111,7 @@ inline nlohmann::json run_small_case(const std::filesystem::path& folder,
   run::RunOptions options;
   options.folder = folder;
   options.overwrite = true;
-  return run::run_case(input::read_case_text(small_case, "small.toml", overrides), options);
+  return support::run_case(input::read_case_text(small_case, "small.toml", overrides), options);
 }
 
 }  // namespace talus::report

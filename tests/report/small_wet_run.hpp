@@ -6,7 +6,7 @@
 #include <string>
 
 #include "input/read.hpp"
-#include "run/run_case.hpp"
+#include "support/run_json.hpp"
 
 namespace talus::report {
 
@@ -130,7 +130,7 @@ inline nlohmann::json run_wet_case(const std::filesystem::path& folder,
   run::RunOptions options;
   options.folder = folder;
   options.overwrite = true;
-  return run::run_case(input::read_case_text(wet_case, "wet.toml", overrides), options);
+  return support::run_case(input::read_case_text(wet_case, "wet.toml", overrides), options);
 }
 
 }  // namespace talus::report

@@ -28,8 +28,8 @@ TEST(Bilinear, FindsTheKinkOfTwoLinesByItself) {
   EXPECT_NEAR(*b->criterion.factor, 1.5, 1e-9);
   EXPECT_NEAR(b->first.slope, 0.01, 1e-9);
   EXPECT_NEAR(b->last.slope, 2.01, 1e-9);
-  EXPECT_LE(b->criterion.lower, 1.5 + 1e-9);
-  EXPECT_GE(b->criterion.upper, 1.5 - 1e-9);
+  EXPECT_LE(b->criterion.lower.value(), 1.5 + 1e-9);
+  EXPECT_GE(b->criterion.upper.value(), 1.5 - 1e-9);
 }
 
 TEST(Bilinear, UsesTheBranchesThatAreNamed) {

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "input/case/result_names.hpp"
+#include "results/run.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "run/named_results.hpp"
 
@@ -15,7 +16,6 @@ namespace talus::run {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 TEST(Onset, IsWhereTheLineBetweenRowsPassesTheThreshold) {
   const std::vector<double> time{0, 10, 20, 30}, u{0, 0.01, 0.05, 0.04};
@@ -41,6 +41,14 @@ TEST(Pattern, FollowsTheHeightsOfTheMonitors) {
   EXPECT_EQ(find(100, 100, 200), results::MotionPattern::mixed) << "two at once are not one after the other";
 }
 
+results::Stage make_stage(const char* name, double start, double end) {
+  results::Stage stage;
+  stage.name = name;
+  stage.start = start;
+  stage.time = end;
+  return stage;
+}
+
 class Motion : public testing::Test {
  protected:
   void SetUp() override {
@@ -59,23 +67,22 @@ class Motion : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  json describe() const { return describe_motion(data_, stages_, 4, folder_); }
+  std::optional<results::Motion> find() const { return find_motion(data_, stages_, 4, folder_); }
 
   fs::path folder_;
   input::Case data_;
-  json stages_ = json::array(
-      {{{"name", "weight"}, {"start", 0.0}, {"time", 5.0}}, {{"name", "rain"}, {"start", 5.0}, {"time", 7.0}}});
+  std::vector<results::Stage> stages_{make_stage("weight", 0, 5), make_stage("rain", 5, 7)};
 };
 
 TEST_F(Motion, IsCountedFromTheLastReset) {
-  const json motion = describe();
-  EXPECT_EQ(motion.at("stage"), "rain");
-  EXPECT_DOUBLE_EQ(motion.at("threshold"), 0.04);
-  EXPECT_DOUBLE_EQ(motion.at("monitors")[0].at("onset"), 0.8);
-  EXPECT_DOUBLE_EQ(motion.at("monitors")[0].at("displacement"), 0.1);
-  EXPECT_TRUE(motion.at("monitors")[1].at("onset").is_null());
-  EXPECT_EQ(motion.at("pattern"), "single");
-  const std::string sentence = motion.at("sentence");
+  const results::Motion motion = find().value();
+  EXPECT_EQ(motion.stage, "rain");
+  EXPECT_DOUBLE_EQ(motion.threshold, 0.04);
+  EXPECT_DOUBLE_EQ(motion.monitors[0].onset.value_or(0), 0.8);
+  EXPECT_DOUBLE_EQ(motion.monitors[0].displacement.value_or(0), 0.1);
+  EXPECT_FALSE(motion.monitors[1].onset);
+  EXPECT_EQ(motion.pattern, results::MotionPattern::single);
+  const std::string& sentence = motion.sentence;
   EXPECT_NE(sentence.find("'toe' after 0.8 s"), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("40 mm, 1 % of the relief"), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("'crest' does not move"), std::string::npos) << sentence;
@@ -86,20 +93,21 @@ TEST_F(Motion, CountsFromTheStageThatTheCaseNames) {
   data_.output.count_from = "rain";
   data_.output.onset_displacement = 0.09;
   // From (30, 40) to (30, -40) mm: the displacement is a difference of vectors, not of lengths.
-  const json motion = describe();
-  EXPECT_NEAR(motion.at("monitors")[0].at("onset").get<double>(), 1 + 0.01 / (std::hypot(0.03, 0.12) - 0.08), 1e-12);
-  EXPECT_NEAR(motion.at("monitors")[0].at("displacement").get<double>(), std::hypot(0.03, 0.12), 1e-12);
+  const results::Motion motion = find().value();
+  EXPECT_NEAR(motion.monitors[0].onset.value_or(0), 1 + 0.01 / (std::hypot(0.03, 0.12) - 0.08), 1e-12);
+  EXPECT_NEAR(motion.monitors[0].displacement.value_or(0), std::hypot(0.03, 0.12), 1e-12);
 }
 
 TEST_F(Motion, OfARunThatEndedWithinTheStageIsKnown) {
-  stages_.erase(1);
-  EXPECT_DOUBLE_EQ(describe().at("start"), 5);
-  stages_ = json::array();
-  EXPECT_TRUE(describe().is_null()) << "it did not come to the stage";
+  stages_.pop_back();
+  EXPECT_DOUBLE_EQ(find().value().start, 5);
+  stages_.clear();
+  EXPECT_FALSE(find()) << "it did not come to the stage";
 }
 
 TEST_F(Motion, CanBeComparedUnderItsNames) {
-  const json summary{{"motion", describe()}};
+  results::RunResult summary;
+  summary.motion = find();
   EXPECT_DOUBLE_EQ(*find_result(summary, "onset[toe]"), 0.8);
   EXPECT_FALSE(find_result(summary, "onset[crest]"));
   EXPECT_DOUBLE_EQ(*find_result(summary, "displacement[crest]"), 0.01);
