@@ -2,15 +2,16 @@
 """What a change of the house must leave as it is: everything that the examples and the published problems print and write.
 
 Usage: same_results.py store PROGRAM FOLDER [--only NAME …] [--jobs N]
-       same_results.py compare FOLDER OTHER [--renamed OLD=NEW …]
+       same_results.py compare FOLDER OTHER [--renamed OLD=NEW …] [--added KEY …]
 
 `store` runs every example in a short form, and the published problems by slices, and keeps per case: what was printed,
 every JSON and CSV file, the data of the report page, and a SHA-256 of every other file. Times, machine and commit are
 left out. `compare` names each value that differs, with its path; numbers must be equal to the last bit, but 0 and 0.0 are
-one. --renamed: a key that moved on purpose. Ends with 1 on a difference.
+one. --renamed, --added: keys that moved or are new on purpose. Ends with 1 on a difference.
 """
 import argparse
 import concurrent.futures
+import csv
 import hashlib
 import json
 import pathlib
@@ -58,6 +59,16 @@ VOLATILE = {"machine", "started", "commit", "version", "build_type", "compiler",
 PAGE_DATA = re.compile(r'<script type="application/json" id="talus-report">(.*?)</script>', re.S)
 
 
+SECONDS = re.compile(r"([:;]) [0-9.e+-]+ s\.$")  # of computing, at the end of a sentence
+
+
+def strip_line(line):
+    """A row of a study's table without its wall time, a sentence without its seconds."""
+    if line.startswith("|"):
+        return re.sub(r"\|[^|]*\|([^|]*)\|$", r"|…|\1|", line)
+    return SECONDS.sub(r"\1 … s.", line)
+
+
 def strip(node):
     """Without what differs from run to run."""
     if isinstance(node, dict):
@@ -67,8 +78,8 @@ def strip(node):
     if isinstance(node, list):
         return [strip(entry) for entry in node
                 if not (isinstance(entry, str) and entry.startswith("Computing time"))
-                and not (isinstance(entry, dict) and entry.get("topic") == "Computing time")]
-    return node
+                and not (isinstance(entry, dict) and entry.get("topic") in ("Computing time", "seconds"))]
+    return SECONDS.sub(r"\1 … s.", node) if isinstance(node, str) else node
 
 
 def strip_text(text):
@@ -78,13 +89,13 @@ def strip_text(text):
         if line.startswith("Computing time") or " done in " in line or "wall" in line:
             continue
         # A row of the table of methods ends with its seconds.
-        kept.append(re.sub(r"(\d\.\d{3}|none)\s+[0-9.e+-]+$", r"\1", line) if line.startswith("  ") else line)
+        kept.append(re.sub(r"(\d\.\d{3}|none)\s+[0-9.e+-]+$", r"\1", line) if line.startswith("  ") else strip_line(line))
     return "\n".join(kept)
 
 
 def strip_csv(text):
     """Without the column of the wall time."""
-    rows = [line.split(",") for line in text.splitlines()]
+    rows = list(csv.reader(text.splitlines()))
     if not rows:
         return text
     drop = {i for i, name in enumerate(rows[0]) if name.startswith("wall time")}
@@ -102,7 +113,7 @@ def keep_file(path):
     if path.suffix == ".csv":
         return "text", strip_csv(path.read_text(encoding="utf-8"))
     if path.suffix == ".md":
-        return "text", "\n".join(re.sub(r"\|[^|]*\|([^|]*)\|$", r"|…|\1|", line) for line in path.read_text("utf-8").splitlines())
+        return "text", "\n".join(map(strip_line, path.read_text("utf-8").splitlines()))
     return "hash", hashlib.sha256(path.read_bytes()).hexdigest()
 
 
@@ -155,21 +166,23 @@ def store(options):
     return 0
 
 
-def find_differences(a, b, path, renamed):
+def find_differences(a, b, path, renamed, added):
     if isinstance(a, dict) and isinstance(b, dict):
         a = {renamed.get(key, key): value for key, value in a.items()}
         for key in sorted(a.keys() | b.keys()):
             if key not in b:
                 yield f"{path}.{key}: gone, was {str(a[key])[:80]}"
             elif key not in a:
+                if key in added:
+                    continue
                 yield f"{path}.{key}: new, {str(b[key])[:80]}"
             else:
-                yield from find_differences(a[key], b[key], f"{path}.{key}", renamed)
+                yield from find_differences(a[key], b[key], f"{path}.{key}", renamed, added)
     elif isinstance(a, list) and isinstance(b, list):
         if len(a) != len(b):
             yield f"{path}: {len(a)} entries, now {len(b)}"
         for i, (x, y) in enumerate(zip(a, b)):
-            yield from find_differences(x, y, f"{path}[{i}]", renamed)
+            yield from find_differences(x, y, f"{path}[{i}]", renamed, added)
     elif isinstance(a, str) and isinstance(b, str) and "\n" in a + b:
         for i, (x, y) in enumerate(zip(a.splitlines(), b.splitlines()), 1):
             if x != y:
@@ -190,7 +203,7 @@ def compare(options):
             faults += 1
             continue
         a, b = (json.loads((folder / path.name).read_text(encoding="utf-8")) for folder in (one, other))
-        found = list(find_differences(a, b, path.stem, renamed))
+        found = list(find_differences(a, b, path.stem, renamed, set(options.added)))
         faults += len(found)
         for line in found[:options.most]:
             print(line)
@@ -212,6 +225,7 @@ def main():
     hold.add_argument("folder")
     hold.add_argument("other")
     hold.add_argument("--renamed", nargs="*", default=[])
+    hold.add_argument("--added", nargs="*", default=[])
     hold.add_argument("--most", type=int, default=20)
     options = parser.parse_args()
     return store(options) if options.command == "store" else compare(options)
