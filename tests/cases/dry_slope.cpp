@@ -24,7 +24,7 @@ std::string read_text(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-json run(const std::string& file, const std::vector<input::Override>& overrides) {
+json run_example(const std::string& file, const std::vector<input::Override>& overrides) {
   const fs::path folder = fs::temp_directory_path() / ("talus_dry_slope_" + std::to_string(getpid()));
   run::RunOptions options;
   options.folder = folder;
@@ -50,7 +50,7 @@ std::map<double, double> read_peer() {
 }
 
 TEST(DrySlope, DisplacementsAreThoseOfAnIndependentCodeOnTheSameMesh) {
-  const json summary = run("dry_slope/same_mesh_as_independent_code.toml", {});
+  const json summary = run_example("dry_slope/same_mesh_as_independent_code.toml", {});
   const auto peer = read_peer();
   ASSERT_EQ(peer.size(), 11u);
   int compared = 0;
@@ -70,8 +70,8 @@ TEST(DrySlope, DisplacementsAreThoseOfAnIndependentCodeOnTheSameMesh) {
 
 TEST(DrySlope, FrozenFactorAgreesWithSlicesForAssociatedFlow) {
   // 1.44 by Bishop, Spencer and Morgenstern-Price and by quadratic finite elements.
-  const json summary = run("dry_slope/case.toml",
-                           {{"materials.sand.dilatancy_angle", "30"}, {"strength_reduction.curve.enabled", "false"}});
+  const json summary = run_example(
+      "dry_slope/case.toml", {{"materials.sand.dilatancy_angle", "30"}, {"strength_reduction.curve.enabled", "false"}});
   const json& frozen = summary.at("factor_of_safety").at("frozen");
   EXPECT_NEAR(frozen.at("factor").get<double>(), 1.44, 0.02 * 1.44);
   for (const json& mesh : frozen.at("meshes")) EXPECT_FALSE(mesh.at("undecided").get<bool>());
@@ -81,13 +81,13 @@ TEST(DrySlope, FactorBelowOneScalesWithTheStrength) {
   // c and tanφ over 1.7 give F/1.7, also when the slope then fails under its own weight.
   const auto find = [](const char* cohesion, double tan_phi) {
     const json summary =
-        run("dry_slope/case.toml",
-            {{"mesh.size", "1.5"},
-             {"strength_reduction.frozen.meshes", "1"},
-             {"strength_reduction.curve.enabled", "false"},
-             {"stage.1.duration", "1"},
-             {"materials.sand.cohesion", cohesion},
-             {"materials.sand.friction_angle", std::to_string(std::atan(tan_phi) * 180 / std::numbers::pi)}});
+        run_example("dry_slope/case.toml",
+                    {{"mesh.size", "1.5"},
+                     {"strength_reduction.frozen.meshes", "1"},
+                     {"strength_reduction.curve.enabled", "false"},
+                     {"stage.1.duration", "1"},
+                     {"materials.sand.cohesion", cohesion},
+                     {"materials.sand.friction_angle", std::to_string(std::atan(tan_phi) * 180 / std::numbers::pi)}});
     return summary.at("factor_of_safety").at("value").get<double>();
   };
   const double whole = find("2", std::tan(30 * std::numbers::pi / 180));
@@ -98,7 +98,7 @@ TEST(DrySlope, FactorBelowOneScalesWithTheStrength) {
 
 TEST(GriffithsLane, ExampleOneAgreesWithFiniteElements) {
   // Quadratic elements: 1.350-1.356 for ψ = 0; the coarse pair of meshes here is allowed 3 %.
-  const json summary = run("griffiths_lane_1/case.toml", {{"mesh.size", "1"}});
+  const json summary = run_example("griffiths_lane_1/case.toml", {{"mesh.size", "1"}});
   EXPECT_NEAR(summary.at("factor_of_safety").at("value").get<double>(), 1.353, 0.03 * 1.353);
 }
 

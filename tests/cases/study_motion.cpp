@@ -4,8 +4,8 @@
 
 #include "output/files/history.hpp"
 #include "run/mpm/record/motion.hpp"
-#include "support/run_json.hpp"
 #include "study_slope.hpp"
+#include "support/run_json.hpp"
 #include "support/sliding_bank.hpp"
 
 namespace talus::study {
@@ -80,8 +80,8 @@ TEST(Sections, HoldTheStressUnderTheWeightOfTheSoil) {
   const auto time = fs::last_write_time(options.folder / "monitors.csv");
   const json again =
       support::run_case(input::read_case_text(sliding_bank, "bank.toml",
-                                          {{"output.section.0.name", "B"}, {"output.onset_displacement", "1 m"}}),
-                    options);
+                                              {{"output.section.0.name", "B"}, {"output.onset_displacement", "1 m"}}),
+                        options);
   EXPECT_TRUE(fs::exists(options.folder / "sections" / "B.csv"));
   EXPECT_GT(again.at("motion").at("threshold").get<double>(), summary.at("motion").at("threshold").get<double>());
   EXPECT_EQ(fs::last_write_time(options.folder / "monitors.csv"), time);

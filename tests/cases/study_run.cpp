@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/interrupt.hpp"
-#include "support/run_json.hpp"
 #include "study_slope.hpp"
+#include "support/run_json.hpp"
 
 namespace talus::study {
 namespace {
@@ -42,7 +42,7 @@ TEST(Study, TableHoldsWhatEachVariantAloneGives) {
     alone.threads = 2;
     fs::remove_all(alone.folder);
     support::run_case(input::read_case_text(coarse_slope, "slope.toml", {{"materials.sand.cohesion", cohesions[i]}}),
-                  alone);
+                      alone);
     EXPECT_EQ(std::stod(small.cells[i].full), read_displacement(alone.folder / "curve.csv", "1.4") / 0.001);
     EXPECT_EQ(std::stod(large.cells[i].full), read_displacement(alone.folder / "curve.csv", "2") / 0.001);
   }

@@ -39,7 +39,7 @@ void compare(input::StepSettings step, double duration) {
   const mesh::Mesh<D> mesh = make_step_mesh<D>();
   mpm::Body<D> whole = run::prepare<D>(data, mesh);
   const run::StagePlan<D> plan = make_stage<D>(data, whole, duration, step);
-  run(whole, plan);
+  run_plan(whole, plan);
   struct Interruption {};
   const auto file = std::filesystem::temp_directory_path() / ("talus_wet_" + std::to_string(getpid()) + ".h5");
   {

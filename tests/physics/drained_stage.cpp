@@ -40,7 +40,7 @@ TEST(DrainedStage, EffectiveStressIsTheBuoyantWeight) {
   for (const double level : {2.0, 4.0}) {  // capillary water above the level; a metre of water on the ground
     const input::Case data = make_column_case(level);
     auto body = run::prepare<2>(data, make_column_mesh());
-    EXPECT_EQ(run(body, make_rest_stage(data, body, 20, hold_water<2>())), results::StageEnd::rest);
+    EXPECT_EQ(run_plan(body, make_rest_stage(data, body, 20, hold_water<2>())), results::StageEnd::rest);
     for_each_point(body, [&](int, const mpm::PointView<2>& p) {
       Vec<2> xi;
       xi.fill(1.0 / 3);
@@ -57,7 +57,7 @@ TEST(DrainedStage, EffectiveStressIsTheBuoyantWeight) {
 template <int D>
 void expect_rest_when_let_go(const input::Case& data, const mesh::Mesh<D>& mesh) {
   auto body = run::prepare<D>(data, mesh);
-  ASSERT_EQ(run(body, make_rest_stage<D>(data, body, 20, hold_water<D>())), results::StageEnd::rest);
+  ASSERT_EQ(run_plan(body, make_rest_stage<D>(data, body, 20, hold_water<D>())), results::StageEnd::rest);
   input::StepSettings free = hold_water<D>();
   free.water = input::WaterMotion::flows;
   mpm::StepOptions<D> options = run::make_options(make_stage<D>(data, body, 1, free));
@@ -111,7 +111,7 @@ TEST(DrainedStage, NeedsFrozenGeometry) {
   auto body = run::prepare<2>(data, make_column_mesh());
   input::StepSettings moving = hold_water<2>();
   moving.geometry = input::Geometry::moving;
-  EXPECT_THROW(run(body, make_stage(data, body, 1, moving)), Error);
+  EXPECT_THROW(run_plan(body, make_stage(data, body, 1, moving)), Error);
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ TYPED_TEST(EngineEquilibrium, K0ColumnIsExactAndStaysAtRest) {
       mpm::Body<D> resting = body;
       const auto plan = support::make_stage(
           data, resting, 0.2, {.damping = 0, .integration = integration, .smoothing = input::Smoothing::none});
-      EXPECT_EQ(support::run(resting, plan), StageEnd::time);
+      EXPECT_EQ(support::run_plan(resting, plan), StageEnd::time);
       EXPECT_LT(resting.monitor.out_of_balance, 1e-9 * resting.monitor.external);
       EXPECT_LT(resting.monitor.speed, 1e-9);
       EXPECT_LT(mpm::find_largest_displacement(resting).value, 1e-10);
@@ -152,7 +152,7 @@ template <int D>
 mpm::Body<D> settle(const input::Case& data, const mesh::Mesh<D>& mesh, input::StepSettings step, double longest = 5,
                     double force_ratio = 1e-6) {
   mpm::Body<D> body = run::prepare<D>(data, mesh);
-  EXPECT_EQ(support::run(body, support::make_rest_stage(data, body, longest, step, force_ratio)), StageEnd::rest);
+  EXPECT_EQ(support::run_plan(body, support::make_rest_stage(data, body, longest, step, force_ratio)), StageEnd::rest);
   return body;
 }
 
@@ -193,7 +193,7 @@ TYPED_TEST(EngineEquilibrium, TractionsOnSidesAndOnPointsCompressAColumnByTheApp
     auto plan = support::make_rest_stage(data, body, 5, {.damping = 0.75, .smoothing = input::Smoothing::none});
     plan.rest.speed_ratio = 1e-2;
     plan.rest.hold = 0.06;
-    EXPECT_EQ(support::run(body, plan), StageEnd::rest);
+    EXPECT_EQ(support::run_plan(body, plan), StageEnd::rest);
     const double constrained = e * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
     // Forces on points act below the surface; a few elements deeper the stress is uniform (Saint-Venant).
     const double loaded = carrier == input::Carrier::sides ? height : 0.5 * height;
@@ -227,7 +227,7 @@ TEST(EngineEquilibriumPlane, LayersOfTwoMaterialsCarryTheirWeights) {
     });
   };
   expect_stress(1e-9);
-  EXPECT_EQ(support::run(body, support::make_stage(data, body, 0.1, {.integration = input::Integration::points})),
+  EXPECT_EQ(support::run_plan(body, support::make_stage(data, body, 0.1, {.integration = input::Integration::points})),
             StageEnd::time);
   expect_stress(1e-8);
   EXPECT_LT(body.monitor.out_of_balance, 1e-9 * body.monitor.external);

@@ -13,7 +13,7 @@ TEST(EngineGrid, ExplosionThatThrowsAllPointsOutOfTheGridIsAnError) {
         support::make_box_mesh<2>({6, 6}, {1.2, 1.2}, {"soil"}, [](const Vec<2>& x) { return x[1] < 0.8 ? 0 : -1; });
     const input::Case data = support::make_box_case<2>(support::make_elastic(10e6));
     mpm::Body<2> body = run::prepare<2>(data, mesh);
-    EXPECT_THROW(support::run(body, support::make_stage(data, body, 5, {.courant = courant})), Error) << courant;
+    EXPECT_THROW(support::run_plan(body, support::make_stage(data, body, 5, {.courant = courant})), Error) << courant;
   }
 }
 

@@ -40,7 +40,7 @@ TYPED_TEST(EngineGrid, PointsThatLeaveAreRecordedOnceWithTheirMassAndMomentum) {
   const auto before = mpm::sum_points(body, {});
   const int count = body.points.size();
   const auto plan = support::make_stage(data, body, 0.25, {});
-  EXPECT_EQ(support::run(body, plan), results::StageEnd::time);
+  EXPECT_EQ(support::run_plan(body, plan), results::StageEnd::time);
   EXPECT_NEAR(body.time, 0.25, 1e-12) << "the run goes on without them";
   ASSERT_GT(body.lost.size(), 10u);
   ASSERT_LT(static_cast<int>(body.lost.size()), count);
@@ -75,7 +75,7 @@ TYPED_TEST(EngineGrid, RunGoesOnWhenEverythingHasLeft) {
   data.boundaries.clear();
   data.initial.velocity["soil"] = {5, 0, 0};
   mpm::Body<D> body = run::prepare<D>(data, mesh);
-  EXPECT_EQ(support::run(body, support::make_stage(data, body, 0.5, {})), results::StageEnd::time);
+  EXPECT_EQ(support::run_plan(body, support::make_stage(data, body, 0.5, {})), results::StageEnd::time);
   EXPECT_EQ(mpm::sum_points(body, {}).points, 0);
   EXPECT_EQ(static_cast<int>(body.lost.size()), body.points.size());
 }

@@ -150,7 +150,7 @@ TEST(EngineWallsPlane, RollersOnAnInclinedPlaneLetABlockSlideWithTheSlopesShareO
     data.boundaries[0].normal = {std::sin(theta), -std::cos(theta), 0};
     mpm::Body<2> body = run::prepare<2>(data, mesh);
     const auto plan = support::make_stage(data, body, 0.5, {.damping = 0});
-    EXPECT_EQ(support::run(body, plan), results::StageEnd::time);
+    EXPECT_EQ(support::run_plan(body, plan), results::StageEnd::time);
     ASSERT_TRUE(body.lost.empty());
     const auto t = mpm::sum_points(body, {});
     // Rollers push along the normal only: the momentum along the slope is that of gravity, whatever the block does.
@@ -179,7 +179,7 @@ TYPED_TEST(EngineWalls, PrescribedVelocityFollowsItsTable) {
   data.gravity.acceleration = 0;
   mpm::Body<D> body = run::prepare<D>(data, mesh);
   const auto plan = support::make_stage(data, body, 0.5, {});
-  EXPECT_EQ(support::run(body, plan), results::StageEnd::time);
+  EXPECT_EQ(support::run_plan(body, plan), results::StageEnd::time);
   // ∫ factor dt = 0.1 on the way up, 0 in the turn, -0.1 after it; the step adds O(Δt)
   const double dt = 0.9 * mpm::find_critical_step(body, 1).dt;
   support::for_each_point(body, [&](int, const mpm::PointView<D>& p) {
@@ -189,7 +189,7 @@ TYPED_TEST(EngineWalls, PrescribedVelocityFollowsItsTable) {
   });
   // half way up: at t = 0.3 the displacement is v·0.1
   mpm::Body<D> half = run::prepare<D>(data, mesh);
-  EXPECT_EQ(support::run(half, support::make_stage(data, half, 0.3, {})), results::StageEnd::time);
+  EXPECT_EQ(support::run_plan(half, support::make_stage(data, half, 0.3, {})), results::StageEnd::time);
   support::for_each_point(half, [&](int, const mpm::PointView<D>& p) {
     EXPECT_NEAR(p.displacement[0], 0.02 * 0.1, 0.02 * 2 * dt);
     EXPECT_NEAR(p.displacement[1], -0.01 * 0.1, 0.01 * 2 * dt);

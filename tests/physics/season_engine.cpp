@@ -61,9 +61,9 @@ mesh::Mesh<2> make_column_mesh() {
 template <int D>
 mpm::Body<D> make_still_body(const input::Case& data, const mesh::Mesh<D>& mesh) {
   mpm::Body<D> body = run::prepare<D>(data, mesh);
-  run(body,
-      make_rest_stage<D>(data, body, 5,
-                         {.damping = 0.5, .geometry = input::Geometry::frozen, .water = input::WaterMotion::held}));
+  run_plan(body, make_rest_stage<D>(
+                     data, body, 5,
+                     {.damping = 0.5, .geometry = input::Geometry::frozen, .water = input::WaterMotion::held}));
   return body;
 }
 
@@ -81,7 +81,7 @@ TEST(SeasonEngine, ColumnDriesAsInSeepage) {
   auto body = make_still_body<2>(data, mesh);
   EXPECT_EQ(body.water.transpired, 0) << "held water";
   const double before = run::find_water_state(body).mass;
-  run(body, make_stage<2>(data, body, duration, flowing));
+  run_plan(body, make_stage<2>(data, body, duration, flowing));
   EXPECT_LT(std::abs(run::tell_water(data, body, before).error), 1e-11) << "65 000 steps";
 
   mesh::Mesh<2> wet;

@@ -3,8 +3,8 @@
 #include "input/read.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
-#include "support/run_json.hpp"
 #include "schema.hpp"
+#include "support/run_json.hpp"
 
 namespace talus::report {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "report/words/numbers.hpp"
 #include "report/report.hpp"
+#include "report/words/numbers.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
 #include "small_run.hpp"

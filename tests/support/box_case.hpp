@@ -105,7 +105,7 @@ run::StagePlan<D> make_rest_stage(const input::Case& data, const mpm::Body<D>& b
 
 /// Runs a stage from its start.
 template <int D>
-results::StageEnd run(mpm::Body<D>& body, const run::StagePlan<D>& plan) {
+results::StageEnd run_plan(mpm::Body<D>& body, const run::StagePlan<D>& plan) {
   run::StageState state;
   return run::run_stage(body, plan, state);
 }
