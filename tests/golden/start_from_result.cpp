@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -64,7 +65,7 @@ class StartFromResult : public testing::Test {
     mpm::Body<D> whole = run::prepare<D>(one.data, mesh::generate<D>(one.data.mesh));
     run_stage<D>(one, 0, whole);
     fs::create_directories(folder_ / "one");
-    run::save_end_state<D>(folder_ / "one", one.echo.get(), one.echo.get(), "", whole);
+    run::save_end_state<D>(folder_ / "one", one.echo, one.echo, "", whole);
     const std::vector<int> element = whole.points.element;
 
     bank.base = "silt";  // the same soils, in the other order of the alphabet

@@ -2,6 +2,7 @@
 // A slope so coarse that a whole strength reduction of it takes a second, with everything that a report shows.
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "input/read.hpp"

@@ -3,6 +3,7 @@
 // standing water that rises, rain in steps, runoff, a drained and a coupled stage.
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "input/read.hpp"
