@@ -70,7 +70,7 @@ TEST(VoidRatio, StandsForThePorosity) {
 }
 
 TEST(VoidRatio, MayStandWhereTheResultHadAPorosity) {
-  const nlohmann::json before = read_case_text(slope, "slope.toml").echo.get();
+  const JsonTree before = read_case_text(slope, "slope.toml").echo;
   const auto start = [](const char* ratio) {
     return read_case_text(change(slope, "porosity = 0.2", "void_ratio = " + std::string(ratio)), "slope.toml");
   };
