@@ -64,7 +64,7 @@ resolution = 0.02
   const auto best = support::find_result(summary, "lem.handed[fem.associated.band].spencer_optimised");
   ASSERT_TRUE(best.has_value());
   EXPECT_LE(*best, *handed + 1e-6);
-  EXPECT_FALSE(summary.at("methods").at("reading").empty());
+  EXPECT_FALSE(summary.at("methods").at("remarks").empty());
   for (const char* file : {"summary.json", "lem.json", "fem.json"})
     EXPECT_TRUE(std::filesystem::exists(folder_ / file)) << file;
 }

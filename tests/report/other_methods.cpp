@@ -160,11 +160,13 @@ TEST_F(OtherMethods, NameOneFactorOfEach) {
   EXPECT_EQ(main[0], slices.at("factor"));
   EXPECT_EQ(main[1], document().at("finite_elements").at("runs")[0].at("factor"));
   EXPECT_EQ(slices.at("factor"), summary_->at("lem").at("critical")[1].at("factor"));
-  // Strength at failure is that at the factor of the slices.
+  // Strength at failure is that at the factor that stands for the run, which over-design rests on too.
+  const double stands = summary_->at("main_factor");
+  EXPECT_EQ(stands, main[1]);
   for (const json& soil : document().at("model").at("materials"))
     for (const json& p : soil.at("properties"))
       if (p.at("key") == "cohesion") {
-        EXPECT_NEAR(p.at("at_failure").get<double>() * main[0], p.at("characteristic").get<double>(), 1e-9);
+        EXPECT_NEAR(p.at("at_failure").get<double>() * stands, p.at("characteristic").get<double>(), 1e-9);
       }
 }
 
@@ -313,11 +315,12 @@ TEST_F(OtherMethods, AMethodWithoutAnAnswerSaysWhy) {
 
 TEST(ExtrapolatedStudy, TellsTheFactorAtSizeZeroFirst) {
   const fs::path folder = make_test_folder("extrapolated");
-  const auto factor = [](const char* criterion, const json& factors, const json& error) {
-    return json{{"criterion", criterion}, {"variant", ""},           {"sizes", {1.0, 0.5, 0.25}}, {"factors", factors},
-                {"linear", 1.39},         {"standard_error", error}, {"finest_pair", 1.388},      {"order", nullptr}};
+  const auto factor = [](const std::string& by, const json& factors, const json& error) {
+    return json{{"criterion", "FoS, " + by}, {"by", by},       {"variant", ""},           {"sizes", {1.0, 0.5, 0.25}},
+                {"factors", factors},        {"linear", 1.39}, {"standard_error", error}, {"finest_pair", 1.388},
+                {"order", nullptr}};
   };
-  const json factors{factor("FoS, Spencer", {1.44, 1.44, 1.44}, 0.0), factor("FoS, frozen", {1.46, 1.43, 1.41}, 0.004)};
+  const json factors{factor("Spencer", {1.44, 1.44, 1.44}, 0.0), factor("frozen", {1.46, 1.43, 1.41}, 0.004)};
   std::ofstream(folder / "study.json") << json{
       {"title", "Meshes"},
       {"variants", json::array({{{"name", "base"}, {"status", "finished"}}})},

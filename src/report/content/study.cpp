@@ -83,8 +83,9 @@ void say_extrapolation(const results::StudyExtrapolation& extrapolation, std::ve
   if (factors.empty() || factors.size() > most_extrapolated) return;
   std::vector<std::string> parts;
   for (const results::ExtrapolatedFactor& f : factors) {
+    const std::string& by = f.by.empty() ? f.criterion : f.by;  // older versions wrote the title of the column alone
     parts.push_back(fmt::format("{:.3f}{} ({}{})", f.linear,
-                                f.standard_error ? fmt::format(" ± {:.3f}", *f.standard_error) : "", f.by,
+                                f.standard_error ? fmt::format(" ± {:.3f}", *f.standard_error) : "", by,
                                 f.variant.empty() ? "" : "; " + f.variant));
   }
   sentences.push_back(
