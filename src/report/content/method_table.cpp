@@ -31,19 +31,6 @@ json write(std::optional<double> value) {
   return value ? json(*value) : json();
 }
 
-json take_row(const MethodRow& row) {
-  return {{"method", to_word(row.method)},
-          {"name", row.name},
-          {"title", row.title},
-          {"criterion", row.criterion},
-          {"surface", row.surface},
-          {"note", row.note},
-          {"factor", write(take_factor(row.factor))},
-          {"lower", write(take_factor(row.lower))},
-          {"upper", write(take_factor(row.upper))},
-          {"seconds", write(row.seconds)}};
-}
-
 json take_partial_factors(const results::DesignStatement& block) {
   json values = json::array(), materials = json::array();
   for (const results::PartialFactor& v : block.values)
@@ -82,6 +69,20 @@ SurfaceSource find_source(const MethodRow& row) {
   if (row.method == Method::fem) return SurfaceSource::band;
   if (row.surface == "lem." + row.name) return SurfaceSource::critical;
   return row.surface == "lem.noncircular." + row.name ? SurfaceSource::noncircular : SurfaceSource::given;
+}
+
+json take_row(const MethodRow& row) {
+  return {{"method", to_word(row.method)},
+          {"name", row.name},
+          {"title", row.title},
+          {"criterion", row.criterion},
+          {"surface", row.surface},
+          {"source", to_word(find_source(row))},
+          {"note", row.note},
+          {"factor", write(take_factor(row.factor))},
+          {"lower", write(take_factor(row.lower))},
+          {"upper", write(take_factor(row.upper))},
+          {"seconds", write(row.seconds)}};
 }
 
 /// Displacements have no bracket.

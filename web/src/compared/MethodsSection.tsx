@@ -99,7 +99,7 @@ function FactorRows({ table }: { table: MethodTable }) {
   ];
   // A surface that slices were given is no answer of theirs.
   const isGiven = (row: MethodRow) =>
-    row.method === "lem" && (!row.surface.startsWith("lem.") || /^lem\.(surface|handed)\[/.test(row.surface));
+    row.method === "lem" && row.source !== "critical" && row.source !== "noncircular";
   const given = rows.some((row) => row.method === "lem" && !isGiven(row)) ? rows.filter(isGiven) : [];
   const found = rows.filter((row) => !given.includes(row));
   const shared = { reference, compare };
@@ -122,7 +122,7 @@ function FactorRows({ table }: { table: MethodTable }) {
 
 function Handed({ table }: { table: MethodTable }) {
   // The table has them where slices are among the methods.
-  const inTable = table.rows.some((row) => row.method === "lem" && row.surface && !row.surface.startsWith("lem."));
+  const inTable = table.rows.some((row) => row.source === "handed");
   if (table.handed.length === 0 || inTable) return null;
   return (
     <figure class="chart-figure" aria-label="Surfaces handed to slices">

@@ -23,6 +23,8 @@ export interface MethodRow {
   criterion: string;
   /** Of `surfaces`; empty where there is none. */
   surface: string;
+  /** Where that surface comes from: slices find "critical" circles and "noncircular" polylines themselves. */
+  source: "none" | "critical" | "noncircular" | "given" | "handed" | "optimised" | "band" | "slip_line";
   /** null: none was found, `note` says why. */
   factor: number | null;
   lower: number | null;
