@@ -85,7 +85,7 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   if (json curve = make_curve(folder); !curve.is_null()) document["curve"] = std::move(curve);
   document["sequences"] = pack_sequences(folder, packer);
   document["tables"] = make_tables(folder, document["warnings"]);
-  if (run.motion) document["motion"] = take_motion(*run.motion);
+  if (run.motion) document["motion"] = results::to_json(*run.motion);
   if (json sections = make_sections(folder, document["warnings"]); !sections.empty())
     document["sections"] = std::move(sections);
   add_other_methods(folder, packer, document);

@@ -34,8 +34,6 @@ void add_calibration(const ResultFolder& folder, json& document) {
   const auto found = results::read_file<results::Calibration>(folder.path / "calibration" / "calibration.json");
   if (!found) return;
   json section = results::to_json(*found);
-  for (const char* key : {"format", "title", "seed", "wall", "findings"}) section.erase(key);
-  for (json& parameter : section["parameters"]) parameter.erase("text");
   for (std::size_t i = 0; i < found->curves.size(); ++i) {
     section["curves"][i]["x"]["kind"] = name_kind(found->curves[i].x);
     section["curves"][i]["y"]["kind"] = name_kind(found->curves[i].y);

@@ -189,9 +189,9 @@ json describe_mesh(const results::Mesh& mesh) {
 }
 
 template <int D>
-void add_mesh(const mesh::Mesh<D>& mesh, json& block, Packer& packer) {
+void add_mesh(const mesh::Mesh<D>& mesh, bool is_measured, json& block, Packer& packer) {
   // A run that was killed has no summary.
-  if (block["elements"] == 0) {
+  if (!is_measured) {
     const mesh::Quality<D> quality = mesh::measure_quality(mesh);
     block["nodes"] = mesh.nodes.size();
     block["elements"] = mesh.elements.size();
@@ -256,17 +256,19 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
   const std::size_t dimension = get_dimension(folder.run);
   const ShownUnits units = read_units(folder.run);
   const input::Case& data = folder.data;
-  json mesh = describe_mesh(folder.run.mesh.value_or(results::Mesh{}));
+  const results::Mesh told = folder.run.mesh.value_or(results::Mesh{});
+  const bool is_measured = told.elements > 0;
+  json mesh = describe_mesh(told);
   std::optional<mesh::Mesh<2>> plane;
   std::optional<mesh::Mesh<3>> space;
   if (std::filesystem::exists(folder.path / "mesh.h5")) {
     const output::ArchiveReader archive(folder.path / "mesh.h5");
     if (dimension == 2) {
       plane = run::get_mesh<2>(archive);
-      add_mesh<2>(*plane, mesh, packer);
+      add_mesh<2>(*plane, is_measured, mesh, packer);
     } else {
       space = run::get_mesh<3>(archive);
-      add_mesh<3>(*space, mesh, packer);
+      add_mesh<3>(*space, is_measured, mesh, packer);
     }
   }
   // Nothing tells of the case of a run that was killed, and element tests have no weight.

@@ -65,7 +65,6 @@ json make_point_tests(const ResultFolder& folder) {
     for (const std::size_t test : group.tests)
       for (const results::PointPanel& panel : group.panels) wanted.at(test).insert({panel.x, panel.y});
     groups.push_back(results::to_json(group));
-    groups.back().erase("picture");
   }
   for (std::size_t i = 0; i < list.size(); ++i) {
     const results::PointTest& test = list[i];

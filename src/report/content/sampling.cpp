@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include "report/words/numbers.hpp"
@@ -15,14 +14,6 @@ using nlohmann::json;
 
 namespace {
 
-/// Takes out what the page does not show, of a block or of each entry of a list.
-void leave_out(json& block, std::initializer_list<const char*> keys) {
-  if (block.is_array())
-    for (json& entry : block) leave_out(entry, keys);
-  else
-    for (const char* key : keys) block.erase(key);
-}
-
 /// "2.4 %", "0.031 %", "0".
 std::string show_share(double share) {
   return share == 0 ? "0" : show_number(100 * share, 2) + " %";
@@ -31,31 +22,7 @@ std::string show_share(double share) {
 }  // namespace
 
 json make_sampling(const results::Sampling& sampling) {
-  json taken = results::to_json(sampling);
-  leave_out(taken, {"check", "samples_file", "fits"});
-  leave_out(taken["numbers"], {"lowest", "highest"});
-  for (const char* list : {"tornado", "ranks"}) {
-    if (taken[list].is_null()) taken[list] = json::array();
-    leave_out(taken[list], {"key"});
-  }
-  for (const char* block : {"factor", "failure", "first_order", "design_point", "runout"})
-    if (taken[block].is_null()) taken.erase(block);
-  if (sampling.factor) leave_out(taken["factor"], {"variation"});
-  if (sampling.failure) leave_out(taken["failure"], {"with_largest_difference"});
-  if (sampling.design_point) {
-    leave_out(taken["design_point"], {"iterations", "factor"});
-    leave_out(taken["design_point"]["values"], {"key"});
-  }
-  if (sampling.runout) {
-    leave_out(taken["runout"], {"variation", "name"});
-    leave_out(taken["runout"]["ranks"], {"key"});
-  }
-  if (sampling.fits) {
-    const auto& [normal, lognormal] = *sampling.fits;
-    taken["fits"] = {{{"name", "normal"}, {"index", normal.index}, {"probability", normal.probability}},
-                     {{"name", "lognormal"}, {"index", lognormal.index}, {"probability", lognormal.probability}}};
-  }
-  return taken;
+  return results::to_json(sampling);
 }
 
 void say_sampling(const results::Sampling& sampling, std::vector<std::string>& sentences) {

@@ -12,7 +12,6 @@
 #include "report/content/fields.hpp"
 #include "report/content/thinning.hpp"
 #include "report/words/numbers.hpp"
-#include "results/json.hpp"
 #include "run/mpm/record/motion.hpp"
 
 namespace talus::report {
@@ -78,12 +77,6 @@ json make_sections(const ResultFolder& folder, json& warnings) {
     }
   }
   return sections;
-}
-
-json take_motion(const results::Motion& motion) {
-  json taken = results::to_json(motion);
-  taken.erase("order");
-  return taken;
 }
 
 json make_paths(const ResultFolder& folder, json& warnings) {

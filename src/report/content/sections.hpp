@@ -11,9 +11,6 @@ namespace talus::report {
 /// table that cannot be read adds a warning.
 nlohmann::json make_sections(const ResultFolder& folder, nlohmann::json& warnings);
 
-/// `Motion`.
-nlohmann::json take_motion(const results::Motion& motion);
-
 /// `MonitorPaths`: the displacement of the monitors from the start of the clock on; null when there are none.
 nlohmann::json make_paths(const ResultFolder& folder, nlohmann::json& warnings);
 

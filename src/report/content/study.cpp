@@ -140,7 +140,7 @@ json make_row(const results::StudyVariant& variant, const std::optional<ResultFo
   json warnings = json::array();
   if (folder) {
     if (json curve = make_curve(*folder); !curve.is_null()) row["curve"] = std::move(curve);
-    if (folder->run.motion) row["motion"] = take_motion(*folder->run.motion);
+    if (folder->run.motion) row["motion"] = results::to_json(*folder->run.motion);
     if (json paths = make_paths(*folder, warnings); !paths.is_null()) row["paths"] = std::move(paths);
     if (json sections = make_sections(*folder, warnings); !sections.empty()) row["sections"] = std::move(sections);
   }

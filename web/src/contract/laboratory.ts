@@ -31,6 +31,8 @@ export interface PointTest {
 export interface PointGroup {
   id: string;
   title: string;
+  /** File of the picture, in the folder. */
+  picture: string;
   /** Names of columns. */
   panels: { x: string; y: string; log_x: boolean }[];
   /** Numbers of its tests, and of each the number of its colour and of its dashes. */
@@ -55,6 +57,8 @@ export interface CalibratedParameter {
   unit: string;
   start: number;
   value: number;
+  /** As `--set` takes it. */
+  text: string;
   low: number;
   high: number;
   /** Standard error; null where the curves do not tell it. */
@@ -102,6 +106,12 @@ export interface CalibrationStart {
 }
 
 export interface Calibration {
+  format: number;
+  title: string;
+  /** Of the starts. */
+  seed: number;
+  /** [s] */
+  wall: number;
   parameters: CalibratedParameter[];
   curves: CalibratedCurve[];
   /** Null where a parameter has no standard error. */
@@ -115,4 +125,6 @@ export interface Calibration {
   scatter: number;
   evaluations: number;
   tests: number;
+  /** What to distrust. */
+  findings: string[];
 }

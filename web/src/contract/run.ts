@@ -70,6 +70,8 @@ export interface Motion {
   threshold: number;
   /** Onset on that clock [s], null for a point that did not move; displacement at the end [m]. */
   monitors: { name: string; onset: number | null; displacement: number | null }[];
+  /** Names of those that moved, first to last. */
+  order: string[];
   pattern: "none" | "single" | "together" | "upwards" | "downwards" | "mixed";
   sentence: string;
 }

@@ -14,39 +14,51 @@ export interface Sampling {
   seconds: number;
   numbers: SampledNumber[];
   correlations: { keys: string[]; asked: number; sampled: number | null }[];
-  factor?: SampledValues;
-  failure?: FailureProbability;
+  factor: SampledValues | null;
+  failure: FailureProbability | null;
   /** From the slopes of the factor at the means. */
-  first_order?: {
+  first_order: {
     mean_factor: number | null;
     deviation: number | null;
     index_normal: number | null;
     index_lognormal: number | null;
-  };
+  } | null;
   /** The most probable values at failure, after Hasofer and Lind. */
-  design_point?: {
+  design_point: {
     index: number | null;
     probability: number | null;
     converged: boolean;
-    values: { name: string; unit: string; value: number | null; importance: number | null }[];
-  };
+    iterations: number;
+    /** The factor there. */
+    factor: number | null;
+    values: { key: string; name: string; unit: string; value: number | null; importance: number | null }[];
+  } | null;
   /** From mean and deviation of the sampled factors. */
-  fits?: { name: string; index: number | null; probability: number | null }[];
+  fits: { normal: FittedLaw; lognormal: FittedLaw } | null;
   /** Longest first; one number one deviation below and above its mean, the others at theirs. */
   tornado: {
+    key: string;
     name: string;
     unit: string;
     low_value: number | null;
     high_value: number | null;
     low_factor: number | null;
     high_factor: number | null;
-  }[];
+  }[] | null;
   /** Spearman's coefficients with the factor. */
-  ranks: RankCorrelation[];
+  ranks: RankCorrelation[] | null;
   /** 0: every sample was searched for itself. */
   surfaces: number;
-  runout?: Runout;
+  /** Quick factors against searches: by how much they lie above, relative. */
+  check: { samples: number; largest: number | null; mean: number | null } | null;
+  runout: Runout | null;
   notes: string[];
+  samples_file: string;
+}
+
+export interface FittedLaw {
+  index: number | null;
+  probability: number | null;
 }
 
 export interface SampledNumber {
@@ -59,10 +71,14 @@ export interface SampledNumber {
   /** In `unit`; null where it is not known. */
   mean: number | null;
   deviation: number | null;
+  /** Null: no limit. */
+  lowest: number | null;
+  highest: number | null;
   sampled: { mean: number | null; deviation: number | null; smallest: number | null; largest: number | null };
 }
 
 export interface RankCorrelation {
+  key: string;
   name: string;
   coefficient: number | null;
 }
@@ -73,6 +89,8 @@ export interface SampledValues {
   none: number;
   mean: number | null;
   deviation: number | null;
+  /** Coefficient of variation. */
+  variation: number | null;
   skewness: number | null;
   smallest: number | null;
   largest: number | null;
@@ -98,10 +116,13 @@ export interface FailureProbability {
   interval: string;
   /** [samples, probability, lower, upper]. */
   growth: number[][];
+  /** If every factor were off by the largest difference of the check. */
+  with_largest_difference?: number | null;
 }
 
 /** How probable it is that the soil comes farther than a distance. */
 export interface Runout extends SampledValues {
+  name: string;
   unit: string;
   /** [distance, probability, lower, upper]. */
   curve: number[][];

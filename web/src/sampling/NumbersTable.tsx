@@ -7,8 +7,9 @@ import { showName } from "./names";
 
 export function NumbersTable({ sampling }: { sampling: Sampling }) {
   const { numbers, correlations } = sampling;
+  const ranks = sampling.ranks ?? [];
   const name = (key: string) => showName(numbers.find((n) => n.key === key)?.name ?? key);
-  const rank = (of: string) => sampling.ranks.find((r) => r.name === of)?.coefficient ?? null;
+  const rank = (key: string) => ranks.find((r) => r.key === key)?.coefficient ?? null;
   return (
     <figure class="chart-figure" aria-label="Uncertain numbers">
       <h4>Uncertain numbers</h4>
@@ -30,7 +31,7 @@ export function NumbersTable({ sampling }: { sampling: Sampling }) {
               <th scope="col" class="chart-number">
                 to
               </th>
-              {sampling.ranks.length > 0 && (
+              {ranks.length > 0 && (
                 <th scope="col" class="chart-number chart-wrap">
                   Rank correlation with F
                 </th>
@@ -50,7 +51,7 @@ export function NumbersTable({ sampling }: { sampling: Sampling }) {
                 <td class="chart-number">{formatNumber(n.sampled.deviation, 3)}</td>
                 <td class="chart-number">{formatNumber(n.sampled.smallest, 4)}</td>
                 <td class="chart-number">{formatNumber(n.sampled.largest, 4)}</td>
-                {sampling.ranks.length > 0 && <td class="chart-number">{formatNumber(rank(n.name), 2)}</td>}
+                {ranks.length > 0 && <td class="chart-number">{formatNumber(rank(n.key), 2)}</td>}
               </tr>
             ))}
           </tbody>

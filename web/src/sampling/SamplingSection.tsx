@@ -1,6 +1,6 @@
 /** A study with sampled numbers: probability of failure, distribution of the factor, sensitivities, runout. */
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
-import type { Sampling } from "../contract";
+import type { FittedLaw, Sampling } from "../contract";
 import { Facts } from "../page/DataTable";
 import { formatSentence } from "../page/format";
 import { report } from "../state";
@@ -27,11 +27,15 @@ function Estimates({ sampling }: { sampling: Sampling }) {
         (failure.index === null ? "" : `; ${index(failure.index)}`),
     ]);
   }
-  for (const fit of fits ?? [])
+  const addFit = (name: string, fit: FittedLaw) =>
     rows.push([
-      `${fit.name === "normal" ? "Normal" : "Lognormal"} distribution of F`,
+      `${name} distribution of F`,
       `${formatShare(fit.probability)}, ${index(fit.index)}: from mean and deviation of the samples`,
     ]);
+  if (fits) {
+    addFit("Normal", fits.normal);
+    addFit("Lognormal", fits.lognormal);
+  }
   if (first)
     rows.push([
       "First order at the means",
@@ -87,7 +91,7 @@ export function SamplingSection() {
             part="factor-histogram"
           />
         )}
-        {sampling.tornado.length > 0 && <TornadoChart sampling={sampling} />}
+        {sampling.tornado && sampling.tornado.length > 0 && <TornadoChart sampling={sampling} />}
         {failure && failure.growth.length > 1 && <GrowthChart failure={failure} />}
         {runout && <RunoutChart runout={runout} />}
         {runout && runout.histogram.counts.length > 0 && (

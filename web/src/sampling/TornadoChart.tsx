@@ -12,17 +12,18 @@ const low = { colour: "var(--series-2)", dash: "", symbol: "circle" } as const;
 const high = { colour: "var(--series-1)", dash: "", symbol: "circle" } as const;
 
 export function TornadoChart({ sampling }: { sampling: Sampling }) {
-  const bars = sampling.tornado.filter((b) => b.low_factor !== null && b.high_factor !== null);
+  const bars = (sampling.tornado ?? []).filter((b) => b.low_factor !== null && b.high_factor !== null);
   if (bars.length === 0) return null;
   const factors = bars.flatMap((b) => [b.low_factor!, b.high_factor!]);
-  const means = sampling.first_order?.mean_factor ?? factors.reduce((a, b) => a + b, 0) / factors.length;
-  const ends = [Math.min(means, ...factors), Math.max(means, ...factors)] as const;
+  const atMeans = sampling.first_order?.mean_factor ?? null;
+  const middle = atMeans ?? factors.reduce((a, b) => a + b, 0) / factors.length;
+  const ends = [Math.min(middle, ...factors), Math.max(middle, ...factors)] as const;
   const pad = 0.12 * (ends[1] - ends[0]) || 0.02;
-  const rank = (name: string) => sampling.ranks.find((r) => r.name === name)?.coefficient ?? null;
+  const rank = (key: string) => sampling.ranks?.find((r) => r.key === key)?.coefficient ?? null;
   const draw = (width: number): Plot.PlotOptions => {
     const bar = (side: "low_factor" | "high_factor", colour: string) =>
       Plot.rect(bars, {
-        x1: means,
+        x1: middle,
         x2: side,
         y1: (_, k) => k - 0.3,
         y2: (_, k) => k + 0.3,
@@ -41,7 +42,7 @@ export function TornadoChart({ sampling }: { sampling: Sampling }) {
         Plot.gridX({ ticks: 6, stroke: "var(--chart-line)", strokeOpacity: 1 }),
         bar("low_factor", low.colour),
         bar("high_factor", high.colour),
-        Plot.ruleX([means], { stroke: "var(--chart-ink)" }),
+        Plot.ruleX(atMeans === null ? [] : [atMeans], { stroke: "var(--chart-ink)" }),
         Plot.text(bars, {
           frameAnchor: "left",
           y: (_, k) => k - 0.5,
@@ -68,7 +69,7 @@ export function TornadoChart({ sampling }: { sampling: Sampling }) {
             { name: "factor", unit: "-", values: bars.map((b) => b.low_factor) },
             { name: "one deviation more", values: bars.map((b) => b.high_value) },
             { name: "factor", unit: "-", values: bars.map((b) => b.high_factor) },
-            { name: "rank correlation with the factor", unit: "-", values: bars.map((b) => rank(b.name)) },
+            { name: "rank correlation with the factor", unit: "-", values: bars.map((b) => rank(b.key)) },
           ]}
         />
       </div>
@@ -88,7 +89,7 @@ export function TornadoChart({ sampling }: { sampling: Sampling }) {
         hint="Point at a bar to read it."
         read={(k) => {
           const b = bars[k]!;
-          const correlation = rank(b.name);
+          const correlation = rank(b.key);
           return {
             text:
               `${showName(b.name)}: F = ${formatNumber(b.low_factor, 4)} to ${formatNumber(b.high_factor, 4)}` +
@@ -97,7 +98,9 @@ export function TornadoChart({ sampling }: { sampling: Sampling }) {
           };
         }}
       />
-      <p class="chart-note">The line is the factor with all numbers at their means, {formatNumber(means, 4)}.</p>
+      {atMeans !== null && (
+        <p class="chart-note">The line is the factor with all numbers at their means, {formatNumber(atMeans, 4)}.</p>
+      )}
     </figure>
   );
 }

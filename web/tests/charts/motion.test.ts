@@ -21,6 +21,7 @@ const motion = (toe: number | null) => ({
     { name: "toe", onset: toe, displacement: 1 },
     { name: "crest", onset: null, displacement: 1 },
   ],
+  order: ["toe"],
   pattern: "single" as const,
   sentence: "",
 });

@@ -26,6 +26,7 @@ const tests: PointTests = {
     {
       id: "compression",
       title: "Compression tests",
+      picture: "compression.svg",
       panels: [{ x: "p", y: "void_ratio", log_x: true }],
       tests: [0, 1],
       colour: [0, 1],
