@@ -62,11 +62,19 @@ PAGE_DATA = re.compile(r'<script type="application/json" id="talus-report">(.*?)
 SECONDS = re.compile(r"([:;]) [0-9.e+-]+ s\.$")  # of computing, at the end of a sentence
 
 
-def strip_line(line):
-    """A row of a study's table without its wall time, a sentence without its seconds."""
-    if line.startswith("|"):
-        return re.sub(r"\|[^|]*\|([^|]*)\|$", r"|…|\1|", line)
-    return SECONDS.sub(r"\1 … s.", line)
+def strip_lines(text):
+    """Tables without their column of the wall time, sentences without their seconds."""
+    column = None
+    for line in text.splitlines():
+        if not line.startswith("|"):
+            column = None
+            yield SECONDS.sub(r"\1 … s.", line)
+            continue
+        cells = line.split("|")
+        column = next((i for i, cell in enumerate(cells) if cell.strip().startswith("wall time")), column)
+        if column is not None and column < len(cells):
+            cells[column] = "…"
+        yield "|".join(cells)
 
 
 def strip(node):
@@ -85,11 +93,11 @@ def strip(node):
 def strip_text(text):
     """Lines that tell of seconds of computing end before them."""
     kept = []
-    for line in text.splitlines():
+    for line in strip_lines(text):
         if line.startswith("Computing time") or " done in " in line or "wall" in line:
             continue
         # A row of the table of methods ends with its seconds.
-        kept.append(re.sub(r"(\d\.\d{3}|none)\s+[0-9.e+-]+$", r"\1", line) if line.startswith("  ") else strip_line(line))
+        kept.append(re.sub(r"(\d\.\d{3}|none)\s+[0-9.e+-]+$", r"\1", line) if line.startswith("  ") else line)
     return "\n".join(kept)
 
 
@@ -113,7 +121,7 @@ def keep_file(path):
     if path.suffix == ".csv":
         return "text", strip_csv(path.read_text(encoding="utf-8"))
     if path.suffix == ".md":
-        return "text", "\n".join(map(strip_line, path.read_text("utf-8").splitlines()))
+        return "text", "\n".join(strip_lines(path.read_text("utf-8")))
     return "hash", hashlib.sha256(path.read_bytes()).hexdigest()
 
 
