@@ -4,7 +4,6 @@
 
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
-#include "input/case/method_names.hpp"
 #include "input/case/partial_factors.hpp"
 #include "input/read.hpp"
 #include "run/mpm/start/end_state.hpp"
@@ -38,7 +37,7 @@ std::string describe_soil(const input::Case& data) {
 std::string describe_slices(const input::LimitEquilibrium& lem) {
   std::string methods;
   for (const input::SliceMethod method : lem.methods)
-    methods += (methods.empty() ? "" : ", ") + std::string(input::get_title(method));
+    methods += (methods.empty() ? "" : ", ") + std::string(get_title(method));
   std::string surfaces;
   if (lem.search == input::SurfaceSearch::entry_exit) surfaces = "circles between entries and exits";
   if (lem.search == input::SurfaceSearch::grid) surfaces = "circles about a grid of centres";

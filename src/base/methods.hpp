@@ -1,6 +1,8 @@
 #pragma once
 // What answers: the three methods, and the methods of slices. One word for each, from the case to the page.
 
+#include <array>
+
 namespace talus {
 
 /// Slices, finite elements, material points.
@@ -15,5 +17,33 @@ enum class SliceMethod {
   morgenstern_price,          ///< half-sine interslice function
   morgenstern_price_constant  ///< constant interslice function: Spencer's forces by the other formulation
 };
+
+/// A method of slices as files and as people call it.
+struct SliceMethodName {
+  SliceMethod method;
+  const char *word, *title;
+};
+inline constexpr std::array slice_methods{
+    SliceMethodName{SliceMethod::fellenius, "fellenius", "Fellenius"},
+    SliceMethodName{SliceMethod::bishop, "bishop", "Bishop simplified"},
+    SliceMethodName{SliceMethod::janbu, "janbu", "Janbu simplified"},
+    SliceMethodName{SliceMethod::janbu_corrected, "janbu_corrected", "Janbu corrected"},
+    SliceMethodName{SliceMethod::spencer, "spencer", "Spencer"},
+    SliceMethodName{SliceMethod::morgenstern_price, "morgenstern_price", "Morgenstern–Price"},
+    SliceMethodName{SliceMethod::morgenstern_price_constant, "morgenstern_price_constant",
+                    "Morgenstern–Price, constant function"},
+};
+
+constexpr const char* to_word(SliceMethod method) {
+  return slice_methods[static_cast<std::size_t>(method)].word;
+}
+constexpr const char* get_title(SliceMethod method) {
+  return slice_methods[static_cast<std::size_t>(method)].title;
+}
+
+/// Whether it takes surfaces that are no circles.
+constexpr bool suits_polylines(SliceMethod method) {
+  return method != SliceMethod::fellenius && method != SliceMethod::bishop;
+}
 
 }  // namespace talus

@@ -64,6 +64,10 @@ void describe(V& v, R& r) {
   v.key("note", r.note, {"", "what to know"});
 }
 
+/// Names of the lines that finite elements (ψ as given; with ψ = φ) and material points slide along.
+inline constexpr const char *band_name = "fem.band", *associated_band_name = "fem.associated.band",
+                            *slip_line_name = "mpm.slip_line";
+
 /// A surface of a method, for the section.
 struct MethodSurface {
   std::string name, title;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace talus::results {
 namespace {
@@ -11,114 +12,245 @@ namespace {
 /// Two factors are one when they differ by less.
 constexpr double same_factor = 1e-9;
 
+/// Finds a number of a described struct by its key.
+struct Member {
+  std::string_view wanted;
+  About about{};
+  std::optional<double> value{};
+
+  template <class T>
+  void key(const char* name, const T& member, const About& described) {
+    if (name != wanted) return;
+    about = described;
+    if constexpr (std::is_convertible_v<T, std::optional<double>>) value = member;
+  }
+  template <class T>
+  void maybe(const char* name, const T& member, const About& described) {
+    key(name, member, described);
+  }
+};
+
+/// Whether the surface called `name` is one of finite elements.
+bool is_of_elements(const MethodComparison& methods, const std::string& name) {
+  return std::any_of(methods.surfaces.begin(), methods.surfaces.end(),
+                     [&](const MethodSurface& s) { return s.name == name && s.method == Method::fem; });
+}
+
 class Values {
  public:
-  void add(std::string name, std::optional<double> value) {
-    if (value) list.push_back({std::move(name), *value});
-  }
+  explicit Values(int dimension) : dimension_(dimension) {}
 
   void add_slices(const SliceResult& slices) {
-    for (const CriticalSurface& c : slices.critical) add(fmt::format("lem.{}", word(c)), c.surface.factor);
-    for (const CriticalSurface& c : slices.noncircular)
-      add(fmt::format("lem.noncircular.{}", word(c)), c.surface.factor);
-    for (const CriticalSurface& c : slices.given)
-      add(fmt::format("lem.surface[{}].{}", c.surface.name.value_or(""), word(c)), c.surface.factor);
-    for (const CriticalSurface& c : slices.critical)
-      add(fmt::format("lem.yield_acceleration.{}", word(c)), c.yield_acceleration);
+    for (const CriticalSurface& c : slices.critical) add_surface("lem.", c, "the critical circle");
+    for (const CriticalSurface& c : slices.noncircular) add_surface("lem.noncircular.", c, "the critical polyline");
+    for (const CriticalSurface& c : slices.given) {
+      const std::string name = c.surface.name.value_or("");
+      add_surface(fmt::format("lem.surface[{}].", name), c, fmt::format("surface '{}'", name));
+    }
+    for (const CriticalSurface& c : slices.critical) {
+      const SliceMethod by = c.surface.method;
+      add({fmt::format("lem.yield_acceleration.{}", to_word(by)),
+           fmt::format("{}, yield acceleration over g of the critical circle", get_title(by)), "",
+           ResultKind::yield_acceleration, "yield_acceleration", by},
+          c.yield_acceleration);
+    }
+  }
+
+  void add_methods(const MethodComparison& methods) {
+    for (const HandedSurface& h : methods.handed) {
+      const auto by = from_word<SliceMethod>(h.to);  // nothing: optimised from the surface
+      const char* line =
+          is_of_elements(methods, h.from) ? "the band of the finite elements" : "the slip line of the material points";
+      add({fmt::format("lem.handed[{}].{}", h.from, h.to),
+           by ? fmt::format("{}, factor of safety on {}", get_title(*by), line) : h.title, "", ResultKind::factor,
+           "factor", by},
+          h.factor);
+    }
   }
 
   void add_elements(const ElementResult& elements) {
     for (const ElementRun& run : elements.runs) {
-      const std::string stem = run.flow == Flow::associated ? "fem.associated." : "fem.";
-      add(stem + "factor", run.factor);
-      add(stem + "by_displacement", run.by_displacement);
+      const bool associated = run.flow == Flow::associated;
+      const char *stem = associated ? "fem.associated." : "fem.", *flow = associated ? " with ψ = φ" : "";
+      add_factor(fmt::format("{}factor", stem), fmt::format("factor of safety, finite elements{}", flow), run.factor);
+      add_factor(fmt::format("{}by_displacement", stem),
+                 fmt::format("factor of safety by displacement, finite elements{}", flow), run.by_displacement);
     }
   }
 
   void add_factors(const PointFactors& factors) {
-    add("factor_of_safety", factors.value);
-    if (factors.frozen) add("factor_of_safety.frozen", factors.frozen->factor);
-    if (factors.criteria)
-      for (const Criterion& c : *factors.criteria) add(fmt::format("factor_of_safety.{}", to_word(c.kind)), c.factor);
+    add_factor("factor_of_safety", "factor of safety", factors.value);
+    if (factors.frozen)
+      add_factor("factor_of_safety.frozen", "factor of safety, rest or run-away at frozen geometry",
+                 factors.frozen->factor);
+    if (!factors.criteria) return;
+    for (const Criterion& c : *factors.criteria) {
+      const char* word = to_word(c.kind);
+      add_factor(fmt::format("factor_of_safety.{}", word), fmt::format("factor of safety, {} criterion", word),
+                 c.factor);
+    }
   }
 
-  void add_runout(const std::string& stem, const Runout& r) {
-    add(stem + "moved_volume", r.moved_volume);
-    add(stem + "front_advance", r.front_advance);
-    add(stem + "toe_distance", r.toe_distance);
-    add(stem + "crest_retreat", r.crest_retreat);
-    add(stem + "centre_advance", r.centre_advance);
-    add(stem + "centre_drop", r.centre_drop);
-    add(stem + "largest_displacement", r.largest_displacement);
+  /// `of` follows the titles: ", runout at SRF 1.75".
+  void add_runout(const std::string& path, const std::string& of, const Runout& runout) {
+    for (const char* key : {"moved_volume", "front_advance", "toe_distance", "crest_retreat", "centre_advance",
+                            "centre_drop", "largest_displacement"})
+      add_member(path, runout, key, ResultKind::runout, of);
+  }
+  void add_times(const std::string& path, const std::string& of, std::optional<double> failure, StageEnd end,
+                 double time) {
+    const auto add_time = [&](const char* key, const char* title, std::optional<double> value) {
+      add({fmt::format("{}.{}", path, key), title + of, "s", ResultKind::runout, key, {}}, value);
+    };
+    add_time("failure_time", "time of failure", failure);
+    add_time("rest_time", "time to rest", end == StageEnd::rest ? std::optional(time) : std::nullopt);
   }
 
-  void add_times(const std::string& stem, std::optional<double> failure, StageEnd end, double time) {
-    add(stem + "failure_time", failure);
-    if (end == StageEnd::rest) add(stem + "rest_time", time);
+  void add_motion(const Motion& motion) {
+    for (const MonitorMotion& m : motion.monitors) {
+      add({fmt::format("onset[{}]", m.name),
+           fmt::format("onset of movement of '{}' after the start of '{}'", m.name, motion.stage),
+           "s",
+           ResultKind::motion,
+           "onset",
+           {}},
+          m.onset);
+      add({fmt::format("displacement[{}]", m.name),
+           fmt::format("displacement of '{}' at the end", m.name),
+           "m",
+           ResultKind::motion,
+           "displacement",
+           {}},
+          m.displacement);
+    }
+  }
+
+  void add_stage(const Stage& stage) {
+    add({fmt::format("stage[{}].displacement", stage.name),
+         fmt::format("largest displacement at the end of '{}'", stage.name),
+         "m",
+         ResultKind::stage,
+         "displacement",
+         {}},
+        stage.displacement);
+    add({fmt::format("stage[{}].time", stage.name),
+         fmt::format("simulated time at the end of '{}'", stage.name),
+         "s",
+         ResultKind::stage,
+         "time",
+         {}},
+        stage.time);
   }
 
   void add_water(const WaterBudget& water) {
     for (const SurfaceWater& s : water.surfaces) {
-      add(fmt::format("water.inflow[{}]", s.name), s.entered / water.density);
-      add(fmt::format("water.outflow[{}]", s.name), s.left / water.density);
-      add(fmt::format("water.runoff[{}]", s.name), s.runoff / water.density);
+      const auto add_volume = [&](const char* key, const char* title, double mass) {
+        add({fmt::format("water.{}[{}]", key, s.name),
+             fmt::format("{} '{}'", title, s.name),
+             "m3",
+             ResultKind::water,
+             key,
+             {}},
+            mass / water.density);
+      };
+      add_volume("inflow", "water that came in through", s.entered);
+      add_volume("outflow", "water that left through", s.left);
+      if (s.condition == SurfaceCondition::rain) add_volume("runoff", "rain that ran off", s.runoff);
     }
-    add("water.largest_suction", water.largest_suction);
-    add("water.largest_pressure", water.largest_pressure);
-    add("water.budget_error", water.error);
+    add_member("water", water, "largest_suction", ResultKind::water);
+    add_member("water", water, "largest_pressure", ResultKind::water);
+    add_member("water", water, "error", ResultKind::water, "", "budget_error");
   }
 
   void add_seepage(const Seepage& seepage) {
     for (const Discharge& d : seepage.discharges)
-      add(fmt::format("seepage.discharge[{}]", d.name), d.outflow - d.inflow);
-    add("seepage.largest_suction", seepage.largest_suction);
+      add({fmt::format("seepage.discharge[{}]", d.name),
+           fmt::format("steady seepage out through '{}'", d.name),
+           "m3/s",
+           ResultKind::seepage,
+           "discharge",
+           {}},
+          d.outflow - d.inflow);
+    add_member("seepage", seepage, "largest_suction", ResultKind::seepage);
+  }
+
+  /// The number of `owner` that is described under `key`; nullptr: called by its key.
+  template <class T>
+  void add_member(const std::string& path, const T& owner, const char* key, ResultKind kind, const std::string& of = "",
+                  const char* called = nullptr) {
+    Member member{key};
+    describe(member, owner);
+    const std::string quantity = called != nullptr ? called : key;
+    add({path + "." + quantity, member.about.title + of, member.about.unit, kind, quantity, {}}, member.value);
+  }
+
+  void add_over_design(std::optional<double> value) {
+    add({"partial_factors.over_design",
+         "degree of over-design with partial factors",
+         "",
+         ResultKind::over_design,
+         "over_design",
+         {}},
+        value);
   }
 
   std::vector<NamedValue> list;
 
  private:
-  static const char* word(const CriticalSurface& c) { return to_word(c.surface.method); }
+  void add(NamedValue named, std::optional<double> value) {
+    if (!value) return;
+    named.value = *value;
+    if (dimension_ == 2 && named.unit.starts_with("m3")) named.unit += "/m";
+    list.push_back(std::move(named));
+  }
+  void add_factor(std::string name, std::string title, std::optional<double> value) {
+    add({std::move(name), std::move(title), "", ResultKind::factor, "factor", {}}, value);
+  }
+  void add_surface(const std::string& path, const CriticalSurface& c, const std::string& of) {
+    const SliceMethod by = c.surface.method;
+    add({path + to_word(by), fmt::format("{}, factor of safety of {}", get_title(by), of), "", ResultKind::factor,
+         "factor", by},
+        c.surface.factor);
+  }
+
+  int dimension_;
 };
 
 }  // namespace
 
-std::vector<NamedValue> list_values(const RunResult& run) {
-  Values values;
+std::vector<NamedValue> list_values(const RunResult& run, int dimension) {
+  Values values(dimension);
   if (run.slices) values.add_slices(*run.slices);
-  if (run.methods)
-    for (const HandedSurface& h : run.methods->handed)
-      values.add(fmt::format("lem.handed[{}].{}", h.from, h.to), h.factor);
+  if (run.methods) values.add_methods(*run.methods);
   if (run.elements) values.add_elements(*run.elements);
-  if (run.methods && run.methods->partial_factors)
-    values.add("partial_factors.over_design", run.methods->partial_factors->over_design);
+  if (run.methods && run.methods->partial_factors) values.add_over_design(run.methods->partial_factors->over_design);
   if (run.factor_of_safety) values.add_factors(*run.factor_of_safety);
   if (run.runouts)
     for (const RunoutTrial& r : *run.runouts) {
-      const std::string stem = fmt::format("runout[{:g}].", r.trial.factor);
-      values.add_runout(stem, r.runout);
-      values.add_times(stem, r.failure_time, r.trial.end, r.trial.time);
+      const std::string path = fmt::format("runout[{:g}]", r.trial.factor),
+                        of = fmt::format(", runout at SRF {:g}", r.trial.factor);
+      values.add_runout(path, of, r.runout);
+      values.add_times(path, of, r.failure_time, r.trial.end, r.trial.time);
     }
-  if (run.runout) values.add_runout("runout.", *run.runout);
+  if (run.runout) values.add_runout("runout", "", *run.runout);
   if (run.stages && !run.stages->empty())
-    values.add_times("runout.", run.failure_time, run.stages->back().end, run.stages->back().time);
-  if (run.motion)
-    for (const MonitorMotion& m : run.motion->monitors) {
-      values.add(fmt::format("onset[{}]", m.name), m.onset);
-      values.add(fmt::format("displacement[{}]", m.name), m.displacement);
-    }
+    values.add_times("runout", "", run.failure_time, run.stages->back().end, run.stages->back().time);
+  if (run.motion) values.add_motion(*run.motion);
   if (run.stages)
-    for (const Stage& s : *run.stages) {
-      values.add(fmt::format("stage[{}].displacement", s.name), s.displacement);
-      values.add(fmt::format("stage[{}].time", s.name), s.time);
-    }
+    for (const Stage& stage : *run.stages) values.add_stage(stage);
   if (run.water) values.add_water(*run.water);
   if (run.seepage) values.add_seepage(*run.seepage);
-  if (run.mesh) {
-    values.add("mesh.critical_time_step", run.mesh->critical_time_step);
-    values.add("mesh.points", run.mesh->points);
-    values.add("mesh.soil_elements", run.mesh->soil_elements);
-  }
+  if (run.mesh)
+    for (const char* key : {"critical_time_step", "points", "soil_elements"})
+      values.add_member("mesh", *run.mesh, key, ResultKind::mesh);
   return std::move(values.list);
+}
+
+std::optional<double> find_value(const RunResult& run, const std::string& name) {
+  constexpr int any = 2;  // decides units alone
+  for (const NamedValue& value : list_values(run, any))
+    if (value.name == name) return value.value;
+  return std::nullopt;
 }
 
 CurveValue find_displacement(const RunResult& run, double factor) {

@@ -9,14 +9,37 @@
 
 namespace talus::results {
 
-/// A result that a run came to [SI].
+/// What a result is about.
+enum class ResultKind { factor, yield_acceleration, over_design, runout, motion, stage, mesh, water, seepage, other };
+template <>
+inline constexpr auto words<ResultKind> = std::array{Word{ResultKind::factor, "factor"},
+                                                     Word{ResultKind::yield_acceleration, "yield_acceleration"},
+                                                     Word{ResultKind::over_design, "over_design"},
+                                                     Word{ResultKind::runout, "runout"},
+                                                     Word{ResultKind::motion, "motion"},
+                                                     Word{ResultKind::stage, "stage"},
+                                                     Word{ResultKind::mesh, "mesh"},
+                                                     Word{ResultKind::water, "water"},
+                                                     Word{ResultKind::seepage, "seepage"},
+                                                     Word{ResultKind::other, "other"}};
+
+/// A number of a run under its name.
 struct NamedValue {
-  std::string name;
-  double value = 0;
+  std::string name;   ///< "runout[1.75].moved_volume"
+  std::string title;  ///< "moved volume, runout at SRF 1.75"
+  std::string unit;   ///< SI, as UDUNITS writes it; empty for a plain number
+  ResultKind kind = ResultKind::other;
+  std::string quantity;           ///< "moved_volume"
+  std::optional<SliceMethod> by;  ///< of the slices, factors and accelerations
+  double value = 0;               ///< [unit]
 };
 
-/// All results that the run came to, but the displacements of single trials.
-std::vector<NamedValue> list_values(const RunResult& run);
+/// All numbers that `run` holds, in the order of the report, but the displacements of single trials. `dimension` is
+/// that of the section: a plane one is one metre thick.
+std::vector<NamedValue> list_values(const RunResult& run, int dimension);
+
+/// The one called `name` [SI]; nothing when the run did not come to it.
+std::optional<double> find_value(const RunResult& run, const std::string& name);
 
 /// The displacement at a factor of the curve, interpolated between its neighbours where no trial has that factor.
 struct CurveValue {

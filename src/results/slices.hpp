@@ -13,14 +13,11 @@
 namespace talus::results {
 
 template <>
-inline constexpr auto words<SliceMethod> =
-    std::array{Word{SliceMethod::fellenius, "fellenius"},
-               Word{SliceMethod::bishop, "bishop"},
-               Word{SliceMethod::janbu, "janbu"},
-               Word{SliceMethod::janbu_corrected, "janbu_corrected"},
-               Word{SliceMethod::spencer, "spencer"},
-               Word{SliceMethod::morgenstern_price, "morgenstern_price"},
-               Word{SliceMethod::morgenstern_price_constant, "morgenstern_price_constant"}};
+inline constexpr auto words<SliceMethod> = [] {
+  std::array<Word<SliceMethod>, slice_methods.size()> list{};
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] = {slice_methods[i].method, slice_methods[i].word};
+  return list;
+}();
 
 struct Circle {
   Point centre{};     ///< [m]

@@ -1,6 +1,5 @@
 #include "run/named_results.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -48,9 +47,7 @@ Found find_in_run(const results::RunResult& run, const std::string& name) {
     results::CurveValue at = results::find_displacement(run, *factor);
     return {at.displacement, std::move(at.note)};
   }
-  const std::vector<results::NamedValue> values = results::list_values(run);
-  const auto found = std::find_if(values.begin(), values.end(), [&](const auto& v) { return v.name == name; });
-  return found == values.end() ? Found{} : Found{found->value, ""};
+  return {results::find_value(run, name), ""};
 }
 
 }  // namespace
@@ -61,7 +58,7 @@ std::optional<double> find_result(const results::RunResult& run, const std::stri
 
 std::vector<results::NamedResult> list_results(const input::Case& data, const results::RunResult& run) {
   std::vector<results::NamedResult> list;
-  for (const input::ResultName& result : input::list_result_names(data))
+  for (const results::NamedValue& result : input::list_result_names(data))
     if (const auto value = find_result(run, result.name))
       list.push_back({result.name, result.title, *value, find_unit(result.unit, data.output)});
   return list;

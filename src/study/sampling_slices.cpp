@@ -149,7 +149,7 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
   const bool is_checked = !slices.is_full() && base.data.lem.search != input::SurfaceSearch::none;
   if (is_checked) sampling.check();
   set.surfaces = slices.count_surfaces();
-  const std::string title = lem::title_method(slices.method());
+  const std::string title = get_title(slices.method());
   set.method_title = slices.is_full() ? fmt::format("{}, a search for every sample", title)
                                       : fmt::format("{} on {} surfaces", title, set.surfaces);
   for (const std::string& note : slices.numbers().notes()) set.notes.push_back(note);

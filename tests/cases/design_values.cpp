@@ -61,8 +61,8 @@ TEST(DesignValues, DrainedSlopeHasItsFactorOver125) {
     checks.reject = false;
     lem::CutSurface cut = lem::cut_surface(*slope.slope, critical.surface, 50, checks);
     const lem::Solution same = lem::solve(*slope.slope, cut, method, checks, false);
-    EXPECT_NEAR(same.factor, critical.solution.factor / 1.25, 2e-4) << lem::name_method(method);
-    EXPECT_NEAR(factored.at(method).solution.factor, critical.solution.factor / 1.25, 1e-3) << lem::name_method(method);
+    EXPECT_NEAR(same.factor, critical.solution.factor / 1.25, 2e-4) << to_word(method);
+    EXPECT_NEAR(factored.at(method).solution.factor, critical.solution.factor / 1.25, 1e-3) << to_word(method);
   }
   EXPECT_NEAR(factored.at(lem::Method::bishop).solution.factor, 1.1522, 0.005 * 1.1522);
   EXPECT_NEAR(factored.at(lem::Method::spencer).solution.factor, 1.1515, 0.005 * 1.1515);
@@ -75,7 +75,7 @@ TEST(DesignValues, PermanentActionsAreTheWeightOfTheSoil) {
   heavy.materials.at("soil").grain_density *= 1.35;
   const auto a = search(design.data), b = search(heavy);
   for (const auto& [method, critical] : a)
-    EXPECT_NEAR(critical.solution.factor, b.at(method).solution.factor, 1e-5) << lem::name_method(method);
+    EXPECT_NEAR(critical.solution.factor, b.at(method).solution.factor, 1e-5) << to_word(method);
 }
 
 TEST(DesignValues, AreThoseOfTheSet) {

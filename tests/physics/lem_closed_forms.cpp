@@ -32,7 +32,7 @@ TEST(LemInfiniteSlope, DryWithCohesion) {
   const double expected = c / (gamma * h * std::sin(beta) * std::cos(beta)) + std::tan(phi) / std::tan(beta);
   // The ends make 1 % of the length.
   for (const Method method : by_forces)
-    EXPECT_NEAR(find_factor(section, slope.surface(h), method, 400), expected, 0.006 * expected) << name_method(method);
+    EXPECT_NEAR(find_factor(section, slope.surface(h), method, 400), expected, 0.006 * expected) << to_word(method);
 }
 
 TEST(LemInfiniteSlope, WithoutCohesionIsTangentOverTangent) {
@@ -50,8 +50,8 @@ TEST(LemInfiniteSlope, WithoutCohesionIsTangentOverTangent) {
                                   middle[1] + (radius - sag) * std::cos(slope.inclination)},
                                  radius, 30, 280);
     const double found = find_factor(section, arc, method);
-    EXPECT_GE(found, expected * (1 - 1e-9)) << name_method(method);
-    EXPECT_NEAR(found, expected, 2e-4) << name_method(method);
+    EXPECT_GE(found, expected * (1 - 1e-9)) << to_word(method);
+    EXPECT_NEAR(found, expected, 2e-4) << to_word(method);
   }
 }
 
@@ -73,13 +73,13 @@ TEST(LemInfiniteSlope, SeepageParallelToTheSlope) {
       (c + (gamma - 9.81) * h * cosine * cosine * std::tan(phi)) / (gamma * h * std::sin(beta) * cosine);
   for (const Method method : {Method::janbu, Method::spencer, Method::morgenstern_price, Method::fellenius})
     EXPECT_NEAR(find_factor(Slope{Section(section)}, slope.surface(h), method, 400), expected, 0.006 * expected)
-        << name_method(method);
+        << to_word(method);
   // The same pore pressure as a ratio of the weight above.
   section.pressure_grid.reset();
   section.soils[0].pore_pressure_ratio = 9.81 * cosine * cosine / gamma;
   for (const Method method : by_forces)
     EXPECT_NEAR(find_factor(Slope{Section(section)}, slope.surface(h), method, 400), expected, 0.006 * expected)
-        << name_method(method);
+        << to_word(method);
 }
 
 // Culmann's plane from the toe; Baker 2001: 1.352 at 49.5°, RocPlane 1.351. A wedge without inner freedom: all methods
@@ -94,7 +94,7 @@ TEST(LemPlane, Culmann) {
   const Surface plane = make_polyline({{0, 0}, {top, height}});
   for (const Method method : {Method::fellenius, Method::janbu, Method::janbu_corrected, Method::spencer,
                               Method::morgenstern_price, Method::morgenstern_price_constant})
-    EXPECT_NEAR(find_factor(slope, plane, method, 30), expected, 1e-6) << name_method(method);
+    EXPECT_NEAR(find_factor(slope, plane, method, 30), expected, 1e-6) << to_word(method);
   // Moments about a centre very far away are forces along the plane.
   EXPECT_NEAR(find_factor(slope, plane, Method::bishop, 30), expected, 1e-3);
 }
@@ -118,7 +118,7 @@ TEST(LemPlane, BlockWithWaterInItsCrack) {
   EXPECT_NEAR(cut.area, area, 1e-9);
   EXPECT_NEAR(cut.crack_thrust_level, 15 + 1.25, 1e-9);
   for (const Method method : {Method::janbu, Method::spencer, Method::morgenstern_price})
-    EXPECT_NEAR(find_factor(slope, plane, method, 50), expected, 1e-6) << name_method(method);
+    EXPECT_NEAR(find_factor(slope, plane, method, 50), expected, 1e-6) << to_word(method);
   // In Fellenius' method the thrust drives the mass and does not relieve the base.
   EXPECT_NEAR(
       find_factor(slope, plane, Method::fellenius, 50),
@@ -139,7 +139,7 @@ TEST(LemPlane, EarthquakeAndVerticalAcceleration) {
   const Slope slope{std::move(section)};
   for (const Method method : {Method::fellenius, Method::janbu, Method::spencer})
     EXPECT_NEAR(find_factor(slope, make_polyline({{0, 0}, {top, height}}), method, 20), expected, 1e-6)
-        << name_method(method);
+        << to_word(method);
 }
 
 TEST(LemPlane, Surcharge) {
@@ -152,7 +152,7 @@ TEST(LemPlane, Surcharge) {
   const Slope slope{std::move(section)};
   for (const Method method : {Method::fellenius, Method::janbu, Method::spencer})
     EXPECT_NEAR(find_factor(slope, make_polyline({{0, 0}, {top, height}}), method, 20), expected, 1e-6)
-        << name_method(method);
+        << to_word(method);
 }
 
 // φ = 0: F = c R² θ / moment of the weight, by integration; a slope of 45° and an arc through its toe.

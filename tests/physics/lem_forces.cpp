@@ -132,10 +132,10 @@ TEST(LemYieldAcceleration, GivesAFactorOfOne) {
     section.horizontal_acceleration = 0;
     const Slope still{Section(section)};
     const auto k = find_yield_acceleration(still, cut_surface(still, arc, 100, Checks{}), method, Checks{});
-    ASSERT_TRUE(k) << name_method(method);
+    ASSERT_TRUE(k) << to_word(method);
     EXPECT_NEAR(*k, 0.165, 0.015);
     section.horizontal_acceleration = *k;
-    EXPECT_NEAR(find_factor(Slope{Section(section)}, arc, method), 1, 1e-9) << name_method(method);
+    EXPECT_NEAR(find_factor(Slope{Section(section)}, arc, method), 1, 1e-9) << to_word(method);
   }
   const Slope still{Section(section)};
   EXPECT_NEAR(*find_yield_acceleration(still, cut_surface(still, arc, 100, Checks{}), Method::bishop, Checks{}), 0.1712,

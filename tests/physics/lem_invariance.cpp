@@ -69,8 +69,7 @@ void expect_same(const Section& changed, const std::function<Point(const Point&)
     for (const Method method : all_methods) {
       const double expected = find_factor(slope, surface, method);
       EXPECT_GT(expected, 0.5);
-      EXPECT_NEAR(find_factor(other, move_surface(surface, move, scale), method), expected, 1e-9)
-          << name_method(method);
+      EXPECT_NEAR(find_factor(other, move_surface(surface, move, scale), method), expected, 1e-9) << to_word(method);
     }
 }
 
@@ -144,7 +143,7 @@ TEST(LemReduction, FactoredStrengthGivesTheFactoredFactor) {
   for (const Surface& surface : make_surfaces(slope))
     for (const Method method : all_methods)
       EXPECT_NEAR(find_factor(factored, surface, method), find_factor(slope, surface, method) / 1.25, 1e-9)
-          << name_method(method);
+          << to_word(method);
 }
 
 /// φ = 0: Bishop and Fellenius agree on every circle, whatever loads it.

@@ -20,10 +20,8 @@ void expect_factors(const Section& section, const Surface& surface, const Factor
                             : make_circle(slope, surface.circle->centre, surface.circle->radius);
   for (std::size_t i = 0; i < methods.size(); ++i)
     if (expected[i] > 0) {
-      EXPECT_NEAR(find_factor(slope, whole, methods[i], 100), expected[i], 0.003 * expected[i])
-          << name_method(methods[i]);
-      EXPECT_NEAR(find_factor(slope, whole, methods[i], 50), expected[i], 0.005 * expected[i])
-          << name_method(methods[i]);
+      EXPECT_NEAR(find_factor(slope, whole, methods[i], 100), expected[i], 0.003 * expected[i]) << to_word(methods[i]);
+      EXPECT_NEAR(find_factor(slope, whole, methods[i], 50), expected[i], 0.005 * expected[i]) << to_word(methods[i]);
     }
 }
 

@@ -30,11 +30,11 @@ void expect_circles(const Section& section, const std::vector<Expected>& expecte
   ASSERT_EQ(result.circular.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const Critical& found = result.circular[i];
-    EXPECT_LE(found.solution.factor, 1.005 * expected[i].factor) << name_method(expected[i].method);
-    EXPECT_GE(found.solution.factor, 0.99 * expected[i].factor) << name_method(expected[i].method);
+    EXPECT_LE(found.solution.factor, 1.005 * expected[i].factor) << to_word(expected[i].method);
+    EXPECT_GE(found.solution.factor, 0.99 * expected[i].factor) << to_word(expected[i].method);
     EXPECT_EQ(found.solution.refusal, Refusal::none);
     const double fine = find_factor(slope, found.surface, expected[i].method, 400);
-    EXPECT_NEAR(found.solution.factor, fine, 0.005 * fine) << name_method(expected[i].method);
+    EXPECT_NEAR(found.solution.factor, fine, 0.005 * fine) << to_word(expected[i].method);
   }
 }
 
@@ -52,12 +52,12 @@ void expect_polylines(const Section& section, const std::vector<Expected>& expec
   ASSERT_EQ(result.noncircular.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const Critical& found = result.noncircular[i];
-    EXPECT_LE(found.solution.factor, 1.02 * expected[i].factor) << name_method(expected[i].method);
-    EXPECT_GE(found.solution.factor, lowest * expected[i].factor) << name_method(expected[i].method);
+    EXPECT_LE(found.solution.factor, 1.02 * expected[i].factor) << to_word(expected[i].method);
+    EXPECT_GE(found.solution.factor, lowest * expected[i].factor) << to_word(expected[i].method);
     EXPECT_LT(found.solution.factor, 1.001 * result.circular[i].solution.factor);
     EXPECT_LE(found.solution.thrust_outside, options.checks.most_thrust_outside);
     const double fine = find_factor(slope, found.surface, expected[i].method, 400);
-    EXPECT_NEAR(found.solution.factor, fine, 0.01 * fine) << name_method(expected[i].method);
+    EXPECT_NEAR(found.solution.factor, fine, 0.01 * fine) << to_word(expected[i].method);
     const auto& line = found.surface.line;
     for (std::size_t k = 2; k < line.size(); ++k)  // kinematically admissible: it never bends upwards less
       EXPECT_GE((line[k][1] - line[k - 1][1]) * (line[k - 1][0] - line[k - 2][0]),

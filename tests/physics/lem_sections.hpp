@@ -78,7 +78,7 @@ inline double find_factor(const Slope& slope, const Surface& surface, Method met
   CutSurface cut = cut_surface(slope, surface, slices, checks);
   EXPECT_EQ(cut.refusal, Refusal::none) << name_refusal(cut.refusal);
   const Solution solution = solve(slope, cut, method, checks, false);
-  EXPECT_EQ(solution.refusal, Refusal::none) << name_method(method) << ": " << name_refusal(solution.refusal);
+  EXPECT_EQ(solution.refusal, Refusal::none) << to_word(method) << ": " << name_refusal(solution.refusal);
   return solution.factor;
 }
 

@@ -20,8 +20,8 @@ TEST(LemSubmerged, LevelOfThePoolDoesNotMatter) {
   const Slope low(make_submerged(45)), high(make_submerged(75)), higher(make_submerged(105));
   for (const Method method : {Method::bishop, Method::janbu, Method::janbu_corrected}) {
     const double expected = find_factor(low, submerged_arc, method);
-    EXPECT_NEAR(find_factor(high, submerged_arc, method), expected, 1e-9) << name_method(method);
-    EXPECT_NEAR(find_factor(higher, submerged_arc, method), expected, 1e-9) << name_method(method);
+    EXPECT_NEAR(find_factor(high, submerged_arc, method), expected, 1e-9) << to_word(method);
+    EXPECT_NEAR(find_factor(higher, submerged_arc, method), expected, 1e-9) << to_word(method);
   }
   EXPECT_NEAR(find_factor(high, submerged_arc, Method::bishop), 1.5967, 0.003 * 1.6);
   // The forces between the slices hold the water's pressure, which grows with the pool, and are inclined as a whole.
@@ -65,8 +65,8 @@ TEST(LemSubmerged, VerticalFaceOfTheGround) {
       ASSERT_GT(arc.to, arc.from);
       for (const Method method : {Method::bishop, Method::janbu}) {
         const double expected = find_factor(low, arc, method), slices = method == Method::janbu ? 1e-9 : 5e-4;
-        EXPECT_NEAR(find_factor(high, arc, method), expected, 1e-9) << name_method(method) << level;
-        EXPECT_NEAR(find_factor(buoyant, arc, method), expected, slices) << name_method(method) << level;
+        EXPECT_NEAR(find_factor(high, arc, method), expected, 1e-9) << to_word(method) << level;
+        EXPECT_NEAR(find_factor(buoyant, arc, method), expected, slices) << to_word(method) << level;
       }
     }
   }
@@ -116,7 +116,7 @@ TEST(LemPressureGrid, HydrostaticGridIsTheLine) {
       EXPECT_NEAR(gridded.pore_pressure({x, y}), 9.81 * (11 - y), 1e-9) << x << ' ' << y;
   const Surface arc = make_arc({35.044455, 38.147107}, 33.286625, 11.123526, 32);
   for (const Method method : all_methods)
-    EXPECT_NEAR(find_factor(gridded, arc, method), find_factor(line, arc, method), 1e-9) << name_method(method);
+    EXPECT_NEAR(find_factor(gridded, arc, method), find_factor(line, arc, method), 1e-9) << to_word(method);
 }
 
 TEST(LemPressureGrid, IsLinearInEachTriangle) {

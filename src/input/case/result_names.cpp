@@ -8,10 +8,13 @@
 
 #include "base/units.hpp"
 #include "input/case/declare_limit_equilibrium.hpp"
-#include "input/case/method_names.hpp"
 #include "input/checks/checks.hpp"
 
 namespace talus::input {
+
+using results::NamedValue;
+using results::ResultKind;
+
 namespace {
 
 constexpr const char* trial_prefix = "curve.displacement[";
@@ -29,103 +32,145 @@ std::optional<double> read_number_between(const std::string& text, const std::st
   return error == std::errc() && stop == last ? std::optional(number) : std::nullopt;
 }
 
-ResultName name_trial(const std::string& name, double factor) {
-  return {name, fmt::format("largest displacement at SRF {:g}", factor), "m", ResultKind::other, "displacement"};
+NamedValue name_trial(const std::string& name, double factor) {
+  return {name, fmt::format("largest displacement at SRF {:g}", factor), "m", ResultKind::other, "displacement", {}};
 }
 
 /// Nothing when the case has no such test, or tests have no such quantity.
-std::optional<ResultName> name_point_result(const Case& data, const std::string& name, const PointResultName& result) {
+std::optional<NamedValue> name_point_result(const Case& data, const std::string& name, const PointResultName& result) {
   const auto test =
       std::find_if(data.tests.begin(), data.tests.end(), [&](const PointTest& t) { return t.name == result.test; });
   if (test == data.tests.end()) return std::nullopt;
   if (result.quantity == "peak_q" && !result.strain)
-    return ResultName{name, fmt::format("largest deviatoric stress, {}", result.test), "Pa", ResultKind::other,
-                      result.quantity};
+    return NamedValue{
+        name, fmt::format("largest deviatoric stress, {}", result.test), "Pa", ResultKind::other, result.quantity, {}};
   for (const PointQuantity& q : list_point_quantities()) {
     if (result.quantity != q.name) continue;
     const std::string at =
         result.strain ? fmt::format(" at {} strain {:g}", test->get_strain_word(), *result.strain) : " at the end";
-    return ResultName{name, fmt::format("{}{}, {}", q.title, at, result.test), std::string(q.unit) == "-" ? "" : q.unit,
-                      ResultKind::other, result.quantity};
+    return NamedValue{name,
+                      fmt::format("{}{}, {}", q.title, at, result.test),
+                      std::string(q.unit) == "-" ? "" : q.unit,
+                      ResultKind::other,
+                      result.quantity,
+                      {}};
   }
   return std::nullopt;
 }
 
-void add_runout(std::vector<ResultName>& names, const Case& data, const std::string& path, const std::string& of) {
-  const auto add = [&](const char* key, const char* title, const char* unit) {
-    names.push_back({path + "." + key, title + of, unit, ResultKind::runout, key});
+/// What slices hold at the least: the numbers mean nothing.
+results::SliceResult outline_slices(const LimitEquilibrium& lem) {
+  results::SliceResult slices;
+  const auto add = [&](std::vector<results::CriticalSurface>& list, SliceMethod method) -> results::CriticalSurface& {
+    results::CriticalSurface& c = list.emplace_back();
+    c.surface.method = method;
+    c.surface.factor = 1;
+    return c;
   };
-  // A plane section is one metre thick.
-  add("moved_volume", "moved volume", data.mesh.dimension == 2 ? "m3/m" : "m3");
-  add("front_advance", "advance of the front", "m");
-  add("toe_distance", "runout beyond the toe", "m");
-  add("crest_retreat", "retreat of the crest", "m");
-  add("centre_advance", "advance of the centre", "m");
-  add("centre_drop", "drop of the centre", "m");
-  add("largest_displacement", "largest displacement", "m");
-  add("failure_time", "time of failure", "s");
-  add("rest_time", "time to rest", "s");
+  for (const SliceMethod m : lem.methods) {
+    if (lem.search != SurfaceSearch::none) {
+      results::CriticalSurface& critical = add(slices.critical, m);
+      if (lem.yield_acceleration) critical.yield_acceleration = 1;
+      if (lem.noncircular && suits_polylines(m)) add(slices.noncircular, m);
+    }
+  }
+  for (const SlipSurface& surface : lem.surfaces)
+    for (const SliceMethod m : lem.methods) add(slices.given, m).surface.name = surface.name;
+  return slices;
 }
 
-void add_factors(std::vector<ResultName>& names, const Case& data) {
-  const StrengthReduction& reduction = data.strength_reduction;
+/// Lines of the other methods, and what slices make of them.
+results::MethodComparison outline_methods(const Case& data) {
+  results::MethodComparison methods;
+  for (const auto& [method, line] :
+       {std::pair{Method::fem, results::band_name}, std::pair{Method::mpm, results::slip_line_name}}) {
+    if (!uses(data, Method::lem) || !uses(data, method)) continue;
+    methods.surfaces.emplace_back().name = line;
+    methods.surfaces.back().method = method;
+    for (const SliceMethod m : data.lem.methods)
+      if (suits_polylines(m)) methods.handed.push_back({line, to_word(m), "", 1, ""});
+  }
+  if (data.partial_factors.set != DesignApproach::none) methods.partial_factors.emplace().over_design = 1;
+  return methods;
+}
+
+results::ElementResult outline_elements(FlowRule asked) {
+  results::ElementResult elements;
+  for (const auto& [other, flow] : {std::pair{FlowRule::associated, results::Flow::as_given},
+                                    std::pair{FlowRule::as_given, results::Flow::associated}}) {
+    if (asked == other) continue;
+    elements.runs.emplace_back().flow = flow;
+    elements.runs.back().by_displacement = 1;
+  }
+  return elements;
+}
+
+void outline_reduction(const StrengthReduction& reduction, results::RunResult& run) {
+  results::PointFactors& factors = run.factor_of_safety.emplace();
   if (reduction.frozen.enabled) {
-    names.push_back({"factor_of_safety", "factor of safety", ""});
-    names.push_back({"factor_of_safety.frozen", "factor of safety, rest or run-away at frozen geometry", ""});
+    factors.value = 1;
+    factors.frozen.emplace();
   }
   if (!reduction.curve.enabled) return;
-  names.push_back({"factor_of_safety.bilinear", "factor of safety, bilinear criterion", ""});
-  names.push_back({"factor_of_safety.displacement", "factor of safety, displacement criterion", ""});
-  names.push_back({"factor_of_safety.jump", "factor of safety, jump criterion", ""});
-  for (const double f : reduction.curve.runout)
-    add_runout(names, data, fmt::format("runout[{:g}]", f), fmt::format(", runout at SRF {:g}", f));
+  factors.criteria.emplace();
+  using enum results::CriterionKind;
+  for (const results::CriterionKind kind : {bilinear, displacement, jump})
+    factors.criteria->push_back({kind, 1, {}, {}, ""});
+  run.runouts.emplace();
+  for (const double factor : reduction.curve.runout) {
+    results::RunoutTrial& trial = run.runouts->emplace_back();
+    trial.trial.factor = factor;
+    trial.trial.end = results::StageEnd::rest;
+    trial.failure_time = 1;
+  }
 }
 
-/// Of the monitored points of a run.
-void add_motion(std::vector<ResultName>& names, const Case& data) {
+results::Motion outline_motion(const Case& data) {
+  results::Motion motion;
   const Stage* from = find_clock_stage(data);
-  if (from == nullptr) return;
-  for (const Monitor& m : data.output.monitors) {
-    names.push_back({fmt::format("onset[{}]", m.name),
-                     fmt::format("onset of movement of '{}' after the start of '{}'", m.name, from->name), "s",
-                     ResultKind::motion, "onset"});
-    names.push_back({fmt::format("displacement[{}]", m.name), fmt::format("displacement of '{}' at the end", m.name),
-                     "m", ResultKind::motion, "displacement"});
-  }
+  if (from == nullptr) return motion;
+  motion.stage = from->name;
+  for (const Monitor& m : data.output.monitors) motion.monitors.push_back({m.name, 1, 1});
+  return motion;
 }
 
-/// Of soil with pore water: what came in and left by condition.
-void add_water(std::vector<ResultName>& names, const Case& data) {
-  const bool plane = data.mesh.dimension == 2;  // a plane section is one metre thick
-  const std::string volume = plane ? "m3/m" : "m3";
-  for (const Hydraulic& h : data.hydraulics) {
+results::WaterBudget outline_water(const std::vector<Hydraulic>& hydraulics) {
+  results::WaterBudget water;
+  for (const Hydraulic& h : hydraulics) {
     if (h.condition == WaterCondition::no_flow) continue;
-    names.push_back({fmt::format("water.inflow[{}]", h.on), fmt::format("water that came in through '{}'", h.on),
-                     volume, ResultKind::water, "inflow"});
-    names.push_back({fmt::format("water.outflow[{}]", h.on), fmt::format("water that left through '{}'", h.on), volume,
-                     ResultKind::water, "outflow"});
-    if (h.condition == WaterCondition::rain)
-      names.push_back({fmt::format("water.runoff[{}]", h.on), fmt::format("rain that ran off '{}'", h.on), volume,
-                       ResultKind::water, "runoff"});
+    water.surfaces.emplace_back().name = h.on;
+    if (h.condition == WaterCondition::rain) water.surfaces.back().condition = results::SurfaceCondition::rain;
   }
-  names.push_back({"water.largest_suction", "largest suction at the end", "Pa", ResultKind::water, "largest_suction"});
-  names.push_back(
-      {"water.largest_pressure", "largest pore pressure at the end", "Pa", ResultKind::water, "largest_pressure"});
-  names.push_back({"water.budget_error", "error of the water budget over the water in the model", "", ResultKind::water,
-                   "budget_error"});
+  return water;
 }
 
-/// Of the steady seepage that soil with pore water starts from.
-void add_seepage(std::vector<ResultName>& names, const Case& data) {
-  const std::string flow = data.mesh.dimension == 2 ? "m3/s/m" : "m3/s";
-  if (data.initial.water.pressure != InitialPressure::seepage) return;
-  for (const Hydraulic& h : data.hydraulics) {
-    if (h.condition != WaterCondition::no_flow)
-      names.push_back({fmt::format("seepage.discharge[{}]", h.on), fmt::format("steady seepage out through '{}'", h.on),
-                       flow, ResultKind::seepage, "discharge"});
+void outline_points(const Case& data, results::RunResult& run) {
+  run.mesh.emplace();
+  run.stages.emplace();
+  for (const Stage& stage : data.stages) {
+    run.stages->emplace_back().name = stage.name;
+    run.stages->back().end = results::StageEnd::rest;
   }
-  names.push_back(
-      {"seepage.largest_suction", "largest suction in steady seepage", "Pa", ResultKind::seepage, "largest_suction"});
+  if (is_wet(data)) run.water = outline_water(data.hydraulics);
+  if (data.analysis == AnalysisKind::strength_reduction) return outline_reduction(data.strength_reduction, run);
+  run.runout.emplace();
+  run.failure_time = 1;
+  run.motion = outline_motion(data);
+}
+
+/// A run that holds a number wherever that of `data` may: which results there are, not what they are.
+results::RunResult outline_results(const Case& data) {
+  results::RunResult run;
+  if (uses(data, Method::lem)) run.slices = outline_slices(data.lem);
+  if (uses(data, Method::fem)) run.elements = outline_elements(data.fem.flow);
+  run.methods = outline_methods(data);
+  if (uses(data, Method::mpm)) outline_points(data, run);
+  if (is_wet(data) && data.initial.water.pressure == InitialPressure::seepage) {
+    results::Seepage& seepage = run.seepage.emplace();
+    for (const Hydraulic& h : data.hydraulics)
+      if (h.condition != WaterCondition::no_flow) seepage.discharges.emplace_back().name = h.on;
+  }
+  return run;
 }
 
 }  // namespace
@@ -138,37 +183,8 @@ const Stage* find_clock_stage(const Case& data) {
   return found;
 }
 
-std::vector<ResultName> list_result_names(const Case& data) {
-  std::vector<ResultName> names;
-  if (uses(data, Method::lem)) add_slice_results(names, data);
-  if (uses(data, Method::fem)) add_element_results(names, data);
-  if (data.partial_factors.set != DesignApproach::none)
-    names.push_back({"partial_factors.over_design", "degree of over-design with partial factors", "",
-                     ResultKind::over_design, "over_design"});
-  if (!uses(data, Method::mpm)) {
-    if (is_wet(data)) add_seepage(names, data);
-    return names;
-  }
-  if (data.analysis == AnalysisKind::strength_reduction) {
-    add_factors(names, data);
-  } else {
-    add_runout(names, data, "runout", "");
-    add_motion(names, data);
-  }
-  for (const Stage& stage : data.stages) {
-    names.push_back({fmt::format("stage[{}].displacement", stage.name),
-                     fmt::format("largest displacement at the end of '{}'", stage.name), "m", ResultKind::stage,
-                     "displacement"});
-    names.push_back({fmt::format("stage[{}].time", stage.name),
-                     fmt::format("simulated time at the end of '{}'", stage.name), "s", ResultKind::stage, "time"});
-  }
-  if (is_wet(data)) add_water(names, data);
-  if (is_wet(data)) add_seepage(names, data);
-  names.push_back(
-      {"mesh.critical_time_step", "critical time step of the mesh", "s", ResultKind::mesh, "critical_time_step"});
-  names.push_back({"mesh.points", "material points", "", ResultKind::mesh, "points"});
-  names.push_back({"mesh.soil_elements", "elements with soil", "", ResultKind::mesh, "soil_elements"});
-  return names;
+std::vector<results::NamedValue> list_result_names(const Case& data) {
+  return results::list_values(outline_results(data), data.mesh.dimension);
 }
 
 std::optional<double> find_trial_factor(const std::string& name) {
@@ -189,16 +205,16 @@ std::optional<PointResultName> find_point_result_name(const std::string& name) {
   return result;
 }
 
-std::optional<ResultName> find_result_name(const Case& data, const std::string& name) {
+std::optional<NamedValue> find_result_name(const Case& data, const std::string& name) {
   if (const auto of_test = find_point_result_name(name)) return name_point_result(data, name, *of_test);
   const bool has_curve = data.analysis == AnalysisKind::strength_reduction && data.strength_reduction.curve.enabled;
   if (const auto factor = find_trial_factor(name); factor && has_curve) return name_trial(name, *factor);
-  for (const ResultName& known : list_result_names(data))
+  for (const NamedValue& known : list_result_names(data))
     if (known.name == name) return known;
   return std::nullopt;
 }
 
-std::optional<ResultName> find_possible_name(const Case& data, const std::string& name) {
+std::optional<NamedValue> find_possible_name(const Case& data, const std::string& name) {
   Case asked = data;
   asked.methods = {Method::lem, Method::fem, Method::mpm};
   asked.lem.methods.clear();

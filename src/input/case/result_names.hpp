@@ -6,27 +6,16 @@
 #include <vector>
 
 #include "input/case/case.hpp"
+#include "results/named.hpp"
 
 namespace talus::input {
-
-/// What a result is about.
-enum class ResultKind { factor, yield_acceleration, over_design, runout, motion, stage, mesh, water, seepage, other };
-
-/// A result before it is known.
-struct ResultName {
-  std::string name;   ///< "runout[1.75].moved_volume"
-  std::string title;  ///< "moved volume, runout at SRF 1.75"
-  std::string unit;   ///< SI, as UDUNITS writes it; empty for a plain number
-  ResultKind kind = ResultKind::factor;
-  std::string quantity = "factor";  ///< "moved_volume"
-  std::optional<SliceMethod> by{};  ///< of the slices, factors and accelerations
-};
 
 /// The stage at whose start the clock of onset and sections is zero; nullptr for a case without stages.
 const Stage* find_clock_stage(const Case& data);
 
-/// All results that the case yields, in the order of the report, without those of single trials of the curve.
-std::vector<ResultName> list_result_names(const Case& data);
+/// All results that the case yields, in the order of the report, without those of single trials of the curve; their
+/// values mean nothing.
+std::vector<results::NamedValue> list_result_names(const Case& data);
 
 /// The factor of "curve.displacement[1.45]"; nothing for another name.
 std::optional<double> find_trial_factor(const std::string& name);
@@ -42,11 +31,11 @@ struct PointResultName {
 std::optional<PointResultName> find_point_result_name(const std::string& name);
 
 /// The result called `name`, also of a trial of the curve; nothing when the case does not yield it.
-std::optional<ResultName> find_result_name(const Case& data, const std::string& name);
+std::optional<results::NamedValue> find_result_name(const Case& data, const std::string& name);
 
 /// The result called `name` of the same case when it is asked for more: a [[compare]] stays right when --set or a study
 /// leaves a calculation out. Nothing when no such case yields it.
-std::optional<ResultName> find_possible_name(const Case& data, const std::string& name);
+std::optional<results::NamedValue> find_possible_name(const Case& data, const std::string& name);
 
 /// `amount` in SI. A plain number is SI already.
 double to_si(const Amount& amount);

@@ -12,7 +12,7 @@ namespace {
 
 std::string suggest(const Case& data, const std::string& name) {
   std::vector<std::string> names;
-  for (const ResultName& known : list_result_names(data)) names.push_back(known.name);
+  for (const results::NamedValue& known : list_result_names(data)) names.push_back(known.name);
   for (const PointTest& test : data.tests)
     for (const PointQuantity& q : list_point_quantities())
       names.push_back(fmt::format("test[{}].{}", test.name, q.name));
@@ -38,7 +38,7 @@ bool fits(const Amount& amount, const std::string& unit) {
   }
 }
 
-void check_amount(const Amount& amount, const ResultName& result, const std::string& path, const char* key,
+void check_amount(const Amount& amount, const results::NamedValue& result, const std::string& path, const char* key,
                   Findings& findings) {
   if (!findings.is_sound(path) || fits(amount, result.unit)) return;
   findings.add(path, fmt::format("'{}' is \"{}\"; '{}' is {}{}", key, amount.text, result.name,
@@ -54,7 +54,7 @@ void check_compare(const Case& data, Findings& findings) {
     const Compare& compare = data.compare[i];
     const std::string path = fmt::format("compare.{}", i);
     if (!findings.is_sound(path + ".name")) continue;
-    const std::optional<ResultName> result = find_possible_name(data, compare.name);
+    const std::optional<results::NamedValue> result = find_possible_name(data, compare.name);
     if (!result) {
       findings.add(path + ".name",
                    fmt::format("the case yields no result '{}'; {}", compare.name, suggest(data, compare.name)));

@@ -19,10 +19,6 @@ namespace talus::lem {
 
 namespace {
 
-bool suits_polylines(Method method) {
-  return method != Method::fellenius && method != Method::bishop;
-}
-
 /// The surface with everything that is shown of it.
 Critical finish(const Slope& slope, const SearchOptions& options, const Surface& surface, Method method) {
   Critical critical;
@@ -199,7 +195,7 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
     std::string reasons = "no circle enters and leaves the ground inside the model";
     if (result.tried > 0)
       reasons = fmt::format("{} by {}", describe_refusals(result.refused.front(), result.tried),
-                            title_method(options.methods.front()));
+                            get_title(options.methods.front()));
     throw Error(ExitCode::wrong_input,
                 fmt::format("no admissible slip surface was found: {}; check the ranges of the search, the bottom "
                             "of the model and the limits (smallest_depth, smallest_m_alpha, most_tension)",

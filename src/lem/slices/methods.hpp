@@ -13,9 +13,6 @@
 namespace talus::lem {
 
 using Method = SliceMethod;
-inline constexpr int method_count = 7;
-const char* name_method(Method method);   ///< "spencer"
-const char* title_method(Method method);  ///< "Spencer"
 
 /// One slice, from left to right. Forces per metre of thickness [N].
 struct Slice {

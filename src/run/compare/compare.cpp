@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "input/case/method_names.hpp"
 #include "run/compare/reading.hpp"
 #include "run/compare/slip_line.hpp"
 #include "run/lem/run_lem.hpp"
@@ -22,7 +21,7 @@ namespace fs = std::filesystem;
 std::vector<SliceMethod> list_takers(const input::LimitEquilibrium& settings) {
   std::vector<SliceMethod> takers{SliceMethod::spencer, SliceMethod::morgenstern_price};
   for (const SliceMethod method : settings.methods)
-    if (input::suits_polylines(method) && std::find(takers.begin(), takers.end(), method) == takers.end())
+    if (suits_polylines(method) && std::find(takers.begin(), takers.end(), method) == takers.end())
       takers.push_back(method);
   return takers;
 }
@@ -118,7 +117,7 @@ class Comparison {
 
   void add_points() {
     const PointsSlipLine line = find_line();
-    const std::string surface = line.line.empty() ? "" : "mpm.slip_line";
+    const std::string surface = line.line.empty() ? "" : results::slip_line_name;
     const std::size_t first = told_.table.size();
     if (run_.factor_of_safety) add_point_factors(*run_.factor_of_safety, surface);
     if (told_.table.size() > first) {
@@ -127,7 +126,7 @@ class Comparison {
       told_.table[first].seconds = std::max(0.0, (run_.timing ? run_.timing->wall : 0) - others);
     }
     if (line.line.empty()) return;
-    told_.surfaces.push_back({"mpm.slip_line",
+    told_.surfaces.push_back({results::slip_line_name,
                               line.factor > 1
                                   ? fmt::format("Slip line of the material points at SRF {:.4g}", line.factor)
                                   : std::string("Slip line of the material points"),
@@ -176,8 +175,7 @@ class Comparison {
       if (s.method == Method::lem) continue;
       const auto surface = make_surface(*slope_, s.points);
       for (const SliceMethod method : list_takers(data_.lem)) {
-        const std::string name = lem::name_method(method),
-                          title = fmt::format("{} on: {}", lem::title_method(method), s.title);
+        const std::string name = to_word(method), title = fmt::format("{} on: {}", get_title(method), s.title);
         if (!surface) {
           told_.handed.push_back({s.name, name, title, {}, "the line does not part a mass from the ground"});
           continue;
@@ -188,7 +186,7 @@ class Comparison {
         told_.handed.push_back({s.name, name, title, get_factor(found), refusal});
         if (method != SliceMethod::spencer && method != SliceMethod::morgenstern_price) continue;
         results::MethodRow row =
-            begin_row(Method::lem, name, lem::title_method(method), "on: " + s.title, s.name, Source::handed);
+            begin_row(Method::lem, name, get_title(method), "on: " + s.title, s.name, Source::handed);
         row.factor = get_factor(found);
         row.note = refusal;
         told_.table.push_back(std::move(row));
@@ -222,7 +220,7 @@ class Comparison {
 }  // namespace
 
 const char* name_band(results::Flow flow) {
-  return flow == results::Flow::associated ? "fem.associated.band" : "fem.band";
+  return flow == results::Flow::associated ? results::associated_band_name : results::band_name;
 }
 
 std::string describe_flow(const results::ElementRun& run) {

@@ -183,7 +183,7 @@ SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int
     for (lem::Critical& c : found.circular) take(c, result.critical);
     for (lem::Critical& c : found.noncircular) take(c, result.noncircular);
     for (std::size_t m = 0; m < found.minima.size(); ++m) {
-      auto& list = result.minima[lem::name_method(options.methods[m])];
+      auto& list = result.minima[to_word(options.methods[m])];
       for (const lem::Critical& c : found.minima[m]) list.push_back(tell_surface(c));
     }
     result.search = tell_search(options, found);

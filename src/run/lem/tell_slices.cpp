@@ -55,7 +55,7 @@ std::vector<lem::Point> list_points(const lem::CutSurface& cut) {
 results::SlipSurface tell_surface(const lem::Critical& c) {
   results::SlipSurface told;
   told.method = c.method;
-  told.title = lem::title_method(c.method);
+  told.title = get_title(c.method);
   told.circular = c.surface.circle.has_value();
   if (c.solution.factor > 0) told.factor = c.solution.factor;
   if (c.surface.circle) told.circle = {c.surface.circle->centre, c.surface.circle->radius};
@@ -88,11 +88,10 @@ results::SliceSearch tell_search(const lem::SearchOptions& options, const lem::S
   told.kind = options.kind == lem::SearchKind::grid ? results::SearchKind::grid : results::SearchKind::entry_exit;
   told.tried = result.tried;
   for (std::size_t m = 0; m < result.refused.size(); ++m) {
-    auto& counts = told.refused[lem::name_method(options.methods[m])];
+    auto& counts = told.refused[to_word(options.methods[m])];
     for (const auto& [why, count] : result.refused[m]) counts[lem::name_refusal(why)] = count;
   }
-  for (const lem::LimitHit& hit : result.limit_hits)
-    told.limit_hits.push_back({lem::title_method(hit.method), hit.limit});
+  for (const lem::LimitHit& hit : result.limit_hits) told.limit_hits.push_back({get_title(hit.method), hit.limit});
   if (const auto& e = result.entry_exit; e && options.kind == lem::SearchKind::entry_exit) {
     told.ranges.exit = e->exit;
     told.ranges.entry = e->entry;
@@ -112,7 +111,7 @@ results::SliceSearch tell_search(const lem::SearchOptions& options, const lem::S
 results::SliceTrials tell_trials(const lem::SearchOptions& options, const lem::SearchResult& result) {
   constexpr double digits = 1e4;
   results::SliceTrials told;
-  for (const lem::Method m : options.methods) told.methods.emplace_back(lem::name_method(m));
+  for (const lem::Method m : options.methods) told.methods.emplace_back(to_word(m));
   for (const lem::Trial& t : result.trials) {
     if (!t.surface.circle) continue;
     std::vector<double>& row = told.trials.emplace_back();
@@ -123,7 +122,7 @@ results::SliceTrials tell_trials(const lem::SearchOptions& options, const lem::S
   }
   for (std::size_t m = 0; m < result.maps.size(); ++m) {
     const auto& map = result.maps[m];
-    results::FactorMap& shown = told.maps[lem::name_method(options.methods[m])];
+    results::FactorMap& shown = told.maps[to_word(options.methods[m])];
     shown = {map.from, map.to, map.columns, map.rows, {}};
     for (const float f : map.factor)
       shown.factor.push_back(std::isfinite(f) ? std::optional(round_to(f, digits)) : std::nullopt);
