@@ -6,8 +6,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include "input/case/declare_case.hpp"
-#include "input/language/codec_list.hpp"
+#include "input/case/case.hpp"
+#include "input/language/codecs.hpp"
 
 namespace talus::input {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "input/case/declare_case.hpp"
-#include "input/language/codec.hpp"
+#include "input/case/case.hpp"
+#include "input/language/codecs.hpp"
 
 namespace talus::input {
 namespace {
@@ -92,7 +92,7 @@ class Echo {
 json echo(const Case& data, const Places& places) {
   Case copy = data;  // one declaration serves readers and writers, so it takes what it may change
   std::set<std::string> methods;
-  for (const Method method : data.methods) methods.insert(Codec<Method>::encode(method, {}));
+  for (const Method method : data.methods) methods.insert(get_word(method));
   if (!data.tests.empty()) methods.insert("fem");
   Echo visitor(places, methods);
   describe(visitor, copy);

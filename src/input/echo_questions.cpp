@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "input/case/declare_material.hpp"
+#include "input/case/material.hpp"
 #include "input/echo.hpp"
 
 namespace talus::input {

@@ -12,11 +12,12 @@
 #include <set>
 #include <sstream>
 
+#include "input/case/case.hpp"
+#include "input/case/checks.hpp"
 #include "input/case/complete.hpp"
-#include "input/case/declare_case.hpp"
 #include "input/case/uncertain_number.hpp"
-#include "input/checks/checks.hpp"
 #include "input/echo.hpp"
+#include "input/language/codecs.hpp"
 #include "input/language/reader.hpp"
 
 namespace talus::input {

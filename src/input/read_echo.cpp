@@ -3,10 +3,10 @@
 #include <toml++/toml.h>
 #include <nlohmann/json.hpp>
 
+#include "input/case/case.hpp"
 #include "input/case/complete.hpp"
-#include "input/case/declare_case.hpp"
 #include "input/echo.hpp"
-#include "input/language/codec.hpp"
+#include "input/language/codecs.hpp"
 
 namespace talus::input {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "input/case/checks.hpp"
 #include "input/case/number_keys.hpp"
-#include "input/checks/checks.hpp"
 #include "laboratory/measured_match.hpp"
 
 namespace talus::laboratory {

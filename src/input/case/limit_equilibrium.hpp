@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/methods.hpp"
+#include "input/language/spec.hpp"
 
 namespace talus::input {
 
@@ -61,48 +62,94 @@ struct LimitEquilibrium {
   std::vector<SlipSurface> surfaces;
 };
 
-/// What suction adds to the strength on a slip surface.
-enum class SuctionStrength { from_water, none, saturation, phi_b };
-
-/// What slices (and finite elements, where they can) need of a material beside its strength.
-struct SliceSoil {
-  std::optional<double> unit_weight;            ///< γ above the water table, instead of grains and pores [N/m³]
-  std::optional<double> saturated_unit_weight;  ///< γ below it [N/m³]
-  double pore_pressure_ratio = 0;               ///< r_u [-]
-  SuctionStrength suction_strength = SuctionStrength::from_water;  ///< from_water: χ = S_w where the soil has a
-                                                                   ///< retention curve, else none
-  double phi_b = 0;                                                ///< [rad]
-  double cohesion_gradient = 0;                                    ///< growth of c below `cohesion_level` [Pa/m]
-  double cohesion_level = 0;                                       ///< [m]
+template <>
+inline constexpr auto choices<SliceMethod> = std::array{
+    Choice{SliceMethod::fellenius, "fellenius", "ordinary method of slices; moments, circles only"},
+    Choice{SliceMethod::bishop, "bishop", "Bishop's simplified method; moments"},
+    Choice{SliceMethod::janbu, "janbu", "Janbu's simplified method; horizontal forces, not corrected"},
+    Choice{SliceMethod::janbu_corrected, "janbu_corrected", "the same times Janbu's f₀"},
+    Choice{SliceMethod::spencer, "spencer", "forces and moments; interslice forces are parallel"},
+    Choice{SliceMethod::morgenstern_price, "morgenstern_price",
+           "forces and moments; their inclination follows half a sine wave"},
+    Choice{SliceMethod::morgenstern_price_constant, "morgenstern_price_constant", "the same with a constant function"},
+};
+template <>
+inline constexpr auto choices<SurfaceSearch> = std::array{
+    Choice{SurfaceSearch::entry_exit, "entry_exit",
+           "circles through an entry and an exit on the ground, several deep each; [lem.entry_exit]"},
+    Choice{SurfaceSearch::grid, "grid", "circles about the points of a grid, several radii each; [lem.grid]"},
+    Choice{SurfaceSearch::none, "none", "the surfaces of [[lem.surface]] alone"},
 };
 
-/// A vertical load on the ground, for slices and finite elements.
-struct Surcharge {
-  std::string name;
-  std::vector<double> x;     ///< from left to right [m]
-  std::vector<double> load;  ///< at each x [Pa], linear between; down positive
-  bool variable = false;     ///< a variable action in the sense of Eurocode 7, else permanent
-};
+template <class Visitor>
+void describe(Visitor& v, SlipSurface& s) {
+  v.key("name", s.name, plain().required().example(R"("A")"), "Name of the surface in tables and plots.");
+  v.key("centre", s.centre, quantity("m").example("[30, 25]"), "Centre of a circle.");
+  v.key("radius", s.radius, quantity("m").above(0).example("20"), "Radius of the circle.");
+  v.key("ends", s.ends, quantity("m").example("[12, 32]"),
+        "x of the two points on the ground between which the arc slides; if not given, those where circle and ground "
+        "meet, the longest part of the soil between two of them.");
+  v.key("points", s.points, quantity("m").example("[[8, 15], [20, 6], [32, 5]]"),
+        "Instead of a circle: corners of a polyline from left to right. Its ends lie on the ground.");
+}
 
-/// Pseudo-static acceleration over g.
-struct Earthquake {
-  double horizontal = 0;  ///< k_h out of the slope [-]
-  double vertical = 0;    ///< k_v, down positive [-]
-};
+template <class Visitor>
+void describe(Visitor& v, EntryExit& e) {
+  v.key("exit", e.exit, quantity("m").example("[28, 36]"),
+        "From which x to which x surfaces come out of the ground at the toe; empty: all of the ground.");
+  v.key("entry", e.entry, quantity("m").example("[2, 14]"), "The same of where they begin at the crest.");
+  v.key("exits", e.exits, plain().at_least(2).at_most(1000), "Exits in that range.");
+  v.key("entries", e.entries, plain().at_least(2).at_most(1000), "Entries in that range.");
+  v.key("depths", e.depths, plain().at_least(1).at_most(1000), "Circles through each pair, from flat to deep.");
+}
 
-/// Eurocode 7, EN 1997-1 Annex A; or factors by hand.
-enum class DesignApproach { none, da1_1, da1_2, da2, da3, by_hand };
+template <class Visitor>
+void describe(Visitor& v, CentreGrid& g) {
+  v.key("corners", g.corners, quantity("m").example("[[20, 16], [40, 36]]"),
+        "Lower left and upper right corner of the grid of centres; empty: chosen from the ground.");
+  v.key("columns", g.columns, plain().at_least(1).at_most(1000), "Centres side by side.");
+  v.key("rows", g.rows, plain().at_least(1).at_most(1000), "Centres one above the other.");
+  v.key("radii", g.radii, plain().at_least(1).at_most(1000), "Circles about each centre.");
+  v.key("levels", g.levels, quantity("m").example("[0, 6]"),
+        "Lowest and highest level of the deepest point of a circle; empty: from the base of the section to above the "
+        "toe.");
+}
 
-struct PartialFactors {
-  DesignApproach set = DesignApproach::none;
-  // Given values replace those of the set.
-  std::optional<double> cohesion;        ///< γ_c' divides c'
-  std::optional<double> friction;        ///< γ_φ' divides tanφ'
-  std::optional<double> undrained;       ///< γ_cu divides c of soils with φ = 0
-  std::optional<double> weight;          ///< γ_γ divides the weight
-  std::optional<double> permanent_load;  ///< γ_G multiplies unfavourable permanent surcharges
-  std::optional<double> variable_load;   ///< γ_Q multiplies unfavourable variable surcharges
-  std::optional<double> resistance;      ///< γ_R;e divides the factor of safety
-};
+template <class Visitor>
+void describe(Visitor& v, TensionCrack& t) {
+  v.key("depth", t.depth, quantity("m").at_least(0),
+        "Depth of a vertical crack at the upper end of every surface; 0: none.");
+  v.key("water", t.water, quantity("m").at_least(0), "Height of the water in it, above its bottom.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, LimitEquilibrium& l) {
+  v.key("methods", l.methods, plain(), "Methods of slices.");
+  v.key("slices", l.slices, plain().at_least(5).at_most(2000), "Slices of a surface, about.");
+  v.key("search", l.search, plain(), "How the critical circle is searched for.");
+  v.key("composite", l.composite, plain(),
+        "Circles that reach the bottom of the section go on along it; otherwise they are refused.");
+  v.key("noncircular", l.noncircular, plain(), "Go on from the critical circle to the critical polyline.");
+  v.key("vertices", l.vertices, plain().at_least(3).at_most(100), "Corners of that polyline.");
+  v.key("minima", l.minima, plain().at_least(1).at_most(50), "Local minima that are told apart and shown.");
+  v.key("smallest_depth", l.smallest_depth, quantity("m").at_least(0),
+        "Surfaces whose sliding mass is nowhere deeper than this are refused.");
+  v.key("smallest_m_alpha", l.smallest_m_alpha, plain().at_least(0).below(1),
+        "A surface with a smaller m_α at one of its slices fails the checks.");
+  v.key("most_tension", l.most_tension, plain().at_least(0).at_most(1),
+        "So does one with tensile effective normal forces on more than this share of its length.");
+  v.key("most_thrust_outside", l.most_thrust_outside, plain().at_least(0).at_most(1),
+        "So does one on which more than this share of the interslice forces acts outside the sliding mass (Spencer and "
+        "Morgenstern–Price).");
+  v.key("reject", l.reject, plain(),
+        "Surfaces that fail the checks are refused and counted by their reason; false: they only bring a warning.");
+  v.key("yield_acceleration", l.yield_acceleration, plain(),
+        "Find the horizontal acceleration with factor 1 of the critical surfaces.");
+  v.table("entry_exit", l.entry_exit, "Where search = \"entry_exit\" looks.");
+  v.table("grid", l.grid, "Where search = \"grid\" looks.");
+  v.table("tension_crack", l.crack, "A crack at the crest.");
+  v.tables("surface", l.surfaces, 0,
+           "A slip surface of your choice, by the methods of `methods`: a circle (centre and radius) or a polyline.");
+}
 
 }  // namespace talus::input

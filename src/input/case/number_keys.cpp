@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
-#include "input/case/declare_material.hpp"
+#include "input/case/material.hpp"
 
 namespace talus::input {
 namespace {

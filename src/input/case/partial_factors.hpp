@@ -1,11 +1,65 @@
 #pragma once
-// Partial factors of Eurocode 7 for the stability of slopes: the named sets, and what is divided or multiplied.
+// [partial_factors]: those of Eurocode 7 for the stability of slopes: the named sets, and what is divided or
+// multiplied.
 
+#include <array>
+#include <optional>
 #include <string>
 
-#include "input/case/limit_equilibrium.hpp"
+#include "input/language/spec.hpp"
 
 namespace talus::input {
+
+/// Eurocode 7, EN 1997-1 Annex A; or factors by hand.
+enum class DesignApproach { none, da1_1, da1_2, da2, da3, by_hand };
+
+struct PartialFactors {
+  DesignApproach set = DesignApproach::none;
+  // Given values replace those of the set.
+  std::optional<double> cohesion;        ///< γ_c' divides c'
+  std::optional<double> friction;        ///< γ_φ' divides tanφ'
+  std::optional<double> undrained;       ///< γ_cu divides c of soils with φ = 0
+  std::optional<double> weight;          ///< γ_γ divides the weight
+  std::optional<double> permanent_load;  ///< γ_G multiplies unfavourable permanent surcharges
+  std::optional<double> variable_load;   ///< γ_Q multiplies unfavourable variable surcharges
+  std::optional<double> resistance;      ///< γ_R;e divides the factor of safety
+};
+
+template <>
+inline constexpr auto choices<DesignApproach> = std::array{
+    Choice{DesignApproach::none, "none", "characteristic values"},
+    Choice{DesignApproach::da1_1, "DA1-1", "A1 + M1 + R1: γ_G 1.35, γ_Q 1.5"},
+    Choice{DesignApproach::da1_2, "DA1-2", "A2 + M2 + R1: γ_Q 1.3, γ_φ' 1.25, γ_c' 1.25, γ_cu 1.4"},
+    Choice{DesignApproach::da2, "DA2", "A1 + M1 + R2: γ_G 1.35, γ_Q 1.5, γ_R;e 1.1"},
+    Choice{DesignApproach::da3, "DA3",
+           "A2 + M2 + R3: γ_Q 1.3, γ_φ' 1.25, γ_c' 1.25, γ_cu 1.4; loads on a slope count as geotechnical actions"},
+    Choice{DesignApproach::by_hand, "by_hand", "the factors below; those not given are 1"},
+};
+
+template <class Visitor>
+void describe(Visitor& v, PartialFactors& p) {
+  const auto none = DesignApproach::none;
+  v.key("set", p.set, plain(),
+        "Partial factors of EN 1997-1:2004, Annex A (recommended values). Factors that are given replace those of the "
+        "set.");
+  v.key("cohesion", p.cohesion, plain().above(0).allowed_unless("set", p.set, none).example("1.25"),
+        "γ_c', which divides c' and the cohesion of roots. M1: 1, M2: 1.25.");
+  v.key("friction", p.friction, plain().above(0).allowed_unless("set", p.set, none).example("1.25"),
+        "γ_φ', which divides tan φ' (and tan φᵇ). M1: 1, M2: 1.25.");
+  v.key("undrained", p.undrained, plain().above(0).allowed_unless("set", p.set, none).example("1.4"),
+        "γ_cu, which divides the cohesion of soils with φ = 0. M1: 1, M2: 1.4.");
+  v.key("weight", p.weight, plain().above(0).allowed_unless("set", p.set, none).example("1.0"),
+        "γ_γ, which divides the unit weight. M1 and M2: 1.");
+  v.key(
+      "permanent_load", p.permanent_load, plain().above(0).allowed_unless("set", p.set, none).example("1.35"),
+      "γ_G of permanent actions: surcharges, and the weight of soil and water, whose driving and resisting parts come "
+      "from one source and share one factor (2.4.2(9)P). A1: 1.35, A2: 1. As only ratios count, strengths in kPa are "
+      "divided by γ_G, permanent actions keep their value, and variable ones are multiplied by γ_Q/γ_G.");
+  v.key("variable_load", p.variable_load, plain().above(0).allowed_unless("set", p.set, none).example("1.5"),
+        "γ_Q of variable surcharges, which are to stand only where they are unfavourable. A1: 1.5, A2: 1.3.");
+  v.key("resistance", p.resistance, plain().above(0).allowed_unless("set", p.set, none).example("1.1"),
+        "γ_R;e, which divides the factor of safety. R1 and R3: 1, R2: 1.1.");
+}
 
 /// The factors of a set with those given by hand in their places [-].
 struct PartialFactorValues {

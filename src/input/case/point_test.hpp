@@ -1,9 +1,13 @@
 #pragma once
-// [[test]] of the case: element tests, for `talus point` and `talus calibrate`.
+// [[test]]: element tests of `talus point` and `talus calibrate`.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "input/language/forms.hpp"
+#include "input/language/spec.hpp"
 
 namespace talus::input {
 
@@ -18,12 +22,6 @@ enum class PointTestKind {
 };
 enum class PointControl { strain, stress };
 enum class ShearDrainage { drained, constant_volume };
-
-/// A key of the test's material with another value, as --set writes it.
-struct PointSetting {
-  std::string key;    ///< dotted path within the material
-  std::string value;  ///< TOML text
-};
 
 /// Stresses are effective, and compression is positive as in a laboratory's report; of unsaturated soil they are net.
 struct PointTest {
@@ -67,5 +65,77 @@ struct PointQuantity {
 const std::vector<PointQuantity>& list_point_quantities();
 /// What the quantity called `name` is.
 PointQuantityKind find_point_quantity_kind(const std::string& name);
+
+template <>
+inline constexpr auto choices<PointTestKind> = std::array{
+    Choice{PointTestKind::isotropic_compression, "isotropic_compression", "the same stress from all sides"},
+    Choice{PointTestKind::k0_compression, "k0_compression", "axial and radial stress keep their ratio k0"},
+    Choice{PointTestKind::oedometer, "oedometer", "no lateral strain"},
+    Choice{PointTestKind::drained_triaxial, "drained_triaxial",
+           "axial compression or extension at constant radial "
+           "stress"},
+    Choice{PointTestKind::undrained_triaxial, "undrained_triaxial",
+           "axial compression or extension at constant volume and constant total radial stress"},
+    Choice{PointTestKind::simple_shear, "simple_shear", "shear without lateral strain"},
+    Choice{PointTestKind::wetting, "wetting", "suction changes at constant net stress"},
+};
+
+template <>
+inline constexpr auto choices<PointControl> = std::array{
+    Choice{PointControl::strain, "strain", "axial or shear strain is prescribed"},
+    Choice{PointControl::stress, "stress", "axial or shear stress is prescribed, as far as the soil carries it"},
+};
+
+template <>
+inline constexpr auto choices<ShearDrainage> = std::array{
+    Choice{ShearDrainage::drained, "drained", "vertical stress stays constant"},
+    Choice{ShearDrainage::constant_volume, "constant_volume", "the height stays constant"},
+};
+
+template <class Visitor>
+void describe(Visitor& v, PointTest& t) {
+  v.key("name", t.name, plain().required().example(R"("cell 100 kPa")"), "Name of the test in tables and pictures.");
+  v.key("material", t.material, plain().required().example(R"("sand")"), "Its soil.");
+  v.key("kind", t.kind, plain().required().example(R"("drained_triaxial")"), "What is done to the soil.");
+  v.key("control", t.control, plain().allowed_unless("kind", t.kind, PointTestKind::wetting),
+        "What the apparatus prescribes.");
+  v.key("drainage", t.drainage, plain().allowed_with("kind", t.kind, PointTestKind::simple_shear),
+        "What happens to the volume in simple shear.");
+  using enum PointTestKind;
+  v.key("confining_pressure", t.confining_pressure,
+        quantity("kPa")
+            .above(0)
+            .needed_with("kind", t.kind, drained_triaxial)
+            .or_with("kind", t.kind, undrained_triaxial)
+            .or_with("kind", t.kind, isotropic_compression)
+            .or_with("kind", t.kind, wetting)
+            .example("100"),
+        "Radial stress at the start: effective, of soil with suction net.");
+  v.key("vertical_stress", t.vertical_stress,
+        quantity("kPa")
+            .above(0)
+            .needed_with("kind", t.kind, oedometer)
+            .or_with("kind", t.kind, k0_compression)
+            .or_with("kind", t.kind, simple_shear)
+            .example("25"),
+        "Axial stress at the start: effective, of soil with suction net.");
+  v.key("k0", t.k0, plain().above(0).allowed_unless("kind", t.kind, isotropic_compression).example("0.5"),
+        "Radial over axial stress at the start. Required of tests with a vertical stress; 1 where not given.");
+  v.key("axial_strain", Turns{t.axial_strain}, plain().above(-1).below(1).example("0.25"),
+        "Axial strain at the end, or at each turning point; compression is positive, extension negative. In isotropic "
+        "compression it is a third of the volumetric strain. Strain control only.");
+  v.key("shear_strain", Turns{t.shear_strain}, plain().example("0.3"),
+        "Engineering shear strain at the end, or at each turning point. Simple shear under strain control only.");
+  v.key("axial_stress", Turns{t.axial_stress}, quantity("kPa").at_least(0).example("[400, 100, 800]"),
+        "Axial stress at the end, or at each turning point: effective, total in undrained tests. Stress control only.");
+  v.key("shear_stress", Turns{t.shear_stress}, quantity("kPa").example("40"),
+        "Shear stress at the end, or at each turning point. Simple shear under stress control only.");
+  v.key(
+      "suction", Turns{t.suction}, quantity("kPa").at_least(0).example("60"),
+      "Suction of the pore water: one value, which stays; in wetting the path, from the start on. 0 where not given.");
+  v.key("steps", t.steps, plain().at_least(1).at_most(1e6), "Steps of the test, shared out among its legs.");
+  v.key("set", t.set, plain().example("{ porosity = 0.4 }"),
+        "Keys of the material that have another value in this test.");
+}
 
 }  // namespace talus::input

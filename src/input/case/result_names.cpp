@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/units.hpp"
-#include "input/case/declare_limit_equilibrium.hpp"
-#include "input/checks/checks.hpp"
+#include "input/case/checks.hpp"
+#include "input/case/limit_equilibrium.hpp"
 
 namespace talus::input {
 
@@ -20,7 +20,6 @@ namespace {
 constexpr const char* trial_prefix = "curve.displacement[";
 constexpr const char* runout_prefix = "runout[";
 constexpr const char* test_prefix = "test[";
-constexpr const char* per_cent = "%";
 
 /// The number that stands in `text` between `prefix`, with which it begins, and the first `end`.
 std::optional<double> read_number_between(const std::string& text, const std::string& prefix, const std::string& end) {
@@ -231,21 +230,6 @@ std::optional<NamedValue> find_possible_name(const Case& data, const std::string
     if (const auto found = find_result_name(asked, name)) return found;
   }
   return std::nullopt;
-}
-
-double to_si(const Amount& amount) {
-  return amount.number * units::get_si_factor(amount.unit);
-}
-
-bool is_relative(const Amount& tolerance) {
-  return tolerance.unit == per_cent;
-}
-
-double find_tolerance(const Compare& compare) {
-  Amount tolerance = compare.tolerance;
-  if (is_relative(tolerance)) return tolerance.number / 100 * std::abs(to_si(compare.value));
-  if (tolerance.unit.empty()) tolerance.unit = compare.value.unit;
-  return to_si(tolerance);
 }
 
 }  // namespace talus::input

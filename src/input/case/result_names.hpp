@@ -37,13 +37,4 @@ std::optional<results::NamedValue> find_result_name(const Case& data, const std:
 /// leaves a calculation out. Nothing when no such case yields it.
 std::optional<results::NamedValue> find_possible_name(const Case& data, const std::string& name);
 
-/// `amount` in SI. A plain number is SI already.
-double to_si(const Amount& amount);
-
-/// Whether a tolerance is in per cent of the value.
-bool is_relative(const Amount& tolerance);
-
-/// Largest difference [SI] that `compare` lets pass: per cent are those of its value, a plain number is in its unit.
-double find_tolerance(const Compare& compare);
-
 }  // namespace talus::input

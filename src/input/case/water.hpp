@@ -1,13 +1,13 @@
 #pragma once
-// Pore water in the case: its properties, what a soil does with it, what it meets at the border, and how it starts.
+// [water] and [materials.NAME.water]: pore water, and what soils do with it.
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "input/language/time_table.hpp"
+#include "input/language/forms.hpp"
+#include "input/language/spec.hpp"
 
 namespace talus::input {
 
@@ -47,36 +47,130 @@ struct PoreWater {
   bool is_wet() const { return retention != RetentionCurve::dry; }
 };
 
-enum class WaterCondition { total_head, pressure, seepage_face, rain, flux, no_flow };
-enum class SeriesShape { linear, steps };
-enum class RainDirection { vertical, normal };
-
-/// [[hydraulic]]: what water meets on a named side or line. Values are series in time; a constant is one row.
-struct Hydraulic {
-  std::string on;
-  WaterCondition condition = WaterCondition::no_flow;
-  TimeTable head;      ///< level of the water [m]
-  TimeTable pressure;  ///< pore pressure, positive in compression as engineers write it [Pa]
-  TimeTable rate;      ///< rain or flux into the soil [m/s]; negative rain evaporates, negative flux is pumped out
-  SeriesShape series = SeriesShape::linear;
-  RainDirection rain = RainDirection::vertical;
-  double suction_limit = std::numeric_limits<double>::infinity();  ///< where evaporation stops [Pa]
-
-  /// The series of the condition in force, steps written out as jumps (two rows at one time); zero for conditions
-  /// without a value.
-  TimeTable values() const;
+template <>
+inline constexpr auto choices<RetentionCurve> = std::array{
+    Choice{RetentionCurve::dry, "dry", "the soil has no pore water"},
+    Choice{RetentionCurve::saturated, "saturated", "it stays saturated whatever the suction"},
+    Choice{RetentionCurve::van_genuchten, "van_genuchten", "S_min + (S_max - S_min)[1 + (s/p_ref)^(1/(1-λ))]^(-λ)"},
+    Choice{RetentionCurve::linear, "linear", "a straight line from S_max to S_min"},
+    Choice{RetentionCurve::exponential, "exponential", "S_min + (S_max - S_min)exp(-αs), after Gardner"},
+    Choice{RetentionCurve::table, "table", "measured pairs, joined by monotone cubics"},
+};
+template <>
+inline constexpr auto choices<ConductivityCurve> = std::array{
+    Choice{ConductivityCurve::constant, "constant", "that of the saturated soil at any suction"},
+    Choice{ConductivityCurve::mualem, "mualem", "√X[1 - (1 - X^(1/λ))^λ]² of it"},
+    Choice{ConductivityCurve::hillel, "hillel", "X^r of it"},
+    Choice{ConductivityCurve::exponential, "exponential", "exp(-αs) of it, after Gardner"},
+    Choice{ConductivityCurve::table, "table", "measured pairs, their logarithms joined by monotone cubics"},
+};
+template <>
+inline constexpr auto choices<SaturationShare> = std::array{
+    Choice{SaturationShare::total, "total", "the degree of saturation S"},
+    Choice{SaturationShare::effective, "effective", "the effective one, (S - S_min)/(S_max - S_min)"},
+};
+template <>
+inline constexpr auto choices<BishopChi> = std::array{
+    Choice{BishopChi::saturation, "saturation", "χ = S"},
+    Choice{BishopChi::khalili_khabbaz, "khalili_khabbaz", "χ = (s/s_e)^(-0.55) above the air entry s_e, 1 below"},
 };
 
-enum class InitialPressure { zero, water_table, seepage };
+template <class Visitor>
+void describe(Visitor& v, Water& w) {
+  v.key("density", w.density, quantity("kg/m3").above(0), "Density of the water at zero pressure.");
+  v.key("bulk_modulus", w.bulk_modulus, quantity("kPa").above(0).or_infinite(),
+        "Bulk modulus of the water. A softer one makes the time step longer; the undrained response suffers.");
+  v.key("viscosity", w.viscosity, quantity("Pa.s").above(0),
+        "Dynamic viscosity; it turns a permeability into a conductivity.");
+  v.key("drag_gravity", w.drag_gravity, quantity("m/s2").above(0),
+        "Acceleration of gravity at which conductivities were measured. In a centrifuge model it stays 9.81 when they "
+        "were measured at rest.");
+}
 
-/// Pore pressure at the start; part of [initial].
-struct InitialWater {
-  InitialPressure pressure = InitialPressure::zero;
-  std::vector<std::array<double, 2>> water_table;  ///< polyline of zero pressure [m]; horizontal beyond its ends
-  double largest_suction = std::numeric_limits<double>::infinity();  ///< above the water table [Pa]
-  /// Weather before the run [s]: transient seepage in soil at rest from time -season, where `pressure` holds, to time
-  /// 0.
-  double season = 0;
-};
+template <class Visitor>
+void describe(Visitor& v, PoreWater& w) {
+  using R = RetentionCurve;
+  using K = ConductivityCurve;
+  v.key("retention", w.retention, plain().example(R"("van_genuchten")"), "How the saturation follows the suction s.");
+  v.key("relative_conductivity", w.relative_conductivity,
+        plain().allowed_unless("retention", w.retention, R::dry).example(R"("mualem")"),
+        "How the conductivity follows the suction s or the saturation X.");
+  v.key("minimum_saturation", w.minimum_saturation,
+        plain()
+            .at_least(0)
+            .below(1)
+            .allowed_with("retention", w.retention, R::van_genuchten)
+            .or_with("retention", w.retention, R::linear)
+            .or_with("retention", w.retention, R::exponential)
+            .example("0.15"),
+        "Saturation S_min of the driest soil. A table has its own.");
+  v.key("maximum_saturation", w.maximum_saturation,
+        plain()
+            .above(0)
+            .at_most(1)
+            .allowed_with("retention", w.retention, R::saturated)
+            .or_with("retention", w.retention, R::van_genuchten)
+            .or_with("retention", w.retention, R::linear)
+            .or_with("retention", w.retention, R::exponential),
+        "Saturation S_max below the water table. A table has its own.");
+  v.key("reference_pressure", w.reference_pressure,
+        quantity("kPa").above(0).needed_with("retention", w.retention, R::van_genuchten).example("6.13"),
+        "p_ref of van Genuchten's curve.");
+  v.key("lambda", w.lambda,
+        plain()
+            .above(0)
+            .below(1)
+            .needed_with("retention", w.retention, R::van_genuchten)
+            .or_with("relative_conductivity", w.relative_conductivity, K::mualem)
+            .example("0.27"),
+        "λ of van Genuchten's curve (called m by others) and of Mualem's conductivity.");
+  v.key("dry_suction", w.dry_suction,
+        quantity("kPa").above(0).needed_with("retention", w.retention, R::linear).example("100"),
+        "Suction at which the straight line reaches S_min.");
+  v.key(
+      "decay", w.decay,
+      quantity("kPa-1")
+          .above(0)
+          .needed_with("retention", w.retention, R::exponential)
+          .or_with("relative_conductivity", w.relative_conductivity, K::exponential)
+          .example("0.1"),
+      "α of the exponential laws: one over the suction at which they have fallen to 37 %. Tables of others give it per "
+      "metre of head; divide that by the unit weight of water.");
+  SuctionCurve retention{w.retention_table}, conductivity{w.conductivity_table};
+  v.key("retention_table", retention,
+        quantity("kPa")
+            .at_least(0)
+            .needed_with("retention", w.retention, R::table)
+            .example(R"([[0, 1], ["10 kPa", 0.8], [100, 0.3]])"),
+        "Suctions and saturations; constant beyond the ends.");
+  v.key("conductivity", w.conductivity,
+        quantity("m/s").above(0).allowed_unless("retention", w.retention, R::dry).example("1e-5"),
+        "Conductivity of the saturated soil. Either this or `permeability` is needed.");
+  v.key("permeability", w.permeability,
+        quantity("m2").above(0).allowed_unless("retention", w.retention, R::dry).example("6e-11"),
+        "Intrinsic permeability instead; the conductivity is density · gravity · permeability/viscosity.");
+  v.key("measure", w.measure,
+        plain()
+            .allowed_with("relative_conductivity", w.relative_conductivity, K::mualem)
+            .or_with("relative_conductivity", w.relative_conductivity, K::hillel),
+        "The saturation X of the relative conductivity.");
+  v.key("exponent", w.exponent,
+        plain().at_least(0).needed_with("relative_conductivity", w.relative_conductivity, K::hillel).example("3"),
+        "r of Hillel's conductivity.");
+  v.key("air_entry", w.air_entry,
+        quantity("kPa").above(0).allowed_with("relative_conductivity", w.relative_conductivity, K::mualem).example("2"),
+        "Mualem's conductivity falls from this suction on only; without it, it falls with infinite slope for λ < 1/2.");
+  v.key("conductivity_table", conductivity,
+        quantity("kPa")
+            .at_least(0)
+            .needed_with("relative_conductivity", w.relative_conductivity, K::table)
+            .example(R"([[0, 1], ["10 kPa", 0.1], [100, 1e-4]])"),
+        "Suctions and relative conductivities, which lie above 0; constant beyond the ends.");
+  v.key("chi", w.chi, plain().allowed_unless("retention", w.retention, R::dry),
+        "χ of Bishop's effective stress: this share of the pore pressure acts between the grains.");
+  v.key("chi_air_entry", w.chi_air_entry,
+        quantity("kPa").above(0).needed_with("chi", w.chi, BishopChi::khalili_khabbaz).example("5"),
+        "Air entry s_e of Khalili and Khabbaz.");
+}
 
 }  // namespace talus::input

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "input/case/case.hpp"
 #include "input/language/findings.hpp"
+#include "input/language/forms.hpp"
 #include "input/language/spec.hpp"
 
 namespace talus::input {
@@ -113,11 +113,7 @@ struct Codec {
     out = choices<E>[index].value;
     return true;
   }
-  static nlohmann::json encode(E value, const Spec&) {
-    for (const auto& choice : choices<E>)
-      if (choice.value == value) return choice.word;
-    return nullptr;
-  }
+  static nlohmann::json encode(E value, const Spec&) { return get_word(value); }
   static std::string name(const Spec&) { return "word"; }
   static nlohmann::json schema(const Spec&) { return {{"enum", words()}}; }
 };
@@ -153,12 +149,6 @@ struct Codec<std::vector<std::array<double, 2>>> {
   static nlohmann::json schema(const Spec& spec);
 };
 
-/// Two opposite corners of a box: [[x_min, y_min], [x_max, y_max]].
-struct Corners {
-  std::array<double, 2>& min;
-  std::array<double, 2>& max;
-};
-
 template <>
 struct Codec<Corners> {
   static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Corners& out);
@@ -183,11 +173,6 @@ struct Codec<Amount> {
   static nlohmann::json encode(const Amount& value, const Spec& spec);
   static std::string name(const Spec&) { return "number or text with unit"; }
   static nlohmann::json schema(const Spec&) { return {{"type", {"number", "string"}}}; }
-};
-
-/// Any TOML values, kept as TOML texts.
-struct TomlTexts {
-  std::vector<std::string>& texts;
 };
 
 template <>

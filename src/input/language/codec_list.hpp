@@ -68,11 +68,6 @@ struct Codec<std::uint64_t> {
   static nlohmann::json schema(const Spec&) { return {{"type", "integer"}, {"minimum", 0}}; }
 };
 
-/// A number, or a text with a number and a unit, kept as TOML text: what another key would be set to.
-struct TomlText {
-  std::string& text;
-};
-
 template <>
 struct Codec<TomlText> {
   static bool decode(const Decoding& in, const toml::node& node, const std::string& path, TomlText& out);

@@ -10,23 +10,12 @@ bool decode_pairs(const Decoding& in, const toml::node& node, const std::string&
                   const Spec& second, const std::string& wanted, std::vector<std::array<double, 2>>& out);
 nlohmann::json write_pair_schema(const Spec& first, const Spec& second);
 
-/// A quantity that may change with time: one value, or rows [[time, value], ...] whose times do not decrease; two rows
-/// at one time are a jump. The unit and the range of the key are those of the value.
-struct Series {
-  TimeTable& table;
-};
-
 template <>
 struct Codec<Series> {
   static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Series& out);
   static nlohmann::json encode(const Series& value, const Spec& spec);
   static std::string name(const Spec& spec);
   static nlohmann::json schema(const Spec& spec);
-};
-
-/// Measured pairs [[suction, share], ...]: the unit of the key is that of the suction, the share lies from 0 to 1.
-struct SuctionCurve {
-  std::vector<std::array<double, 2>>& pairs;
 };
 
 template <>

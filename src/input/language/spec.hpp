@@ -25,6 +25,14 @@ Choice(E, const char*, const char*) -> Choice<E>;  // clang 14 does not deduce i
 template <class E>
 inline constexpr auto choices = nullptr;
 
+/// The word of an enumerator in the case file.
+template <class E>
+const char* get_word(E value) {
+  for (const auto& choice : choices<E>)
+    if (choice.value == value) return choice.word;
+  return "";
+}
+
 /// A limit of a range, in the unit of the manual.
 struct Limit {
   double value = 0;
@@ -134,9 +142,7 @@ struct Spec {
   static std::string write_value(int value) { return std::to_string(value); }
   template <class E>
   static std::string write_value(E value) {
-    for (const auto& choice : choices<E>)
-      if (choice.value == value) return '"' + std::string(choice.word) + '"';
-    return "";
+    return '"' + std::string(get_word(value)) + '"';
   }
   template <class T>
   static std::vector<Alternative> list_values(const char* key, const T& other, std::initializer_list<T> values) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "input/case/declare_water.hpp"
+#include "input/case/hydraulic.hpp"
 #include "report/content/boundary_lines.hpp"
 #include "report/words/numbers.hpp"
 
@@ -91,13 +91,6 @@ std::string describe(const input::Hydraulic& h, const std::optional<Shown>& seri
   return text;
 }
 
-/// As the case file has it.
-const char* to_word(WaterCondition condition) {
-  for (const auto& choice : input::choices<WaterCondition>)
-    if (choice.value == condition) return choice.word;
-  return "";
-}
-
 }  // namespace
 
 std::string name_condition(std::string word) {
@@ -109,7 +102,7 @@ json list_hydraulics(const ResultFolder& folder, const std::optional<mesh::Mesh<
   json list = json::array();
   const ShownUnits units = read_units(folder.run);
   for (const input::Hydraulic& h : folder.data.hydraulics) {
-    const std::string condition = to_word(h.condition);
+    const std::string condition = input::get_word(h.condition);
     const std::optional<Shown> series = read_series(h, units);
     json lines = json::array();
     if (get_dimension(folder.run) == 2) lines = find_boundary_lines(h.on, folder.data.mesh, mesh);

@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "input/case/declare_boundary.hpp"
+#include "input/case/boundary.hpp"
 #include "mesh/quality.hpp"
 #include "report/content/boundary_lines.hpp"
 #include "report/content/materials.hpp"
@@ -66,7 +66,7 @@ json list_boundaries(const input::Case& data, std::size_t dimension, const std::
     json lines = json::array();
     if (dimension == 2) lines = find_boundary_lines(b.on, data.mesh, mesh);
     list.push_back({{"on", b.on},
-                    {"fix", input::Codec<input::Fix>::encode(b.fix, {})},
+                    {"fix", input::get_word(b.fix)},
                     {"text", describe_boundary(b, dimension)},
                     {"lines", lines}});
   }

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "input/case/checks.hpp"
+
+namespace talus::input {
+namespace {
+
+/// Names in a list of tables must differ: results are filed under them.
+template <class T>
+void check_names(const std::vector<T>& list, const std::string& path, const char* what, Findings& findings) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string at = fmt::format("{}.{}.name", path, i);
+    if (findings.is_sound(at) && !names.insert(list[i].name).second)
+      findings.add(at, fmt::format("there are two {} named '{}'", what, list[i].name));
+  }
+}
+
+template <class Holds>
+bool some_material(const Case& data, Holds holds) {
+  return std::any_of(data.materials.begin(), data.materials.end(),
+                     [&](const auto& entry) { return holds(entry.second); });
+}
+
+const std::string soils_of_strength = "Mohr–Coulomb or Cam-clay, bare or rooted";
+
+/// Whether a strength can be divided by a factor.
+bool has_strength(const Case& data) {
+  return some_material(data, [](const Material& m) { return is_mohr_coulomb(m) || is_cam_clay(m); });
+}
+
+/// Nobody knows which of the constants of a UMAT are its strength.
+void check_no_external(const Case& data, const std::string& path, const std::string& what, Findings& findings) {
+  for (const auto& [name, material] : data.materials)
+    if (material.model == MaterialModel::external)
+      return findings.add(path, fmt::format("{} is not possible with material '{}': which of the constants of an "
+                                            "external model are its strength is not known",
+                                            what, name));
+}
+
+void check_stages(const Case& data, Findings& findings) {
+  if (data.stages.empty() && uses(data, Method::mpm) && findings.is_sound("stage") &&
+      findings.is_sound("analysis.methods"))
+    findings.add("stage", "there is no stage: add a [[stage]] with a name and a duration");
+  check_names(data.stages, "stage", "stages", findings);
+  for (std::size_t i = 0; i < data.stages.size(); ++i) {
+    const Stage& stage = data.stages[i];
+    const std::string path = fmt::format("stage.{}", i);
+    if (findings.is_sound(path + ".gravity_ramp") && findings.is_sound(path + ".duration") &&
+        stage.gravity_ramp > stage.duration)
+      findings.add(path + ".gravity_ramp",
+                   fmt::format("'gravity_ramp' is {:.6g} s; it must not be longer than the stage, {:.6g} s",
+                               stage.gravity_ramp, stage.duration));
+    if (!findings.is_sound("materials")) continue;
+    if (stage.cohesion && !some_material(data, is_mohr_coulomb))
+      findings.add(path + ".cohesion",
+                   "'cohesion' needs a material with model = \"mohr_coulomb\" or \"rooted_mohr_coulomb\"");
+    if (!stage.strength_factor) continue;
+    if (!has_strength(data))
+      findings.add(path + ".strength_factor",
+                   "'strength_factor' needs a material with a strength: " + soils_of_strength);
+    else
+      check_no_external(data, path + ".strength_factor", "'strength_factor'", findings);
+  }
+}
+
+template <class Trials>
+void check_interval(const Trials& trials, const std::string& path, Findings& findings) {
+  if (findings.is_sound(path + ".from") && findings.is_sound(path + ".to") && trials.from >= trials.to)
+    findings.add(findings.places.is_given(path + ".from") ? path + ".from" : path + ".to",
+                 fmt::format("'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", trials.from, trials.to));
+}
+
+void check_branch(const std::vector<double>& branch, const std::string& path, Findings& findings) {
+  if (branch.empty() || !findings.is_sound(path)) return;
+  if (branch.size() != 2 || branch[0] >= branch[1])
+    findings.add(path,
+                 fmt::format("'{}' must be [from, to], two increasing factors", path.substr(path.rfind('.') + 1)));
+}
+
+void check_strength_reduction(const Case& data, Findings& findings) {
+  const StrengthReduction& reduction = data.strength_reduction;
+  const std::string curve = "strength_reduction.curve", frozen = "strength_reduction.frozen";
+  check_interval(reduction.curve, curve, findings);
+  check_interval(reduction.frozen, frozen, findings);
+  check_branch(reduction.curve.initial_branch, curve + ".initial_branch", findings);
+  check_branch(reduction.curve.final_branch, curve + ".final_branch", findings);
+  if (findings.is_sound(curve + ".refine_step") && findings.is_sound(curve + ".step") &&
+      reduction.curve.refine_step > reduction.curve.step)
+    findings.add(findings.places.is_given(curve + ".refine_step") ? curve + ".refine_step" : curve + ".step",
+                 fmt::format("'refine_step' is {:.6g} and 'step' is {:.6g}; 'refine_step' must not be larger",
+                             reduction.curve.refine_step, reduction.curve.step));
+  if (data.analysis != AnalysisKind::strength_reduction || !uses(data, Method::mpm)) return;
+  if (!findings.is_sound("analysis.kind")) return;
+  if (findings.is_sound("materials")) {
+    if (!has_strength(data))
+      findings.add("analysis.kind", "strength reduction needs a material with a strength: " + soils_of_strength);
+    else
+      check_no_external(data, "analysis.kind", "strength reduction", findings);
+  }
+  if (!reduction.curve.enabled && !reduction.frozen.enabled && findings.is_sound(frozen + ".enabled"))
+    findings.add(frozen + ".enabled", "both the curve and the frozen factor are switched off; one must be enabled");
+}
+
+}  // namespace
+
+void check_analysis(const Case& data, Findings& findings) {
+  check_stages(data, findings);
+  check_strength_reduction(data, findings);
+  check_names(data.output.monitors, "output.monitor", "monitors", findings);
+  for (std::size_t i = 0; i < data.output.monitors.size(); ++i)
+    if (const std::string at = fmt::format("output.monitor.{}.name", i);
+        findings.is_sound(at) && data.output.monitors[i].name.find_first_of(",\"\n\r") != std::string::npos)
+      findings.add(at,
+                   "a monitor's name heads columns of monitors.csv; it must not hold commas, quotation marks or line "
+                   "breaks");
+  std::set<std::string> keys;
+  for (std::size_t i = 0; i < data.study.vary.size(); ++i)
+    if (const std::string path = fmt::format("study.vary.{}.key", i);
+        findings.is_sound(path) && !keys.insert(data.study.vary[i].key).second)
+      findings.add(path, fmt::format("the key '{}' is varied twice", data.study.vary[i].key));
+}
+
+}  // namespace talus::input

@@ -1,0 +1,122 @@
+#pragma once
+// [analysis] and [strength_reduction]: what is asked of the case, and how the factor of safety is found.
+
+#include <array>
+#include <vector>
+
+#include "base/methods.hpp"
+#include "input/case/mesh.hpp"
+#include "input/case/stage.hpp"
+#include "input/language/spec.hpp"
+
+namespace talus::input {
+
+enum class AnalysisKind { run, strength_reduction };
+using talus::Method;
+
+/// The displacement–SRF curve on moving geometry and the constructions on it (chapter 3 of the source).
+struct Curve {
+  bool enabled = true;
+  double from = 1.0, to = 1.75, step = 0.05;  ///< strength reduction factors [-]
+  bool refine = true;                         ///< halve the intervals where the curve bends
+  double refine_step = 0.01;                  ///< smallest interval [-]
+  double window = 5;                          ///< observation time of a trial [s]
+  StepSettings step_settings{.damping = 0.05, .courant = 0.98};
+  std::vector<double> initial_branch;  ///< [lo, hi] SRF of the first line; empty: chosen from the data
+  std::vector<double> final_branch;    ///< [lo, hi] SRF of the second line; empty: chosen from the data
+  double displacement_ratio = 0.03;    ///< u/H that counts as failure in the second criterion [-]
+  std::vector<double> runout;          ///< factors whose trials go on until rest [-]
+  double runout_time = 60;             ///< longest time of such a trial [s]
+};
+
+/// Talus's factor of safety: rest or run-away at frozen geometry (strength-reduction theory page).
+struct FrozenFactor {
+  bool enabled = true;
+  double from = 1.0, to = 2.0;  ///< bracket to start from [-]; widened when it does not hold the factor
+  double resolution = 0.01;     ///< width of the final bracket [-]
+  int meshes = 2;               ///< 1: one mesh of the case's size; 2: and one of half its size, extrapolated linearly
+  mesh::Algorithm algorithm = mesh::Algorithm::meshadapt;  ///< of both meshes
+  double window = 60;                ///< a trial without decision by then is reported as undecided [s]
+  double failed_displacement = 0.1;  ///< u/H that decides "failed" [-]
+  StepSettings step_settings{
+      .damping = 0.2, .smoothing = Smoothing::stable, .geometry = Geometry::frozen, .water = WaterMotion::held};
+  RestCriterion rest;
+};
+
+struct StrengthReduction {
+  Curve curve;
+  FrozenFactor frozen;
+};
+
+template <>
+inline constexpr auto choices<AnalysisKind> = std::array{
+    Choice{AnalysisKind::run, "run", "the stages, one after the other"},
+    Choice{AnalysisKind::strength_reduction, "strength_reduction", "the stages, then trials with reduced strength"},
+};
+
+template <>
+inline constexpr auto choices<Method> = std::array{
+    Choice{Method::lem, "lem", "limit equilibrium: slices, see [lem]"},
+    Choice{Method::fem, "fem", "finite elements with reduced strength, see [fem]"},
+    Choice{Method::mpm, "mpm", "material points: what `kind` says"},
+};
+
+struct AnalysisBlock {
+  AnalysisKind& kind;
+  std::vector<Method>& methods;
+};
+
+template <class Visitor>
+void describe(Visitor& v, AnalysisBlock& a) {
+  v.key("methods", a.methods, plain(),
+        "What answers, in one report. Where \"mpm\" is not named, a case needs no box, no stage, no boundary and, with "
+        "slices alone, no mesh and no stiffness; where such keys are given, they are not used.");
+  v.key("kind", a.kind, plain(), "What the material point method calculates.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Curve& c) {
+  v.key("enabled", c.enabled, plain(), "Calculate the curve.");
+  v.key("from", c.from, plain().above(0), "First strength reduction factor.");
+  v.key("to", c.to, plain().above(0), "Last strength reduction factor.");
+  v.key("step", c.step, plain().above(0), "Distance of the factors.");
+  v.key("refine", c.refine, plain(), "Halve the intervals where the curve bends.");
+  v.key("refine_step", c.refine_step, plain().above(0), "Smallest interval.");
+  v.key("window", c.window, quantity("s").above(0), "Observation time of a trial.");
+  describe(v, c.step_settings);
+  v.key("initial_branch", c.initial_branch, plain().above(0).example("[1.0, 1.2]"),
+        "From and to which factor the first line is fitted; empty: chosen from the data.");
+  v.key("final_branch", c.final_branch, plain().above(0).example("[1.5, 1.7]"),
+        "From and to which factor the second line is fitted; empty: chosen from the data.");
+  v.key("displacement_ratio", c.displacement_ratio, plain().above(0),
+        "Displacement over the relief of the ground that counts as failure in the second criterion.");
+  v.key("runout", c.runout, plain().above(0).example("[1.6, 1.7]"), "Factors whose trials go on until rest.");
+  v.key("runout_time", c.runout_time, quantity("s").above(0), "Longest time of such a trial.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, FrozenFactor& f) {
+  v.key("enabled", f.enabled, plain(), "Calculate this factor of safety.");
+  v.key("from", f.from, plain().above(0), "Lower end of the first bracket; widened when the factor is not in it.");
+  v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");
+  v.key("resolution", f.resolution, plain().above(0), "Width of the last bracket.");
+  v.key("meshes", f.meshes, plain().at_least(1).at_most(2),
+        "1: one mesh of the case's element size. 2: also one of half that size, and the factor extrapolated to size "
+        "zero.");
+  v.key("algorithm", f.algorithm, plain(),
+        "Gmsh's algorithm for these meshes (a ready mesh file is used as it is). Irregular ones lock least.");
+  v.key("window", f.window, quantity("s").above(0), "A trial that has not decided by then is reported as undecided.");
+  v.key("failed_displacement", f.failed_displacement, plain().above(0),
+        "Displacement over the relief of the ground that decides \"failed\".");
+  describe(v, f.step_settings);
+  v.table("rest", f.rest, "What decides \"at rest\" in a trial.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, StrengthReduction& s) {
+  v.table("curve", s.curve,
+          "Displacement over strength reduction factor on moving geometry, and the constructions on that curve.");
+  v.table("frozen", s.frozen, "The factor of safety from rest or run-away at frozen geometry, by bisection.");
+}
+
+}  // namespace talus::input

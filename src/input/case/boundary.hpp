@@ -1,0 +1,72 @@
+#pragma once
+// [[boundary]] and [[traction]]: what acts on named sides and lines.
+
+#include <array>
+#include <string>
+
+#include "input/language/spec.hpp"
+#include "input/language/time_table.hpp"
+
+namespace talus::input {
+
+enum class Fix { full, normal, plane, friction, velocity };
+
+struct Boundary {
+  std::string on;  ///< a named side or line
+  Fix fix = Fix::full;
+  std::array<double, 3> normal{};    ///< plane: motion along it is suppressed (unit after reading)
+  double friction = 0;               ///< friction: Coulomb's μ [-] of a wall that may be left but not crossed
+  std::array<double, 3> velocity{};  ///< velocity: prescribed [m/s], times `factor`
+  TimeTable factor{};
+};
+
+enum class Carrier { sides, points };
+
+struct Traction {
+  std::string on;                     ///< a named side or line
+  Carrier carrier = Carrier::points;  ///< mesh sides (fixed in space) or the material points beside them (2.31-2.32)
+  std::array<double, 3> traction{};   ///< [Pa], times `factor`
+  TimeTable factor{};
+};
+
+template <>
+inline constexpr auto choices<Fix> = std::array{
+    Choice{Fix::full, "full", "no motion"},
+    Choice{Fix::normal, "normal", "no motion across the side, free motion along it"},
+    Choice{Fix::plane, "plane", "no motion along the given normal"},
+    Choice{Fix::friction, "friction", "a rough wall that the soil may leave but not cross"},
+    Choice{Fix::velocity, "velocity", "the given velocity"},
+};
+
+template <>
+inline constexpr auto choices<Carrier> = std::array{
+    Choice{Carrier::points, "points", "the material points beside the side carry the load along with them"},
+    Choice{Carrier::sides, "sides", "the load stays on the sides of the mesh, fixed in space"},
+};
+
+template <class Visitor>
+void describe(Visitor& v, Boundary& b) {
+  v.key("on", b.on, plain().required().example_each({R"("bottom")", R"("left")", R"("right")"}),
+        "A side (left, right, bottom, top; in 3D also front, back), a named line, or a side group of the mesh file.");
+  v.key("fix", b.fix, plain().required().example_each({R"("full")", R"("normal")", R"("normal")"}),
+        "What the boundary does to the motion.");
+  v.key("normal", b.normal, plain().needed_with("fix", b.fix, Fix::plane).example("[1, 1]"),
+        "Direction of the suppressed motion, of any length but zero.");
+  v.key("friction", b.friction, plain().at_least(0).needed_with("fix", b.fix, Fix::friction).example("0.5"),
+        "Coulomb's coefficient of the wall.");
+  v.key("velocity", b.velocity, quantity("m/s").needed_with("fix", b.fix, Fix::velocity).example("[0.1, 0]"),
+        "Prescribed velocity.");
+  v.key("factor", b.factor, quantity("s").allowed_with("fix", b.fix, Fix::velocity).example("[[0, 0], [1, 1]]"),
+        "The velocity is multiplied by this factor: linear between the rows, constant before and after them.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Traction& t) {
+  v.key("on", t.on, plain().required().example(R"("crest")"), "A side or a named line, as in [[boundary]].");
+  v.key("carrier", t.carrier, plain(), "What carries the load.");
+  v.key("traction", t.traction, quantity("kPa").required().example("[0, -20]"), "Load per area.");
+  v.key("factor", t.factor, quantity("s").example("[[0, 0], [2, 1]]"),
+        "The load is multiplied by this factor: linear between the rows, constant before and after them.");
+}
+
+}  // namespace talus::input

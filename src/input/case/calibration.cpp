@@ -1,0 +1,263 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "base/nearest.hpp"
+#include "base/units.hpp"
+#include "input/case/checks.hpp"
+#include "input/case/measured_table.hpp"
+#include "input/case/number_keys.hpp"
+#include "input/case/result_names.hpp"
+
+namespace talus::input {
+namespace {
+
+constexpr double usual_error = 0.01;  ///< of the largest measured value [-]
+
+std::string suggest(const std::string& word, const std::vector<std::string>& known) {
+  const std::string near = find_nearest(word, known);
+  if (!near.empty()) return fmt::format("did you mean '{}'?", near);
+  std::string list;
+  for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+  return "known: " + (list.empty() ? "there are none" : list);
+}
+
+/// An amount in the unit in which a material keeps the key.
+double convert(const Amount& amount, const NumberKey& key) {
+  if (amount.unit.empty()) return amount.number * key.factor;
+  const std::string wanted = key.spec.unit.empty() ? "1" : key.spec.unit;
+  const double si = units::parse_as_si(amount.text, wanted, key.path);
+  return si / (key.spec.unit.empty() ? 1 : units::get_si_factor(key.spec.unit)) * key.factor;
+}
+
+/// One parameter, and where it stands.
+class ParameterCheck {
+ public:
+  ParameterCheck(const Case& data, CalibrationParameter& parameter, std::string path, Findings& findings)
+      : data_(data), p_(parameter), path_(std::move(path)), findings_(findings) {}
+
+  void run() {
+    if (!is_sound("key") || !findings_.is_sound("materials")) return;
+    const std::optional<NumberKey> key = find_key();
+    if (!key) return;
+    p_.unit = key->spec.unit;
+    p_.factor = key->factor;
+    const bool has_low = read("min", p_.min, *key, p_.low), has_high = read("max", p_.max, *key, p_.high);
+    if (!has_low || !has_high) return;
+    if (!(p_.low < p_.high))
+      return report("max", fmt::format("'max' is {}; it must be above 'min', {}", show(p_.high), show(p_.low)));
+    if (p_.scale == CalibrationScale::log && p_.low <= 0)
+      return report("scale", fmt::format("scale = \"log\" needs a 'min' above 0; it is {}", show(p_.low)));
+    if (p_.start) {
+      if (!read("start", *p_.start, *key, p_.first)) return;
+    } else if (key->value && std::isfinite(*key->value)) {
+      p_.first = *key->value;
+    } else {
+      return report("start", fmt::format("missing key 'start' in [[calibration.parameter]]: the material has no '{}' "
+                                         "to begin with",
+                                         p_.path));
+    }
+    const double slack = 1e-9 * (p_.high - p_.low);  // of a value at its limit that went through a text
+    if (p_.first < p_.low - slack || p_.first > p_.high + slack)
+      report(p_.start ? "start" : "key", fmt::format("'{}' begins at {}, outside 'min' and 'max', {} to {}", p_.key,
+                                                     show(p_.first), show(p_.low), show(p_.high)));
+  }
+
+ private:
+  bool is_sound(const char* key) const { return findings_.is_sound(path_ + "." + key); }
+  void report(const char* key, const std::string& sentence) { findings_.add(path_ + "." + key, sentence); }
+  std::string show(double value) const {
+    return fmt::format("{:.6g}{}{}", value / p_.factor, p_.unit.empty() ? "" : " ", p_.unit);
+  }
+
+  std::optional<NumberKey> find_key() {
+    const std::string start = "materials.";
+    const auto dot = p_.key.find('.', start.size());
+    if (p_.key.rfind(start, 0) != 0 || dot == std::string::npos) {
+      report("key", fmt::format("'{}' is no number of a material, such as materials.{}.poisson_ratio", p_.key,
+                                data_.materials.empty() ? "sand" : data_.materials.begin()->first));
+      return std::nullopt;
+    }
+    p_.material = p_.key.substr(start.size(), dot - start.size());
+    p_.path = p_.key.substr(dot + 1);
+    std::vector<std::string> names;
+    for (const auto& entry : data_.materials) names.push_back(entry.first);
+    const auto material = data_.materials.find(p_.material);
+    if (material == data_.materials.end()) {
+      report("key", fmt::format("there is no material '{}'; {}", p_.material, suggest(p_.material, names)));
+      return std::nullopt;
+    }
+    names.clear();
+    for (const NumberKey& key : list_number_keys(material->second)) {
+      if (key.path == p_.path && key.applies) return key;
+      if (key.applies) names.push_back(key.path);
+    }
+    report("key", fmt::format("material '{}' has no number '{}'; {}", p_.material, p_.path, suggest(p_.path, names)));
+    return std::nullopt;
+  }
+
+  bool read(const char* name, const Amount& amount, const NumberKey& key, double& out) {
+    if (!is_sound(name)) return false;
+    try {
+      out = convert(amount, key);
+    } catch (const Error& error) {
+      return report(name, error.what()), false;
+    }
+    if (key.spec.allows(out / key.factor)) return true;
+    report(name, fmt::format("'{}' is {}; '{}' must be {}", name, show(out), p_.path, key.spec.write_range()));
+    return false;
+  }
+
+  const Case& data_;
+  CalibrationParameter& p_;
+  std::string path_;
+  Findings& findings_;
+};
+
+/// One curve, and where it stands.
+class CurveCheck {
+ public:
+  CurveCheck(const Case& data, MeasuredCurve& curve, std::string path, std::string folder, Findings& findings)
+      : data_(data), c_(curve), path_(std::move(path)), folder_(std::move(folder)), findings_(findings) {}
+
+  void run() {
+    find_test();
+    const PointQuantity *x = find_quantity("x", c_.x), *y = find_quantity("y", c_.y);
+    if (x == nullptr || y == nullptr) return;
+    if (x == y) return report("y", fmt::format("'x' and 'y' are both '{}'", c_.x));
+    if (c_.file.empty() ? !read_rows(*x, *y) : !read_file(*x, *y)) return;
+    set_deviation(*y);
+  }
+
+ private:
+  bool is_sound(const char* key) const { return findings_.is_sound(path_ + "." + key); }
+  void report(const char* key, const std::string& sentence) { findings_.add(path_ + "." + key, sentence); }
+
+  void find_test() {
+    if (!is_sound("test") || !findings_.is_sound("test")) return;
+    std::vector<std::string> names;
+    for (const PointTest& test : data_.tests) {
+      if (test.name == c_.test) c_.test_number = names.size();
+      names.push_back(test.name);
+    }
+    if (std::find(names.begin(), names.end(), c_.test) == names.end())
+      report("test", fmt::format("there is no test '{}'; {}", c_.test, suggest(c_.test, names)));
+  }
+
+  const PointQuantity* find_quantity(const char* key, const std::string& name) {
+    if (!is_sound(key)) return nullptr;
+    if (const PointQuantity* quantity = find_point_quantity(name)) return quantity;
+    std::vector<std::string> names;
+    for (const PointQuantity& quantity : list_point_quantities()) names.emplace_back(quantity.name);
+    report(key, fmt::format("an element test has no '{}'; {}", name, suggest(name, names)));
+    return nullptr;
+  }
+
+  bool read_rows(const PointQuantity& x, const PointQuantity& y) {
+    if (!is_sound("data")) return false;
+    if (c_.data.empty()) return report("data", "'data' needs at least one row [x, y]"), false;
+    double factor[2];
+    const auto read = [&](const char* key, const PointQuantity& quantity, const std::string& unit, double& out) {
+      const bool is_stress = std::string(quantity.unit) == "Pa";
+      try {
+        out = find_measured_factor(quantity, unit.empty() && is_stress ? "kPa" : unit);
+      } catch (const Error& error) {
+        return report(key, error.what()), false;
+      }
+      return true;
+    };
+    const bool has_x = read("x_unit", x, c_.x_unit, factor[0]), has_y = read("y_unit", y, c_.y_unit, factor[1]);
+    if (!has_x || !has_y) return false;
+    c_.points.clear();
+    for (const auto& row : c_.data) c_.points.push_back({row[0] * factor[0], row[1] * factor[1]});
+    return true;
+  }
+
+  bool read_file(const PointQuantity& x, const PointQuantity& y) {
+    if (!is_sound("file")) return false;
+    try {
+      c_.points = read_measured_table((std::filesystem::path(folder_) / c_.file).lexically_normal(), x, y);
+    } catch (const Error& error) {
+      return report("file", error.what()), false;
+    }
+    return true;
+  }
+
+  void set_deviation(const PointQuantity& y) {
+    double largest = 0;
+    for (const auto& point : c_.points) largest = std::max(largest, std::abs(point[1]));
+    if (!is_sound("error")) return;
+    const bool is_share = !c_.error || is_relative(*c_.error);
+    if (is_share && largest == 0) return report("error", "all measured values are 0; give 'error' as an amount");
+    if (is_share) {
+      c_.deviation = (c_.error ? c_.error->number / 100 : usual_error) * largest;
+      return;
+    }
+    const bool is_stress = std::string(y.unit) == "Pa";
+    try {
+      if (c_.error->unit.empty())
+        c_.deviation = c_.error->number * (is_stress ? 1e3 : 1);
+      else
+        c_.deviation = units::parse_as_si(c_.error->text, is_stress ? "Pa" : "1", "error");
+    } catch (const Error& error) {
+      report("error", error.what());
+    }
+  }
+
+  const Case& data_;
+  MeasuredCurve& c_;
+  std::string path_, folder_;
+  Findings& findings_;
+};
+
+/// Whether the test feels the parameter: it has the material, and does not set the number itself.
+bool feels(const PointTest& test, const CalibrationParameter& parameter) {
+  return test.material == parameter.material &&
+         std::none_of(test.set.begin(), test.set.end(), [&](const PointSetting& s) { return s.key == parameter.path; });
+}
+
+/// What must hold between parameters and curves.
+void check_together(const Case& data, const Calibration& calibration, Findings& findings) {
+  if (calibration.parameters.empty() && findings.is_sound("calibration"))
+    findings.add("calibration", "[calibration] has nothing to fit: add a [[calibration.parameter]]");
+  if (calibration.curves.empty() && findings.is_sound("calibration"))
+    findings.add("calibration", "[calibration] has nothing to fit to: add a [[calibration.curve]]");
+  std::set<std::string> keys;
+  for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+    const CalibrationParameter& p = calibration.parameters[i];
+    const std::string path = fmt::format("calibration.parameter.{}.key", i);
+    if (!findings.is_sound(path)) continue;
+    if (!keys.insert(p.key).second) findings.add(path, fmt::format("'{}' is fitted twice", p.key));
+    if (p.material.empty() || !findings.is_sound("test") || !findings.is_sound("calibration.curve")) continue;
+    if (calibration.curves.empty()) continue;
+    if (std::none_of(calibration.curves.begin(), calibration.curves.end(),
+                     [&](const MeasuredCurve& c) { return c.weight > 0 && feels(data.tests[c.test_number], p); }))
+      findings.add(path, fmt::format("no curve feels '{}': none is of a test of material '{}' that does not set it "
+                                     "itself",
+                                     p.key, p.material));
+  }
+  if (!findings.is_sound("calibration")) return;
+  std::size_t values = 0;
+  for (const MeasuredCurve& c : calibration.curves) values += c.weight > 0 ? c.points.size() : 0;
+  if (values < calibration.parameters.size())
+    findings.add("calibration", fmt::format("{} measured {} cannot fix {} parameters", values,
+                                            values == 1 ? "value" : "values", calibration.parameters.size()));
+}
+
+}  // namespace
+
+void complete_calibration(Case& data, const std::string& file, Findings& findings) {
+  if (!data.calibration) return;
+  Calibration& calibration = *data.calibration;
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  for (std::size_t i = 0; i < calibration.parameters.size(); ++i)
+    ParameterCheck(data, calibration.parameters[i], fmt::format("calibration.parameter.{}", i), findings).run();
+  for (std::size_t i = 0; i < calibration.curves.size(); ++i)
+    CurveCheck(data, calibration.curves[i], fmt::format("calibration.curve.{}", i), folder, findings).run();
+  check_together(data, calibration, findings);
+}
+
+}  // namespace talus::input

@@ -1,0 +1,226 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "input/case/checks.hpp"
+#include "mesh/planar.hpp"
+
+namespace talus::input {
+namespace {
+
+using mesh::Point2;
+
+/// What stands on the two sides of a line, looked at in many places.
+struct Border {
+  bool meets_air = false;   ///< soil on one side, empty room of the box on the other
+  bool meets_soil = false;  ///< soil on one side at least
+};
+
+class Section {
+ public:
+  explicit Section(const mesh::Plan& plan) : plan_(plan) {}
+
+  Border look_along(const mesh::Polyline& line) const {
+    constexpr int places = 32;
+    Border border;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const Point2 &a = line[i], &b = line[i + 1];
+      const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+      if (length == 0) continue;
+      // Corners may be off by what the mesh generator closes, a millionth of an element.
+      const double step = 1e-3 * (plan_.size > 0 ? plan_.size : length);
+      const Point2 across{-(b[1] - a[1]) / length * step, (b[0] - a[0]) / length * step};
+      for (int k = 0; k < places; ++k) {
+        const double share = (k + 0.5) / places;
+        const Point2 x{a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
+        const Point2 left{x[0] + across[0], x[1] + across[1]}, right{x[0] - across[0], x[1] - across[1]};
+        const bool soil_left = has_soil(left), soil_right = has_soil(right);
+        border.meets_soil |= soil_left || soil_right;
+        border.meets_air |= (soil_left && is_room(right)) || (soil_right && is_room(left));
+      }
+    }
+    return border;
+  }
+
+  /// Level of the lowest soil [m].
+  double find_bottom() const {
+    double bottom = std::numeric_limits<double>::infinity();
+    for (const mesh::Polygon& polygon : plan_.polygons)
+      for (const Point2& x : polygon.points) bottom = std::min(bottom, x[1]);
+    return bottom;
+  }
+
+ private:
+  bool has_soil(const Point2& x) const {
+    return std::any_of(plan_.polygons.begin(), plan_.polygons.end(),
+                       [&](const mesh::Polygon& p) { return mesh::is_inside(x, p.points); });
+  }
+  bool is_room(const Point2& x) const {
+    return !has_soil(x) && x[0] > plan_.box_min[0] && x[0] < plan_.box_max[0] && x[1] > plan_.box_min[1] &&
+           x[1] < plan_.box_max[1];
+  }
+
+  const mesh::Plan& plan_;
+};
+
+const char* name_condition(WaterCondition condition) {
+  return condition == WaterCondition::rain ? "rain" : "a seepage face";
+}
+
+/// Rain and seepage faces need a surface.
+void check_surface(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::string& path, Findings& findings) {
+  const WaterCondition condition = hydraulic.condition;
+  if (condition != WaterCondition::rain && condition != WaterCondition::seepage_face) return;
+  const Section section(plan);
+  const auto report = [&](const std::string& reason) {
+    findings.add(path + ".on", fmt::format("{} on '{}', which is never a surface of the soil: {}",
+                                           name_condition(condition), hydraulic.on, reason));
+  };
+  for (const mesh::Line& line : plan.lines) {
+    if (line.name != hydraulic.on) continue;
+    const Border border = section.look_along(line.points);
+    if (!border.meets_soil) return report("no soil touches it");
+    if (!border.meets_air) report("it lies inside the soil or along a side of the box");
+    return;
+  }
+  // A side of the box. Water may leave through any of them, but it rains from above only.
+  if (condition != WaterCondition::rain) return;
+  if (hydraulic.on != "top") return report("draw a line along the ground and name it");
+  const Point2 &low = plan.box_min, &high = plan.box_max;
+  if (!section.look_along({{low[0], high[1]}, high}).meets_soil)
+    report("the soil does not reach it; draw a line along the ground and name it");
+}
+
+void check_head(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::string& path, Findings& findings) {
+  if (hydraulic.condition != WaterCondition::total_head || plan.polygons.empty() || hydraulic.head.value.empty())
+    return;
+  const double head = *std::min_element(hydraulic.head.value.begin(), hydraulic.head.value.end());
+  const double bottom = Section(plan).find_bottom();
+  if (head < bottom)
+    findings.add(path + ".head", fmt::format("'head' is {:.6g} m, below the lowest point of the soil, {:.6g} m; heads "
+                                             "are levels in the coordinates of the section",
+                                             head, bottom));
+}
+
+bool fixes_level(const Hydraulic& hydraulic) {
+  return hydraulic.condition == WaterCondition::total_head || hydraulic.condition == WaterCondition::pressure ||
+         hydraulic.condition == WaterCondition::seepage_face;
+}
+
+/// Heads and water tables are levels of y.
+void check_gravity(const Case& data, Findings& findings) {
+  if (!findings.is_sound("gravity") || !findings.is_sound("initial.pore_pressure")) return;
+  const InitialPressure start = data.initial.water.pressure;
+  const bool has_head = std::any_of(data.hydraulics.begin(), data.hydraulics.end(),
+                                    [](const Hydraulic& h) { return h.condition == WaterCondition::total_head; });
+  const std::array<double, 3>& down = data.gravity.direction;
+  if ((has_head || start != InitialPressure::zero) && !(down[0] == 0 && down[1] < 0 && down[2] == 0))
+    findings.add("gravity.direction",
+                 "'direction' is inclined, but a total head, a water table and steady seepage count "
+                 "levels along y: gravity needs the direction [0, -1] here");
+  if (start == InitialPressure::seepage && data.gravity.acceleration == 0)
+    findings.add("gravity.acceleration",
+                 "'acceleration' is 0, but pore_pressure = \"seepage\" needs gravity to drive water");
+}
+
+bool has_increasing_times(const TimeTable& table) {
+  return std::adjacent_find(table.time.begin(), table.time.end(), std::greater_equal<>()) == table.time.end();
+}
+
+void check_steps(const Hydraulic& hydraulic, const std::string& path, Findings& findings) {
+  if (hydraulic.series != SeriesShape::steps) return;
+  for (const auto& [key, table] :
+       {std::pair{".head", &hydraulic.head}, {".pressure", &hydraulic.pressure}, {".rate", &hydraulic.rate}})
+    if (findings.is_sound(path + key) && !has_increasing_times(*table))
+      findings.add(path + key, fmt::format("the times of '{}' must increase from row to row where series = \"steps\"",
+                                           std::string(key).substr(1)));
+}
+
+void check_start(const Case& data, Findings& findings) {
+  const InitialWater& start = data.initial.water;
+  if (!findings.is_sound("initial.pore_pressure") || start.pressure == InitialPressure::zero) return;
+  // Slices and finite elements take a piezometric line in any soil.
+  const bool takes_line = start.pressure == InitialPressure::water_table && !uses(data, Method::mpm);
+  if (!is_wet(data) && !takes_line) {
+    if (findings.is_sound("materials") && findings.is_sound("analysis.methods"))
+      findings.add("initial.pore_pressure",
+                   "there is a pore pressure at the start, but no material has pore water: add a table "
+                   "[materials.NAME.water]");
+    return;
+  }
+  if (start.pressure == InitialPressure::water_table) {
+    const auto& line = start.water_table;
+    if (!findings.is_sound("initial.water_table")) return;
+    if (line.empty()) return findings.add("initial.water_table", "'water_table' needs at least one point [x, y]");
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (line[i][0] <= line[i - 1][0])
+        return findings.add(
+            fmt::format("initial.water_table.{}", i),
+            fmt::format("'water_table' goes from x = {:.6g} m to x = {:.6g} m; its points must run from "
+                        "left to right, x increasing",
+                        line[i - 1][0], line[i][0]));
+    return;
+  }
+  if (findings.is_sound("hydraulic") && std::none_of(data.hydraulics.begin(), data.hydraulics.end(), fixes_level))
+    findings.add(
+        "initial.pore_pressure",
+        "pore_pressure = \"seepage\" needs a [[hydraulic]] with condition total_head, pressure or seepage_face: "
+        "without one the pressures of a steady flow have no level");
+}
+
+}  // namespace
+
+TimeTable Hydraulic::values() const {
+  const auto choose = [&]() -> const TimeTable& {
+    switch (condition) {
+      case WaterCondition::total_head:
+        return head;
+      case WaterCondition::pressure:
+        return pressure;
+      default:
+        return rate;
+    }
+  };
+  if (condition == WaterCondition::seepage_face || condition == WaterCondition::no_flow) return {{0.0}, {0.0}};
+  const TimeTable& rows = choose();
+  if (series == SeriesShape::linear) return rows;
+  TimeTable jumps;
+  for (std::size_t i = 0; i < rows.time.size(); ++i) {
+    if (i > 0) {
+      jumps.time.push_back(rows.time[i]);
+      jumps.value.push_back(rows.value[i - 1]);
+    }
+    jumps.time.push_back(rows.time[i]);
+    jumps.value.push_back(rows.value[i]);
+  }
+  return jumps;
+}
+
+void check_hydraulics(const Case& data, Findings& findings) {
+  check_start(data, findings);
+  if (is_wet(data)) check_gravity(data, findings);
+  if (data.hydraulics.empty()) return;
+  if (!is_wet(data)) {
+    if (findings.is_sound("materials"))
+      findings.add("hydraulic.0",
+                   "[[hydraulic]] has no meaning: no material has pore water; add a table [materials.NAME.water]");
+    return;
+  }
+  const bool knows_section = data.mesh.file.empty() && findings.is_sound("geometry") && findings.is_sound("mesh");
+  std::set<std::string> sides;
+  for (std::size_t i = 0; i < data.hydraulics.size(); ++i) {
+    const Hydraulic& hydraulic = data.hydraulics[i];
+    const std::string path = fmt::format("hydraulic.{}", i);
+    if (findings.is_sound(path + ".on") && !sides.insert(hydraulic.on).second)
+      findings.add(path + ".on", fmt::format("there are two hydraulic conditions on '{}'", hydraulic.on));
+    check_steps(hydraulic, path, findings);
+    if (!knows_section || !findings.is_sound(path + ".condition")) continue;
+    if (findings.is_sound(path + ".on")) check_surface(hydraulic, data.mesh, path, findings);
+    if (findings.is_sound(path + ".head")) check_head(hydraulic, data.mesh, path, findings);
+  }
+}
+
+}  // namespace talus::input

@@ -1,0 +1,216 @@
+// [analysis] methods: what each of them needs, and what it cannot take.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "input/case/checks.hpp"
+
+namespace talus::input {
+namespace {
+
+void check_list(const Case& data, Findings& findings) {
+  if (data.methods.empty())
+    findings.add("analysis.methods", "'methods' is empty; name at least one of \"lem\", \"fem\" and \"mpm\"");
+  for (std::size_t i = 1; i < data.methods.size(); ++i)
+    if (std::find(data.methods.begin(), data.methods.begin() + static_cast<std::ptrdiff_t>(i), data.methods[i]) !=
+        data.methods.begin() + static_cast<std::ptrdiff_t>(i))
+      findings.add(fmt::format("analysis.methods.{}", i),
+                   fmt::format("'methods' names \"{}\" twice", get_word(data.methods[i])));
+}
+
+/// Slices and finite elements start from the section as the file has it.
+void check_start(const Case& data, Findings& findings) {
+  if (!data.initial.result.empty() && findings.is_sound("initial.result"))
+    findings.add("initial.result",
+                 "'result' is not possible with the methods \"lem\" and \"fem\": only material points go on from "
+                 "another result");
+  if (data.gravity.acceleration == 0 && findings.is_sound("gravity.acceleration"))
+    findings.add("gravity.acceleration", "'acceleration' is 0, but a factor of safety needs a weight");
+  const std::array<double, 3>& down = data.gravity.direction;
+  if (uses(data, Method::lem) && findings.is_sound("gravity.direction") &&
+      !(down[0] == 0 && down[1] < 0 && down[2] == 0))
+    findings.add("gravity.direction",
+                 "'direction' is inclined, but slices weigh along y; give a horizontal acceleration in [earthquake] "
+                 "instead");
+}
+
+void check_slices_need(const Case& data, Findings& findings) {
+  if (data.mesh.dimension != 2 && findings.is_sound("geometry.dimension"))
+    findings.add(
+        "geometry.dimension",
+        "'dimension' is 3, but slices are those of a plane section; take \"lem\" out of 'methods' in [analysis]");
+  if (!data.mesh.file.empty() && findings.is_sound("mesh.file"))
+    findings.add("mesh.file",
+                 "slices need the polygons of the section, which a ready mesh does not have; write them as "
+                 "[[geometry.polygon]], or take \"lem\" out of 'methods' in [analysis]");
+  for (const auto& [name, material] : data.materials) {
+    const std::string path = "materials." + name + ".model";
+    if (findings.is_sound(path) && !is_mohr_coulomb(material) && material.model != MaterialModel::linear_elastic)
+      findings.add(path, fmt::format("material '{}' has no cohesion and friction angle for slices; they take "
+                                     "\"mohr_coulomb\", \"rooted_mohr_coulomb\" and, as rock that no surface passes "
+                                     "through, \"linear_elastic\"",
+                                     name));
+  }
+}
+
+void check_elements_need(const Case& data, Findings& findings) {
+  if (data.mesh.file.empty() && !data.fem.size && data.mesh.size == 0 && findings.is_sound("mesh.size") &&
+      findings.is_sound("fem.size"))
+    findings.add("mesh", "finite elements need a size: give 'size' in [mesh], or in [fem]");
+  if (findings.is_sound("fem.from") && findings.is_sound("fem.to") && data.fem.from >= data.fem.to)
+    findings.add(
+        findings.places.is_given("fem.from") ? "fem.from" : "fem.to",
+        fmt::format("'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", data.fem.from, data.fem.to));
+  for (const auto& [name, material] : data.materials) {
+    const std::string path = "materials." + name + ".model";
+    if (material.model == MaterialModel::external && findings.is_sound(path))
+      findings.add(path, fmt::format("finite elements reduce the strength, which is not possible with material '{}': "
+                                     "which of the constants of an external model are its strength is not known",
+                                     name));
+  }
+  for (std::size_t i = 0; i < data.boundaries.size(); ++i) {
+    const Boundary& b = data.boundaries[i];
+    const std::string path = fmt::format("boundary.{}.fix", i);
+    if ((b.fix == Fix::friction || b.fix == Fix::velocity) && findings.is_sound(path))
+      findings.add(path,
+                   fmt::format("finite elements have no {}; take \"fem\" out of 'methods' in [analysis], or fix '{}' "
+                               "in another way",
+                               b.fix == Fix::friction ? "wall with friction" : "boundary that moves", b.on));
+  }
+  if (data.boundaries.empty() && uses(data, Method::mpm) && findings.is_sound("boundary"))
+    findings.add("boundary", "there is no [[boundary]]: finite elements and material points need the soil held");
+}
+
+void check_has_strength(const Case& data, Findings& findings) {
+  if (!findings.is_sound("materials") || data.materials.empty()) return;
+  if (std::none_of(data.materials.begin(), data.materials.end(),
+                   [](const auto& entry) { return is_mohr_coulomb(entry.second) || is_cam_clay(entry.second); }))
+    findings.add("analysis.methods", "a factor of safety needs a material with a strength");
+}
+
+/// What material points cannot take; with "mpm" among the methods it would be missing from one of the answers.
+void check_points_can(const Case& data, Findings& findings) {
+  const auto report = [&](const std::string& path, const std::string& what, const std::string& instead) {
+    if (findings.is_sound(path))
+      findings.add(path, fmt::format("material points take no {}; {}, or take \"mpm\" out of 'methods' in [analysis]",
+                                     what, instead));
+  };
+  if (!data.surcharges.empty())
+    report("surcharge.0", "[[surcharge]]", "write the load as a [[traction]] on a named line, which all methods take");
+  if (data.earthquake.horizontal != 0 || data.earthquake.vertical != 0)
+    report(findings.places.is_given("earthquake.horizontal") ? "earthquake.horizontal" : "earthquake.vertical",
+           "[earthquake]", "incline the 'direction' of [gravity] in a case of their own");
+  for (const auto& [name, material] : data.materials) {
+    const std::string path = "materials." + name;
+    if (material.slices.pore_pressure_ratio != 0)
+      report(path + ".pore_pressure_ratio", "pore pressure ratio",
+             "give the pore water in [materials.NAME.water] and [initial]");
+    if (material.slices.cohesion_gradient != 0)
+      report(path + ".cohesion_gradient", "cohesion that grows with depth",
+             "write layers of constant cohesion as polygons of their own");
+  }
+}
+
+/// Lowest level of a material's regions [m]; infinite where it has none.
+double find_bottom(const Case& data, const std::string& material) {
+  double bottom = std::numeric_limits<double>::infinity();
+  for (const mesh::Polygon& polygon : data.mesh.polygons) {
+    const auto region = data.regions.find(polygon.name);
+    if (region == data.regions.end() || region->second != material) continue;
+    for (const auto& p : polygon.points) bottom = std::min(bottom, p[1]);
+  }
+  return bottom;
+}
+
+void check_cohesion_gradient(const Case& data, const Material& m, const std::string& name, Findings& findings) {
+  const std::string path = "materials." + name;
+  const SliceSoil& s = m.slices;
+  if (findings.places.is_given(path + ".cohesion_gradient") != findings.places.is_given(path + ".cohesion_level"))
+    return findings.add(
+        findings.places.is_given(path + ".cohesion_level") ? path + ".cohesion_level" : path + ".cohesion_gradient",
+        fmt::format("'cohesion_gradient' and 'cohesion_level' of material '{}' belong together; give "
+                    "both or none",
+                    name));
+  if (s.cohesion_gradient >= 0 || data.mesh.polygons.empty() || !findings.is_sound("geometry.polygon")) return;
+  const double bottom = find_bottom(data, name);
+  if (!std::isfinite(bottom)) return;
+  const double least = m.cohesion + s.cohesion_gradient * std::max(0.0, s.cohesion_level - bottom);
+  if (least < 0 && findings.is_sound(path + ".cohesion"))
+    findings.add(path + ".cohesion_gradient",
+                 fmt::format("the cohesion of material '{}' would be negative, {:.6g} kPa at y = {:.6g} m", name,
+                             least / 1e3, bottom));
+}
+
+void check_weight(const Material& m, const std::string& name, Findings& findings) {
+  const std::string path = "materials." + name;
+  const auto is_given = [&](const char* key) { return findings.places.is_given(path + key); };
+  const SliceSoil& s = m.slices;
+  if (s.unit_weight && s.saturated_unit_weight && *s.saturated_unit_weight < *s.unit_weight &&
+      findings.is_sound(path + ".saturated_unit_weight") && findings.is_sound(path + ".unit_weight"))
+    findings.add(path + ".saturated_unit_weight",
+                 fmt::format("'saturated_unit_weight' is {:.6g} kN/m3; it must not be smaller than the unit weight, "
+                             "{:.6g} kN/m3",
+                             *s.saturated_unit_weight / 1e3, *s.unit_weight / 1e3));
+  if (!s.unit_weight || !findings.is_sound(path + ".unit_weight") || !findings.is_sound(path + ".grain_density"))
+    return;
+  if (!m.water.is_wet()) {
+    if (is_given(".grain_density"))
+      findings.add(path + ".grain_density",
+                   fmt::format("material '{}' has both a unit weight and a grain density; give one of them", name));
+    return;
+  }
+  if (!is_given(".grain_density") || (!is_given(".porosity") && !is_given(".void_ratio")))
+    findings.add(
+        path + ".unit_weight",
+        fmt::format("the pore water of material '{}' moves, so that its weight changes: give 'grain_density' and "
+                    "'porosity' as well",
+                    name));
+}
+
+void check_suction(const Material& m, const std::string& name, Findings& findings) {
+  const std::string path = "materials." + name + ".suction_strength";
+  if (!findings.is_sound(path)) return;
+  const RetentionCurve curve = m.water.retention;
+  if (m.slices.suction_strength == SuctionStrength::saturation && findings.is_sound("materials." + name + ".water") &&
+      (curve == RetentionCurve::dry || curve == RetentionCurve::saturated))
+    findings.add(path, fmt::format("suction_strength = \"saturation\" needs the retention curve of material '{}', in "
+                                   "[materials.{}.water]",
+                                   name, name));
+  if (m.slices.suction_strength == SuctionStrength::phi_b && is_mohr_coulomb(m) && m.friction_angle > 0 &&
+      m.slices.phi_b > m.friction_angle && findings.is_sound("materials." + name + ".phi_b") &&
+      findings.is_sound("materials." + name + ".friction_angle"))
+    findings.add(
+        "materials." + name + ".phi_b",
+        fmt::format("'phi_b' of material '{}' is greater than its friction angle; suction adds at most as much "
+                    "as the same effective stress would",
+                    name));
+}
+
+}  // namespace
+
+void check_methods(const Case& data, Findings& findings) {
+  if (!findings.is_sound("analysis.methods")) return;
+  for (const auto& [name, material] : data.materials) {
+    check_weight(material, name, findings);
+    check_suction(material, name, findings);
+    check_cohesion_gradient(data, material, name, findings);
+  }
+  check_list(data, findings);
+  const bool has_slices = uses(data, Method::lem), has_elements = uses(data, Method::fem);
+  if (has_slices || has_elements) {
+    check_start(data, findings);
+    check_has_strength(data, findings);
+  }
+  if (has_slices) check_slices_need(data, findings);
+  if (has_elements) check_elements_need(data, findings);
+  if (uses(data, Method::mpm)) check_points_can(data, findings);
+  if (!is_wet(data)) return;
+  const bool needs_seepage = data.initial.water.pressure == InitialPressure::seepage || data.initial.water.season > 0;
+  if (needs_seepage && !has_elements && data.mesh.file.empty() && data.mesh.size == 0 && findings.is_sound("mesh.size"))
+    findings.add("mesh", "pore pressures that follow from seepage need a mesh: give 'size' in [mesh]");
+}
+
+}  // namespace talus::input

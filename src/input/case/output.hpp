@@ -1,0 +1,88 @@
+#pragma once
+// [output]: what is stored and shown.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/language/spec.hpp"
+
+namespace talus::input {
+
+struct Monitor {
+  std::string name;
+  std::array<double, 3> at{};  ///< the nearest material point at the start is followed [m]
+};
+
+/// A line through the soil along which the fields of the stored frames are taken.
+struct Section {
+  std::string name;
+  std::array<double, 3> from{}, to{};  ///< [m]
+  std::optional<double> width;         ///< of the band around the line whose points count [m]; not given: element size
+};
+
+struct Output {
+  double frame_interval = 0;        ///< simulated time between stored frames [s]; 0: only at the end of stages
+  double history_interval = 0;      ///< simulated time between history rows [s]; 0: 200 rows a stage
+  double checkpoint_interval = 60;  ///< wall time between checkpoints [s]
+  bool cells = false;               ///< store element fields as well
+  bool nodes = false;               ///< store nodal fields as well
+  std::string count_from;           ///< stage at whose start the clock of onset, sections and pictures is zero
+  double onset_ratio = 0.01;        ///< displacement over the relief of the ground that counts as movement [-]; or
+  std::optional<double> onset_displacement;  ///< as a length [m]
+  std::vector<double> shown_times;           ///< of sections and pictures in the report [s]; empty: evenly spread
+  std::vector<Monitor> monitors;
+  std::vector<Section> sections;
+  std::string length_unit = "m", displacement_unit = "mm", stress_unit = "kPa";
+};
+
+template <class Visitor>
+void describe(Visitor& v, Monitor& m) {
+  v.key("name", m.name, plain().required().example(R"("crest")"), "Name of the monitor in the histories.");
+  v.key("at", m.at, quantity("m").required().example("[12, 15]"),
+        "The nearest material point at the start is followed.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Section& s) {
+  v.key("name", s.name, plain().required().example(R"("A")"), "Name of the section, and of its file in sections/.");
+  v.key("from", s.from, quantity("m").required().example("[6, 0]"), "Where the line begins.");
+  v.key("to", s.to, quantity("m").required().example("[6, 5]"), "Where it ends.");
+  v.key("width", s.width, quantity("m").above(0).example("0.2"),
+        "Points within half of this from the line count, in parts of the line of this length; if not given, the mean "
+        "size of the elements with soil.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Output& o) {
+  v.key("frame_interval", o.frame_interval, quantity("s").at_least(0),
+        "Simulated time between stored frames; 0: only at the end of each stage.");
+  v.key("history_interval", o.history_interval, quantity("s").at_least(0),
+        "Simulated time between rows of the histories; 0: 200 rows a stage.");
+  v.key("checkpoint_interval", o.checkpoint_interval, quantity("s").above(0), "Wall time between checkpoints.");
+  v.key("cells", o.cells, plain(), "Store the fields of the elements as well.");
+  v.key("nodes", o.nodes, plain(), "Store the fields of the nodes as well.");
+  v.key("length_unit", o.length_unit, plain(), "Unit of lengths in histories and plots.");
+  v.key("displacement_unit", o.displacement_unit, plain(),
+        "Unit of displacements in histories, study tables and plots.");
+  v.key("stress_unit", o.stress_unit, plain(), "Unit of stresses in histories and plots.");
+  v.key(
+      "count_from", o.count_from, plain().example(R"("rain")"),
+      "Stage at whose start the clock of onset, sections and pictures stands at zero; if not given, the last one with "
+      "reset_displacement = true, or the first.");
+  v.key("onset_displacement", o.onset_displacement, quantity("m").above(0).example(R"("5 cm")"),
+        "A monitor has begun to move when its displacement in these stages exceeds this, and soil whose displacement "
+        "does "
+        "counts in the runout. Give more than what settlement or wetting alone does.");
+  v.key("onset_ratio", o.onset_ratio,
+        plain().above(0).allowed_without("onset_displacement", o.onset_displacement.has_value()),
+        "The same as a share of the relief of the ground.");
+  v.key("shown_times", o.shown_times, quantity("s").at_least(0).example("[0, 200, 400, 560]"),
+        "Times on that clock at which the report shows sections and, for a study, pictures; if not given, five of the "
+        "stored frames. The nearest stored frame is shown.");
+  v.tables("monitor", o.monitors, 0, "A material point whose motion and stress are recorded.");
+  v.tables("section", o.sections, 0, "A line along which the fields of the stored frames are written as a table.");
+}
+
+}  // namespace talus::input

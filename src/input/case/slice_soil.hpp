@@ -1,0 +1,65 @@
+#pragma once
+// [materials.NAME]: what slices and finite elements need of a soil beside its strength.
+
+#include <array>
+#include <optional>
+
+#include "input/case/material_model.hpp"
+#include "input/language/spec.hpp"
+
+namespace talus::input {
+
+/// What suction adds to the strength on a slip surface.
+enum class SuctionStrength { from_water, none, saturation, phi_b };
+
+/// What slices (and finite elements, where they can) need of a material beside its strength.
+struct SliceSoil {
+  std::optional<double> unit_weight;            ///< γ above the water table, instead of grains and pores [N/m³]
+  std::optional<double> saturated_unit_weight;  ///< γ below it [N/m³]
+  double pore_pressure_ratio = 0;               ///< r_u [-]
+  SuctionStrength suction_strength = SuctionStrength::from_water;  ///< from_water: χ = S_w where the soil has a
+                                                                   ///< retention curve, else none
+  double phi_b = 0;                                                ///< [rad]
+  double cohesion_gradient = 0;                                    ///< growth of c below `cohesion_level` [Pa/m]
+  double cohesion_level = 0;                                       ///< [m]
+};
+
+template <>
+inline constexpr auto choices<SuctionStrength> = std::array{
+    Choice{SuctionStrength::from_water, "from_water",
+           "as \"saturation\" where [materials.NAME.water] has a retention curve, else \"none\""},
+    Choice{SuctionStrength::none, "none", "nothing: no pore pressure above the water table"},
+    Choice{SuctionStrength::saturation, "saturation", "χ s tan φ with χ = S, Bishop's effective stress"},
+    Choice{SuctionStrength::phi_b, "phi_b", "s tan φᵇ, after Fredlund"},
+};
+
+/// What slices and finite elements need of a soil beside its strength; `unit_weight` stands further up.
+template <class Visitor>
+void describe_slice_soil(Visitor& v, SliceSoil& s, const MaterialModel& model) {
+  const auto strength = {MaterialModel::mohr_coulomb, MaterialModel::rooted_mohr_coulomb};
+  v.key(
+      "saturated_unit_weight", s.saturated_unit_weight, quantity("kN/m3").above(0).example("20"),
+      "Weight of the soil with its water below the water table, for slices and finite elements; if not given, that of "
+      "grains and water where `grain_density` is given, else `unit_weight`.");
+  v.key(
+      "pore_pressure_ratio", s.pore_pressure_ratio, plain().at_least(0).below(1),
+      "r_u, pore pressure over the weight of the soil above, in the place of a water table; slices and finite elements "
+      "only.");
+  v.key("suction_strength", s.suction_strength, plain(),
+        "What suction s adds to the strength above the water table; slices and finite elements only. Material points "
+        "follow [materials.NAME.water].");
+  v.key("phi_b", s.phi_b,
+        quantity("deg")
+            .at_least(0)
+            .below(90)
+            .needed_with("suction_strength", s.suction_strength, SuctionStrength::phi_b)
+            .example("15"),
+        "φᵇ of that.");
+  v.key("cohesion_gradient", s.cohesion_gradient,
+        quantity("kPa/m").allowed_with("model", model, strength).example("1.5"),
+        "The cohesion grows by this per metre below `cohesion_level`; slices and finite elements only.");
+  v.key("cohesion_level", s.cohesion_level, quantity("m").allowed_with("model", model, strength).example("15"),
+        "Level y at which that growth begins; `cohesion_gradient` needs it.");
+}
+
+}  // namespace talus::input

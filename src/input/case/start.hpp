@@ -1,0 +1,97 @@
+#pragma once
+// [gravity] and [initial]: the weight of the soil and its state at the start.
+
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/language/spec.hpp"
+
+namespace talus::input {
+
+struct Gravity {
+  double acceleration = 9.81;                 ///< [m/s²]
+  std::array<double, 3> direction{0, -1, 0};  ///< unit after reading
+};
+
+enum class InitialPressure { zero, water_table, seepage };
+
+/// Pore pressure at the start; part of [initial].
+struct InitialWater {
+  InitialPressure pressure = InitialPressure::zero;
+  std::vector<std::array<double, 2>> water_table;  ///< polyline of zero pressure [m]; horizontal beyond its ends
+  double largest_suction = std::numeric_limits<double>::infinity();  ///< above the water table [Pa]
+  /// Weather before the run [s]: transient seepage in soil at rest from time -season, where `pressure` holds, to time
+  /// 0.
+  double season = 0;
+};
+
+enum class InitialStress { none, k0 };
+
+struct Initial {
+  InitialStress stress = InitialStress::none;
+  std::optional<double> k0;                               ///< K0 [-]; by default ν/(1-ν) of each material
+  std::map<std::string, std::array<double, 3>> velocity;  ///< by region [m/s]
+  InitialWater water;
+  std::string equilibrium;    ///< stage at whose end preconsolidation_ratio is applied; empty: the first
+  std::string result;         ///< folder of results whose end is the start, as given; empty: none
+  std::string result_folder;  ///< the same as it is found from here
+};
+
+template <>
+inline constexpr auto choices<InitialPressure> = std::array{
+    Choice{InitialPressure::zero, "zero", "no pore pressure"},
+    Choice{InitialPressure::water_table, "water_table", "hydrostatic below a water table, suction above it"},
+    Choice{InitialPressure::seepage, "seepage", "the steady flow that belongs to the hydraulic conditions at time 0"},
+};
+
+template <>
+inline constexpr auto choices<InitialStress> = std::array{
+    Choice{InitialStress::none, "none", "no stress: the first stage brings the weight on"},
+    Choice{InitialStress::k0, "k0", "the weight of the column above, and K0 times it to the sides"},
+};
+
+template <class Visitor>
+void describe(Visitor& v, Gravity& g) {
+  v.key("acceleration", g.acceleration, quantity("m/s2").at_least(0), "Acceleration of gravity.");
+  v.key("direction", g.direction, plain(), "Direction in which it acts, of any length but zero.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Initial& i) {
+  v.key("result", i.result, plain().example(R"("gravity_results")"),
+        "A folder of results (relative to the case file) whose state at the end of its stages is the start: mesh, "
+        "points, stress, pore water, velocities and plastic strain are those of the result. Time, displacements and "
+        "budgets begin anew.");
+  const bool has_result = !i.result.empty();
+  v.key("stress", i.stress, plain().allowed_without("result", has_result), "Stress at the start.");
+  v.key("k0", i.k0, plain().at_least(0).allowed_with("stress", i.stress, InitialStress::k0).example("0.5"),
+        "Ratio of horizontal to vertical stress; if not given, ν/(1-ν) of each material.");
+  v.key("pore_pressure", i.water.pressure, plain().allowed_without("result", has_result),
+        "Pore pressure at the start.");
+  v.key("water_table", i.water.water_table,
+        quantity("m")
+            .needed_with("pore_pressure", i.water.pressure, InitialPressure::water_table)
+            .example("[[0, 10], [32, 5]]"),
+        "The line of zero pore pressure, from left to right; level beyond its ends.");
+  v.key("largest_suction", i.water.largest_suction,
+        quantity("kPa").at_least(0).or_infinite().allowed_with("pore_pressure", i.water.pressure,
+                                                               InitialPressure::water_table),
+        "Suction grows with the height above the water table up to this value.");
+  v.key("season", i.water.season,
+        quantity("day")
+            .at_least(0)
+            .allowed_with("pore_pressure", i.water.pressure, {InitialPressure::water_table, InitialPressure::seepage})
+            .example("90"),
+        "Weather before the run: seepage is calculated in soil at rest from this long before time 0, where the pore "
+        "pressure named above holds, with the [[hydraulic]] series at negative times and the roots' transpiration.");
+  v.key("equilibrium", i.equilibrium, plain().example(R"("gravity")"),
+        "The stage at whose end `preconsolidation_ratio` of Cam-clay soils is applied; if not given, the first one.");
+  v.entries("velocity", i.velocity, "soil", 0, quantity("m/s").example("[1, 0]"),
+            "Velocity of a region at the start; not with 'result'.");
+}
+
+}  // namespace talus::input

@@ -1,0 +1,83 @@
+#pragma once
+// [study]: which keys are varied, and how uncertain numbers are sampled.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "input/case/sampling.hpp"
+#include "input/language/forms.hpp"
+#include "input/language/spec.hpp"
+
+namespace talus::input {
+
+struct Vary {
+  std::string key;                  ///< dotted path of the key, as for --set
+  std::vector<std::string> values;  ///< TOML texts of the values
+  std::vector<std::string> names;   ///< of the values for people, as TOML texts; empty: "key = value"
+};
+
+enum class StudyMode { one_at_a_time, grid, together, sample };
+
+struct Study {
+  StudyMode mode = StudyMode::one_at_a_time;
+  std::vector<Vary> vary;
+  std::vector<double> factors;     ///< strength reduction factors whose displacement the table lists [-]
+  std::string base_name = "base";  ///< of the case as the file has it
+  std::string reference = "base";  ///< the variant that displacements of monitors are divided by
+  std::string extrapolate;         ///< key, such as mesh.size, to whose zero the factors are extrapolated; empty: none
+  Sampling sampling;               ///< mode = sample
+};
+
+template <>
+inline constexpr auto choices<StudyMode> = std::array{
+    Choice{StudyMode::one_at_a_time, "one_at_a_time", "each value alone, the other keys as in the file"},
+    Choice{StudyMode::grid, "grid", "every combination of the values"},
+    Choice{StudyMode::together, "together", "the first values of all keys make one variant, the second ones the next"},
+    Choice{StudyMode::sample, "sample", "values drawn at random for the keys of [[study.random]]"},
+};
+
+template <class Visitor>
+void describe_sampling(Visitor& v, Study& s) {
+  const auto sample = StudyMode::sample;
+  Sampling& a = s.sampling;
+  v.key("samples", a.samples, plain().at_least(2).allowed_with("mode", s.mode, sample), "Samples.");
+  v.key("seed", a.seed, plain().allowed_with("mode", s.mode, sample),
+        "Seed of the random numbers; the same seed brings the same samples.");
+  v.key("plan", a.plan, plain().allowed_with("mode", s.mode, sample), "How samples are drawn.");
+  v.key("method", a.method, plain().allowed_with("mode", s.mode, sample), "What calculates each sample.");
+  v.key("confidence", a.confidence, plain().above(0).below(1).allowed_with("mode", s.mode, sample),
+        "Probability that the interval given for the probability of failure holds it.");
+  v.key("runout", a.runout, quantity("m").at_least(0).allowed_with("mode", s.mode, sample).example("[2, 5, 10]"),
+        "With material points: distances whose probability of being exceeded is told; empty: chosen from the samples.");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Vary& w) {
+  v.key("key", w.key, plain().required().example(R"("materials.sand.cohesion")"),
+        "The key to vary, written as for --set.");
+  TomlTexts values{w.values};
+  v.key("values", values, plain().required().example("[5, 10, \"15 kPa\"]"), "Its values.");
+  TomlTexts names{w.names};
+  v.key("names", names, plain().example("[\"weak\", \"as tested\", \"strong\"]"),
+        "Names of the variants with these values, for tables, charts and folders; if not given, \"cohesion = 5\".");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Study& s) {
+  v.key("mode", s.mode, plain(), "How the values of several keys are combined.");
+  v.key("factors", s.factors, plain().above(0).example("[1.2, 1.4]"),
+        "Strength reduction factors whose displacement the table of the study lists.");
+  v.key("base_name", s.base_name, plain(), "Name of the case as the file has it.");
+  v.key("reference", s.reference, plain(),
+        "The variant that the displacements of the monitors are divided by: its name in the table, such as "
+        "\"content = 0.51\", or that of its folder.");
+  v.key("extrapolate", s.extrapolate, plain().example(R"("mesh.size")"),
+        "One of the varied keys, to whose value zero the factors of safety are extrapolated (Richardson).");
+  describe_sampling(v, s);
+  v.tables("vary", s.vary, 0, "A key and the values it takes in `talus study`.");
+  v.tables("random", s.sampling.numbers, 0, "An uncertain number, for mode = \"sample\".");
+  v.tables("correlation", s.sampling.correlations, 0, "Two of these numbers that go together.");
+}
+
+}  // namespace talus::input

@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "input/case/checks.hpp"
+#include "input/case/soil_water_law.hpp"
+
+namespace talus::input {
+namespace {
+
+/// Water is 2.2 GPa stiff; a thousand times that only shortens the time step.
+constexpr double largest_bulk_modulus = 2.2e12;
+
+/// One material's water, and what is known of its keys.
+struct Soil {
+  const std::string& name;
+  const Material& material;
+  std::string path;  ///< materials.NAME.water
+  Findings& findings;
+
+  bool is_sound(const char* key) const { return findings.is_sound(path + "." + key); }
+  bool is_given(const char* key) const { return findings.places.is_given(path + "." + key); }
+  void report(const std::string& key, const std::string& sentence) const { findings.add(path + "." + key, sentence); }
+};
+
+void check_limits(const Soil& soil) {
+  const PoreWater& water = soil.material.water;
+  const RetentionCurve curve = water.retention;
+  if (curve == RetentionCurve::saturated || curve == RetentionCurve::table) return;
+  if (!soil.is_sound("minimum_saturation") || !soil.is_sound("maximum_saturation")) return;
+  if (water.minimum_saturation < water.maximum_saturation) return;
+  soil.report(
+      soil.is_given("minimum_saturation") ? "minimum_saturation" : "maximum_saturation",
+      fmt::format("'minimum_saturation' is {:.6g} and 'maximum_saturation' is {:.6g}; the minimum must be smaller",
+                  water.minimum_saturation, water.maximum_saturation));
+}
+
+/// Suctions in kPa, as the file has them and as sentences shall name them.
+std::vector<std::array<double, 2>> in_kilopascals(std::vector<std::array<double, 2>> pairs) {
+  for (auto& pair : pairs) pair[0] /= 1e3;
+  return pairs;
+}
+
+/// Reports what `make` throws.
+void check_table(const Soil& soil, const char* key, const std::function<void()>& make) {
+  if (!soil.is_sound(key)) return;
+  try {
+    make();
+  } catch (const Error& error) {
+    soil.report(key, fmt::format("'{}' is no falling curve over suctions in kPa: {}", key, error.what()));
+  }
+}
+
+void check_curves(const Soil& soil) {
+  const PoreWater& water = soil.material.water;
+  if (water.retention == RetentionCurve::table && soil.is_sound("retention"))
+    check_table(soil, "retention_table", [&] {
+      const auto curve =
+          material::make_retention_table(in_kilopascals(water.retention_table), material::Interpolation::smooth);
+      if (curve.minimum == curve.maximum)
+        throw Error(ExitCode::wrong_input, "The saturation is the same everywhere; use retention = \"saturated\".");
+    });
+  if (water.relative_conductivity == ConductivityCurve::table && soil.is_sound("relative_conductivity"))
+    check_table(soil, "conductivity_table", [&] {
+      material::make_conductivity_table(in_kilopascals(water.conductivity_table), material::Interpolation::smooth);
+    });
+}
+
+void check_conductivity(const Soil& soil) {
+  const PoreWater& water = soil.material.water;
+  if (!soil.is_sound("conductivity") || !soil.is_sound("permeability")) return;
+  if (!water.conductivity && !water.permeability)
+    soil.findings.add(
+        soil.path, fmt::format("material '{}' has pore water; give its 'conductivity', for example 1e-5 (m/s), or its "
+                               "'permeability' (m2)",
+                               soil.name));
+  else if (water.conductivity && water.permeability)
+    soil.report("permeability",
+                fmt::format("material '{}' has both a conductivity and a permeability; give one of them", soil.name));
+}
+
+void check_porosity(const Soil& soil) {
+  const bool by_ratio = soil.material.given_void_ratio.has_value();
+  const std::string path = "materials." + soil.name + (by_ratio ? ".void_ratio" : ".porosity");
+  const double n = soil.material.porosity;
+  if (!soil.findings.is_sound(path) || (n > 0 && n < 1)) return;
+  soil.findings.add(path,
+                    by_ratio ? fmt::format("'void_ratio' is 0; material '{}' has pore water, which needs pores: a void "
+                                           "ratio above 0",
+                                           soil.name)
+                             : fmt::format("'porosity' is {:.6g}; material '{}' has pore water, which needs pores: a "
+                                           "porosity above 0 and below 1",
+                                           n, soil.name));
+}
+
+/// Below the water table all curves are flat, and water is stored by its own compression alone.
+void check_bulk_modulus(const Case& data, Findings& findings) {
+  const std::string path = "water.bulk_modulus";
+  if (!findings.is_sound(path) || data.water.bulk_modulus <= largest_bulk_modulus) return;
+  for (const auto& [name, material] : data.materials)
+    if (material.water.is_wet())
+      return findings.add(
+          path, fmt::format("'bulk_modulus' is {:.6g} kPa, but the retention curve of material '{}' is flat at "
+                            "saturation, so that only the compression of the water stores any: the explicit "
+                            "time step needs a finite modulus, at most {:.6g} kPa (water has 2.2e6)",
+                            data.water.bulk_modulus / 1e3, name, largest_bulk_modulus / 1e3));
+}
+
+void check_step(const Case& data, const StepSettings& step, const StepSettings& usual, const std::string& path,
+                Findings& findings) {
+  const auto find_given = [&](const char* key) { return findings.places.is_given(path + "." + key) ? key : nullptr; };
+  if (is_wet(data)) {
+    if (step.water != WaterMotion::held || step.geometry == Geometry::frozen) return;
+    if (!findings.is_sound(path + ".water") || !findings.is_sound(path + ".geometry")) return;
+    const char* key = find_given("water") != nullptr ? "water" : "geometry";
+    return findings.add(
+        path + "." + key,
+        "water = \"held\" needs geometry = \"frozen\": pore pressures that stay as they are belong to soil "
+        "that keeps its place");
+  }
+  const std::pair<const char*, bool> changes[] = {
+      {"water", step.water != usual.water},
+      {"drag", step.drag != usual.drag},
+      {"water_damping", step.water_damping != usual.water_damping},
+      {"damped_force", step.damped_force != usual.damped_force},
+      {"pressure_smoothing", step.pressure_smoothing != usual.pressure_smoothing},
+      {"water_exchange", step.water_exchange != usual.water_exchange},
+      {"conductivity_factor", step.conductivity_factor != usual.conductivity_factor}};
+  for (const auto& [key, is_changed] : changes)
+    if (is_changed && find_given(key) != nullptr && findings.is_sound(path + "." + key))
+      findings.add(
+          path + "." + key,
+          fmt::format("'{}' has no meaning here: no material has pore water, see [materials.NAME.water]", key));
+}
+
+}  // namespace
+
+bool is_wet(const Case& data) {
+  return std::any_of(data.materials.begin(), data.materials.end(),
+                     [](const auto& entry) { return entry.second.water.is_wet(); });
+}
+
+void check_water(const Case& data, Findings& findings) {
+  for (const auto& [name, material] : data.materials) {
+    const Soil soil{name, material, "materials." + name + ".water", findings};
+    if (!material.water.is_wet() || !soil.is_sound("retention")) continue;
+    check_limits(soil);
+    check_curves(soil);
+    check_conductivity(soil);
+    check_porosity(soil);
+  }
+  check_bulk_modulus(data, findings);
+  // A material whose water is wrong may only seem dry.
+  if (!findings.is_sound("materials") && !is_wet(data)) return;
+  for (std::size_t i = 0; i < data.stages.size(); ++i)
+    check_step(data, data.stages[i].step, Stage().step, fmt::format("stage.{}", i), findings);
+  const StrengthReduction& reduction = data.strength_reduction;
+  check_step(data, reduction.curve.step_settings, Curve().step_settings, "strength_reduction.curve", findings);
+  check_step(data, reduction.frozen.step_settings, FrozenFactor().step_settings, "strength_reduction.frozen", findings);
+}
+
+}  // namespace talus::input

@@ -1,0 +1,65 @@
+#pragma once
+// How a value is written where its C++ type alone does not say: a block wraps its member in one of these.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/language/amount.hpp"
+#include "input/language/time_table.hpp"
+
+namespace talus::input {
+
+/// Two opposite corners of a box: [[x_min, y_min], [x_max, y_max]].
+struct Corners {
+  std::array<double, 2>& min;
+  std::array<double, 2>& max;
+};
+
+/// Any TOML values, kept as TOML texts.
+struct TomlTexts {
+  std::vector<std::string>& texts;
+};
+
+/// A number, or a text with a number and a unit, kept as TOML text: what another key would be set to.
+struct TomlText {
+  std::string& text;
+};
+
+/// A quantity that may change with time: one value, or rows [[time, value], ...] whose times do not decrease; two rows
+/// at one time are a jump. The unit and the range of the key are those of the value.
+struct Series {
+  TimeTable& table;
+};
+
+/// Measured pairs [[suction, share], ...]: the unit of the key is that of the suction, the share lies from 0 to 1.
+struct SuctionCurve {
+  std::vector<std::array<double, 2>>& pairs;
+};
+
+/// A content that the program keeps in per cent: a plain number is per cent, and so is "0.88 %". T is double or
+/// std::optional<double>.
+template <class T>
+struct PerCent {
+  T& value;
+};
+
+/// Rows [[place, share], ...] whose first numbers increase: over a depth, a length or an age, whose unit is that of the
+/// key. Shares are at least 0.
+struct ShareTable {
+  std::vector<std::array<double, 2>>& rows;
+};
+
+/// A number, or the list of numbers that a test passes one after the other.
+struct Turns {
+  std::vector<double>& values;
+};
+
+/// A key of the test's material with another value, as --set writes it.
+struct PointSetting {
+  std::string key;    ///< dotted path within the material
+  std::string value;  ///< TOML text
+};
+
+}  // namespace talus::input
