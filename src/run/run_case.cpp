@@ -70,7 +70,6 @@ class CaseRun {
     // A fault of the finite elements is told before the hours that material points may take.
     if (has_points && has_elements) check_solid(data);
     if (input::uses(data, Method::lem)) slices_.emplace(data, alone, options_, hash_);
-    if (has_elements) elements_.emplace(data, alone, options_, hash_);
     run_ = begin_result(loaded_, hash_, options_.threads);
     if (has_points) {
       points_.emplace(loaded_, data, options_, hash_);
@@ -78,29 +77,26 @@ class CaseRun {
     } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
       run_.slope_height = ground::find_slope_height(data.mesh, ground::find_ground(data.mesh));
     }
+    if (has_elements) elements_.emplace(data, alone, options_, hash_).prepare();
   }
 
   void calculate() {
     if (slices_ && !points_) slices_->calculate();  // alone they may find no surface: then nothing is written
-    if (points_ || !elements_) open();
-    if (slices_ && points_) {
-      slices_->calculate();
+    open();
+    if (slices_) {
+      if (points_) slices_->calculate();
       slices_->keep();
     }
-    if (elements_) elements_->calculate([this] { open(); });
+    if (elements_) elements_->calculate();
     if (points_) points_->calculate(run_);
   }
 
   /// The folder, before the first result.
   void open() {
-    if (is_open_) return;
     clear_folder(options_);
     make_folder(options_.folder);
     is_open_ = true;
-    if (points_)
-      points_->open();
-    else if (slices_)
-      slices_->keep();
+    if (points_) points_->open();
   }
 
   void finish() {
@@ -148,7 +144,7 @@ class CaseRun {
   const double cpu_start_ = find_process_seconds();
   bool is_open_ = false;
   std::optional<SliceRun> slices_;
-  std::optional<ElementRun> elements_;
+  std::optional<ElementRun<D>> elements_;
   std::optional<PointRun<D>> points_;
   results::RunResult run_;
 };

@@ -2,47 +2,169 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "mesh/quality.hpp"
 #include "results/json.hpp"
 #include "run/fem/fields_vtu.hpp"
+#include "run/fem/tell_elements.hpp"
 
 namespace talus::run {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr const char *file_name = "fem.json", *title = "finite elements";
+
+std::vector<results::Flow> list_flows(input::FlowRule rule) {
+  if (rule == input::FlowRule::as_given) return {results::Flow::as_given};
+  if (rule == input::FlowRule::associated) return {results::Flow::associated};
+  return {results::Flow::as_given, results::Flow::associated};
+}
+
+fem::ReductionOptions make_options(const input::FiniteElements& settings, int threads) {
+  fem::ReductionOptions options;
+  options.from = settings.from;
+  options.to = settings.to;
+  options.resolution = settings.resolution;
+  options.solid.force_tolerance = settings.force_tolerance;
+  options.solid.displacement_tolerance = settings.displacement_tolerance;
+  options.solid.most_iterations = settings.iterations;
+  options.solid.load_steps = settings.load_steps;
+  options.solid.threads = threads;
+  return options;
+}
+
+bool has_run(const results::ElementResult& result, results::Flow flow) {
+  return std::any_of(result.runs.begin(), result.runs.end(), [&](const auto& run) { return run.flow == flow; });
+}
 
 }  // namespace
 
-ElementRun::ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
+template <int D>
+ElementRun<D>::ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
     : data_(data), options_(options), hash_(std::move(input_hash)), alone_(alone) {}
 
-void ElementRun::calculate(const std::function<void()>& open) {
-  FemOptions options;
-  options.threads = options_.threads;
-  options.progress = options_.progress;
-  options.ready = open;
-  options.keep = [this](const ElementOutcome& outcome) { keep(outcome); };
-  if (options_.resume) {
-    auto known = results::find_file<results::ElementFile>(options_.folder / file_name);
-    if (known && known->input_hash == hash_)
-      options.known = ElementOutcome{std::move(known->summary), std::move(known->mesh)};
-  }
+template <int D>
+template <class Part>
+void ElementRun<D>::attempt(Part part) {
+  const auto start = Clock::now();
   try {
-    outcome_ = run_fem(data_, options);
+    part();
   } catch (const Error& error) {
     if (options_.progress) options_.progress->clear();
     if (alone_ || error.code() == ExitCode::interrupted) throw;
-    open();  // what the other methods found has to go somewhere
-    outcome_.emplace();
-    outcome_->result.error = error.what();
-    outcome_->result.warnings = {fmt::format("{}: {}", title, error.what())};
+    model_.reset();
+    file_ = {};
+    file_.summary.error = error.what();
+    file_.summary.warnings = {fmt::format("{}: {}", title, error.what())};
+    is_told_ = true;
   }
+  spent_ += Clock::now() - start;
 }
 
-void ElementRun::tell(results::RunResult& run) const {
-  if (!outcome_) return;
-  const results::ElementResult& result = outcome_->result;
+template <int D>
+void ElementRun<D>::prepare() {
+  attempt([&] {
+    show("mesh");
+    SolidOfCase<D> solid = make_solid<D>(data_);
+    fem::QuadraticMesh<D> mesh = fem::make_quadratic<D>(*solid.mesh);
+    model_ = std::make_unique<Model>(Model{std::move(solid), std::move(mesh)});
+    begin();
+    if (options_.progress) options_.progress->clear();
+  });
+}
+
+/// What an interrupted run has left, or what is known before the first trial.
+template <int D>
+void ElementRun<D>::begin() {
+  if (options_.resume) {
+    auto known = results::find_file<results::ElementFile>(options_.folder / file_name);
+    if (known && known->input_hash == hash_) {
+      file_ = std::move(*known);
+      spent_ = std::chrono::duration<double>(file_.summary.seconds.value_or(0));
+      return;
+    }
+  }
+  file_.input_hash = hash_;
+  file_.mesh = tell_mesh<D>(model_->mesh);
+  results::ElementResult& result = file_.summary;
+  result.elements = model_->mesh.elements.size();
+  result.nodes = model_->mesh.nodes.size();
+  result.size = mesh::measure_quality(*model_->solid.mesh).mean_size;
+  result.element = D == 2 ? "T6" : "T10";
+  result.warnings = model_->solid.notes;
+  result.fields_file = file_name;
+  result.seepage = model_->solid.seepage;
+}
+
+template <int D>
+void ElementRun<D>::calculate() {
+  if (!model_) return;
+  for (const results::Flow flow : list_flows(data_.fem.flow)) {
+    if (!model_ || has_run(file_.summary, flow)) continue;
+    attempt([&] {
+      throw_if_interrupted();
+      if (flow == results::Flow::associated) set_associated_flow<D>(data_, model_->solid);
+      reduce(flow);
+    });
+    if (!model_) return;
+    file_.summary.seconds = spent_.count();
+    keep();
+  }
+  is_told_ = true;
+  model_.reset();
+  if (options_.progress) options_.progress->clear();
+}
+
+template <int D>
+void ElementRun<D>::show(const std::string& what) const {
+  if (options_.progress) options_.progress->show(fmt::format("{}: {}", title, what));
+}
+
+template <int D>
+void ElementRun<D>::reduce(results::Flow flow) {
+  const bool associated = flow == results::Flow::associated;
+  const char* words = associated ? "ψ = φ" : "ψ as given";
+  show(fmt::format("{}, equilibrium at full strength", words));
+  const auto found = fem::reduce_strength<D>(
+      model_->solid.model, make_options(data_.fem, options_.threads), [&](const fem::ReductionTrial& t) {
+        show(fmt::format("{}, strength divided by {:.4g}: {} after {} iterations", words, t.factor,
+                         t.converged ? "stands" : "fails", t.iterations));
+      });
+  results::ElementRun run;
+  run.flow = flow;
+  run.psi = find_dilatancy(data_, associated);
+  run.factor = found.factor;
+  run.stable = found.stable;
+  run.failed = found.failed;
+  if (found.by_displacement > 0) run.by_displacement = found.by_displacement;
+  run.seconds = found.seconds;
+  for (const fem::ReductionTrial& t : found.trials) run.trials.push_back(tell_trial(t));
+  if constexpr (D == 2) {
+    run.slip_line = fem::find_slip_line(model_->solid.model, model_->mesh, found.mechanism);
+    if (run.slip_line.empty()) run.warnings.push_back("the shear strain shows no band from the ground to the ground");
+  }
+  for (const fem::ReductionTrial& t : found.trials)
+    if (t.factor == found.failed && !t.flows)
+      run.warnings.push_back(
+          fmt::format("the trial that failed, at {:.4g}, ran out of iterations ({}) before its soil flowed: with "
+                      "more `iterations` under [fem] the factor may be higher",
+                      t.factor, t.iterations));
+  if (found.stable < 1)
+    run.warnings.push_back("the slope does not stand with its full strength: the factor is below 1");
+  file_.summary.unknowns = found.unknowns;
+  file_.summary.runs.push_back(std::move(run));
+  file_.mesh.runs.push_back(tell_fields<D>(model_->mesh, found.at_failure, flow));
+}
+
+template <int D>
+void ElementRun<D>::tell(results::RunResult& run) const {
+  if (!is_told_) return;
+  const results::ElementResult& result = file_.summary;
   run.elements = result;
   for (const std::string& warning : result.warnings)
     run.warnings.push_back(result.error ? warning : fmt::format("{}: {}", title, warning));
@@ -53,9 +175,13 @@ void ElementRun::tell(results::RunResult& run) const {
   if (!run.seepage) run.seepage = result.seepage;
 }
 
-void ElementRun::keep(const ElementOutcome& outcome) const {
-  results::write_file(options_.folder / file_name, results::ElementFile{hash_, outcome.result, outcome.mesh}, -1);
-  write_atomically(options_.folder / "fem.vtu", write_vtu(outcome.mesh));
+template <int D>
+void ElementRun<D>::keep() const {
+  results::write_file(options_.folder / file_name, file_, -1);
+  write_atomically(options_.folder / "fem.vtu", write_vtu(file_.mesh));
 }
+
+template class ElementRun<2>;
+template class ElementRun<3>;
 
 }  // namespace talus::run

@@ -1,34 +1,55 @@
 #pragma once
-// Finite elements in a run: calculated or taken from what an interrupted run has left, and kept in the folder.
+// Strength reduction by finite elements in a run: calculated or taken from what an interrupted run has left, and kept
+// in the folder.
 
-#include <functional>
+#include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "results/run.hpp"
-#include "run/fem/run_fem.hpp"
+#include "run/fem/solid_of_case.hpp"
 #include "run/options.hpp"
 
 namespace talus::run {
 
+template <int D>
 class ElementRun {
  public:
   /// `data`: what is calculated. `alone`: no other method answers.
   ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
 
-  /// `open` is called when mesh and model stand, before anything is written. Throws Error (interrupted), and what
-  /// run_fem() throws where finite elements answer alone; beside others the reason stands in the result.
-  void calculate(const std::function<void()>& open);
+  /// Mesh and model; nothing is written. Throws Error (interrupted); where finite elements answer alone, what
+  /// make_solid() throws, else the reason stands in the result.
+  void prepare();
+  /// The strength reductions, each kept in the folder when it is done. Throws Error (interrupted); where finite
+  /// elements answer alone, Error (wrong_input) when there is no equilibrium at any factor or an element is inverted,
+  /// else the reason stands in the result.
+  void calculate();
   void tell(results::RunResult& run) const;
 
  private:
-  void keep(const ElementOutcome& outcome) const;
+  struct Model {
+    SolidOfCase<D> solid;
+    fem::QuadraticMesh<D> mesh;
+  };
+
+  /// Runs `part`, and turns what it throws into the result where other methods answer as well.
+  template <class Part>
+  void attempt(Part part);
+  void begin();
+  void reduce(results::Flow flow);
+  void keep() const;
+  void show(const std::string& what) const;
 
   const input::Case& data_;
   const RunOptions& options_;
   std::string hash_;
   bool alone_;
-  std::optional<ElementOutcome> outcome_;
+  std::unique_ptr<Model> model_;
+  results::ElementFile file_;
+  bool is_told_ = false;  ///< the file holds something to tell
+  std::chrono::duration<double> spent_{0};
 };
 
 }  // namespace talus::run

@@ -1,0 +1,88 @@
+#include "run/fem/tell_elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::run {
+namespace {
+
+/// Displacements and strains of the fields are kept to so many digits after the point: micrometres and 1e-6.
+constexpr double field_digits = 1e6;
+
+double round_to(double value, double digits) {
+  return std::round(value * digits) / digits;
+}
+
+/// √(⅔ e:e) of a strain with γ as shear components.
+double find_shear_strain(const std::array<double, 6>& e) {
+  const double mean = (e[0] + e[1] + e[2]) / 3;
+  double squares = 0;
+  for (std::size_t i = 0; i < 3; ++i) squares += (e[i] - mean) * (e[i] - mean);
+  for (std::size_t i = 3; i < 6; ++i) squares += 0.5 * e[i] * e[i];
+  return std::sqrt(2.0 / 3 * squares);
+}
+
+}  // namespace
+
+std::array<double, 2> find_dilatancy(const input::Case& data, bool associated) {
+  double low = 1e9, high = -1e9;
+  for (const auto& [region, name] : data.regions) {
+    const input::Material& m = data.materials.at(name);
+    if (m.model == input::MaterialModel::linear_elastic) continue;
+    const double psi = associated ? m.friction_angle : m.dilatancy_angle;
+    low = std::min(low, psi);
+    high = std::max(high, psi);
+  }
+  return low <= high ? std::array{low, high} : std::array{0.0, 0.0};
+}
+
+results::ElementTrial tell_trial(const fem::ReductionTrial& t) {
+  return {t.factor, t.converged, t.iterations, t.force_residual, t.displacement_residual, t.displacement, t.seconds};
+}
+
+template <int D>
+results::ElementMesh tell_mesh(const fem::QuadraticMesh<D>& mesh) {
+  results::ElementMesh told;
+  for (const auto& x : mesh.nodes) {
+    std::vector<double>& row = told.nodes.emplace_back();
+    for (const double c : x) row.push_back(round_to(c, field_digits));
+  }
+  for (const auto& e : mesh.elements) told.elements.emplace_back(e.begin(), e.end());
+  return told;
+}
+
+template <int D>
+results::ElementFields tell_fields(const fem::QuadraticMesh<D>& mesh, const fem::SolidState<D>& state,
+                                   results::Flow flow) {
+  const std::size_t elements = mesh.elements.size(), per = elements > 0 ? mesh.points.size() / elements : 0;
+  std::vector<double> strain(mesh.nodes.size(), 0.0), volume(mesh.nodes.size(), 0.0);
+  results::ElementFields fields;
+  fields.flow = flow;
+  for (std::size_t e = 0; e < elements; ++e) {
+    double sum = 0, weight = 0;
+    std::size_t plastic = 0;
+    for (std::size_t k = e * per; k < (e + 1) * per; ++k) {
+      sum += mesh.weights[k] * find_shear_strain(state.strain[k]);
+      weight += mesh.weights[k];
+      plastic += state.yields[k] != 0 ? 1 : 0;
+    }
+    for (const int i : mesh.elements[e]) {
+      strain[i] += sum;
+      volume[i] += weight;
+    }
+    fields.yields.push_back(2 * plastic > per ? 1 : 0);
+  }
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    fields.shear_strain.push_back(volume[i] > 0 ? round_to(strain[i] / volume[i], field_digits) : 0);
+    std::vector<double>& u = fields.displacement.emplace_back();
+    for (const double c : state.displacement[i]) u.push_back(round_to(c, field_digits));
+  }
+  return fields;
+}
+
+template results::ElementMesh tell_mesh<2>(const fem::QuadraticMesh<2>&);
+template results::ElementMesh tell_mesh<3>(const fem::QuadraticMesh<3>&);
+template results::ElementFields tell_fields<2>(const fem::QuadraticMesh<2>&, const fem::SolidState<2>&, results::Flow);
+template results::ElementFields tell_fields<3>(const fem::QuadraticMesh<3>&, const fem::SolidState<3>&, results::Flow);
+
+}  // namespace talus::run
