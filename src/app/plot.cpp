@@ -30,7 +30,7 @@ void draw(const PlotOptions& options, const Plot& plot, const std::string& stem)
   fmt::print("{}\n", picture.string());
 }
 
-output::CurvePlot describe_curve(const results::RunResult& run, const results::Curve& curve) {
+output::CurvePlot describe_curve(const results::RunResult& run, const results::DisplacementCurve& curve) {
   output::CurvePlot plot;
   plot.title = run.title;
   plot.displacement_unit = run.units.displacement;

@@ -127,7 +127,7 @@ struct RunResult {
   std::optional<std::vector<Stage>> stages;
   std::optional<Origin> start;
   std::optional<PointFactors> factor_of_safety;
-  std::optional<Curve> curve;
+  std::optional<DisplacementCurve> curve;
   std::optional<std::vector<RunoutTrial>> runouts;
   std::optional<Runout> runout;
   std::optional<double> failure_time;  ///< [s]

@@ -163,12 +163,12 @@ void describe(V& v, R& r) {
 }
 
 /// The displacement curve on moving geometry, with every criterion.
-struct Curve {
+struct DisplacementCurve {
   std::vector<Trial> points;
   std::vector<Criterion> criteria;
   std::optional<BilinearLines> bilinear;
 };
-template <class V, As<Curve> R>
+template <class V, As<DisplacementCurve> R>
 void describe(V& v, R& r) {
   v.key("points", r.points, {"", "trials by factor"});
   v.key("criteria", r.criteria, {"", "factors by every criterion"});

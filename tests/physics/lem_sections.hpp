@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lem/slices/methods.hpp"
+#include "lem/slices/solve.hpp"
 
 namespace talus::lem {
 

@@ -28,7 +28,7 @@ output::Frame make_grid(double y_end = 2) {
 
 TEST(Section, OfALinearFieldIsThatField) {
   const output::Frame frame = make_grid();
-  const input::Section vertical{"A", {1, 0, 0}, {1, 2, 0}, {}};
+  const input::SectionLine vertical{"A", {1, 0, 0}, {1, 2, 0}, {}};
   const auto columns = list_section_columns(frame, 2);
   ASSERT_EQ(columns.size(), 4u);  // volume, pressure, two components of the velocity
   EXPECT_EQ(columns[3].name, "velocity_y");

@@ -15,7 +15,7 @@ enum class AnalysisKind { run, strength_reduction };
 using talus::Method;
 
 /// The displacement–SRF curve on moving geometry and the constructions on it (chapter 3 of the source).
-struct Curve {
+struct DisplacementCurve {
   bool enabled = true;
   double from = 1.0, to = 1.75, step = 0.05;  ///< strength reduction factors [-]
   bool refine = true;                         ///< halve the intervals where the curve bends
@@ -44,7 +44,7 @@ struct FrozenFactor {
 };
 
 struct StrengthReduction {
-  Curve curve;
+  DisplacementCurve curve;
   FrozenFactor frozen;
 };
 
@@ -75,7 +75,7 @@ void describe(Visitor& v, AnalysisBlock& a) {
 }
 
 template <class Visitor>
-void describe(Visitor& v, Curve& c) {
+void describe(Visitor& v, DisplacementCurve& c) {
   v.key("enabled", c.enabled, plain(), "Calculate the curve.");
   v.key("from", c.from, plain().above(0), "First strength reduction factor.");
   v.key("to", c.to, plain().above(0), "Last strength reduction factor.");

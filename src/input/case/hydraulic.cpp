@@ -19,9 +19,9 @@ struct Border {
   bool meets_soil = false;  ///< soil on one side at least
 };
 
-class Section {
+class SoilPlan {
  public:
-  explicit Section(const mesh::Plan& plan) : plan_(plan) {}
+  explicit SoilPlan(const mesh::Plan& plan) : plan_(plan) {}
 
   Border look_along(const mesh::Polyline& line) const {
     constexpr int places = 32;
@@ -74,14 +74,14 @@ const char* name_condition(WaterCondition condition) {
 void check_surface(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::string& path, Findings& findings) {
   const WaterCondition condition = hydraulic.condition;
   if (condition != WaterCondition::rain && condition != WaterCondition::seepage_face) return;
-  const Section section(plan);
+  const SoilPlan soil(plan);
   const auto report = [&](const std::string& reason) {
     findings.add(path + ".on", fmt::format("{} on '{}', which is never a surface of the soil: {}",
                                            name_condition(condition), hydraulic.on, reason));
   };
   for (const mesh::Line& line : plan.lines) {
     if (line.name != hydraulic.on) continue;
-    const Border border = section.look_along(line.points);
+    const Border border = soil.look_along(line.points);
     if (!border.meets_soil) return report("no soil touches it");
     if (!border.meets_air) report("it lies inside the soil or along a side of the box");
     return;
@@ -90,7 +90,7 @@ void check_surface(const Hydraulic& hydraulic, const mesh::Plan& plan, const std
   if (condition != WaterCondition::rain) return;
   if (hydraulic.on != "top") return report("draw a line along the ground and name it");
   const Point2 &low = plan.box_min, &high = plan.box_max;
-  if (!section.look_along({{low[0], high[1]}, high}).meets_soil)
+  if (!soil.look_along({{low[0], high[1]}, high}).meets_soil)
     report("the soil does not reach it; draw a line along the ground and name it");
 }
 
@@ -98,7 +98,7 @@ void check_head(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::s
   if (hydraulic.condition != WaterCondition::total_head || plan.polygons.empty() || hydraulic.head.value.empty())
     return;
   const double head = *std::min_element(hydraulic.head.value.begin(), hydraulic.head.value.end());
-  const double bottom = Section(plan).find_bottom();
+  const double bottom = SoilPlan(plan).find_bottom();
   if (head < bottom)
     findings.add(path + ".head", fmt::format("'head' is {:.6g} m, below the lowest point of the soil, {:.6g} m; heads "
                                              "are levels in the coordinates of the section",

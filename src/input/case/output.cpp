@@ -10,7 +10,7 @@
 namespace talus::input {
 namespace {
 
-void check_section(const Section& section, const std::string& path, Findings& findings) {
+void check_section(const SectionLine& section, const std::string& path, Findings& findings) {
   // The name is that of a file, of a CSV on the page, and a part of [[compare]]-like texts.
   const std::string unusable = "/\\,\"[]\n\r";
   if (findings.is_sound(path + ".name") && (section.name.empty() || section.name.front() == '.' ||

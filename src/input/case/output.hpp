@@ -16,7 +16,7 @@ struct Monitor {
 };
 
 /// A line through the soil along which the fields of the stored frames are taken.
-struct Section {
+struct SectionLine {
   std::string name;
   std::array<double, 3> from{}, to{};  ///< [m]
   std::optional<double> width;         ///< of the band around the line whose points count [m]; not given: element size
@@ -33,7 +33,7 @@ struct Output {
   std::optional<double> onset_displacement;  ///< as a length [m]
   std::vector<double> shown_times;           ///< of sections and pictures in the report [s]; empty: evenly spread
   std::vector<Monitor> monitors;
-  std::vector<Section> sections;
+  std::vector<SectionLine> sections;
   std::string length_unit = "m", displacement_unit = "mm", stress_unit = "kPa";
 };
 
@@ -45,7 +45,7 @@ void describe(Visitor& v, Monitor& m) {
 }
 
 template <class Visitor>
-void describe(Visitor& v, Section& s) {
+void describe(Visitor& v, SectionLine& s) {
   v.key("name", s.name, plain().required().example(R"("A")"), "Name of the section, and of its file in sections/.");
   v.key("from", s.from, quantity("m").required().example("[6, 0]"), "Where the line begins.");
   v.key("to", s.to, quantity("m").required().example("[6, 5]"), "Where it ends.");

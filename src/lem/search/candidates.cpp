@@ -29,8 +29,8 @@ std::vector<Surface> choose_surfaces(const Slope& slope, const SearchResult& res
   for (const auto& minima : result.minima)
     for (const Critical& c : minima) surfaces.push_back(c.surface);
   for (const Critical& c : result.noncircular) surfaces.push_back(c.surface);
-  std::vector<const Trial*> trials;
-  for (const Trial& t : result.trials)
+  std::vector<const TriedCircle*> trials;
+  for (const TriedCircle& t : result.trials)
     if (t.factors.front() > 0) trials.push_back(&t);
   std::stable_sort(trials.begin(), trials.end(), [](auto* a, auto* b) { return a->factors[0] < b->factors[0]; });
   int taken = 0;

@@ -2,7 +2,7 @@
 // The factor of one surface after another by one method, with memory that is used again. One per thread.
 
 #include "lem/section/slope.hpp"
-#include "lem/slices/methods.hpp"
+#include "lem/slices/solve.hpp"
 
 namespace talus::lem {
 

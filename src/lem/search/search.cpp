@@ -44,7 +44,7 @@ void solve_trials(const Slope& slope, const SearchOptions& options, TrialCircles
     auto& own = counts[static_cast<std::size_t>(piece)];
     const std::size_t first = static_cast<std::size_t>(piece) * per_piece;
     for (std::size_t i = first; i < std::min(count, first + per_piece); ++i) {
-      Trial& trial = result.trials[i];
+      TriedCircle& trial = result.trials[i];
       trial.surface = circles.surfaces[i];
       trial.factors.assign(methods, 0);
       cut_surface(slope, trial.surface, options.slices, options.checks, cut);

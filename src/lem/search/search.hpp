@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lem/section/slope.hpp"
-#include "lem/slices/methods.hpp"
+#include "lem/slices/solve.hpp"
 
 namespace talus::lem {
 
@@ -45,7 +45,7 @@ struct SearchOptions {
 };
 
 /// A surface that was tried, with the factors in the order of SearchOptions::methods (0: refused).
-struct Trial {
+struct TriedCircle {
   Surface surface;
   std::vector<float> factors;
 };
@@ -71,7 +71,7 @@ struct SearchResult {
   std::vector<Critical> circular;             ///< per method that found one
   std::vector<Critical> noncircular;          ///< per method (of those that suit polylines), when asked for
   std::vector<std::vector<Critical>> minima;  ///< per method: several separate local minima, best first
-  std::vector<Trial> trials;                  ///< every trial circle of the search
+  std::vector<TriedCircle> trials;            ///< every trial circle of the search
   /// The smallest factor per centre of the grid, per method (grid search; else of the circles binned by their centres).
   struct Map {
     Point from{}, to{};

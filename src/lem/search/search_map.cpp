@@ -13,11 +13,11 @@ namespace {
 /// A box that holds the centres of the circles with the smaller factors: those of flat arcs lie very far away.
 void choose_box(const SearchResult& result, std::size_t method, SearchResult::Map& map) {
   float smallest = std::numeric_limits<float>::infinity();
-  for (const Trial& t : result.trials)
+  for (const TriedCircle& t : result.trials)
     if (t.factors[method] > 0) smallest = std::min(smallest, t.factors[method]);
   double left = 0, right = 0, low = 0, high = 0;
   bool first = true;
-  for (const Trial& t : result.trials) {
+  for (const TriedCircle& t : result.trials) {
     if (!(t.factors[method] > 0) || t.factors[method] > 1.4f * smallest) continue;
     const Point& c = t.surface.circle->centre;
     left = first ? c[0] : std::min(left, c[0]), right = first ? c[0] : std::max(right, c[0]);
@@ -45,7 +45,7 @@ SearchResult::Map map_centres(const SearchResult& result, std::size_t method, in
   auto cell = [](double x, double from, double to, int n) {
     return n > 1 ? static_cast<int>(std::lround((x - from) / (to - from) * (n - 1))) : 0;
   };
-  for (const Trial& t : result.trials) {
+  for (const TriedCircle& t : result.trials) {
     if (!(t.factors[method] > 0)) continue;
     const Point& c = t.surface.circle->centre;
     const int i = cell(c[0], map.from[0], map.to[0], columns), j = cell(c[1], map.from[1], map.to[1], rows);

@@ -1,7 +1,7 @@
 #pragma once
 // Pore pressure and strength at the base of a slice.
 
-#include "lem/slices/methods.hpp"
+#include "lem/slices/solve.hpp"
 #include "lem/slices/strips.hpp"
 
 namespace talus::lem {

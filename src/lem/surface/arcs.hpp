@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lem/section/slope.hpp"
-#include "lem/slices/methods.hpp"
+#include "lem/slices/solve.hpp"
 
 namespace talus::lem {
 

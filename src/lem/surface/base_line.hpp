@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lem/slices/methods.hpp"
+#include "lem/slices/solve.hpp"
 #include "lem/slices/strips.hpp"
 
 namespace talus::lem {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lem/slices/methods.hpp"
+#include "lem/slices/solve.hpp"
 
 namespace talus::lem {
 

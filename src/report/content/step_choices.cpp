@@ -12,7 +12,7 @@ bool reduces_strength(const input::Case& data) {
 }  // namespace
 
 const input::StepSettings* find_curve_steps(const input::Case& data) {
-  const input::Curve& curve = data.strength_reduction.curve;
+  const input::DisplacementCurve& curve = data.strength_reduction.curve;
   return reduces_strength(data) && curve.enabled ? &curve.step_settings : nullptr;
 }
 

@@ -112,7 +112,7 @@ results::SliceTrials tell_trials(const lem::SearchOptions& options, const lem::S
   constexpr double digits = 1e4;
   results::SliceTrials told;
   for (const lem::Method m : options.methods) told.methods.emplace_back(to_word(m));
-  for (const lem::Trial& t : result.trials) {
+  for (const lem::TriedCircle& t : result.trials) {
     if (!t.surface.circle) continue;
     std::vector<double>& row = told.trials.emplace_back();
     for (const double x : {t.surface.circle->centre[0], t.surface.circle->centre[1], t.surface.circle->radius,

@@ -66,7 +66,7 @@ std::vector<SectionColumn> list_section_columns(const output::Frame& frame, int 
   return columns;
 }
 
-std::vector<SectionRow> cut_section(const output::Frame& frame, const input::Section& section, int dimension,
+std::vector<SectionRow> cut_section(const output::Frame& frame, const input::SectionLine& section, int dimension,
                                     double width) {
   const std::vector<Component> components = list_components(frame, dimension);
   const output::Field* volumes = output::find(frame.point_fields, "volume");
@@ -130,7 +130,7 @@ std::vector<results::SectionLine> write_sections(const input::Case& data, const 
     if (clock && clock->resets && frame.time == clock->start) set_displacements_zero(frame);
     if (columns.empty()) columns = list_section_columns(frame, dimension);
     for (std::size_t s = 0; s < texts.size(); ++s) {
-      const input::Section& section = data.output.sections[s];
+      const input::SectionLine& section = data.output.sections[s];
       for (const SectionRow& row : cut_section(frame, section, dimension, section.width.value_or(size)))
         if (row.values.size() == columns.size()) texts[s] += write_row(frame.time, row, dimension);
     }
@@ -141,7 +141,7 @@ std::vector<results::SectionLine> write_sections(const input::Case& data, const 
   for (const SectionColumn& c : columns) header += fmt::format(",{} [{}]", c.name, c.unit);
   make_folder(folder / "sections");
   for (std::size_t s = 0; s < texts.size(); ++s) {
-    const input::Section& section = data.output.sections[s];
+    const input::SectionLine& section = data.output.sections[s];
     write_atomically(folder / "sections" / (section.name + ".csv"), header + "\n" + texts[s]);
     list.push_back({section.name, section.from, section.to, section.width.value_or(size)});
   }

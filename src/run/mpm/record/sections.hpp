@@ -31,7 +31,7 @@ std::vector<SectionColumn> list_section_columns(const output::Frame& frame, int 
 
 /// The line is cut into parts of length `width`; each has the means, weighted by volume, of the points that lie within
 /// half a width from it [m]. Parts without points have no row.
-std::vector<SectionRow> cut_section(const output::Frame& frame, const input::Section& section, int dimension,
+std::vector<SectionRow> cut_section(const output::Frame& frame, const input::SectionLine& section, int dimension,
                                     double width);
 
 /// sections/NAME.csv in `folder` for every section of the case: all stored frames, of two at one time the later one.

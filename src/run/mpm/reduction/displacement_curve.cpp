@@ -24,7 +24,7 @@ constexpr double moved_share = 0.01;
 /// Frames of a runout in the window of the curve when the case names no interval: most of the slide happens there.
 constexpr int frames_per_window = 25;
 
-std::vector<double> list_factors(const input::Curve& curve) {
+std::vector<double> list_factors(const input::DisplacementCurve& curve) {
   std::vector<double> factors;
   const int count = static_cast<int>(std::floor((curve.to - curve.from) / curve.step + 1e-9));
   // Rounded to a millionth: 1.15, not 1.1500000000000001, so that folders and tables read well.
@@ -38,7 +38,7 @@ std::vector<double> list_factors(const input::Curve& curve) {
 
 template <int D>
 StagePlan<D> make_trial_plan(const input::Case& data, double slope_height, int threads) {
-  const input::Curve& curve = data.strength_reduction.curve;
+  const input::DisplacementCurve& curve = data.strength_reduction.curve;
   StagePlan<D> plan;
   plan.name = "trial";
   plan.duration = curve.window;
@@ -71,7 +71,7 @@ std::vector<CurvePoint> CurveResult::points() const {
 
 template <int D>
 CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context, double slope_height, int threads) {
-  const input::Curve& curve = context.data->strength_reduction.curve;
+  const input::DisplacementCurve& curve = context.data->strength_reduction.curve;
   const int side_by_side = count_parallel_trials(state.points.size(), threads);
   const int inner = side_by_side > 1 ? 1 : threads;
   const double bin = mesh::measure_quality(state.mesh()).mean_size;

@@ -31,8 +31,8 @@ std::pair<double, double> find_dilatancy_range(const input::Case& data) {
 }
 
 std::vector<results::Criterion> find_criteria(const std::vector<CurvePoint>& points,
-                                              const std::optional<Bilinear>& bilinear, const input::Curve& settings,
-                                              double slope_height) {
+                                              const std::optional<Bilinear>& bilinear,
+                                              const input::DisplacementCurve& settings, double slope_height) {
   std::vector<results::Criterion> criteria;
   if (bilinear)
     criteria.push_back(bilinear->criterion);
@@ -66,7 +66,7 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
     CurveResult found = compute_curve(state, context, slope_height, threads);
     const std::vector<CurvePoint> points = found.points();
     const auto bilinear = construct_bilinear(points, settings.curve.initial_branch, settings.curve.final_branch);
-    results::Curve& curve = run.curve.emplace();
+    results::DisplacementCurve& curve = run.curve.emplace();
     curve.criteria = find_criteria(points, bilinear, settings.curve, slope_height);
     factors.criteria = curve.criteria;
     if (bilinear && bilinear->criterion.factor)

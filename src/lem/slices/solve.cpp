@@ -1,6 +1,6 @@
 // The factor of safety of one slip surface: which method, and whether its answer can be trusted.
 
-#include "lem/slices/methods.hpp"
+#include "lem/slices/solve.hpp"
 
 #include <fmt/format.h>
 
