@@ -22,7 +22,7 @@ class Collector {
   template <class T>
   void key(const std::string& name, T&& member, const Spec& spec, const char* meaning) {
     using Value = std::remove_cvref_t<T>;
-    KeyEntry entry{name, spec, Codec<Value>::name(spec), meaning, "", {}, Codec<Value>::schema(spec)};
+    KeyEntry entry{name, spec, Codec<Value>::name(spec), meaning, "", {}, JsonTree(Codec<Value>::schema(spec))};
     const bool must_be_given = spec.may_be_required();
     const nlohmann::json value = Codec<Value>::encode(member, spec);
     if (!must_be_given && !value.is_null()) entry.default_text = write_toml(value);

@@ -1,11 +1,11 @@
 #pragma once
 // All declared keys as data: the source of the manual, the template and the JSON Schema.
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/json_tree.hpp"
 #include "input/language/spec.hpp"
 
 namespace talus::input {
@@ -17,7 +17,7 @@ struct KeyEntry {
   std::string meaning;
   std::string default_text;                                ///< TOML text; empty when there is no default
   std::vector<std::pair<std::string, std::string>> words;  ///< of a choice: word and meaning
-  nlohmann::json schema;
+  JsonTree schema;                                         ///< JSON Schema of what may be written
 
   /// An example of a value: that of sample `i` of a list, or the default.
   const std::string& get_example(std::size_t i = 0) const;

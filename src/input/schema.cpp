@@ -1,5 +1,7 @@
 // `talus schema`: JSON Schema of case files, for the completion and checks of editors.
 
+#include <nlohmann/json.hpp>
+
 #include "input/catalogue.hpp"
 #include "input/read.hpp"
 
@@ -17,7 +19,7 @@ std::string write_description(const KeyEntry& key) {
 }
 
 json write_key(const KeyEntry& key) {
-  json schema = key.schema;
+  json schema = key.schema.get();
   schema["description"] = write_description(key);
   if (!key.default_text.empty()) {
     // Defaults are TOML texts of numbers, words and lists, all of which are JSON as well.
