@@ -21,8 +21,8 @@ Progress::~Progress() {
   clear();
 }
 
-bool Progress::is_due() const {
-  return enabled_ && std::chrono::steady_clock::now().time_since_epoch() >= next_.load();
+bool Progress::is_due(Clock::time_point now) const {
+  return enabled_ && now.time_since_epoch() >= next_.load();
 }
 
 void Progress::show(const std::string& line) {

@@ -29,8 +29,10 @@ class Progress {
   explicit Progress(Listener listener);
   ~Progress();
 
-  /// Whether a new line would be shown now; lines come at most five times a second. Cheap, so ask before composing.
-  bool is_due() const;
+  using Clock = std::chrono::steady_clock;
+  /// Whether a new line would be shown at `now`; lines come at most five times a second. Cheap, so ask before
+  /// composing.
+  bool is_due(Clock::time_point now = Clock::now()) const;
   /// Replaces the line. Safe to call from several threads.
   void show(const std::string& line);
   void show(const ProgressReport& report);
@@ -41,7 +43,7 @@ class Progress {
   bool enabled_;
   Listener listener_;
   bool shown_ = false;
-  std::atomic<std::chrono::steady_clock::duration> next_{};  ///< earliest time of the next line
+  std::atomic<Clock::duration> next_{};  ///< earliest time of the next line
   std::mutex mutex_;
 };
 

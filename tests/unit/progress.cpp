@@ -42,10 +42,10 @@ TEST(Progress, TellsAListenerOneReportAtATime) {
 TEST(Progress, IsDueAtOnceForAListenerAndThenNotForAWhile) {
   Progress progress(Progress::Listener([](const ProgressReport&) {}));
   EXPECT_TRUE(progress.is_due());
+  const auto before = Progress::Clock::now();
   progress.show("a line");
-  EXPECT_FALSE(progress.is_due());
-  std::this_thread::sleep_for(std::chrono::milliseconds(250));
-  EXPECT_TRUE(progress.is_due());
+  EXPECT_FALSE(progress.is_due(before + std::chrono::milliseconds(150)));
+  EXPECT_TRUE(progress.is_due(Progress::Clock::now() + std::chrono::milliseconds(250)));
 }
 
 }  // namespace
