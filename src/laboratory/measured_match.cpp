@@ -4,25 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "laboratory/point_path.hpp"
+
 namespace talus::laboratory {
 namespace {
 
 /// Signs of the legs: +1 where what the test follows grows.
 std::vector<int> list_directions(const input::PointTest& test) {
-  std::vector<double> turns = test.goals();
-  double start = 0;
-  if (test.kind == input::PointTestKind::wetting) {
-    start = turns.front();
-    turns.erase(turns.begin());
-  } else if (test.control == input::PointControl::stress && test.kind != input::PointTestKind::simple_shear) {
-    start =
-        test.has_cell() ? test.confining_pressure.value_or(0) / test.k0.value_or(1) : test.vertical_stress.value_or(0);
-  }
+  const std::vector<double> turns = list_turns(test);
   std::vector<int> directions;
-  for (const double goal : turns) {
-    directions.push_back(goal >= start ? 1 : -1);
-    start = goal;
-  }
+  for (std::size_t i = 1; i < turns.size(); ++i) directions.push_back(turns[i] >= turns[i - 1] ? 1 : -1);
   return directions;
 }
 

@@ -11,58 +11,33 @@ using results::PointGroup;
 using results::PointPanel;
 
 PointGroup describe_group(PointTestKind kind) {
+  const auto make = [](const char* id, const char* title, std::vector<PointPanel> panels) {
+    return PointGroup{id, title, "", std::move(panels), {}, {}, {}};
+  };
   const PointPanel compression{"p", "void_ratio", true};
   switch (kind) {
     case PointTestKind::drained_triaxial:
-      return {"drained_triaxial",
-              "Drained triaxial tests",
-              "",
-              {{"axial_strain", "q"}, {"axial_strain", "volumetric_strain"}, {"p", "q"}, compression},
-              {},
-              {},
-              {}};
+      return make("drained_triaxial", "Drained triaxial tests",
+                  {{"axial_strain", "q"}, {"axial_strain", "volumetric_strain"}, {"p", "q"}, compression});
     case PointTestKind::undrained_triaxial:
-      return {"undrained_triaxial",
-              "Undrained triaxial tests",
-              "",
-              {{"axial_strain", "q"}, {"axial_strain", "pore_pressure"}, {"p", "q"}, compression},
-              {},
-              {},
-              {}};
+      return make("undrained_triaxial", "Undrained triaxial tests",
+                  {{"axial_strain", "q"}, {"axial_strain", "pore_pressure"}, {"p", "q"}, compression});
     case PointTestKind::simple_shear:
-      return {"simple_shear",
-              "Simple shear tests",
-              "",
-              {{"shear_strain", "shear_stress"},
-               {"shear_strain", "volumetric_strain"},
-               {"axial_stress", "shear_stress"},
-               compression},
-              {},
-              {},
-              {}};
+      return make("simple_shear", "Simple shear tests",
+                  {{"shear_strain", "shear_stress"},
+                   {"shear_strain", "volumetric_strain"},
+                   {"axial_stress", "shear_stress"},
+                   compression});
     case PointTestKind::wetting:
-      return {"wetting",
-              "Wetting tests",
-              "",
-              {{"suction", "volumetric_strain"},
-               {"suction", "preconsolidation"},
-               {"saturation", "volumetric_strain"},
-               compression},
-              {},
-              {},
-              {}};
-    case PointTestKind::isotropic_compression:
-    case PointTestKind::k0_compression:
-    case PointTestKind::oedometer:
-      break;
+      return make("wetting", "Wetting tests",
+                  {{"suction", "volumetric_strain"},
+                   {"suction", "preconsolidation"},
+                   {"saturation", "volumetric_strain"},
+                   compression});
+    default:
+      return make("compression", "Compression tests",
+                  {compression, {"axial_stress", "axial_strain", true}, {"p", "q"}, {"axial_strain", "q"}});
   }
-  return {"compression",
-          "Compression tests",
-          "",
-          {compression, {"axial_stress", "axial_strain", true}, {"p", "q"}, {"axial_strain", "q"}},
-          {},
-          {},
-          {}};
 }
 
 /// Number of `key` among the keys so far.

@@ -95,13 +95,19 @@ PointStep make_step(const PointTest& test, const Cell& start, double from, doubl
   return step;
 }
 
-std::vector<double> list_values(const PointTest& test, double start, std::vector<std::size_t>& reached) {
-  std::vector<double> turns{start};
-  const std::vector<double>& goals = test.goals();
-  turns.insert(turns.end(), goals.begin() + (test.kind == PointTestKind::wetting ? 1 : 0), goals.end());
+std::vector<double> list_turns(const PointTest& test) {
+  std::vector<double> turns = test.goals();
+  if (test.kind == PointTestKind::wetting) return turns;
+  const bool from_stress = test.control == PointControl::stress && test.kind != PointTestKind::simple_shear;
+  turns.insert(turns.begin(), from_stress ? find_start(test).axial : 0);
+  return turns;
+}
+
+std::vector<double> list_values(const PointTest& test, std::vector<std::size_t>& reached) {
+  const std::vector<double> turns = list_turns(test);
   double length = 0;
   for (std::size_t i = 1; i < turns.size(); ++i) length += std::abs(turns[i] - turns[i - 1]);
-  std::vector<double> values{start};
+  std::vector<double> values{turns.front()};
   for (std::size_t i = 1; i < turns.size(); ++i) {
     const double leg = turns[i] - turns[i - 1];
     const int count = std::max(1, static_cast<int>(std::lround(test.steps * std::abs(leg) / std::max(length, 1e-300))));

@@ -18,8 +18,10 @@ Cell find_start(const input::PointTest& test);
 /// The step that moves what the test follows from `from` to `to`. `sucked` is χs at its end [Pa].
 PointStep make_step(const input::PointTest& test, const Cell& start, double from, double to, double sucked);
 
-/// Where the followed quantity is, at every step: the first value is the start. `reached` receives the steps of the
-/// goals.
-std::vector<double> list_values(const input::PointTest& test, double start, std::vector<std::size_t>& reached);
+/// What the test follows, at its start and at each of its goals.
+std::vector<double> list_turns(const input::PointTest& test);
+
+/// The same at every step. `reached` receives the steps of the goals.
+std::vector<double> list_values(const input::PointTest& test, std::vector<std::size_t>& reached);
 
 }  // namespace talus::laboratory

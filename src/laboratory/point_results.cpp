@@ -6,22 +6,125 @@
 #include <cmath>
 
 #include "base/units.hpp"
-#include "laboratory/point_words.hpp"
-#include "output/files/history.hpp"
+#include "input/case/measured_table.hpp"
+#include "laboratory/point_path.hpp"
 
 namespace talus::laboratory {
 namespace {
 
-bool is_stress(const input::PointQuantity& quantity) {
-  return std::string(quantity.unit) == "Pa";
+using input::PointControl;
+using input::PointQuantityKind;
+using input::PointTest;
+using input::PointTestKind;
+
+std::string in_kpa(double stress) {
+  return fmt::format("{:.6g} kPa", stress / 1e3);
+}
+
+std::string in_per_cent(double strain) {
+  return fmt::format("{:.6g} %", strain * 100);
+}
+
+std::string join(const std::vector<double>& values, std::string (*write)(double)) {
+  std::string text;
+  for (const double v : values) text += (text.empty() ? "" : ", ") + write(v);
+  return text;
+}
+
+bool extends(const PointTest& test) {
+  if (test.control == PointControl::strain) return !test.axial_strain.empty() && test.axial_strain.front() < 0;
+  return !test.axial_stress.empty() && test.confining_pressure && test.axial_stress.front() < *test.confining_pressure;
+}
+
+std::string describe_goal(const PointTest& test) {
+  if (test.kind == PointTestKind::wetting) return "suction " + join(test.suction, in_kpa);
+  const bool shears = test.kind == PointTestKind::simple_shear;
+  if (test.control == PointControl::strain)
+    return (shears ? "to a shear strain of " : "to an axial strain of ") + join(test.goals(), in_per_cent);
+  return (shears ? "to a shear stress of " : "to an axial stress of ") + join(test.goals(), in_kpa);
+}
+
+/// "drained triaxial compression", "oedometer".
+std::string name_kind(const PointTest& test) {
+  const std::string way = extends(test) ? "extension" : "compression";
+  switch (test.kind) {
+    case PointTestKind::isotropic_compression:
+      return "isotropic compression";
+    case PointTestKind::k0_compression:
+      return "K0 compression";
+    case PointTestKind::oedometer:
+      return "oedometer";
+    case PointTestKind::drained_triaxial:
+      return "drained triaxial " + way;
+    case PointTestKind::undrained_triaxial:
+      return "undrained triaxial " + way;
+    case PointTestKind::simple_shear:
+      return test.drainage == input::ShearDrainage::drained ? "drained simple shear"
+                                                            : "simple shear at constant volume";
+    case PointTestKind::wetting:
+      break;
+  }
+  const bool wets = test.suction.size() < 2 || test.suction[1] <= test.suction[0];
+  return wets ? "wetting at constant net stress" : "drying at constant net stress";
+}
+
+/// "from 100 kPa radial and 100 kPa axial stress to an axial strain of 25 %".
+std::string describe_path(const PointTest& test) {
+  const auto [axial, radial] = find_start(test);
+  std::string text = radial == axial ? fmt::format("from {} all round", in_kpa(axial))
+                                     : fmt::format("from {} axial and {} radial stress", in_kpa(axial), in_kpa(radial));
+  text += test.kind == PointTestKind::wetting ? "; " : " ";
+  text += describe_goal(test);
+  if (test.kind != PointTestKind::wetting) {
+    text += test.control == PointControl::strain ? ", strain-controlled" : ", stress-controlled";
+    if (!test.suction.empty() && test.suction.front() > 0)
+      text += fmt::format(", at a suction of {}", in_kpa(test.suction.front()));
+  }
+  return text;
+}
+
+/// "root_content = 0.44"; empty when the test sets nothing.
+std::string describe_settings(const PointTest& test) {
+  std::string text;
+  for (const input::PointSetting& s : test.set) text += (text.empty() ? "" : ", ") + s.key + " = " + s.value;
+  return text;
+}
+
+/// The row with the largest |q|.
+const PointRow& find_peak(const PointCurve& curve) {
+  return *std::max_element(curve.rows.begin(), curve.rows.end(),
+                           [](const PointRow& a, const PointRow& b) { return std::abs(a.q) < std::abs(b.q); });
+}
+
+/// The strain that results of the test are told at.
+double PointRow::*choose_strain(const PointTest& test) {
+  return test.kind == PointTestKind::simple_shear ? &PointRow::shear_strain : &PointRow::axial_strain;
 }
 
 }  // namespace
+
+Shown show_quantity(const std::string& name, const std::string& stress_unit) {
+  const input::PointQuantity& q = *input::find_point_quantity(name);
+  Shown shown{{name, std::string(q.title) + (*q.symbol == '\0' ? "" : " ") + q.symbol, q.unit}, 1};
+  if (q.kind == PointQuantityKind::stress)
+    shown = {{name, shown.told.title, stress_unit}, units::get_si_factor(stress_unit)};
+  if (q.kind == PointQuantityKind::strain) shown = {{name, shown.told.title, "%"}, 1e-2};
+  return shown;
+}
+
+std::set<std::size_t> choose_drawn(const PointCurve& curve, std::size_t most) {
+  std::set<std::size_t> chosen(curve.turns.begin(), curve.turns.end());
+  const std::size_t stride = (curve.rows.size() + most - 1) / most;
+  for (std::size_t k = 0; k < curve.rows.size(); k += stride) chosen.insert(k);
+  chosen.insert(curve.rows.size() - 1);
+  return chosen;
+}
 
 std::string write_point_table(const PointCurve& curve, const std::string& stress_unit) {
   const auto& quantities = input::list_point_quantities();
   const double si = units::get_si_factor(stress_unit);
   std::string text;
+  const auto is_stress = [](const input::PointQuantity& q) { return q.kind == PointQuantityKind::stress; };
   for (const input::PointQuantity& q : quantities)
     text += fmt::format("{}{} [{}]", text.empty() ? "" : ",", q.name, is_stress(q) ? stress_unit : q.unit);
   text += '\n';
@@ -36,11 +139,6 @@ std::string write_point_table(const PointCurve& curve, const std::string& stress
   return text;
 }
 
-const PointRow& find_peak(const PointCurve& curve) {
-  return *std::max_element(curve.rows.begin(), curve.rows.end(),
-                           [](const PointRow& a, const PointRow& b) { return std::abs(a.q) < std::abs(b.q); });
-}
-
 std::optional<double> find_point_result(const PointCurve& curve, const input::PointTest& test,
                                         const input::PointResultName& name) {
   if (name.quantity == "peak_q") return find_peak(curve).q;
@@ -48,8 +146,7 @@ std::optional<double> find_point_result(const PointCurve& curve, const input::Po
     if (!curve.stopped.empty()) return std::nullopt;  // the end was not reached
     return get_quantity(curve.rows.back(), name.quantity);
   }
-  const auto strain =
-      test.kind == input::PointTestKind::simple_shear ? &PointRow::shear_strain : &PointRow::axial_strain;
+  const auto strain = choose_strain(test);
   // A goal of 0.1 that is reached by a thousand steps may end a rounding error short of it.
   const double slack = 1e-9;
   for (std::size_t i = 1; i < curve.rows.size(); ++i) {
@@ -75,7 +172,7 @@ results::PointTest describe_point_test(const input::PointTest& test, const Point
   told.turns = curve.turns;
   told.stopped = curve.stopped;
   told.peak_q = peak.q;
-  told.peak_q_strain = test.kind == input::PointTestKind::simple_shear ? peak.shear_strain : peak.axial_strain;
+  told.peak_q_strain = peak.*choose_strain(test);
   for (const input::PointQuantity& q : input::list_point_quantities())
     told.end[q.name] = get_quantity(curve.rows.back(), q.name);
   return told;

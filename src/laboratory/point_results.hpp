@@ -1,7 +1,8 @@
 #pragma once
-// What is kept of element tests: tables, and what point.json says of each.
+// What is kept of element tests: tables, charts, and what point.json says of each.
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "input/case/result_names.hpp"
@@ -13,8 +14,15 @@ namespace talus::laboratory {
 /// The whole curve as comma-separated text, stresses in `stress_unit`.
 std::string write_point_table(const PointCurve& curve, const std::string& stress_unit);
 
-/// The row with the largest |q|.
-const PointRow& find_peak(const PointCurve& curve);
+/// A quantity as people read it: stresses in a unit of the case, strains in per cent.
+struct Shown {
+  results::ShownQuantity told;
+  double factor = 1;  ///< one of its unit in SI
+};
+Shown show_quantity(const std::string& name, const std::string& stress_unit);
+
+/// Rows of which a chart is drawn, about `most`: turning points and the end are always among them.
+std::set<std::size_t> choose_drawn(const PointCurve& curve, std::size_t most);
 
 /// The value of a result [SI]: of the last row, or interpolated where the curve first reaches its strain; nothing when
 /// it does not.

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "base/nearest.hpp"
+#include "input/case/measured_table.hpp"
 #include "laboratory/point_path.hpp"
 
 namespace talus::laboratory {
@@ -81,10 +81,8 @@ PointCurve run_point_test(const input::Material& material, const PointTest& test
   const bool wets = test.kind == PointTestKind::wetting;
   double suction = test.suction.empty() ? 0 : test.suction.front();
   const PointSoil soil(material, {-start.radial, -start.axial, -start.radial, 0, 0, 0}, suction);
-  double first = wets ? suction : 0;
-  if (test.control == PointControl::stress && test.kind != PointTestKind::simple_shear && !wets) first = start.axial;
   std::vector<std::size_t> reached;
-  const std::vector<double> values = list_values(test, first, reached);
+  const std::vector<double> values = list_values(test, reached);
   PointController controller(soil);
   PointState state = soil.start();
   Voigt strain{};
@@ -143,19 +141,7 @@ double get_quantity(const PointRow& row, const std::string& name) {
                                                  &PointRow::saturation,
                                                  &PointRow::void_ratio,
                                                  &PointRow::preconsolidation};
-  const auto& known = input::list_point_quantities();
-  for (std::size_t i = 0; i < known.size(); ++i)
-    if (name == known[i].name) return row.*values[i];
-  std::vector<std::string> names;
-  std::string list;
-  for (const input::PointQuantity& quantity : known) {
-    names.emplace_back(quantity.name);
-    list += (list.empty() ? "" : ", ") + names.back();
-  }
-  const std::string near = find_nearest(name, names);
-  throw Error(ExitCode::wrong_input,
-              fmt::format("an element test has no quantity '{}'; {}", name,
-                          near.empty() ? "it has " + list : fmt::format("did you mean '{}'?", near)));
+  return row.*values[input::find_point_quantity(name) - input::list_point_quantities().data()];
 }
 
 }  // namespace talus::laboratory

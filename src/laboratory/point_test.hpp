@@ -33,7 +33,7 @@ struct PointCurve {
 /// start, and Error (unstable) with the test's name when the model yields no number.
 PointCurve run_point_test(const input::Material& material, const input::PointTest& test);
 
-/// A quantity of a row by its name (input::list_point_quantities()); throws Error (wrong_input) for another name.
+/// A quantity of a row by its name, one of input::list_point_quantities().
 double get_quantity(const PointRow& row, const std::string& name);
 
 }  // namespace talus::laboratory

@@ -20,7 +20,6 @@
 #include "output/plots/point_plot.hpp"
 #include "results/json.hpp"
 #include "run/head.hpp"
-#include "run/mpm/record/recorder.hpp"
 #include "run/named_results.hpp"
 
 namespace talus::laboratory {
@@ -28,13 +27,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_drawn = 250;  ///< rows of a test in a picture
+constexpr std::size_t most_drawn = 250;  ///< rows of a test in a picture, so that its script stays small
 
-struct Done {
-  input::PointTest test;
-  PointCurve curve;
-};
-
+/// Numbers of the tests that are wanted.
 std::vector<std::size_t> choose_tests(const input::LoadedCase& loaded, const std::vector<std::string>& wanted) {
   const std::vector<input::PointTest>& tests = loaded.data.tests;
   if (tests.empty())
@@ -75,41 +70,20 @@ std::string name_file(const std::string& test, std::set<std::string>& taken) {
   return free + ".csv";
 }
 
-/// A picture shows no more rows, and its script stays small; turning points and the last row are always among them.
-std::set<std::size_t> choose_drawn(const PointCurve& curve) {
-  std::set<std::size_t> chosen(curve.turns.begin(), curve.turns.end());
-  const std::size_t stride = (curve.rows.size() + most_drawn - 1) / most_drawn;
-  for (std::size_t k = 0; k < curve.rows.size(); k += stride) chosen.insert(k);
-  chosen.insert(curve.rows.size() - 1);
-  return chosen;
-}
-
-output::PointPlot make_plot(const results::PointGroup& group, const std::vector<Done>& tests, const std::string& title,
-                            const std::string& stress_unit) {
-  output::PointPlot plot{title.empty() ? group.title : title + ": " + group.title, {}, {}};
-  const double si = units::get_si_factor(stress_unit);
+output::PointPlot make_plot(const results::PointGroup& group, const std::vector<input::PointTest>& tests,
+                            const std::vector<PointCurve>& curves, const results::PointTests& told) {
+  output::PointPlot plot{told.title.empty() ? group.title : told.title + ": " + group.title, {}, {}};
   for (std::size_t i = 0; i < group.tests.size(); ++i)
-    plot.lines.push_back({tests[group.tests[i]].test.name, group.colour[i], group.dash[i]});
-  const auto describe = [&](const std::string& name) {
-    const auto& all = input::list_point_quantities();
-    return *std::find_if(all.begin(), all.end(), [&](const auto& q) { return name == q.name; });
-  };
-  const auto label = [&](const std::string& name) {
-    const input::PointQuantity q = describe(name);
-    const bool is_strain = name.ends_with("strain");
-    return output::make_label(std::string(q.title) + (*q.symbol ? " " : "") + q.symbol, is_strain ? "%"
-                                                                                        : std::string(q.unit) == "Pa"
-                                                                                            ? stress_unit
-                                                                                            : q.unit);
-  };
+    plot.lines.push_back({tests[group.tests[i]].name, group.colour[i], group.dash[i]});
   for (const results::PointPanel& panel : group.panels) {
-    output::PointDiagram diagram{label(panel.x), label(panel.y), panel.log_x, {}, {}};
+    const Shown x = show_quantity(panel.x, told.units.stress), y = show_quantity(panel.y, told.units.stress);
+    const auto label = [](const Shown& q) { return output::make_label(q.told.title, q.told.unit); };
+    output::PointDiagram diagram{label(x), label(y), panel.log_x, {}, {}};
     for (const std::size_t i : group.tests)
-      for (const auto& [name, list] : {std::pair{panel.x, &diagram.x}, std::pair{panel.y, &diagram.y}}) {
-        const double scale = name.ends_with("strain") ? 1e-2 : std::string(describe(name).unit) == "Pa" ? si : 1;
+      for (const auto& [q, list] : {std::pair{&x, &diagram.x}, std::pair{&y, &diagram.y}}) {
         std::vector<double>& values = list->emplace_back();
-        const std::vector<PointRow>& rows = tests[i].curve.rows;
-        for (const std::size_t k : choose_drawn(tests[i].curve)) values.push_back(get_quantity(rows[k], name) / scale);
+        for (const std::size_t k : choose_drawn(curves[i], most_drawn))
+          values.push_back(get_quantity(curves[i].rows[k], q->told.name) / q->factor);
       }
     plot.diagrams.push_back(std::move(diagram));
   }
@@ -117,14 +91,14 @@ output::PointPlot make_plot(const results::PointGroup& group, const std::vector<
 }
 
 /// Whatever the case compares with a published value.
-std::map<std::string, double> find_results(const input::LoadedCase& loaded, const std::vector<Done>& tests) {
+std::map<std::string, double> find_results(const input::Case& data, const std::vector<input::PointTest>& tests,
+                                           const std::vector<PointCurve>& curves) {
   std::map<std::string, double> found;
-  for (const input::Compare& compare : loaded.data.compare) {
+  for (const input::Compare& compare : data.compare) {
     const auto name = input::find_point_result_name(compare.name);
-    if (!name) continue;
-    for (const Done& done : tests)
-      if (done.test.name == name->test)
-        if (const auto value = find_point_result(done.curve, done.test, *name)) found[compare.name] = *value;
+    for (std::size_t i = 0; i < tests.size(); ++i)
+      if (name && tests[i].name == name->test)
+        if (const auto value = find_point_result(curves[i], tests[i], *name)) found[compare.name] = *value;
   }
   return found;
 }
@@ -134,10 +108,12 @@ std::map<std::string, double> find_results(const input::LoadedCase& loaded, cons
 results::PointTests run_point_tests(const input::LoadedCase& loaded, const PointOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu = std::clock();
-  const std::vector<std::size_t> chosen = choose_tests(loaded, options.names);
-  std::vector<Done> tests;
-  for (const std::size_t i : chosen)
-    tests.push_back({loaded.data.tests[i], run_point_test(loaded.data.test_soils[i], loaded.data.tests[i])});
+  std::vector<input::PointTest> tests;
+  std::vector<PointCurve> curves;
+  for (const std::size_t i : choose_tests(loaded, options.names)) {
+    tests.push_back(loaded.data.tests[i]);
+    curves.push_back(run_point_test(loaded.data.test_soils[i], tests.back()));
+  }
   const fs::path folder = options.folder / "point";
   const input::Output& shown_as = loaded.data.output;
   make_folder(folder);
@@ -145,24 +121,22 @@ results::PointTests run_point_tests(const input::LoadedCase& loaded, const Point
   result.title = loaded.data.title;
   result.units = {shown_as.length_unit, shown_as.displacement_unit, shown_as.stress_unit};
   std::set<std::string> files;
-  std::vector<input::PointTest> shown;
-  for (const Done& done : tests) {
-    const std::string file = name_file(done.test.name, files);
-    write_atomically(folder / file, write_point_table(done.curve, shown_as.stress_unit));
-    result.tests.push_back(describe_point_test(done.test, done.curve, file));
-    if (!done.curve.stopped.empty())
-      result.warnings.push_back(fmt::format("Test '{}' ended early: {}.", done.test.name, done.curve.stopped));
-    shown.push_back(done.test);
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    const std::string file = name_file(tests[i].name, files);
+    write_atomically(folder / file, write_point_table(curves[i], shown_as.stress_unit));
+    result.tests.push_back(describe_point_test(tests[i], curves[i], file));
+    if (!curves[i].stopped.empty())
+      result.warnings.push_back(fmt::format("Test '{}' ended early: {}.", tests[i].name, curves[i].stopped));
   }
-  result.groups = group_tests(shown);
+  result.groups = group_tests(tests);
   for (results::PointGroup& group : result.groups) {
     group.picture = group.id + "." + options.pictures;
-    output::draw(make_plot(group, tests, loaded.data.title, shown_as.stress_unit), folder / group.picture);
+    output::draw(make_plot(group, tests, curves, result), folder / group.picture);
   }
   result.project = run::tell_project(loaded.data);
   result.input = loaded.echo;
   result.provenance = run::tell_provenance(loaded, hash_text(loaded.echo.write()), 1);
-  result.point_results = find_results(loaded, tests);
+  result.point_results = find_results(loaded.data, tests, curves);
   result.comparisons = run::compare_results(loaded.data, result);
   result.timing.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.timing.cpu = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
