@@ -14,6 +14,8 @@
 namespace talus::laboratory {
 namespace {
 
+using results::AtLimit;
+
 constexpr double at_limit = 1e-6;  ///< of the range: nearer to its end a parameter counts as being there
 constexpr int most_draws = 200;    ///< of a random start that the case does not refuse
 
@@ -43,12 +45,6 @@ std::vector<std::vector<double>> choose_starts(const CalibrationModel& model, co
   return starts;
 }
 
-std::vector<double> find_values(const CalibrationModel& model, const std::vector<double>& places) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < places.size(); ++i) values.push_back(model.find_value(i, places[i]));
-  return values;
-}
-
 /// Searches end a little short of a limit, or at it within rounding.
 std::vector<double> snap(std::vector<double> places) {
   for (double& u : places) u = u < at_limit ? 0 : u > 1 - at_limit ? 1 : u;
@@ -61,13 +57,13 @@ double sum_squares(const std::vector<double>& residuals) {
   return sum;
 }
 
-std::vector<FittedCurve> describe_curves(const input::Calibration& calibration, const Comparison& before,
-                                         const Comparison& fitted) {
-  std::vector<FittedCurve> curves;
+std::vector<results::CalibratedCurve> describe_curves(const input::Calibration& calibration, const Comparison& before,
+                                                      const Comparison& fitted) {
+  std::vector<results::CalibratedCurve> curves;
   for (std::size_t k = 0; k < calibration.curves.size(); ++k) {
     const input::MeasuredCurve& c = calibration.curves[k];
-    FittedCurve& f = curves.emplace_back();
-    f.test = c.test, f.x = c.x, f.y = c.y, f.deviation = c.deviation, f.weight = c.weight;
+    results::CalibratedCurve& f = curves.emplace_back();
+    f.test = c.test, f.x.name = c.x, f.y.name = c.y, f.deviation = c.deviation, f.weight = c.weight;
     f.before = before.values[k], f.fitted = fitted.values[k], f.missing = fitted.missing[k];
     f.line_before = before.lines[k], f.line = fitted.lines[k];
     const auto n = static_cast<double>(c.points.size());
@@ -88,7 +84,7 @@ std::vector<FittedCurve> describe_curves(const input::Calibration& calibration, 
 
 /// Standard errors and correlations, scaled with the scatter that is left.
 void add_certainty(const CalibrationModel& model, const std::vector<double>& places, const Certainty& certainty,
-                   CalibrationResult& result) {
+                   results::Calibration& result) {
   const std::size_t m = places.size();
   result.correlation.assign(m, std::vector<std::optional<double>>(m));
   if (certainty.covariance.empty()) return;
@@ -103,10 +99,10 @@ void add_certainty(const CalibrationModel& model, const std::vector<double>& pla
 
 }  // namespace
 
-CalibrationResult calibrate(const input::Case& data, const CalibrationOptions& options) {
+results::Calibration calibrate(const input::Case& data, const CalibrationOptions& options, std::string* log) {
   const CalibrationModel model(data);
   const input::Calibration& calibration = *data.calibration;
-  CalibrationResult result;
+  results::Calibration result;
   const std::vector<std::vector<double>> starts = choose_starts(model, calibration, result.evaluations);
   std::vector<Search> searches;
   for (std::size_t k = 0; k < starts.size(); ++k) {
@@ -122,17 +118,15 @@ CalibrationResult calibrate(const input::Case& data, const CalibrationOptions& o
       if (error.code() != ExitCode::wrong_input) throw;
       throw Error(error.code(), fmt::format("the search cannot begin at the values of 'start': {}", error.what()));
     }
-    Search& s = searches.back();
-    result.evaluations += s.evaluations;
-    result.starts.push_back({find_values(model, starts[k]), find_values(model, s.places), s.misfit, s.misfit_before,
-                             s.converged, s.iterations, s.message});
-    if (s.misfit < searches[result.best].misfit) result.best = k;
+    result.evaluations += searches.back().evaluations;
+    result.starts.push_back(searches.back().told);
+    if (result.starts[k].misfit < result.starts[result.best].misfit) result.best = k;
   }
   const std::vector<double> places = snap(searches[result.best].places);
   const std::optional<Comparison> before = model.compare(starts[0], nullptr, true),
                                   fitted = model.compare(places, nullptr, true);
   if (!before || !fitted) throw Error(ExitCode::internal_error, "the best parameters are refused");
-  result.log = searches[result.best].log;
+  if (log != nullptr) *log = searches[result.best].log;
   result.values = model.count_values();
   result.curves = describe_curves(calibration, *before, *fitted);
   std::size_t held = 0;
@@ -141,7 +135,7 @@ CalibrationResult calibrate(const input::Case& data, const CalibrationOptions& o
     const AtLimit limit = places[i] <= 0 ? AtLimit::low : places[i] >= 1 ? AtLimit::high : AtLimit::no;
     held += limit == AtLimit::no ? 0 : 1;
     result.parameters.push_back(
-        {p.key, p.unit, p.factor, p.first, model.find_value(i, places[i]), p.low, p.high, std::nullopt, limit});
+        {p.key, p.unit, p.first, model.find_value(i, places[i]), "", p.low, p.high, std::nullopt, limit});
   }
   // Without a value to spare there is no scatter to tell.
   const auto freedom = static_cast<double>(result.values) - static_cast<double>(places.size() - held);

@@ -8,14 +8,12 @@
 namespace talus::laboratory {
 namespace {
 
+using results::AtLimit;
+
 constexpr double strong_correlation = 0.95;
 constexpr double share_of_direction = 0.2;  ///< smaller components of a direction are not named
 constexpr double alike = 0.01;              ///< of the misfit: searches that end nearer together found the same
 constexpr double apart = 0.01;              ///< of the range of a parameter
-
-std::string show(double value, const FittedParameter& p) {
-  return fmt::format("{:.5g}{}{}", value / p.factor, p.unit.empty() ? "" : " ", p.unit);
-}
 
 std::string join(const std::vector<std::string>& words) {
   std::string text;
@@ -24,17 +22,19 @@ std::string join(const std::vector<std::string>& words) {
   return text;
 }
 
-void add_limits(const CalibrationResult& result, std::vector<std::string>& list) {
-  for (const FittedParameter& p : result.parameters)
-    if (p.limit != AtLimit::no)
+void add_limits(const input::Calibration& calibration, const results::Calibration& result,
+                std::vector<std::string>& list) {
+  for (std::size_t i = 0; i < result.parameters.size(); ++i)
+    if (const results::CalibratedParameter& p = result.parameters[i]; p.limit != AtLimit::no)
       list.push_back(fmt::format(
-          "'{}' ended at its {} value, {}: the curves ask for {}. Widen the range, or ask what the model lacks; it has "
+          "'{}' ended at its {} value, {:.5g}{}{}: the curves ask for {}. Widen the range, or ask what the model "
+          "lacks; it has "
           "no standard error, and those of the others count it as known.",
-          p.key, p.limit == AtLimit::low ? "smallest" : "largest", show(p.value, p),
-          p.limit == AtLimit::low ? "less" : "more"));
+          p.key, p.limit == AtLimit::low ? "smallest" : "largest", p.value / calibration.parameters[i].factor,
+          p.unit.empty() ? "" : " ", p.unit, p.limit == AtLimit::low ? "less" : "more"));
 }
 
-void add_unfixed(const CalibrationResult& result, const std::vector<std::vector<double>>& unfixed,
+void add_unfixed(const results::Calibration& result, const std::vector<std::vector<double>>& unfixed,
                  std::vector<std::string>& list) {
   for (const std::vector<double>& direction : unfixed) {
     std::vector<std::string> names;
@@ -51,7 +51,7 @@ void add_unfixed(const CalibrationResult& result, const std::vector<std::vector<
   }
 }
 
-void add_correlations(const CalibrationResult& result, std::vector<std::string>& list) {
+void add_correlations(const results::Calibration& result, std::vector<std::string>& list) {
   for (std::size_t i = 0; i < result.parameters.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (const auto c = result.correlation[i][j]; c && std::abs(*c) > strong_correlation)
@@ -63,16 +63,16 @@ void add_correlations(const CalibrationResult& result, std::vector<std::string>&
 }
 
 /// Searches that came nearly as far with other values.
-void add_rivals(const CalibrationResult& result, std::vector<std::string>& list) {
-  const CalibrationStart& best = result.starts[result.best];
+void add_rivals(const results::Calibration& result, std::vector<std::string>& list) {
+  const results::CalibrationSearch& best = result.starts[result.best];
   std::size_t rivals = 0, agree = 0;
-  for (const CalibrationStart& start : result.starts) {
+  for (const results::CalibrationSearch& start : result.starts) {
     // A misfit of nothing but rounding is the same as another.
     const double slack = std::max(alike * best.misfit, 1e-6 * static_cast<double>(result.values));
     if (start.misfit > best.misfit + slack) continue;
     double distance = 0;
     for (std::size_t i = 0; i < result.parameters.size(); ++i) {
-      const FittedParameter& p = result.parameters[i];
+      const results::CalibratedParameter& p = result.parameters[i];
       distance = std::max(distance, std::abs(start.to[i] - best.to[i]) / (p.high - p.low));
     }
     ++(distance > apart ? rivals : agree);
@@ -88,21 +88,21 @@ void add_rivals(const CalibrationResult& result, std::vector<std::string>& list)
 
 }  // namespace
 
-std::vector<std::string> list_findings(const input::Calibration& calibration, const CalibrationResult& result,
+std::vector<std::string> list_findings(const input::Calibration& calibration, const results::Calibration& result,
                                        const std::vector<std::vector<double>>& unfixed, double freedom) {
   std::vector<std::string> list;
   if (!result.starts[result.best].converged)
     list.push_back(fmt::format("The best search did not converge: {} Raise 'iterations', or begin nearer.",
                                result.starts[result.best].message));
-  add_limits(result, list);
+  add_limits(calibration, result, list);
   add_unfixed(result, unfixed, list);
   add_correlations(result, list);
-  for (const FittedCurve& c : result.curves)
+  for (const results::CalibratedCurve& c : result.curves)
     if (c.missing > 1e-6)
       list.push_back(
           fmt::format("The test '{}' does not reach all abscissae of its {} curve: {:.3g} % of them are missing "
                       "on average; each such point counts as missed by 100 standard errors and more.",
-                      c.test, c.y, 100 * c.missing));
+                      c.test, c.y.name, 100 * c.missing));
   add_rivals(result, list);
   if (freedom <= 0)
     list.push_back(

@@ -32,17 +32,6 @@ std::string find_fault(const std::string& name, const input::Material& soil) {
   return findings.empty() ? "" : findings.sort().front().sentence;
 }
 
-/// The whole curve of a test, for charts; turning points and the end are always in it.
-std::vector<std::array<double, 2>> draw_line(const PointCurve& curve, const input::MeasuredCurve& measured) {
-  std::vector<std::array<double, 2>> line;
-  const std::size_t stride = (curve.rows.size() + most_drawn - 1) / most_drawn;
-  for (std::size_t i = 0; i < curve.rows.size(); ++i)
-    if (i % stride == 0 || i + 1 == curve.rows.size() ||
-        std::find(curve.turns.begin(), curve.turns.end(), i) != curve.turns.end())
-      line.push_back({get_quantity(curve.rows[i], measured.x), get_quantity(curve.rows[i], measured.y)});
-  return line;
-}
-
 }  // namespace
 
 CalibrationModel::CalibrationModel(const input::Case& data) : data_(data), calibration_(*data.calibration) {
@@ -63,6 +52,12 @@ double CalibrationModel::find_value(std::size_t i, double u) const {
   if (u <= 0) return p.low;
   if (u >= 1) return p.high;
   return p.scale == input::CalibrationScale::log ? p.low * std::pow(p.high / p.low, u) : p.low + u * (p.high - p.low);
+}
+
+std::vector<double> CalibrationModel::find_values(const std::vector<double>& places) const {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < places.size(); ++i) values.push_back(find_value(i, places[i]));
+  return values;
 }
 
 double CalibrationModel::find_place(std::size_t i, double value) const {
@@ -123,7 +118,11 @@ std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& p
       result.residuals.push_back(c.weight * error);
     }
     result.missing.push_back(missing);
-    if (with_lines) result.lines.push_back(draw_line(curves.at(c.test_number), c));
+    if (!with_lines) continue;
+    const PointCurve& curve = curves.at(c.test_number);
+    std::vector<results::Point>& line = result.lines.emplace_back();
+    for (const std::size_t i : choose_drawn(curve, most_drawn))
+      line.push_back({get_quantity(curve.rows[i], c.x), get_quantity(curve.rows[i], c.y)});
   }
   for (const double r : result.residuals)
     if (!std::isfinite(r)) {

@@ -1,14 +1,13 @@
 #pragma once
 // Differences between the element tests of a case and what was measured, as a function of its parameters.
 
-#include <array>
 #include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "input/case/case.hpp"
-#include "laboratory/point_test.hpp"
+#include "laboratory/point_results.hpp"
 
 namespace talus::laboratory {
 
@@ -17,7 +16,7 @@ struct Comparison {
   std::vector<double> residuals;            ///< of the fitted curves: w (y_model - y)/σ
   std::vector<std::vector<double>> values;  ///< of every curve: y_model at the measured abscissae [SI]
   std::vector<double> missing;              ///< of every curve: mean share of its abscissae that is not reached [-]
-  std::vector<std::vector<std::array<double, 2>>> lines;  ///< of every curve, thinned; only when asked for [SI]
+  std::vector<std::vector<results::Point>> lines;  ///< of every curve, thinned; only when asked for [SI]
 };
 
 class CalibrationModel {
@@ -31,6 +30,7 @@ class CalibrationModel {
 
   /// The parameter `i` at the place u of its range, 0 … 1; and the way back.
   double find_value(std::size_t i, double u) const;
+  std::vector<double> find_values(const std::vector<double>& places) const;
   double find_place(std::size_t i, double value) const;
   /// d value/d u.
   double find_slope(std::size_t i, double u) const;

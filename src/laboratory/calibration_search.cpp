@@ -133,12 +133,14 @@ Search search(const CalibrationModel& model, const std::vector<double>& from, co
   ceres::Solve(settings, &problem, &summary);
   if (residuals.failure) std::rethrow_exception(residuals.failure);
   refuse_when_interrupted();
-  result.misfit_before = summary.initial_cost;
-  result.misfit = summary.final_cost;
-  result.converged = summary.termination_type == ceres::CONVERGENCE;
-  result.iterations = static_cast<int>(summary.iterations.size()) - 1;
+  result.told = {model.find_values(from),
+                 model.find_values(result.places),
+                 summary.final_cost,
+                 summary.initial_cost,
+                 summary.termination_type == ceres::CONVERGENCE,
+                 static_cast<int>(summary.iterations.size()) - 1,
+                 summary.message};
   result.evaluations = residuals.evaluations;
-  result.message = summary.message;
   result.log = summary.FullReport();
   return result;
 }

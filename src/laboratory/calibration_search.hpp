@@ -17,12 +17,10 @@ struct SearchOptions {
 };
 
 struct Search {
-  std::vector<double> places;  ///< of the parameters in their ranges, 0 … 1
-  double misfit = 0, misfit_before = 0;
-  bool converged = false;
-  int iterations = 0;
+  results::CalibrationSearch told;
+  std::vector<double> places;  ///< at which it ended, of the parameters in their ranges, 0 … 1
   long evaluations = 0;
-  std::string message, log;
+  std::string log;
 };
 
 /// Throws Error (wrong_input) when the model refuses the places `from`, and Error (interrupted).

@@ -4,16 +4,93 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "laboratory/calibration_results.hpp"
+#include "laboratory/point_results.hpp"
 #include "laboratory/run_point_tests.hpp"
+#include "output/files/history.hpp"
 #include "results/json.hpp"
 
 namespace talus::laboratory {
+namespace {
 
 namespace fs = std::filesystem;
+using results::AtLimit;
+
+/// Nine digits, which are more than any measurement has.
+double round_off(double value) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const double power = std::pow(10, 8 - std::floor(std::log10(std::abs(value))));
+  return std::isfinite(power) ? std::round(value * power) / power : value;
+}
+
+/// From SI to what people read.
+void show_curve(results::CalibratedCurve& c, const std::string& stress_unit) {
+  const Shown x = show_quantity(c.x.name, stress_unit), y = show_quantity(c.y.name, stress_unit);
+  c.x = x.told;
+  c.y = y.told;
+  for (double& v : c.at) v = round_off(v / x.factor);
+  for (std::vector<double>* list : {&c.measured, &c.before, &c.fitted})
+    for (double& v : *list) v = round_off(v / y.factor);
+  for (std::vector<results::Point>* line : {&c.line, &c.line_before})
+    for (auto& [a, b] : *line) a = round_off(a / x.factor), b = round_off(b / y.factor);
+  for (double* v : {&c.deviation, &c.rms, &c.rms_before, &c.mean, &c.largest}) *v /= y.factor;
+  c.largest_at /= x.factor;
+}
+
+/// From the units of the soils to those of the keys, and the value as --set takes it.
+void show_parameters(results::Calibration& told, const input::Calibration& calibration) {
+  for (std::size_t i = 0; i < told.parameters.size(); ++i) {
+    results::CalibratedParameter& p = told.parameters[i];
+    const double factor = calibration.parameters[i].factor;
+    for (double* v : {&p.start, &p.value, &p.low, &p.high}) *v /= factor;
+    if (p.error) *p.error /= factor;
+    for (results::CalibrationSearch& s : told.starts) s.from[i] /= factor, s.to[i] /= factor;
+    // Six digits are more than any calibration knows; a value at its limit must not be rounded past it.
+    p.text = p.limit == AtLimit::no ? fmt::format("{:.6g}", p.value) : output::to_shortest(p.value);
+  }
+}
+
+std::string write_parameter_table(const results::Calibration& told) {
+  std::string text = "parameter,unit,start,fitted,standard_error,min,max,limit\n";
+  for (const results::CalibratedParameter& p : told.parameters)
+    text += fmt::format("{},{},{:.10g},{:.10g},{},{:.10g},{:.10g},{}\n", p.key, p.unit.empty() ? "-" : p.unit, p.start,
+                        p.value, p.error ? fmt::format("{:.6g}", *p.error) : "", p.low, p.high,
+                        p.limit == AtLimit::no    ? ""
+                        : p.limit == AtLimit::low ? "min"
+                                                  : "max");
+  return text;
+}
+
+std::string write_correlation_table(const results::Calibration& told) {
+  std::string text = "parameter";
+  for (const results::CalibratedParameter& p : told.parameters) text += "," + p.key;
+  text += '\n';
+  for (std::size_t i = 0; i < told.parameters.size(); ++i) {
+    text += told.parameters[i].key;
+    for (const auto& c : told.correlation[i]) text += c ? fmt::format(",{:.6f}", *c) : ",";
+    text += '\n';
+  }
+  return text;
+}
+
+/// Of curves in SI: rounded ones would not give their differences.
+std::string write_curve_table(const results::Calibration& told, const std::string& stress_unit) {
+  std::string text = "test,x,x_unit,y,y_unit,x_value,measured,with_start,fitted,difference,standard_error\n";
+  for (const results::CalibratedCurve& c : told.curves) {
+    const Shown x = show_quantity(c.x.name, stress_unit), y = show_quantity(c.y.name, stress_unit);
+    for (std::size_t i = 0; i < c.at.size(); ++i)
+      text += fmt::format("{},{},{},{},{},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g},{:.6g}\n", output::quote_field(c.test),
+                          c.x.name, x.told.unit, c.y.name, y.told.unit, c.at[i] / x.factor, c.measured[i] / y.factor,
+                          c.before[i] / y.factor, c.fitted[i] / y.factor, (c.fitted[i] - c.measured[i]) / y.factor,
+                          c.deviation / y.factor);
+  }
+  return text;
+}
+
+}  // namespace
 
 results::Calibration run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run) {
   if (!loaded.data.calibration)
@@ -22,30 +99,32 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
                             "[[calibration.curve]]",
                             loaded.file));
   const auto start = std::chrono::steady_clock::now();
-  const CalibrationResult result = calibrate(loaded.data, run.options);
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::string log;
+  results::Calibration told = calibrate(loaded.data, run.options, &log);
+  told.title = loaded.data.title;
+  told.seed = static_cast<std::uint64_t>(loaded.data.calibration->seed);
+  told.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (run.options.progress != nullptr) run.options.progress->clear();
+  const std::string& unit = loaded.data.output.stress_unit;
+  const std::string curves = write_curve_table(told, unit);
+  for (results::CalibratedCurve& c : told.curves) show_curve(c, unit);
+  show_parameters(told, *loaded.data.calibration);
 
   // The element tests once more, with the fitted soils: tables, pictures and the report's first half.
   std::vector<input::Override> changes = run.overrides;
-  for (const FittedParameter& p : result.parameters) changes.push_back({p.key, write_value(p)});
+  for (const results::CalibratedParameter& p : told.parameters) changes.push_back({p.key, p.text});
   const input::LoadedCase fitted =
       input::read_case_text(loaded.text, loaded.file, changes, input::CaseScope::whole_or_tests);
   run_point_tests(fitted, {run.folder, {}, run.pictures});
 
   const fs::path folder = run.folder / "calibration";
   make_folder(folder);
-  const std::string& unit = loaded.data.output.stress_unit;
-  write_atomically(folder / "parameters.csv", write_parameter_table(result));
-  write_atomically(folder / "correlation.csv", write_correlation_table(result));
-  write_atomically(folder / "curves.csv", write_curve_table(result, unit));
-  write_atomically(folder / "solver.txt", result.log);
-  results::Calibration calibration = describe_calibration(result, unit);
-  calibration.title = loaded.data.title;
-  calibration.seed = static_cast<std::uint64_t>(loaded.data.calibration->seed);
-  calibration.wall = wall;
-  results::write_file(folder / "calibration.json", calibration, 1);
-  return calibration;
+  write_atomically(folder / "parameters.csv", write_parameter_table(told));
+  write_atomically(folder / "correlation.csv", write_correlation_table(told));
+  write_atomically(folder / "curves.csv", curves);
+  write_atomically(folder / "solver.txt", log);
+  results::write_file(folder / "calibration.json", told, 1);
+  return told;
 }
 
 std::string write_calibration_digest(const results::Calibration& calibration) {

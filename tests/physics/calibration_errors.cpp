@@ -28,16 +28,17 @@ Laboratory make_rooted() {
 TEST(CalibrationErrors, WithoutErrorsTheParametersComeBack) {
   Laboratory lab = make_rooted();
   lab.calibration().starts = 3;
-  const CalibrationResult result = lab.calibrate();
+  const results::Calibration result = lab.calibrate();
   ASSERT_EQ(result.parameters.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(result.parameters[i].value, truth[i], 1e-3 * truth[i]) << result.parameters[i].key;
-    EXPECT_EQ(result.parameters[i].limit, AtLimit::no);
+    EXPECT_EQ(result.parameters[i].limit, results::AtLimit::no);
   }
   EXPECT_EQ(result.values, 80u);
-  for (const FittedCurve& c : result.curves) EXPECT_LT(c.rms, 1e-5 * c.rms_before) << c.test << " " << c.y;
+  for (const results::CalibratedCurve& c : result.curves)
+    EXPECT_LT(c.rms, 1e-5 * c.rms_before) << c.test << " " << c.y.name;
   // Searches from elsewhere end at the same place.
-  for (const CalibrationStart& start : result.starts)
+  for (const results::CalibrationSearch& start : result.starts)
     for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(start.to[i], truth[i], 1e-3 * truth[i]) << i;
   EXPECT_TRUE(result.findings.empty()) << support::join_findings(result);
   EXPECT_LT(result.evaluations, 1000);
@@ -53,7 +54,7 @@ TEST(CalibrationErrors, StandardErrorsAreThoseOfRepeatedMeasurements) {
   int beyond = 0;
   for (int r = 0; r < repeats; ++r) {
     lab.disturb(engine);
-    const CalibrationResult result = lab.calibrate();
+    const results::Calibration result = lab.calibrate();
     std::array<double, 4> off{};
     for (std::size_t i = 0; i < 4; ++i) {
       ASSERT_TRUE(result.parameters[i].error.has_value());
@@ -86,13 +87,13 @@ TEST(CalibrationErrors, ErrorsFollowTheScatterAndNotTheStatedErrors) {
   Laboratory lab = make_rooted();
   std::mt19937_64 engine(3);
   lab.disturb(engine);
-  const CalibrationResult once = lab.calibrate();
+  const results::Calibration once = lab.calibrate();
   double sum = 0;
-  for (const FittedCurve& c : once.curves)
+  for (const results::CalibratedCurve& c : once.curves)
     for (std::size_t i = 0; i < c.at.size(); ++i) sum += std::pow((c.fitted[i] - c.measured[i]) / c.deviation, 2);
   EXPECT_NEAR(once.scatter, std::sqrt(sum / (80 - 4)), 1e-9) << "over the degrees of freedom";
   for (auto& c : lab.calibration().curves) c.deviation /= 10;
-  const CalibrationResult strict = lab.calibrate();
+  const results::Calibration strict = lab.calibrate();
   EXPECT_NEAR(strict.scatter, 10 * once.scatter, 1e-3 * strict.scatter);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(strict.parameters[i].value, once.parameters[i].value, 1e-4 * truth[i]);

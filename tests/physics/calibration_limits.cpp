@@ -45,7 +45,7 @@ Laboratory make_clay(bool with_compression) {
 }
 
 TEST(CalibrationLimits, CompressionTellsKappaFromLambdaAndShearingHardly) {
-  const CalibrationResult shear = make_clay(false).calibrate(), both = make_clay(true).calibrate();
+  const results::Calibration shear = make_clay(false).calibrate(), both = make_clay(true).calibrate();
   ASSERT_TRUE(shear.correlation[0][1].has_value());
   EXPECT_GT(*shear.correlation[0][1], 0.9);
   EXPECT_LT(std::abs(both.correlation[0][1].value()), 0.3);
@@ -62,7 +62,7 @@ TEST(CalibrationLimits, OneCellPressureDoesNotFixCohesionAndFriction) {
     lab->fit("sand.friction_angle", 0.4, 0.2, 0.8);
   }
   two.measure("b", "axial_strain", "q", spread(0, 0.05, 10));
-  const CalibrationResult unfixed = one.calibrate(), fixed = two.calibrate();
+  const results::Calibration unfixed = one.calibrate(), fixed = two.calibrate();
   EXPECT_NE(join_findings(unfixed).find("do not fix 'materials.sand.cohesion' and 'materials.sand.friction_angle'"),
             std::string::npos)
       << join_findings(unfixed);
@@ -77,7 +77,7 @@ TEST(CalibrationLimits, NearCellPressuresHardlyTellCohesionFromFriction) {
   for (const char* test : {"a", "b"}) lab.measure(test, "axial_strain", "q", spread(0, 0.05, 10));
   lab.fit("sand.cohesion", 1e3, 0, 50e3);
   lab.fit("sand.friction_angle", 0.4, 0.2, 0.8);
-  const CalibrationResult result = lab.calibrate();
+  const results::Calibration result = lab.calibrate();
   EXPECT_LT(result.correlation[0][1].value(), -0.95) << "cohesion makes up for friction";
   EXPECT_NE(join_findings(result).find("'materials.sand.cohesion' and 'materials.sand.friction_angle' are hardly told "
                                        "apart by these curves (correlation -0.99"),
@@ -91,7 +91,7 @@ TEST(CalibrationLimits, AParameterThatNothingFeelsIsNamed) {
   lab.measure("a", "axial_strain", "q", spread(0, 0.05, 10));
   lab.fit("sand.friction_angle", 0.4, 0.2, 0.8);
   lab.fit("sand.dilatancy_angle", 0.1, 0, 0.2);
-  const CalibrationResult result = lab.calibrate();
+  const results::Calibration result = lab.calibrate();
   EXPECT_NE(join_findings(result).find("do not depend on 'materials.sand.dilatancy_angle'"), std::string::npos)
       << join_findings(result);
   EXPECT_NEAR(result.parameters[0].value, M_PI / 6, 1e-3) << "the others are still found";
@@ -102,8 +102,8 @@ TEST(CalibrationLimits, AParameterAtItsLimitIsSaid) {
   for (const char* test : {"a", "b"}) lab.measure(test, "axial_strain", "q", spread(0, 0.05, 10));
   lab.fit("sand.cohesion", 1e3, 0, 50e3);
   lab.fit("sand.friction_angle", 0.3, 0.2, 0.45);
-  const CalibrationResult result = lab.calibrate();
-  EXPECT_EQ(result.parameters[1].limit, AtLimit::high);
+  const results::Calibration result = lab.calibrate();
+  EXPECT_EQ(result.parameters[1].limit, results::AtLimit::high);
   EXPECT_DOUBLE_EQ(result.parameters[1].value, 0.45);
   EXPECT_FALSE(result.parameters[1].error.has_value());
   EXPECT_TRUE(result.parameters[0].error.has_value()) << "the other one has an error";
@@ -125,7 +125,7 @@ TEST(CalibrationLimits, SoilsThatTheCaseRefusesAreGoneRound) {
                                      .low = 0.001,
                                      .high = 0.3};
   lab.calibration().starts = 4;
-  const CalibrationResult result = lab.calibrate();
+  const results::Calibration result = lab.calibrate();
   EXPECT_EQ(result.starts.size(), 4u) << "random starts with κ above λ are drawn again";
   EXPECT_NEAR(result.parameters[0].value, 0.022, 1e-4);
   EXPECT_NEAR(result.parameters[1].value, 0.089, 1e-4);
@@ -161,7 +161,7 @@ steps = 200
   EXPECT_GT(weaker->missing[0], weak->missing[0]);
   EXPECT_GT(weak->residuals.back(), 100) << "more than any that is reached";
   EXPECT_GT(weaker->residuals.back(), weak->residuals.back()) << "the way to a stronger soil";
-  const CalibrationResult result = lab.calibrate();
+  const results::Calibration result = lab.calibrate();
   EXPECT_NEAR(result.parameters[0].value, 1.42, 2e-3);
   EXPECT_LT(result.curves[0].missing, 1e-6);
 }
@@ -169,7 +169,7 @@ steps = 200
 TEST(CalibrationLimits, ThreadsChangeNothing) {
   Laboratory lab = make_clay(true);
   lab.calibration().starts = 2;
-  const CalibrationResult one = lab.calibrate(1), four = lab.calibrate(4);
+  const results::Calibration one = lab.calibrate(1), four = lab.calibrate(4);
   EXPECT_EQ(one.parameters[0].value, four.parameters[0].value);
   EXPECT_EQ(one.starts[1].to, four.starts[1].to);
   EXPECT_EQ(one.evaluations, four.evaluations);
@@ -179,7 +179,7 @@ TEST(CalibrationLimits, CurvesOfNoWeightAreShownAndNotFitted) {
   Laboratory lab = make_clay(true);
   lab.calibration().curves[2].weight = 0;
   for (auto& point : lab.calibration().curves[2].points) point[1] *= 2;
-  const CalibrationResult result = lab.calibrate();
+  const results::Calibration result = lab.calibrate();
   EXPECT_EQ(result.values, 20u);
   EXPECT_NEAR(result.parameters[1].value, 0.089, 1e-4);
   EXPECT_GT(result.curves[2].rms, 0.5) << "void ratio";
@@ -190,7 +190,7 @@ TEST(CalibrationLimits, ATestKeepsTheNumberThatItSets) {
   Laboratory lab(sand + write_sand_test("a", 100) + write_sand_test("b", 100) + "set = { friction_angle = 20 }\n");
   for (const char* test : {"a", "b"}) lab.measure(test, "axial_strain", "q", spread(0, 0.05, 10));
   lab.fit("sand.friction_angle", 0.4, 0.2, 0.8);
-  const CalibrationResult result = lab.calibrate();
+  const results::Calibration result = lab.calibrate();
   EXPECT_NEAR(result.parameters[0].value, M_PI / 6, 1e-6);
   EXPECT_LT(result.curves[1].rms_before, 1) << "Pa: right from the start";
 }
@@ -199,9 +199,9 @@ TEST(CalibrationLimits, TheBestOfTheSearchesCounts) {
   Laboratory lab = make_clay(true);
   lab.calibration().starts = 5;
   lab.calibration().iterations = 2;  // too few, so that they end apart
-  const CalibrationResult result = lab.calibrate();
+  const results::Calibration result = lab.calibrate();
   double least = INFINITY, most = 0;
-  for (const CalibrationStart& start : result.starts) {
+  for (const results::CalibrationSearch& start : result.starts) {
     least = std::min(least, start.misfit);
     most = std::max(most, start.misfit);
   }

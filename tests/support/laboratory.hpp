@@ -105,7 +105,7 @@ class Laboratory {
 
   input::Case& data() { return data_; }
   input::Calibration& calibration() { return *data_.calibration; }
-  laboratory::CalibrationResult calibrate(int threads = 2) { return laboratory::calibrate(data_, {threads, nullptr}); }
+  results::Calibration calibrate(int threads = 2) { return laboratory::calibrate(data_, {threads, nullptr}); }
 
  private:
   input::Case data_;
@@ -113,7 +113,7 @@ class Laboratory {
 };
 
 /// All findings, a line each.
-inline std::string join_findings(const laboratory::CalibrationResult& result) {
+inline std::string join_findings(const results::Calibration& result) {
   std::string text;
   for (const std::string& sentence : result.findings) text += sentence + "\n";
   return text;

@@ -155,4 +155,11 @@ HistoryTable read_history(const fs::path& path) {
   return table;
 }
 
+std::string quote_field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+  return field + "\"";
+}
+
 }  // namespace talus::output

@@ -51,5 +51,7 @@ HistoryTable read_history(const std::filesystem::path& path);
 
 /// The shortest text that reads back as `value`; nan, inf and -inf for what is no number.
 std::string to_shortest(double value);
+/// A text as a field of comma-separated text (RFC 4180).
+std::string quote_field(const std::string& text);
 
 }  // namespace talus::output

@@ -141,14 +141,6 @@ WaterCurves sample(const std::string& name, const input::PoreWater& soil, const 
   return curves;
 }
 
-/// A name as a field of comma-separated text (RFC 4180).
-std::string quote_field(const std::string& name) {
-  if (name.find_first_of(",\"\n") == std::string::npos) return name;
-  std::string text = "\"";
-  for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
-  return text + "\"";
-}
-
 }  // namespace
 
 std::vector<WaterCurves> sample_water_curves(const input::Case& data) {
