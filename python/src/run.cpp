@@ -41,7 +41,7 @@ py::object study(const input::LoadedCase& base, const std::filesystem::path& fol
   const auto work = [&](Progress& progress) {
     const study::StudyPlan plan = study::plan_study(base, {});
     options.progress = &progress;
-    failure = study::find_failure(plan, study::run_study(plan, options));
+    failure = study::find_failure(study::run_study(plan, options));
     if (failure && failure->code() == ExitCode::interrupted) throw *failure;
   };
   drive(work, callback, Calls::always);

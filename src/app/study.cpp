@@ -49,8 +49,8 @@ void run_study(const StudyCommand& command) {
       failure = std::move(result.failure);
     } else {
       const std::vector<study::StudyRow> rows = study::run_study(plan, options);
-      tables = study::write_study_markdown(plan, rows);
-      failure = study::find_failure(plan, rows);
+      tables = study::write_study_markdown(plan, rows, study::describe_study(plan, rows));
+      failure = study::find_failure(rows);
     }
   });
   if (!command.quiet)

@@ -132,20 +132,6 @@ double Marginal::find_cut_share() const {
   return find_normal_probability(low) + find_normal_probability(-high);
 }
 
-const char* name_distribution(Distribution kind) {
-  switch (kind) {
-    case Distribution::normal:
-      return "normal";
-    case Distribution::lognormal:
-      return "lognormal";
-    case Distribution::triangular:
-      return "triangular";
-    case Distribution::uniform:
-      return "uniform";
-  }
-  return "";
-}
-
 double correlate_values(const Marginal& a, const Marginal& b, double coefficient) {
   // Golub and Welsch (1969): abscissae and weights from the Jacobi matrix of Hermite's polynomials.
   constexpr int points = 40;

@@ -28,8 +28,6 @@ struct Marginal {
   double find_cut_share() const;
 };
 
-const char* name_distribution(input::Distribution kind);  ///< "lognormal"
-
 /// The correlation of two numbers whose normal scores have the correlation `coefficient` (Nataf's integral, by
 /// Gauss–Hermite quadrature).
 double correlate_values(const Marginal& a, const Marginal& b, double coefficient);

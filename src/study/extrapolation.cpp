@@ -1,7 +1,11 @@
 #include "study/extrapolation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <map>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -67,15 +71,31 @@ std::optional<double> find_order(const std::vector<double>& sizes, const std::ve
   return at_end ? std::nullopt : std::optional(p);
 }
 
+/// The other keys of a variant, as people read them.
+std::string describe_others(const StudyPlan& plan, const Variant& variant, std::size_t but) {
+  std::string text;
+  for (std::size_t k = 0; k < plan.names.size(); ++k) {
+    if (k == but) continue;
+    const std::string& unit = plan.told.vary[k].unit;
+    text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", plan.names[k], variant.values[k],
+                        unit.empty() ? "" : " " + unit);
+  }
+  return text;
+}
+
+std::string write_number(const std::optional<double>& value) {
+  return value ? fmt::format("{:.3f}", *value) : "–";
+}
+
 }  // namespace
 
-Extrapolation extrapolate(std::vector<double> sizes, std::vector<double> factors) {
+results::ExtrapolatedFactor extrapolate(const std::vector<double>& sizes, const std::vector<double>& factors) {
   if (sizes.size() != factors.size() || sizes.size() < 2)
     throw Error(ExitCode::wrong_input, "an extrapolation needs the factors of two sizes or more");
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
-  Extrapolation e;
+  results::ExtrapolatedFactor e;
   for (const std::size_t i : order) {
     if (!(sizes[i] > 0) || (!e.sizes.empty() && sizes[i] == e.sizes.back()))
       throw Error(ExitCode::wrong_input, "an extrapolation needs sizes that are positive and differ");
@@ -90,6 +110,61 @@ Extrapolation extrapolate(std::vector<double> sizes, std::vector<double> factors
   if (n >= 4) e.order = find_order(e.sizes, e.factors);
   if (e.order) e.by_order = fit_line(raise(e.sizes, *e.order), e.factors).start;
   return e;
+}
+
+std::optional<results::StudyExtrapolation> extrapolate_factors(const StudyPlan& plan,
+                                                               const std::vector<results::StudyColumn>& table) {
+  if (!plan.extrapolated) return std::nullopt;
+  const std::size_t key = *plan.extrapolated;
+  results::StudyExtrapolation found{plan.told.vary[key].key, plan.told.vary[key].unit, {}};
+  for (const results::StudyColumn& column : table) {
+    if (column.kind != results::ColumnKind::factor) continue;
+    std::vector<std::string> order;  // groups as they come
+    std::map<std::string, std::map<double, double>> groups;
+    for (std::size_t i = 0; i < column.cells.size(); ++i) {
+      if (column.cells[i].full.empty()) continue;
+      const std::string others = describe_others(plan, plan.variants[i], key);
+      const double size = std::strtod(plan.variants[i].values[key].c_str(), nullptr);
+      if (!(size > 0)) continue;
+      if (!groups.contains(others)) order.push_back(others);
+      groups[others].try_emplace(size, std::strtod(column.cells[i].full.c_str(), nullptr));
+    }
+    for (const std::string& name : order) {
+      if (groups[name].size() < 2) continue;
+      std::vector<double> sizes, factors;
+      for (const auto& [size, factor] : groups[name]) {
+        sizes.push_back(size);
+        factors.push_back(factor);
+      }
+      // A factor that does not know the key, such as that of slices over the element size, has nothing to extrapolate.
+      const auto [low, high] = std::minmax_element(factors.begin(), factors.end());
+      if (!(*low < *high)) continue;
+      results::ExtrapolatedFactor& e = found.factors.emplace_back(extrapolate(sizes, factors));
+      e.criterion = column.title;
+      e.by = column.by;
+      e.variant = name;
+    }
+  }
+  return found;
+}
+
+std::string write_extrapolation_markdown(const results::StudyExtrapolation& extrapolation, const std::string& name) {
+  if (extrapolation.factors.empty()) return "";
+  const std::string unit = extrapolation.unit.empty() ? "" : " " + extrapolation.unit;
+  std::string text = fmt::format("\n## Extrapolated to {} = 0\n\n", name);
+  text +=
+      "| factor | variant | from sizes | coarsest | finest | line through all | ± | line through the finest two | "
+      "order p "
+      "| with p |\n|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (const results::ExtrapolatedFactor& e : extrapolation.factors)
+    text += fmt::format("| {} | {} | {:g}–{:g}{} ({}) | {:.3f} | {:.3f} | {:.3f} | {} | {:.3f} | {} | {} |\n",
+                        e.criterion, e.variant.empty() ? "–" : e.variant, e.sizes.front(), e.sizes.back(), unit,
+                        e.sizes.size(), e.factors.front(), e.factors.back(), e.linear, write_number(e.standard_error),
+                        e.finest_pair, e.order ? fmt::format("{:.2f}", *e.order) : "–", write_number(e.by_order));
+  text +=
+      "\n±: standard error from the scatter of the meshes about the line. The order p is the exponent of h that fits "
+      "best, where there are four sizes and it lies within 1/2 and 4.\n";
+  return text;
 }
 
 }  // namespace talus::study

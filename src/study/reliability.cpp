@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/normal_law.hpp"
+
 namespace talus::study {
 namespace {
 
@@ -15,20 +17,20 @@ constexpr double score_step = 0.05;
 constexpr int most_iterations = 50, most_halvings = 8;
 constexpr double index_tolerance = 1e-3, factor_tolerance = 1e-3;
 
-double get(const std::vector<double>& correlation, std::size_t count, std::size_t i, std::size_t j) {
-  return correlation.empty() ? (i == j ? 1.0 : 0.0) : correlation[i * count + j];
+/// Correlation of two scores.
+double get(const SampledNumbers& sampled, std::size_t i, std::size_t j) {
+  return sampled.correlation.empty() ? (i == j ? 1.0 : 0.0) : sampled.correlation[i * sampled.numbers.size() + j];
 }
 
 /// F as a function of independent scores.
 class ScoreFactor {
  public:
-  ScoreFactor(const std::vector<Marginal>& numbers, const std::vector<double>& correlation, const FactorOf& factor)
-      : numbers_(numbers), factor_(factor) {
-    const auto n = static_cast<Eigen::Index>(numbers.size());
+  ScoreFactor(const SampledNumbers& sampled, const FactorOf& factor) : numbers_(sampled.marginals), factor_(factor) {
+    const auto n = static_cast<Eigen::Index>(numbers_.size());
     MatrixXd c(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
       for (Eigen::Index j = 0; j < n; ++j)
-        c(i, j) = get(correlation, numbers.size(), static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+        c(i, j) = get(sampled, static_cast<std::size_t>(i), static_cast<std::size_t>(j));
     lower_ = c.llt().matrixL();
   }
 
@@ -62,47 +64,49 @@ class ScoreFactor {
 
 }  // namespace
 
-std::optional<FirstOrder> estimate_first_order(const std::vector<Marginal>& numbers,
-                                               const std::vector<double>& correlation, const FactorOf& factor) {
-  FirstOrder result;
-  std::vector<double> means;
-  for (const Marginal& m : numbers) means.push_back(m.find_mean());
-  const std::optional<double> mean_factor = factor(means);
-  if (!mean_factor) return std::nullopt;
-  result.mean_factor = *mean_factor;
+double find_lognormal_index(double mean, double deviation) {
+  const double v = deviation / mean;
+  return std::log(mean / std::sqrt(1 + v * v)) / std::sqrt(std::log1p(v * v));
+}
+
+void estimate_first_order(const SampledNumbers& sampled, const FactorOf& factor, results::Sampling& told) {
+  const std::vector<Marginal>& numbers = sampled.marginals;
+  const std::optional<double> mean = factor(sampled.means);
+  if (!mean) return;
+  std::vector<results::TornadoBar> bars;
   std::vector<double> slope;  // dF of one deviation
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const double deviation = numbers[i].find_deviation();
-    std::vector<double> low = means, high = means;
-    low[i] = std::max(means[i] - deviation, numbers[i].lowest);
-    high[i] = std::min(means[i] + deviation, numbers[i].highest);
+    std::vector<double> low = sampled.means, high = sampled.means;
+    low[i] = std::max(low[i] - deviation, numbers[i].lowest);
+    high[i] = std::min(high[i] + deviation, numbers[i].highest);
     const std::optional<double> a = factor(low), b = factor(high);
-    if (!a || !b) return std::nullopt;
-    result.sensitivities.push_back({low[i], high[i], *a, *b});
+    if (!a || !b) return;
+    const results::UncertainNumber& n = sampled.numbers[i];
+    bars.push_back({n.key, n.name, n.unit, low[i], high[i], *a, *b});
     slope.push_back(high[i] > low[i] ? (*b - *a) / (high[i] - low[i]) * deviation : 0);
   }
   double variance = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i)
     for (std::size_t j = 0; j < numbers.size(); ++j) {
-      const double scores = get(correlation, numbers.size(), i, j);
+      const double scores = get(sampled, i, j);
       const double values = i == j ? 1 : scores == 0 ? 0 : correlate_values(numbers[i], numbers[j], scores);
       variance += slope[i] * slope[j] * values;
     }
-  result.deviation = std::sqrt(std::max(0.0, variance));
-  if (result.deviation == 0) return std::nullopt;
-  const double v = result.deviation / result.mean_factor;
-  result.index_normal = (result.mean_factor - 1) / result.deviation;
-  result.index_lognormal = std::log(result.mean_factor / std::sqrt(1 + v * v)) / std::sqrt(std::log1p(v * v));
-  return result;
+  const double deviation = std::sqrt(std::max(0.0, variance));
+  if (deviation == 0) return;
+  told.first_order = {*mean, deviation, (*mean - 1) / deviation, find_lognormal_index(*mean, deviation)};
+  const auto length = [](const results::TornadoBar& bar) { return std::abs(bar.high_factor - bar.low_factor); };
+  std::stable_sort(bars.begin(), bars.end(), [&](const auto& a, const auto& b) { return length(a) > length(b); });
+  told.tornado = std::move(bars);
 }
 
-std::optional<DesignPoint> find_design_point(const std::vector<Marginal>& numbers,
-                                             const std::vector<double>& correlation, const FactorOf& factor) {
-  const ScoreFactor factor_of(numbers, correlation, factor);
-  VectorXd y = VectorXd::Zero(static_cast<Eigen::Index>(numbers.size())), gradient;
+std::optional<results::DesignPointEstimate> find_design_point(const SampledNumbers& sampled, const FactorOf& factor) {
+  const ScoreFactor factor_of(sampled, factor);
+  VectorXd y = VectorXd::Zero(static_cast<Eigen::Index>(sampled.numbers.size())), gradient;
   const std::optional<double> start = factor_of(y);
   if (!start) return std::nullopt;
-  DesignPoint point;
+  results::DesignPointEstimate point;
   double g = *start - 1;
   const double sign = g >= 0 ? 1 : -1;
   for (; point.iterations < most_iterations && !point.converged; ++point.iterations) {
@@ -127,10 +131,15 @@ std::optional<DesignPoint> find_design_point(const std::vector<Marginal>& number
     g = *next - 1;
   }
   point.index = sign * y.norm();
-  point.values = factor_of.find_values(y);
+  point.probability = find_normal_probability(-point.index);
   point.factor = 1 + g;
+  const std::vector<double> values = factor_of.find_values(y);
   const double square = y.squaredNorm();
-  for (Eigen::Index i = 0; i < y.size(); ++i) point.importance.push_back(square > 0 ? y[i] * y[i] / square : 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const results::UncertainNumber& n = sampled.numbers[i];
+    const double component = y[static_cast<Eigen::Index>(i)];
+    point.values.push_back({n.key, n.name, n.unit, values[i], square > 0 ? component * component / square : 0});
+  }
   return point;
 }
 

@@ -36,8 +36,8 @@ double round_up(double width) {
 
 }  // namespace
 
-Moments find_moments(const std::vector<double>& values) {
-  Moments m;
+results::SampledValues find_moments(const std::vector<double>& values) {
+  results::SampledValues m;
   m.count = static_cast<long>(values.size());
   if (values.empty()) return m;
   const double n = static_cast<double>(values.size());
@@ -66,7 +66,7 @@ double find_quantile(std::vector<double> values, double p) {
 }
 
 double correlate(const std::vector<double>& a, const std::vector<double>& b) {
-  const Moments ma = find_moments(a), mb = find_moments(b);
+  const results::SampledValues ma = find_moments(a), mb = find_moments(b);
   double product = 0;
   for (std::size_t i = 0; i < a.size(); ++i) product += (a[i] - ma.mean) * (b[i] - mb.mean);
   const double scale = ma.deviation * mb.deviation * static_cast<double>(a.size() - 1);
@@ -77,8 +77,8 @@ double correlate_ranks(const std::vector<double>& a, const std::vector<double>& 
   return correlate(rank_values(a), rank_values(b));
 }
 
-Histogram count_classes(const std::vector<double>& values) {
-  Histogram h;
+results::HistogramCounts count_classes(const std::vector<double>& values) {
+  results::HistogramCounts h;
   if (values.empty()) return h;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double range = *high - *low;
@@ -96,9 +96,9 @@ Histogram count_classes(const std::vector<double>& values) {
   return h;
 }
 
-Share estimate_share(long count, long samples, double confidence) {
-  return {count, samples, samples > 0 ? static_cast<double>(count) / static_cast<double>(samples) : 0.0,
-          bound_share(count, samples, confidence)};
+results::SampleShare estimate_share(long count, long samples, double confidence) {
+  const auto [lower, upper] = bound_share(count, samples, confidence);
+  return {count, samples, samples > 0 ? static_cast<double>(count) / static_cast<double>(samples) : 0.0, lower, upper};
 }
 
 double estimate_error(const std::vector<double>& values, const std::vector<int>& first) {

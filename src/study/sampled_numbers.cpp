@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "input/case/uncertain_number.hpp"
+#include "input/echo.hpp"
 #include "study/key_paths.hpp"
 
 namespace talus::study {
@@ -17,44 +18,30 @@ using input::Distribution;
 constexpr double worth_telling = 1e-6;
 constexpr double per_cent = 100;
 
-std::string describe(const SampledNumber& number) {
-  const Marginal& m = number.marginal;
-  const auto write = [&](double x) {
-    return fmt::format("{:.6g}{}{}", x, number.unit.empty() ? "" : " ", number.unit);
-  };
-  std::string text = name_distribution(m.kind);
+std::string write_value(double x, const std::string& unit, int digits = 6) {
+  return fmt::format("{:.{}g}{}{}", x, digits, unit.empty() ? "" : " ", unit);
+}
+
+/// "lognormal, mean 18 kPa, deviation 3.6 kPa", and the limits that the case sets; a note where a limit takes something
+/// away.
+std::string describe(const results::UncertainNumber& number, const Marginal& m, const input::RandomNumber& given,
+                     std::vector<std::string>& notes) {
+  const auto write = [&](double x) { return write_value(x, number.unit); };
+  std::string text = number.distribution;
   if (m.kind == Distribution::triangular || m.kind == Distribution::uniform) {
     text += fmt::format(" between {} and {}", write(m.lowest), write(m.highest));
     return m.kind == Distribution::uniform ? text : text + fmt::format(", most probable {}", write(m.mode));
   }
-  return text + fmt::format(", mean {}, deviation {}", write(m.mean), write(m.deviation));
-}
-
-/// The limits that the case or the key sets, in words, and a note where they take something away.
-void tell_cut(SampledNumber& number, const input::RandomNumber& given, std::vector<std::string>& notes) {
-  const Marginal& m = number.marginal;
-  if (m.kind == Distribution::triangular || m.kind == Distribution::uniform) return;
-  if (!given.lowest.empty()) number.text += fmt::format(", cut below {:.6g}", m.lowest);
-  if (!given.highest.empty()) number.text += fmt::format(", cut above {:.6g}", m.highest);
+  text += fmt::format(", mean {}, deviation {}", write(m.mean), write(m.deviation));
+  if (!given.lowest.empty()) text += fmt::format(", cut below {:.6g}", m.lowest);
+  if (!given.highest.empty()) text += fmt::format(", cut above {:.6g}", m.highest);
   if (const double share = m.find_cut_share(); share > worth_telling)
     notes.push_back(
-        fmt::format("{:.2g} % of the distribution of {} lies beyond {}: it is cut there, and its mean is "
-                    "{:.4g}{}{} then.",
+        fmt::format("{:.2g} % of the distribution of {} lies beyond {}: it is cut there, and its mean is {} then.",
                     per_cent * share, number.key,
-                    given.lowest.empty() && given.highest.empty() ? "what the key allows" : "its limits", m.find_mean(),
-                    number.unit.empty() ? "" : " ", number.unit));
-}
-
-SampledNumber read_number(const input::LoadedCase& base, const input::RandomNumber& given,
-                          std::vector<std::string>& notes) {
-  const input::UncertainNumber found = input::resolve(given, base.data, base.echo.get());
-  SampledNumber number;
-  number.key = found.key;
-  number.unit = found.unit;
-  number.marginal = {found.distribution, found.mean, found.deviation, found.lowest, found.highest, found.mode};
-  number.text = describe(number);
-  tell_cut(number, given, notes);
-  return number;
+                    given.lowest.empty() && given.highest.empty() ? "what the key allows" : "its limits",
+                    write_value(number.mean, number.unit, 4)));
+  return text;
 }
 
 std::vector<double> read_correlation(const input::Sampling& sampling, const std::vector<std::string>& keys) {
@@ -73,26 +60,27 @@ std::vector<double> read_correlation(const input::Sampling& sampling, const std:
 
 }  // namespace
 
-std::vector<Marginal> SampledNumbers::list_marginals() const {
-  std::vector<Marginal> list;
-  for (const SampledNumber& n : numbers) list.push_back(n.marginal);
-  return list;
-}
-
-std::vector<double> SampledNumbers::list_means() const {
-  std::vector<double> list;
-  for (const SampledNumber& n : numbers) list.push_back(n.marginal.find_mean());
-  return list;
-}
-
 SampledNumbers read_sampled_numbers(const input::LoadedCase& base) {
   const input::Sampling& sampling = base.data.study.sampling;
   SampledNumbers sampled;
   std::vector<std::string> keys;
   for (const input::RandomNumber& n : sampling.numbers) keys.push_back(n.key);
-  for (const input::RandomNumber& n : sampling.numbers) {
-    sampled.numbers.push_back(read_number(base, n, sampled.notes));
-    sampled.numbers.back().name = shorten_path(n.key, keys);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const input::UncertainNumber found = input::resolve(sampling.numbers[i], base.data, base.echo.get());
+    const Marginal m{found.distribution, found.mean, found.deviation, found.lowest, found.highest, found.mode};
+    results::UncertainNumber n;
+    n.key = found.key;
+    n.name = shorten_path(n.key, keys);
+    n.unit = found.unit;
+    n.distribution = input::find_key(base.echo, fmt::format("study.random.{}.distribution", i))->text;
+    n.mean = m.find_mean();
+    n.deviation = m.find_deviation();
+    if (std::isfinite(m.lowest)) n.lowest = m.lowest;
+    if (std::isfinite(m.highest)) n.highest = m.highest;
+    n.text = describe(n, m, sampling.numbers[i], sampled.notes);
+    sampled.means.push_back(n.mean);
+    sampled.marginals.push_back(m);
+    sampled.numbers.push_back(std::move(n));
   }
   sampled.correlation = read_correlation(sampling, keys);
   return sampled;

@@ -5,25 +5,17 @@
 #include <vector>
 
 #include "input/read.hpp"
+#include "results/sampling.hpp"
 #include "study/distributions.hpp"
 
 namespace talus::study {
 
-struct SampledNumber {
-  std::string key;   ///< dotted path
-  std::string name;  ///< the shortest end of it that no other has
-  std::string unit;  ///< of the key; empty: a plain number
-  Marginal marginal;
-  std::string text;  ///< "lognormal, mean 18 kPa, deviation 3.6 kPa"
-};
-
 struct SampledNumbers {
-  std::vector<SampledNumber> numbers;
-  std::vector<double> correlation;  ///< of the normal scores, row by row
-  std::vector<std::string> notes;   ///< e.g. a distribution that was cut at the limit of its key
-
-  std::vector<Marginal> list_marginals() const;
-  std::vector<double> list_means() const;  ///< of the distributions as they are cut
+  std::vector<results::UncertainNumber> numbers;  ///< their names are the shortest ends of keys that no other has
+  std::vector<Marginal> marginals;                ///< of each
+  std::vector<double> means;                      ///< of the distributions as they are cut
+  std::vector<double> correlation;                ///< of the normal scores, row by row; empty: none
+  std::vector<std::string> notes;                 ///< e.g. a distribution that was cut at the limit of its key
 };
 
 /// [[study.random]] and [[study.correlation]] of a case that was read without a fault.

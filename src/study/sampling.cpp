@@ -1,38 +1,21 @@
 #include "study/sampling.hpp"
-#include "input/echo.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <filesystem>
-
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "input/echo.hpp"
 #include "results/json.hpp"
 #include "run/head.hpp"
 #include "run/run_case.hpp"
-#include "study/sampling_table.hpp"
+#include "study/sample_statistics.hpp"
 
 namespace talus::study {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A Latin hypercube is made of so many that are drawn for themselves, where the samples are enough for it: their
 /// scatter tells the standard error.
 constexpr int hypercubes = 10, enough_samples = 1000;
-
-void check_folder(const StudyOptions& options) {
-  if (!fs::exists(options.folder)) return;
-  const std::string folder = options.folder.string();
-  if (!fs::is_directory(options.folder))
-    throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; a study needs a folder", folder));
-  if (!fs::is_empty(options.folder) && !options.overwrite && !options.resume)
-    throw Error(ExitCode::folder_exists,
-                fmt::format("the folder '{}' holds something already; give another one with -o, or replace it with "
-                            "--overwrite",
-                            folder));
-}
 
 }  // namespace
 
@@ -46,33 +29,42 @@ SampleSet draw_samples(const input::LoadedCase& base) {
   const input::Sampling& sampling = base.data.study.sampling;
   SampleSet set;
   set.sampled = read_sampled_numbers(base);
-  set.notes = set.sampled.notes;
-  set.method = sampling.method;
-  set.plan.samples = sampling.samples;
-  set.plan.numbers = static_cast<int>(set.sampled.numbers.size());
-  set.plan.seed = sampling.seed;
-  set.plan.latin = sampling.plan == input::SamplePlan::latin_hypercube;
-  set.plan.replicates = set.plan.latin && sampling.samples >= enough_samples ? hypercubes : 1;
-  set.plan.correlation = set.sampled.correlation;
+  const bool is_latin = sampling.plan == input::SamplePlan::latin_hypercube;
+  const int replicates = is_latin && sampling.samples >= enough_samples ? hypercubes : 1;
+  set.plan = {sampling.samples,       static_cast<int>(set.sampled.numbers.size()), sampling.seed, is_latin, replicates,
+              set.sampled.correlation};
   set.scores = draw_scores(set.plan);
   for (std::size_t j = 0; j < set.scores.size(); ++j) {
-    set.values.emplace_back();
-    for (const double z : set.scores[j]) set.values[j].push_back(set.sampled.numbers[j].marginal.find_value(z));
+    std::vector<double>& values = set.values.emplace_back();
+    for (const double z : set.scores[j]) values.push_back(set.sampled.marginals[j].find_value(z));
+    const results::SampledValues found = find_moments(values);
+    set.sampled.numbers[j].sampled = {found.mean, found.deviation, found.smallest, found.largest};
   }
+  set.told.samples = sampling.samples;
+  set.told.seed = sampling.seed;
+  set.told.plan = is_latin ? results::SampleDraw::latin_hypercube : results::SampleDraw::random;
+  set.told.replicates = replicates;
+  set.told.method = static_cast<Method>(sampling.method);  // the words of [study] are those of the methods
+  set.told.numbers = set.sampled.numbers;
+  set.told.notes = set.sampled.notes;
   return set;
+}
+
+Error refuse_sample(const std::string& label, const InputError& error) {
+  return {ExitCode::wrong_input,
+          fmt::format("{} is no possible case: {}; cut or correlate the distributions so that it cannot come up", label,
+                      error.diagnostics().front().sentence)};
 }
 
 SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                             const StudyOptions& options) {
   SampleSet set = draw_samples(base);
-  check_folder(options);
+  check_folder(options, "give another one with -o, or replace it with --overwrite");
   SamplingResult result;
   results::StudyResult& study = result.study;
-  if (set.method == input::SampledMethod::lem) {
-    const input::Output& output = base.data.output;
-    study.title = base.data.title;
-    study.case_file = base.file;
-    study.units = {output.displacement_unit, output.length_unit, output.stress_unit};
+  if (set.told.method == Method::lem) {
+    study = begin_study(base);
+    study.units.stress = base.data.output.stress_unit;
     study.project = run::tell_project(base.data);
     study.provenance = run::tell_provenance(base, input::hash_input(base.echo), options.threads);
     study.input = base.echo;
@@ -80,8 +72,8 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
   } else {
     study = calculate_runs(base, overrides, options, set, result.failure);
   }
-  study.mode = "sample";
-  study.sampling = describe_sampling(base.data.study.sampling, set);
+  tell_samples(base.data.study.sampling, set);
+  study.sampling = set.told;
   make_folder(options.folder);
   write_atomically(options.folder / "samples.csv", write_samples(set));
   results::write_file(options.folder / "study.json", study);

@@ -13,23 +13,14 @@
 
 namespace talus::study {
 
-/// All samples, what each gave, and what is said about them.
+/// All samples, what each gave, and what is said about them as far as it is known.
 struct SampleSet {
   SampledNumbers sampled;
   ScorePlan plan;
   std::vector<std::vector<double>> scores, values;  ///< [number][sample]
   std::vector<double> factor;  ///< per sample; NaN where there is none; empty where none is asked for
   std::vector<double> runout;  ///< per sample [m], NaN where there is none; empty without material points
-
-  input::SampledMethod method = input::SampledMethod::lem;
-  std::string method_title;  ///< "Spencer's method on 214 surfaces"
-  std::string runout_name;   ///< of [[compare]], "runout.toe_distance"
-  std::optional<FirstOrder> first_order;
-  std::optional<DesignPoint> design_point;
-  int surfaces = 0;  ///< that every sample was evaluated on; 0: each sample was searched
-  std::optional<results::SurfaceCheck> check;
-  double seconds = 0;
-  std::vector<std::string> notes;
+  results::Sampling told;
 
   std::size_t size() const { return values.empty() ? 0 : values[0].size(); }
   std::vector<double> get_sample(std::size_t i) const;
@@ -37,6 +28,9 @@ struct SampleSet {
 
 /// Draws the samples of [study].
 SampleSet draw_samples(const input::LoadedCase& base);
+
+/// A sample that is no possible case.
+Error refuse_sample(const std::string& label, const InputError& error);
 
 /// Calculates them by slices: `set.factor` and what is said about the surfaces. Throws what lem::search() does at the
 /// means, Error (interrupted).
@@ -47,6 +41,15 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
 /// table.
 results::StudyResult calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                                     const StudyOptions& options, SampleSet& set, std::optional<Error>& failure);
+
+/// Completes `set.told` with what the samples say.
+void tell_samples(const input::Sampling& asked, SampleSet& set);
+
+/// study.md of it.
+std::string write_sampling_markdown(const std::string& title, const results::Sampling& sampling);
+
+/// One row per sample: its number, the values in the units of their keys, and what came of it.
+std::string write_samples(const SampleSet& set);
 
 /// What `talus study` does: draws, calculates, writes study.json, study.md and samples.csv into the folder. Errors as
 /// run_study; `failure` is that of samples that did not finish.

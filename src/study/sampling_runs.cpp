@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -10,7 +9,6 @@
 #include "input/echo.hpp"
 #include "run/named_results.hpp"
 #include "run/run_case.hpp"
-#include "study/key_paths.hpp"
 #include "study/sampling.hpp"
 #include "study/study_table.hpp"
 
@@ -21,14 +19,13 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A variant for every sample, each read and checked as a case of its own; before them the case at the means.
 StudyPlan plan_samples(const input::LoadedCase& base, std::vector<input::Override> overrides, const SampleSet& set) {
-  overrides.push_back({"analysis.methods", set.method == input::SampledMethod::fem ? R"(["fem"])" : R"(["mpm"])"});
+  overrides.push_back({"analysis.methods", fmt::format(R"(["{}"])", results::to_word(set.told.method))});
   StudyPlan plan;
-  plan.title = base.data.title;
-  plan.mode = "sample";
-  plan.file = base.file;
-  plan.displacement_unit = base.data.output.displacement_unit;
-  plan.length_unit = base.data.output.length_unit;
-  for (const SampledNumber& n : set.sampled.numbers) plan.keys.push_back({n.key, n.name, n.unit});
+  plan.told = begin_study(base);
+  for (const results::UncertainNumber& n : set.sampled.numbers) {
+    plan.told.vary.push_back({n.key, n.unit, {}});
+    plan.names.push_back(n.name);
+  }
   const std::size_t digits = std::to_string(set.size()).size();
   const auto add = [&](const std::string& name, const std::string& label, const std::vector<double>& values) {
     Variant variant;
@@ -38,15 +35,12 @@ StudyPlan plan_samples(const input::LoadedCase& base, std::vector<input::Overrid
     try {
       variant.loaded = read_sample(base, overrides, set.sampled, values);
     } catch (const InputError& error) {
-      throw Error(
-          ExitCode::wrong_input,
-          fmt::format("{} is no possible case: {}; cut or correlate the distributions so that it cannot come up", label,
-                      error.diagnostics().front().sentence));
+      throw refuse_sample(label, error);
     }
     variant.input_hash = input::hash_input(variant.loaded.echo);
     plan.variants.push_back(std::move(variant));
   };
-  add("means", "at the means", set.sampled.list_means());
+  add("means", "at the means", set.sampled.means);
   for (std::size_t i = 0; i < set.size(); ++i)
     add(fmt::format("sample_{:0{}}", i + 1, digits), fmt::format("sample {}", i + 1), set.get_sample(i));
   return plan;
@@ -64,7 +58,7 @@ std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::
 std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& name) {
   std::vector<double> values;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const bool ended = rows[i].status == results::VariantStatus::finished && rows[i].result;
+    const bool ended = rows[i].told.status == results::VariantStatus::finished && rows[i].result;
     values.push_back(ended ? run::find_result(*rows[i].result, name).value_or(none) : none);
   }
   return values;
@@ -77,8 +71,8 @@ results::StudyResult calculate_runs(const input::LoadedCase& base, const std::ve
   const auto start = std::chrono::steady_clock::now();
   const StudyPlan plan = plan_samples(base, overrides, set);
   const std::vector<StudyRow> rows = run_study(plan, options);
-  failure = find_failure(plan, rows);
-  const bool by_elements = set.method == input::SampledMethod::fem;
+  failure = find_failure(rows);
+  const bool by_elements = set.told.method == Method::fem;
   const std::string factor =
       find_name(rows, by_elements ? std::vector<std::string>{"fem.factor", "fem.associated.factor"}
                                   : std::vector<std::string>{"factor_of_safety.frozen", "factor_of_safety.bilinear",
@@ -88,14 +82,16 @@ results::StudyResult calculate_runs(const input::LoadedCase& base, const std::ve
     std::vector<std::string> names{"runout.toe_distance"};
     for (const double f : base.data.strength_reduction.curve.runout)
       names.push_back(fmt::format("runout[{:g}].toe_distance", f));
-    set.runout_name = find_name(rows, names);
-    if (!set.runout_name.empty()) set.runout = take(rows, set.runout_name);
+    if (const std::string name = find_name(rows, names); !name.empty()) {
+      set.runout = take(rows, name);
+      set.told.runout.emplace().name = name;
+    }
   }
-  set.method_title = by_elements ? "Finite elements" : "Material points";
-  set.method_title += ", a run for every sample" + (factor.empty() ? "" : ", " + factor);
+  set.told.method_title = by_elements ? "Finite elements" : "Material points";
+  set.told.method_title += ", a run for every sample" + (factor.empty() ? "" : ", " + factor);
   if (set.factor.empty() && set.runout.empty())
-    set.notes.push_back("No run has come to a factor of safety or a runout.");
-  set.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    set.told.notes.push_back("No run has come to a factor of safety or a runout.");
+  set.told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return describe_study(plan, rows);
 }
 

@@ -76,7 +76,7 @@ class SliceSampling {
           better.insert(better.end(), searched[k]->surfaces.begin(), searched[k]->surfaces.end());
       }
       if (check.samples > 0) check.mean = sum / check.samples;
-      set_.check = check;
+      set_.told.check = check;
       if (check.largest <= good_enough || round == most_rounds) return;
       slices_.add(better);
       calculate();
@@ -89,10 +89,7 @@ class SliceSampling {
     try {
       return slices_.find(set_.get_sample(i), work).value_or(std::numeric_limits<double>::quiet_NaN());
     } catch (const InputError& error) {
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("sample {} is no possible case: {}; cut or correlate the distributions so that it cannot "
-                              "come up",
-                              i + 1, error.diagnostics().front().sentence));
+      throw refuse_sample(fmt::format("sample {}", i + 1), error);
     }
   }
 
@@ -105,7 +102,7 @@ class SliceSampling {
     });
     // The nearest to failure stand in front; the others are drawn from what is behind them. Another round takes others:
     // those that were searched are exact now.
-    RandomStream random(set_.plan.seed, check_stream - static_cast<std::uint64_t>(round));
+    RandomStream random(set_.told.seed, check_stream - static_cast<std::uint64_t>(round));
     const std::size_t skipped = std::min(order.size(), critical_checks * static_cast<std::size_t>(round));
     order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(skipped));
     const std::size_t count = std::min(order.size(), critical_checks + random_checks);
@@ -133,51 +130,53 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
   const auto start = std::chrono::steady_clock::now();
   if (options.progress != nullptr) options.progress->show("searching for the critical surfaces");
   SliceFactor slices(base, overrides, set.sampled, options.threads);
-  const std::vector<Marginal> marginals = set.sampled.list_marginals();
+  results::Sampling& told = set.told;
   SliceFactor::Workspace work;
   const FactorOf factor = [&](const std::vector<double>& values) { return slices.find(values, work); };
-  set.first_order = estimate_first_order(marginals, set.sampled.correlation, factor);
+  estimate_first_order(set.sampled, factor, told);
   // With a search for every sample the iteration would cost more than it tells.
-  if (!slices.is_full()) set.design_point = find_design_point(marginals, set.sampled.correlation, factor);
-  if (set.design_point) {
+  if (!slices.is_full()) told.design_point = find_design_point(set.sampled, factor);
+  if (told.design_point) {
     // The surface that fails first need not be critical at the means: it is looked for where failure is most probable.
-    if (const auto searched = slices.search(set.design_point->values)) slices.add(searched->surfaces);
-    set.design_point = find_design_point(marginals, set.sampled.correlation, factor);
+    std::vector<double> values;
+    for (const results::DesignPointValue& v : told.design_point->values) values.push_back(v.value);
+    if (const auto searched = slices.search(values)) slices.add(searched->surfaces);
+    told.design_point = find_design_point(set.sampled, factor);
   }
   SliceSampling sampling(slices, options, set);
   sampling.calculate();
   const bool is_checked = !slices.is_full() && base.data.lem.search != input::SurfaceSearch::none;
   if (is_checked) sampling.check();
-  set.surfaces = slices.count_surfaces();
+  told.surfaces = slices.count_surfaces();
   const std::string title = get_title(slices.method());
-  set.method_title = slices.is_full() ? fmt::format("{}, a search for every sample", title)
-                                      : fmt::format("{} on {} surfaces", title, set.surfaces);
-  for (const std::string& note : slices.numbers().notes()) set.notes.push_back(note);
+  told.method_title = slices.is_full() ? fmt::format("{}, a search for every sample", title)
+                                       : fmt::format("{} on {} surfaces", title, told.surfaces);
+  for (const std::string& note : slices.numbers().notes()) told.notes.push_back(note);
   if (!slices.numbers().idle_keys().empty())
-    set.notes.push_back(
+    told.notes.push_back(
         fmt::format("Slices do not know {}: it has no influence here.", list_keys(slices.numbers().idle_keys())));
   if (slices.is_full()) {
-    set.notes.push_back(fmt::format("{} changes the section or its water: every sample was searched for itself.",
-                                    list_keys(slices.numbers().section_keys())));
+    told.notes.push_back(fmt::format("{} changes the section or its water: every sample was searched for itself.",
+                                     list_keys(slices.numbers().section_keys())));
   } else if (is_checked) {
-    if (set.check)
-      set.notes.push_back(
+    if (told.check)
+      told.notes.push_back(
           fmt::format("Every sample was evaluated on {} surfaces from searches at the means, at {} other "
                       "combinations of values and near failure. Searches for {} samples themselves gave "
                       "factors lower by {:.2f} % at most, {:.2f} % on average.",
-                      set.surfaces, slices.count_corners(), set.check->samples,
-                      per_cent * std::max(0.0, set.check->largest), per_cent * set.check->mean));
+                      told.surfaces, slices.count_corners(), told.check->samples,
+                      per_cent * std::max(0.0, told.check->largest), per_cent * told.check->mean));
   } else {
-    set.notes.push_back("Only the surfaces that the case gives were evaluated.");
+    told.notes.push_back("Only the surfaces that the case gives were evaluated.");
   }
-  if (!set.first_order)
-    set.notes.push_back(
+  if (!told.first_order)
+    told.notes.push_back(
         "Within one deviation of the means some values have no factor: there is no first-order estimate and "
         "no tornado.");
-  if (set.design_point && !set.design_point->converged)
-    set.notes.push_back(
+  if (told.design_point && !told.design_point->converged)
+    told.notes.push_back(
         "The search for the most probable failure did not come to rest: take its index as a hint only.");
-  set.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace talus::study

@@ -1,4 +1,4 @@
-#include "study/sampling_table.hpp"
+// What samples say: shares, moments and correlations of what they gave.
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 
 #include "study/normal_law.hpp"
 #include "study/sample_statistics.hpp"
+#include "study/sampling.hpp"
 
 namespace talus::study {
 namespace {
@@ -33,29 +34,6 @@ std::optional<double> keep_finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-results::SampleShare describe_share(const Share& share) {
-  return {share.count, share.samples, share.probability, share.interval[0], share.interval[1]};
-}
-
-std::vector<results::UncertainNumber> describe_numbers(const SampleSet& set) {
-  std::vector<results::UncertainNumber> list;
-  for (std::size_t j = 0; j < set.sampled.numbers.size(); ++j) {
-    const SampledNumber& n = set.sampled.numbers[j];
-    const Moments found = find_moments(set.values[j]);
-    list.push_back({n.key,
-                    n.name,
-                    n.unit,
-                    name_distribution(n.marginal.kind),
-                    n.text,
-                    n.marginal.find_mean(),
-                    n.marginal.find_deviation(),
-                    keep_finite(n.marginal.lowest),
-                    keep_finite(n.marginal.highest),
-                    {found.mean, found.deviation, found.smallest, found.largest}});
-  }
-  return list;
-}
-
 std::vector<results::SampledCorrelation> describe_correlations(const SampleSet& set) {
   std::vector<results::SampledCorrelation> list;
   const std::size_t n = set.sampled.numbers.size();
@@ -69,20 +47,12 @@ std::vector<results::SampledCorrelation> describe_correlations(const SampleSet& 
 
 results::SampledValues describe_values(const std::vector<double>& all) {
   const Present there(all);
-  const Moments m = find_moments(there.values);
-  const Histogram h = count_classes(there.values);
-  results::SampledValues values;
-  values.count = m.count;
-  values.none = static_cast<long>(all.size()) - m.count;
-  values.mean = m.mean;
-  values.deviation = m.deviation;
-  if (m.mean != 0) values.variation = m.deviation / m.mean;
-  values.skewness = m.skewness;
-  values.smallest = m.smallest;
-  values.largest = m.largest;
+  results::SampledValues values = find_moments(there.values);
+  values.none = static_cast<long>(all.size()) - values.count;
+  if (values.mean != 0) values.variation = values.deviation / values.mean;
   for (const double p : {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99})
     values.quantiles.push_back({p, keep_finite(find_quantile(there.values, p))});
-  values.histogram = {h.edges, h.counts};
+  values.histogram = count_classes(there.values);
   return values;
 }
 
@@ -92,13 +62,13 @@ results::FailureProbability describe_failure(const input::Sampling& asked, const
   std::vector<double> failed;
   for (const double f : there.values) failed.push_back(f < 1 ? 1 : 0);
   const auto count = static_cast<long>(std::count(failed.begin(), failed.end(), 1.0));
-  const Share share = estimate_share(count, static_cast<long>(failed.size()), asked.confidence);
   results::FailureProbability failure;
-  failure.share = describe_share(share);
+  const results::SampleShare& share = failure.share =
+      estimate_share(count, static_cast<long>(failed.size()), asked.confidence);
   failure.confidence = asked.confidence;
   failure.index = keep_finite(-find_normal_score(share.probability));
-  failure.index_lower = keep_finite(-find_normal_score(share.interval[1]));
-  failure.index_upper = keep_finite(-find_normal_score(share.interval[0]));
+  failure.index_lower = keep_finite(-find_normal_score(share.upper));
+  failure.index_upper = keep_finite(-find_normal_score(share.lower));
   const double p = share.probability, n = static_cast<double>(share.samples);
   if (!set.plan.latin && n > 0) failure.standard_error = std::sqrt(p * (1 - p) / n);
   if (set.plan.replicates > 1 && there.values.size() == set.factor.size()) {
@@ -120,11 +90,11 @@ results::FailureProbability describe_failure(const input::Sampling& asked, const
     so_far += failed[i] > 0 ? 1 : 0;
     if (i + 1 < next * failed.size() / steps_of_growth && i + 1 != failed.size()) continue;
     while (next * failed.size() / steps_of_growth <= i + 1) ++next;
-    const Share s = estimate_share(so_far, static_cast<long>(i + 1), asked.confidence);
-    failure.growth.push_back({static_cast<double>(i + 1), s.probability, s.interval[0], s.interval[1]});
+    const results::SampleShare s = estimate_share(so_far, static_cast<long>(i + 1), asked.confidence);
+    failure.growth.push_back({static_cast<double>(i + 1), s.probability, s.lower, s.upper});
   }
-  if (set.check && set.check->largest > 0) {
-    const double share_of = 1 / (1 + set.check->largest);
+  if (const auto& check = set.told.check; check && check->largest > 0) {
+    const double share_of = 1 / (1 + check->largest);
     const auto shifted =
         std::count_if(there.values.begin(), there.values.end(), [&](double f) { return f * share_of < 1; });
     failure.with_largest_difference = n > 0 ? static_cast<double>(shifted) / n : 0;
@@ -133,45 +103,12 @@ results::FailureProbability describe_failure(const input::Sampling& asked, const
 }
 
 /// Indices that rest on the mean and deviation of the sampled factors.
-std::optional<results::FittedLaws> describe_fits(const std::vector<double>& all) {
-  const Moments m = find_moments(Present(all).values);
-  if (m.deviation <= 0 || m.mean <= 0) return std::nullopt;
-  const double v = m.deviation / m.mean, spread = std::sqrt(std::log1p(v * v));
-  const double normal = (m.mean - 1) / m.deviation, lognormal = std::log(m.mean / std::sqrt(1 + v * v)) / spread;
+std::optional<results::FittedLaws> describe_fits(const results::SampledValues& factor) {
+  if (factor.deviation <= 0 || factor.mean <= 0) return std::nullopt;
+  const double normal = (factor.mean - 1) / factor.deviation;
+  const double lognormal = find_lognormal_index(factor.mean, factor.deviation);
   return results::FittedLaws{{normal, find_normal_probability(-normal)},
                              {lognormal, find_normal_probability(-lognormal)}};
-}
-
-std::optional<results::FirstOrderEstimate> describe_first_order(const SampleSet& set) {
-  if (!set.first_order) return std::nullopt;
-  const FirstOrder& f = *set.first_order;
-  return results::FirstOrderEstimate{f.mean_factor, f.deviation, f.index_normal, f.index_lognormal};
-}
-
-std::optional<results::DesignPointEstimate> describe_design_point(const SampleSet& set) {
-  if (!set.design_point) return std::nullopt;
-  const DesignPoint& d = *set.design_point;
-  results::DesignPointEstimate estimate{d.index, find_normal_probability(-d.index), d.converged, d.iterations, d.factor,
-                                        {}};
-  for (std::size_t j = 0; j < set.sampled.numbers.size(); ++j) {
-    const SampledNumber& n = set.sampled.numbers[j];
-    estimate.values.push_back({n.key, n.name, n.unit, d.values[j], d.importance[j]});
-  }
-  return estimate;
-}
-
-/// Longest bar first.
-std::optional<std::vector<results::TornadoBar>> describe_tornado(const SampleSet& set) {
-  if (!set.first_order) return std::nullopt;
-  std::vector<results::TornadoBar> bars;
-  for (std::size_t j = 0; j < set.sampled.numbers.size(); ++j) {
-    const Sensitivity& s = set.first_order->sensitivities[j];
-    const SampledNumber& n = set.sampled.numbers[j];
-    bars.push_back({n.key, n.name, n.unit, s.low_value, s.high_value, s.low_factor, s.high_factor});
-  }
-  const auto length = [](const results::TornadoBar& bar) { return std::abs(bar.high_factor - bar.low_factor); };
-  std::stable_sort(bars.begin(), bars.end(), [&](const auto& a, const auto& b) { return length(a) > length(b); });
-  return bars;
 }
 
 std::vector<results::RankCorrelation> describe_ranks(const SampleSet& set, const std::vector<double>& result) {
@@ -188,59 +125,40 @@ std::vector<results::RankCorrelation> describe_ranks(const SampleSet& set, const
 }
 
 /// How probable it is that the soil comes farther than a distance.
-std::optional<results::SampledRunout> describe_runout(const input::Sampling& asked, const SampleSet& set) {
-  if (set.runout.empty()) return std::nullopt;
+void tell_runout(const input::Sampling& asked, const SampleSet& set, results::SampledRunout& runout) {
   const Present there(set.runout);
   const auto exceed = [&](double distance) {
     const auto count = std::count_if(there.values.begin(), there.values.end(), [&](double r) { return r > distance; });
     return estimate_share(static_cast<long>(count), static_cast<long>(there.values.size()), asked.confidence);
   };
-  results::SampledRunout runout;
   runout.values = describe_values(set.runout);
-  runout.name = set.runout_name;
-  const double end = find_moments(there.values).largest;
+  const double end = runout.values.largest;
   for (std::size_t k = 0; k <= distances_of_curve; ++k) {
     const double distance = end * static_cast<double>(k) / distances_of_curve;
-    const Share s = exceed(distance);
-    runout.curve.push_back({distance, s.probability, s.interval[0], s.interval[1]});
+    const results::SampleShare s = exceed(distance);
+    runout.curve.push_back({distance, s.probability, s.lower, s.upper});
   }
   std::vector<double> distances = asked.runout;
   if (distances.empty())
     for (const double share : {0.0, 0.25, 0.5, 0.75}) distances.push_back(share * end);
-  for (const double distance : distances) runout.exceedance.push_back({describe_share(exceed(distance)), distance});
+  for (const double distance : distances) runout.exceedance.push_back({exceed(distance), distance});
   runout.ranks = describe_ranks(set, set.runout);
-  return runout;
 }
 
 }  // namespace
 
-results::Sampling describe_sampling(const input::Sampling& asked, const SampleSet& set) {
-  results::Sampling sampling;
-  sampling.samples = set.plan.samples;
-  sampling.seed = set.plan.seed;
-  sampling.plan = set.plan.latin ? results::SampleDraw::latin_hypercube : results::SampleDraw::random;
-  sampling.replicates = set.plan.replicates;
-  sampling.method = static_cast<Method>(set.method);  // the words of [study] are those of the methods
-  sampling.method_title = set.method_title;
-  sampling.seconds = set.seconds;
-  sampling.numbers = describe_numbers(set);
-  sampling.correlations = describe_correlations(set);
-  sampling.first_order = describe_first_order(set);
-  sampling.design_point = describe_design_point(set);
-  sampling.tornado = describe_tornado(set);
-  sampling.surfaces = set.surfaces;
-  sampling.check = set.check;
-  sampling.runout = describe_runout(asked, set);
-  sampling.notes = set.notes;
-  sampling.samples_file = "samples.csv";
-  if (set.factor.empty()) return sampling;
-  sampling.factor = describe_values(set.factor);
-  sampling.failure = describe_failure(asked, set);
-  sampling.fits = describe_fits(set.factor);
-  sampling.ranks = describe_ranks(set, set.factor);
-  if (const long none = sampling.factor->none; none > 0)
-    sampling.notes.push_back(fmt::format("{} of {} samples have no factor and are not counted.", none, set.size()));
-  return sampling;
+void tell_samples(const input::Sampling& asked, SampleSet& set) {
+  results::Sampling& told = set.told;
+  told.correlations = describe_correlations(set);
+  if (told.runout) tell_runout(asked, set, *told.runout);
+  told.samples_file = "samples.csv";
+  if (set.factor.empty()) return;
+  told.factor = describe_values(set.factor);
+  told.failure = describe_failure(asked, set);
+  told.fits = describe_fits(*told.factor);
+  told.ranks = describe_ranks(set, set.factor);
+  if (const long none = told.factor->none; none > 0)
+    told.notes.push_back(fmt::format("{} of {} samples have no factor and are not counted.", none, set.size()));
 }
 
 }  // namespace talus::study

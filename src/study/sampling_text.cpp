@@ -6,7 +6,7 @@
 
 #include "output/files/history.hpp"
 #include "output/plots/gnuplot.hpp"
-#include "study/sampling_table.hpp"
+#include "study/sampling.hpp"
 
 namespace talus::study {
 namespace {
@@ -86,7 +86,7 @@ std::string write_sampling_markdown(const std::string& title, const results::Sam
 
 std::string write_samples(const SampleSet& set) {
   std::string text = "sample";
-  for (const SampledNumber& n : set.sampled.numbers) text += "," + output::make_label(n.key, n.unit);
+  for (const results::UncertainNumber& n : set.told.numbers) text += "," + output::make_label(n.key, n.unit);
   if (!set.factor.empty()) text += ",factor of safety";
   if (!set.runout.empty()) text += ",runout beyond the toe [m]";
   text += '\n';

@@ -21,7 +21,7 @@ SliceFactor::SliceFactor(const input::LoadedCase& base, const std::vector<input:
     : base_(base),
       overrides_(overrides),
       sampled_(sampled),
-      numbers_(base, overrides, sampled, sampled.list_means()),
+      numbers_(base, overrides, sampled),
       options_(run::make_search_options(base.data.lem, threads)) {
   options_.methods.resize(1);
   if (is_full()) return;
@@ -29,7 +29,7 @@ SliceFactor::SliceFactor(const input::LoadedCase& base, const std::vector<input:
   std::vector<lem::Surface> given;
   for (const input::SlipSurface& s : base.data.lem.surfaces) given.push_back(run::make_surface(*slope_, s));
   if (searches()) {
-    const std::vector<lem::Section> corners = make_corners(sampled.list_means());
+    const std::vector<lem::Section> corners = make_corners();
     corners_ = static_cast<int>(corners.size());
     candidates_ = std::make_unique<lem::Candidates>(*slope_, corners, options_, method(), threads);
     if (!given.empty()) add(given);
@@ -38,12 +38,12 @@ SliceFactor::SliceFactor(const input::LoadedCase& base, const std::vector<input:
   }
 }
 
-std::vector<lem::Section> SliceFactor::make_corners(const std::vector<double>& means) const {
+std::vector<lem::Section> SliceFactor::make_corners() const {
   std::vector<lem::Section> corners;
-  for (std::size_t i = 0; i < means.size(); ++i)
+  for (std::size_t i = 0; i < sampled_.means.size(); ++i)
     for (const double score : {-corner_score, corner_score}) {
-      std::vector<double> corner = means;
-      corner[i] = sampled_.numbers[i].marginal.find_value(score);
+      std::vector<double> corner = sampled_.means;
+      corner[i] = sampled_.marginals[i].find_value(score);
       corners.push_back(numbers_.make_section(corner));
     }
   return corners;

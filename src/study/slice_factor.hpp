@@ -48,7 +48,7 @@ class SliceFactor {
 
  private:
   bool searches() const { return base_.data.lem.search != input::SurfaceSearch::none; }
-  std::vector<lem::Section> make_corners(const std::vector<double>& means) const;
+  std::vector<lem::Section> make_corners() const;
 
   const input::LoadedCase& base_;
   const std::vector<input::Override>& overrides_;

@@ -27,23 +27,23 @@ std::pair<std::string, std::string> split_material_key(const std::string& key) {
 }  // namespace
 
 SliceNumbers::SliceNumbers(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
-                           const SampledNumbers& sampled, const std::vector<double>& middle)
-    : middle_values_(middle) {
+                           const SampledNumbers& sampled)
+    : middle_values_(sampled.means) {
   static const std::map<std::string, Part> parts{
       {"cohesion", Part::cohesion},    {"friction_angle", Part::friction},   {"cohesion_gradient", Part::gradient},
       {"cohesion_level", Part::level}, {"pore_pressure_ratio", Part::ratio}, {"phi_b", Part::phi_b}};
   const auto make = [&](const std::vector<double>& values) {
     return run::make_section(read_sample(base, overrides, sampled, values).data);
   };
-  run::SectionOfCase made = make(middle);
+  run::SectionOfCase made = make(middle_values_);
   middle_ = std::move(made.section);
   notes_ = std::move(made.notes);
   std::set<std::string> porous;  // materials whose porosity varies: there weights are not linear in the grains' density
-  for (const SampledNumber& n : sampled.numbers)
+  for (const results::UncertainNumber& n : sampled.numbers)
     if (const auto [material, key] = split_material_key(n.key); key == "porosity" || key == "void_ratio")
       porous.insert(material);
   for (std::size_t i = 0; i < sampled.numbers.size(); ++i) {
-    const SampledNumber& n = sampled.numbers[i];
+    const results::UncertainNumber& n = sampled.numbers[i];
     Link link;
     link.number = i;
     link.factor = n.unit.empty() ? 1 : units::get_si_factor(n.unit);
@@ -56,15 +56,15 @@ SliceNumbers::SliceNumbers(const input::LoadedCase& base, const std::vector<inpu
       add_link(link, material);
     } else if (weights.contains(key) && !porous.contains(material)) {
       link.part = Part::weight;
-      const double step = 0.5 * n.marginal.find_deviation();
-      std::vector<double> moved = middle;
-      moved[i] = middle[i] + (middle[i] + step <= n.marginal.highest ? step : -step);
+      const double step = 0.5 * sampled.marginals[i].find_deviation();
+      std::vector<double> moved = middle_values_;
+      const double at = moved[i];
+      moved[i] = at + (at + step <= sampled.marginals[i].highest ? step : -step);
       const lem::Section other = make(moved).section;
       for (std::size_t s = 0; s < middle_.soils.size(); ++s) {
-        if (middle_.soils[s].name != material || moved[i] == middle[i]) continue;
-        link.moist = (other.soils[s].unit_weight - middle_.soils[s].unit_weight) / (moved[i] - middle[i]);
-        link.sat =
-            (other.soils[s].saturated_unit_weight - middle_.soils[s].saturated_unit_weight) / (moved[i] - middle[i]);
+        if (middle_.soils[s].name != material || moved[i] == at) continue;
+        link.moist = (other.soils[s].unit_weight - middle_.soils[s].unit_weight) / (moved[i] - at);
+        link.sat = (other.soils[s].saturated_unit_weight - middle_.soils[s].saturated_unit_weight) / (moved[i] - at);
       }
       add_link(link, material);
     } else if (idle.contains(key)) {

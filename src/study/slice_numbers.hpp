@@ -12,9 +12,8 @@ namespace talus::study {
 /// Soils and accelerations as functions of the sampled values, without reading the case again.
 class SliceNumbers {
  public:
-  /// `middle` is the case at the distributions' means.
   SliceNumbers(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
-               const SampledNumbers& sampled, const std::vector<double>& middle);
+               const SampledNumbers& sampled);
 
   /// Whether some number changes more than soils and accelerations, so that every sample needs its own section.
   bool changes_section() const { return !section_keys_.empty(); }
@@ -22,6 +21,7 @@ class SliceNumbers {
   /// Numbers that slices do not know.
   const std::vector<std::string>& idle_keys() const { return idle_keys_; }
 
+  /// The case at the distributions' means.
   const lem::Section& middle() const { return middle_; }
   const std::vector<std::string>& notes() const { return notes_; }
   /// The section with these values. Its geometry and water are those of the middle.

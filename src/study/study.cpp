@@ -26,17 +26,9 @@ std::optional<results::RunResult> load_result(const fs::path& folder) try {
   return std::nullopt;
 }
 
-void check_folder(const StudyPlan& plan, const StudyOptions& options) {
-  if (!fs::exists(options.folder)) return;
-  const std::string folder = options.folder.string();
-  if (!fs::is_directory(options.folder))
-    throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; a study needs a folder", folder));
-  if (fs::is_empty(options.folder) || options.overwrite) return;
-  if (!options.resume)
-    throw Error(ExitCode::folder_exists,
-                fmt::format("the folder '{}' holds something already; give another one with -o, replace it with "
-                            "--overwrite, or go on with --resume",
-                            folder));
+/// Throws Error (wrong_input) when a variant that is kept is of another input.
+void check_variants(const StudyPlan& plan, const StudyOptions& options) {
+  if (options.overwrite) return;
   std::string changed;
   for (const Variant& v : plan.variants) {
     const auto result = load_result(options.folder / v.name);
@@ -47,16 +39,22 @@ void check_folder(const StudyPlan& plan, const StudyOptions& options) {
     throw Error(ExitCode::wrong_input,
                 fmt::format("in '{}' the results of {} belong to another input; resume with the same case, or start "
                             "anew with --overwrite",
-                            folder, changed));
+                            options.folder.string(), changed));
 }
 
 class StudyRun {
  public:
   StudyRun(const StudyPlan& plan, const StudyOptions& options)
-      : plan_(plan), options_(options), rows_(plan.variants.size()) {}
+      : plan_(plan), options_(options), rows_(plan.variants.size()) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      rows_[i].told.name = plan.variants[i].label;
+      rows_[i].told.folder = plan.variants[i].name;
+    }
+  }
 
   std::vector<StudyRow> run() {
-    check_folder(plan_, options_);
+    check_folder(options_, "give another one with -o, replace it with --overwrite, or go on with --resume");
+    check_variants(plan_, options_);
     make_folder(options_.folder);
     parallel_tasks(static_cast<int>(rows_.size()), options_.threads,
                    [this](int i) { run_one(static_cast<std::size_t>(i)); });
@@ -71,46 +69,44 @@ class StudyRun {
   void run_one(std::size_t i) {
     if (is_interrupted()) return;
     const Variant& variant = plan_.variants[i];
-    StudyRow row;
+    StudyRow row = rows_[i];
     const fs::path folder = options_.folder / variant.name;
     if (options_.resume) {
       row.result = load_result(folder);
       row.kept = row.result && row.result->status == results::Status::finished;
     }
     if (row.kept) {
-      row.status = VariantStatus::finished;
+      row.told.status = VariantStatus::finished;
     } else {
       begin(variant.label);
-      row = calculate(variant, folder);
+      calculate(variant, folder, row);
     }
     end(i, std::move(row));
   }
 
-  StudyRow calculate(const Variant& variant, const fs::path& folder) const {
+  void calculate(const Variant& variant, const fs::path& folder, StudyRow& row) const {
     run::RunOptions run;
     run.folder = folder;
     run.resume = options_.resume;
     run.overwrite = options_.overwrite;
-    StudyRow row;
     try {
       row.result = run::run_case(variant.loaded, run);
-      row.status = VariantStatus::finished;
-      return row;
+      row.told.status = VariantStatus::finished;
+      return;
     } catch (const Error& error) {
       row.code = error.code();
-      row.reason = error.what();
-      row.status = row.code == ExitCode::unstable      ? VariantStatus::unstable
-                   : row.code == ExitCode::interrupted ? VariantStatus::interrupted
-                                                       : VariantStatus::failed;
+      row.told.reason = error.what();
+      row.told.status = row.code == ExitCode::unstable      ? VariantStatus::unstable
+                        : row.code == ExitCode::interrupted ? VariantStatus::interrupted
+                                                            : VariantStatus::failed;
     } catch (const std::exception& error) {
       // A defect of the program in one variant must not cost the results of the others.
       row.code = ExitCode::internal_error;
-      row.reason = fmt::format("internal error: {}", error.what());
-      row.status = VariantStatus::failed;
+      row.told.reason = fmt::format("internal error: {}", error.what());
+      row.told.status = VariantStatus::failed;
     }
     row.result = load_result(folder);
     if (row.result && row.result->provenance.input_hash != variant.input_hash) row.result.reset();
-    return row;
   }
 
   void begin(const std::string& label) {
@@ -164,24 +160,32 @@ int rank(ExitCode code) {
 
 }  // namespace
 
+void check_folder(const StudyOptions& options, const std::string& ways) {
+  if (!fs::exists(options.folder)) return;
+  const std::string folder = options.folder.string();
+  if (!fs::is_directory(options.folder))
+    throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; a study needs a folder", folder));
+  if (!fs::is_empty(options.folder) && !options.overwrite && !options.resume)
+    throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' holds something already; {}", folder, ways));
+}
+
 std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options) {
   return StudyRun(plan, options).run();
 }
 
-std::optional<Error> find_failure(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
+std::optional<Error> find_failure(const std::vector<StudyRow>& rows) {
   ExitCode code = ExitCode::success;
   std::string reasons;
   std::size_t finished = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const StudyRow& row = rows[i];
-    if (row.status == VariantStatus::finished) {
+  for (const StudyRow& row : rows) {
+    if (row.told.status == VariantStatus::finished) {
       ++finished;
       continue;
     }
     // A variant that was not started has no error of its own: only an interruption keeps one from starting.
-    const ExitCode own = row.status == VariantStatus::not_started ? ExitCode::interrupted : row.code;
+    const ExitCode own = row.told.status == VariantStatus::not_started ? ExitCode::interrupted : row.code;
     if (rank(own) > rank(code)) code = own;
-    if (own != ExitCode::interrupted) reasons += fmt::format("\n  {}: {}", plan.variants[i].name, row.reason);
+    if (own != ExitCode::interrupted) reasons += fmt::format("\n  {}: {}", row.told.folder, row.told.reason);
   }
   if (finished == rows.size()) return std::nullopt;
   const std::string what =

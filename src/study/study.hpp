@@ -24,12 +24,15 @@ struct StudyOptions {
 
 /// How a variant went.
 struct StudyRow {
-  results::VariantStatus status = results::VariantStatus::not_started;
-  std::string reason;  ///< why it is not finished
+  results::StudyVariant told;
   ExitCode code = ExitCode::success;
   bool kept = false;                         ///< finished in an earlier call and not run again
   std::optional<results::RunResult> result;  ///< the run's, as far as it came
 };
+
+/// Throws Error (folder_exists) when the study's folder is a file, or holds something that is neither to be replaced
+/// nor to go on; `ways` says what else can be done.
+void check_folder(const StudyOptions& options, const std::string& ways);
 
 /// Runs all variants and writes study.csv, study.json, study.md and, where there are curves, study.svg; the tables are
 /// renewed whenever a variant ends. A variant that fails does not stop the others: its row says why. Rows are in the
@@ -38,6 +41,6 @@ struct StudyRow {
 std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options);
 
 /// One error for all rows that did not finish, with the code of the gravest; nothing when all did.
-std::optional<Error> find_failure(const StudyPlan& plan, const std::vector<StudyRow>& rows);
+std::optional<Error> find_failure(const std::vector<StudyRow>& rows);
 
 }  // namespace talus::study

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "input/echo.hpp"
@@ -72,17 +71,6 @@ std::vector<Choice> list_choices(const input::Study& study) {
   return choices;
 }
 
-const char* find_mode_word(input::StudyMode mode) {
-  switch (mode) {
-    case input::StudyMode::grid:
-      return "grid";
-    case input::StudyMode::together:
-      return "together";
-    default:
-      return "one_at_a_time";
-  }
-}
-
 /// With mode = "together", names of one key's values can stand for those of all.
 bool is_unnamed(const input::Study& study, std::size_t key) {
   const auto has_names = [](const input::Vary& v) { return !v.names.empty(); };
@@ -120,22 +108,30 @@ void check_study(const input::LoadedCase& base) {
 
 }  // namespace
 
+results::StudyResult begin_study(const input::LoadedCase& base) {
+  results::StudyResult told;
+  told.title = base.data.title;
+  told.case_file = base.file;
+  told.mode = input::find_key(base.echo, "study.mode")->text;
+  told.units = {base.data.output.displacement_unit, base.data.output.length_unit, std::nullopt};
+  return told;
+}
+
 StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Override>& overrides) {
   check_study(base);
   const input::Study& study = base.data.study;
   StudyPlan plan;
-  plan.title = base.data.title;
-  plan.mode = find_mode_word(study.mode);
-  plan.file = base.file;
+  plan.told = begin_study(base);
   plan.factors = study.factors;
-  plan.extrapolate = study.extrapolate;
-  plan.displacement_unit = base.data.output.displacement_unit;
-  plan.length_unit = base.data.output.length_unit;
   if (base.data.analysis == input::AnalysisKind::run)
     for (const input::Monitor& m : base.data.output.monitors) plan.monitors.push_back(m.name);
   std::vector<std::string> paths;
   for (const input::Vary& v : study.vary) paths.push_back(v.key);
-  for (const std::string& path : paths) plan.keys.push_back({path, shorten_path(path, paths), ""});
+  for (const std::string& path : paths) {
+    if (path == study.extrapolate && !plan.extrapolated) plan.extrapolated = plan.names.size();
+    plan.told.vary.push_back({path, "", {}});
+    plan.names.push_back(shorten_path(path, paths));
+  }
 
   const input::Place place = base.places.find("study.vary.0");
   std::vector<Diagnostic> faults;
@@ -152,10 +148,10 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
       const std::vector<std::string>& titles = study.vary[k].names;
       changes.push_back({study.vary[k].key, value});
       if (is_unnamed(study, k)) continue;
-      const std::string title = titles.empty() ? fmt::format("{} = {}", plan.keys[k].name, strip_quotes(value))
+      const std::string title = titles.empty() ? fmt::format("{} = {}", plan.names[k], strip_quotes(value))
                                                : strip_quotes(titles[*choice[k]]);
       const std::string name =
-          titles.empty() ? make_name(plan.keys[k].name) + "_" + make_name(strip_quotes(value)) : make_name(title);
+          titles.empty() ? make_name(plan.names[k]) + "_" + make_name(strip_quotes(value)) : make_name(title);
       variant.name += (variant.name.empty() ? "" : "__") + name;
       variant.label += (variant.label.empty() ? "" : ", ") + title;
     }
@@ -174,7 +170,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
     }
     const auto [same, is_new] = known_cases.try_emplace(input::write_calculated(variant.loaded.echo), variant.label);
     if (!is_new) {
-      plan.notes.push_back(fmt::format("{} is the same case as {}.", variant.label, same->second));
+      plan.told.notes.push_back(fmt::format("{} is the same case as {}.", variant.label, same->second));
       numbers[variant.label] = numbers[variant.name] = numbers.at(same->second);
       continue;
     }
@@ -182,7 +178,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
     for (int i = 2; !names.insert(variant.name).second; ++i) variant.name = fmt::format("{}_{}", name, i);
     for (std::size_t k = 0; k < study.vary.size(); ++k) {
       const auto key = input::find_key(variant.loaded.echo, study.vary[k].key);
-      if (key && !key->unit.empty()) plan.keys[k].unit = key->unit;
+      if (key && !key->unit.empty()) plan.told.vary[k].unit = key->unit;
       const std::string text = choice[k] ? strip_quotes(study.vary[k].values[*choice[k]]) : "";
       variant.values.push_back(key ? key->text : text);
     }

@@ -1,19 +1,14 @@
 #pragma once
 // What a study calculates: the base case and its variants, each read and checked as a case of its own.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "input/read.hpp"
+#include "results/study.hpp"
 
 namespace talus::study {
-
-/// A key that the study varies.
-struct StudyKey {
-  std::string path;  ///< as in the case file, `strength_reduction.curve.damping`
-  std::string name;  ///< its last part, or as many parts as tell it from the other keys
-  std::string unit;  ///< of its values in the tables; empty for plain numbers and words
-};
 
 /// One calculation of a study: a row of its table.
 struct Variant {
@@ -25,17 +20,18 @@ struct Variant {
 };
 
 struct StudyPlan {
-  std::string title, file;
-  std::string mode;  ///< how the values are combined, as in the case
-  std::string displacement_unit, length_unit;
-  std::vector<StudyKey> keys;
+  results::StudyResult told;          ///< before anything is calculated: keys without their values, values that make
+                                      ///< no variant of their own as notes
+  std::vector<std::string> names;     ///< of the keys: the last part, or as many as tell it from the others
   std::vector<double> factors;        ///< strength reduction factors whose displacement the table lists
   std::vector<Variant> variants;      ///< the base case first
   std::vector<std::string> monitors;  ///< whose onset and displacement the table lists
   std::size_t reference = 0;          ///< the variant that displacements are divided by
-  std::string extrapolate;            ///< path of the key to whose zero factors are extrapolated; empty: none
-  std::vector<std::string> notes;     ///< values that make no variant of their own
+  std::optional<std::size_t> extrapolated;  ///< number of the key to whose zero factors are extrapolated
 };
+
+/// Title, mode and units of the study of a case.
+results::StudyResult begin_study(const input::LoadedCase& base);
 
 /// Reads every variant of the study in `base`, which was read with `overrides`. Variants that equal an earlier one are
 /// left out with a note. Throws InputError with the faults of all variants, each fault once, or when there is nothing

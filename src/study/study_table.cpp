@@ -10,7 +10,6 @@
 #include "base/atomic_file.hpp"
 #include "base/units.hpp"
 #include "output/files/history.hpp"
-#include "output/plots/curve_plot.hpp"
 #include "output/plots/gnuplot.hpp"
 #include "results/json.hpp"
 #include "run/named_results.hpp"
@@ -27,9 +26,6 @@ using results::StudyColumn;
 
 /// Two trials are of one factor when their factors differ by less.
 constexpr double same_factor = 1e-9;
-/// Displacements below this share of the largest one are rounding errors of a slope at rest; a logarithmic axis would
-/// be all theirs.
-constexpr double smallest_share = 1e-5;
 
 /// A number of a part of the result, where the run has that part.
 template <class Part, class Number>
@@ -64,24 +60,9 @@ std::set<double> list_runout_factors(const std::vector<StudyRow>& rows) {
   return factors;
 }
 
-/// What the pattern of movement is called in the table.
-const char* describe_pattern(results::MotionPattern pattern) {
-  switch (pattern) {
-    case results::MotionPattern::none:
-      return "none";
-    case results::MotionPattern::single:
-      return "one monitor only";
-    case results::MotionPattern::together:
-      return "together";
-    case results::MotionPattern::upwards:
-      return "from the bottom upwards";
-    case results::MotionPattern::downwards:
-      return "from the top downwards";
-    case results::MotionPattern::mixed:
-      return "in no such order";
-  }
-  return "";
-}
+/// What the patterns of movement are called in the table, in their order.
+constexpr const char* patterns[] = {
+    "none", "one monitor only", "together", "from the bottom upwards", "from the top downwards", "in no such order"};
 
 /// Why the constructions on the curve gave no factor.
 std::string explain_missing_factors(const RunResult& r, const std::string& label) {
@@ -94,11 +75,7 @@ std::string explain_missing_factors(const RunResult& r, const std::string& label
 }
 
 StudyColumn begin_column(const std::string& name, const std::string& title, const std::string& unit) {
-  StudyColumn column;
-  column.name = name;
-  column.title = title;
-  column.unit = unit;
-  return column;
+  return {name, title, unit, {}, ColumnKind::other, ""};
 }
 
 /// Adds columns of numbers to a table.
@@ -140,14 +117,6 @@ class Columns {
   const std::vector<StudyRow>& rows_;
 };
 
-/// A CSV field; quoted where a comma or a quotation mark would end it.
-std::string write_field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 /// Text inside a Markdown table.
 std::string write_cell(const std::string& text) {
   std::string cell;
@@ -163,7 +132,7 @@ void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Column
                 [&](const RunResult& r) { return run::find_result(r, fmt::format("onset[{}]", name)); });
   for (const std::string& name : plan.monitors) {
     const auto get_end = [&](const RunResult& r) { return run::find_result(r, fmt::format("displacement[{}]", name)); };
-    columns.add("displacement of " + name, plan.displacement_unit, "{:.4g}", false, get_end);
+    columns.add("displacement of " + name, plan.told.units.displacement, "{:.4g}", false, get_end);
     const auto& base = rows[plan.reference].result;
     const bool moves = base && run::find_result(*base, fmt::format("onset[{}]", name));
     const std::optional<double> reference = moves ? get_end(*base) : std::nullopt;
@@ -178,7 +147,8 @@ void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Column
   }
   StudyColumn order = begin_column("order of movement", "order of movement", "");
   for (const StudyRow& row : rows) {
-    const std::string words = row.result && row.result->motion ? describe_pattern(row.result->motion->pattern) : "";
+    const std::string words =
+        row.result && row.result->motion ? patterns[static_cast<int>(row.result->motion->pattern)] : "";
     order.cells.push_back({words, words});
   }
   const auto is_empty = [](const StudyCell& cell) { return cell.full.empty(); };
@@ -190,18 +160,18 @@ void add_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, Column
 std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
   Columns columns(rows);
   StudyColumn names = begin_column("variant", "variant", ""), ends = begin_column("result", "result", "");
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    names.cells.push_back({plan.variants[i].name, plan.variants[i].label});
-    ends.cells.push_back({to_word(rows[i].status), to_word(rows[i].status)});
+  for (const StudyRow& row : rows) {
+    names.cells.push_back({row.told.folder, row.told.name});
+    ends.cells.push_back({to_word(row.told.status), to_word(row.told.status)});
   }
   columns.table.push_back(std::move(names));
-  for (std::size_t k = 0; k < plan.keys.size(); ++k) {
-    StudyColumn column = begin_column(plan.keys[k].path, plan.keys[k].name, plan.keys[k].unit);
+  for (std::size_t k = 0; k < plan.names.size(); ++k) {
+    StudyColumn column = begin_column(plan.told.vary[k].key, plan.names[k], plan.told.vary[k].unit);
     for (const Variant& v : plan.variants) column.cells.push_back({v.values[k], v.values[k]});
     columns.table.push_back(std::move(column));
   }
   for (const double f : plan.factors)
-    columns.add(fmt::format("displacement at SRF {:g}", f), plan.displacement_unit, "{:.4g}", true,
+    columns.add(fmt::format("displacement at SRF {:g}", f), plan.told.units.displacement, "{:.4g}", true,
                 [f](const RunResult& r) { return get_displacement(r, f); });
   for (const char* criterion : {"frozen", "bilinear", "displacement", "jump"})
     columns.add_factor(criterion, std::string("factor_of_safety.") + criterion);
@@ -221,18 +191,18 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
     columns.add_factor(title, name);
   for (const double f : list_runout_factors(rows))
     columns.add(
-        fmt::format("front advance at SRF {:g}", f), plan.length_unit, "{:.3g}", false,
+        fmt::format("front advance at SRF {:g}", f), plan.told.units.length, "{:.3g}", false,
         [f](const RunResult& r) { return get_front_advance(r, f); }, ColumnKind::runout);
   add_motion(plan, rows, columns);
   columns.add(
-      "largest displacement", plan.displacement_unit, "{:.4g}", false,
+      "largest displacement", plan.told.units.displacement, "{:.4g}", false,
       [](const RunResult& r) { return get(r.runout, &Runout::largest_displacement); }, ColumnKind::displacement);
   for (const auto& [name, number] : {std::pair{"front advance", &Runout::front_advance},
                                      {"runout beyond the toe", &Runout::toe_distance},
                                      {"crest retreat", &Runout::crest_retreat},
                                      {"advance of the centre", &Runout::centre_advance}})
     columns.add(
-        name, plan.length_unit, "{:.3g}", false, [n = number](const RunResult& r) { return get(r.runout, n); },
+        name, plan.told.units.length, "{:.3g}", false, [n = number](const RunResult& r) { return get(r.runout, n); },
         number == &Runout::front_advance ? ColumnKind::runout : ColumnKind::other);
   const bool plane = std::all_of(rows.begin(), rows.end(), [](const StudyRow& row) {
     return !row.result || !row.result->mesh || row.result->mesh->dimension == 2;
@@ -253,105 +223,70 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
 std::string write_study_csv(const std::vector<StudyColumn>& table) {
   std::string text;
   for (const StudyColumn& c : table)
-    text += (text.empty() ? "" : ",") + write_field(output::make_label(c.name, c.unit));
+    text += (text.empty() ? "" : ",") + output::quote_field(output::make_label(c.name, c.unit));
   text += '\n';
   for (std::size_t i = 0; i < table[0].cells.size(); ++i) {
-    for (std::size_t k = 0; k < table.size(); ++k) text += (k == 0 ? "" : ",") + write_field(table[k].cells[i].full);
+    for (std::size_t k = 0; k < table.size(); ++k)
+      text += (k == 0 ? "" : ",") + output::quote_field(table[k].cells[i].full);
     text += '\n';
   }
   return text;
 }
 
-std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
-  const std::vector<StudyColumn> table = make_study_table(plan, rows);
-  std::string text = fmt::format("# {}\n\n", plan.title.empty() ? "Study" : plan.title);
+std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyRow>& rows,
+                                 const results::StudyResult& study) {
+  std::string text = fmt::format("# {}\n\n", study.title.empty() ? "Study" : study.title);
   text += "Varied:";
-  for (const StudyKey& key : plan.keys) text += fmt::format("{} `{}`", &key == &plan.keys[0] ? "" : ",", key.path);
+  for (const results::StudyKey& key : study.vary)
+    text += fmt::format("{} `{}`", &key == study.vary.data() ? "" : ",", key.key);
   text += ".\n\n|";
-  for (const StudyColumn& c : table) text += fmt::format(" {} |", write_cell(output::make_label(c.title, c.unit)));
+  for (const StudyColumn& c : study.columns)
+    text += fmt::format(" {} |", write_cell(output::make_label(c.title, c.unit)));
   text += "\n|";
-  for (std::size_t k = 0; k < table.size(); ++k) text += k == 0 || k + 1 == table.size() ? "---|" : "--:|";
+  for (const StudyColumn& c : study.columns)
+    text += &c == &study.columns.front() || &c == &study.columns.back() ? "---|" : "--:|";
   text += '\n';
   for (std::size_t i = 0; i < rows.size(); ++i) {
     text += '|';
-    for (const StudyColumn& c : table) text += fmt::format(" {} |", write_cell(c.cells[i].shown));
+    for (const StudyColumn& c : study.columns) text += fmt::format(" {} |", write_cell(c.cells[i].shown));
     text += '\n';
   }
   std::string remarks;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string& label = plan.variants[i].label;
-    if (!rows[i].reason.empty()) remarks += fmt::format("- {}: {}\n", label, rows[i].reason);
-    if (!rows[i].result) continue;
-    const RunResult& r = *rows[i].result;
-    for (const std::string& warning : r.warnings) remarks += fmt::format("- {}: {}\n", label, warning);
-    remarks += explain_missing_factors(r, label);
-    if (rows[i].status != results::VariantStatus::finished || !r.curve) continue;
+  for (const StudyRow& row : rows) {
+    const std::string& label = row.told.name;
+    if (!row.told.reason.empty()) remarks += fmt::format("- {}: {}\n", label, row.told.reason);
+    if (!row.result) continue;
+    for (const std::string& warning : row.result->warnings) remarks += fmt::format("- {}: {}\n", label, warning);
+    remarks += explain_missing_factors(*row.result, label);
+    if (row.told.status != results::VariantStatus::finished || !row.result->curve) continue;
     for (const double f : plan.factors)
-      if (!get_displacement(r, f)) remarks += fmt::format("- {}: no trial at SRF {:g}\n", label, f);
+      if (!get_displacement(*row.result, f)) remarks += fmt::format("- {}: no trial at SRF {:g}\n", label, f);
   }
-  for (const std::string& note : plan.notes) remarks += fmt::format("- {}\n", note);
-  text += write_extrapolation_markdown(plan, extrapolate_factors(plan, rows));
+  for (const std::string& note : study.notes) remarks += fmt::format("- {}\n", note);
+  if (study.extrapolation) text += write_extrapolation_markdown(*study.extrapolation, plan.names[*plan.extrapolated]);
   return text + (remarks.empty() ? "" : "\n" + remarks);
 }
 
 results::StudyResult describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows) {
-  results::StudyResult study;
-  study.title = plan.title;
-  study.case_file = plan.file;
-  study.mode = plan.mode;
-  if (!plan.variants.empty()) study.reference = plan.variants[plan.reference].label;
-  for (std::size_t k = 0; k < plan.keys.size(); ++k) {
-    results::StudyKey& key = study.vary.emplace_back(results::StudyKey{plan.keys[k].path, plan.keys[k].unit, {}});
-    for (const Variant& v : plan.variants)
-      if (std::find(key.values.begin(), key.values.end(), v.values[k]) == key.values.end())
-        key.values.push_back(v.values[k]);
-  }
+  results::StudyResult study = plan.told;
+  study.reference = plan.variants[plan.reference].label;
+  for (const Variant& v : plan.variants)
+    for (std::size_t k = 0; k < v.values.size(); ++k)
+      if (std::vector<std::string>& values = study.vary[k].values;
+          std::find(values.begin(), values.end(), v.values[k]) == values.end())
+        values.push_back(v.values[k]);
   study.columns = make_study_table(plan, rows);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    study.variants.push_back({plan.variants[i].label, plan.variants[i].name, rows[i].status, rows[i].reason});
-  study.notes = plan.notes;
-  study.units = {plan.displacement_unit, plan.length_unit, std::nullopt};
-  study.extrapolation = extrapolate_factors(plan, rows);
+  for (const StudyRow& row : rows) study.variants.push_back(row.told);
+  study.extrapolation = extrapolate_factors(plan, study.columns);
   return study;
 }
 
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder) {
   const std::string safe = "the results of the variants are whole";
-  write_atomically(folder / "study.csv", write_study_csv(make_study_table(plan, rows)), safe);
-  results::write_file(folder / "study.json", describe_study(plan, rows), 2, safe);
-  write_atomically(folder / "study.md", write_study_markdown(plan, rows), safe);
-}
-
-void draw_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& picture) {
-  output::TablePlot plot;
-  plot.title = plan.title;
-  plot.x_label = "strength reduction factor";
-  plot.y_label = output::make_label("displacement", plan.displacement_unit);
-  plot.log_y = true;  // displacements of the variants differ by powers of ten
-  const double unit = units::get_si_factor(plan.displacement_unit);
-  double largest = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!rows[i].result || !rows[i].result->curve) continue;
-    output::PlotSeries series{plan.variants[i].label, {}, {}};
-    for (const results::Trial& t : rows[i].result->curve->points) {
-      series.x.push_back(t.factor);
-      series.y.push_back(t.displacement / unit);
-      largest = std::max(largest, series.y.back());
-    }
-    plot.series.push_back(std::move(series));
-  }
-  for (output::PlotSeries& s : plot.series) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < s.x.size(); ++i) {
-      if (!(s.y[i] > smallest_share * largest)) continue;
-      s.x[kept] = s.x[i];
-      s.y[kept++] = s.y[i];
-    }
-    s.x.resize(kept);
-    s.y.resize(kept);
-  }
-  std::erase_if(plot.series, [](const output::PlotSeries& s) { return s.x.empty(); });
-  if (!plot.series.empty()) output::draw(plot, picture);
+  const results::StudyResult study = describe_study(plan, rows);
+  write_atomically(folder / "study.csv", write_study_csv(study.columns), safe);
+  results::write_file(folder / "study.json", study, 2, safe);
+  write_atomically(folder / "study.md", write_study_markdown(plan, rows, study), safe);
 }
 
 }  // namespace talus::study

@@ -13,11 +13,13 @@ namespace talus::study {
 std::vector<results::StudyColumn> make_study_table(const StudyPlan& plan, const std::vector<StudyRow>& rows);
 
 std::string write_study_csv(const std::vector<results::StudyColumn>& table);
-/// The same as Markdown, with the reasons of what is missing and the warnings of the runs below.
-std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyRow>& rows);
 
 /// Plan, table and how each variant went, for the report; numbers in `full` are in the unit of their column.
 results::StudyResult describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows);
+
+/// The same as Markdown, with the reasons of what is missing and the warnings of the runs below.
+std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyRow>& rows,
+                                 const results::StudyResult& study);
 
 /// study.csv, study.json and study.md in `folder`. Throws Error (cannot_write).
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder);

@@ -61,7 +61,7 @@ TEST(SamplingSections, AreThoseOfTheCaseWithTheseValues) {
       "materials.clay.cohesion_gradient", "earthquake.horizontal",   "materials.clay.cohesion_level"};
   const input::LoadedCase base = input::read_case_text(text + list_numbers(keys), "two_soils.toml");
   const SampleSet set = draw_samples(base);
-  const SliceNumbers numbers(base, {}, set.sampled, set.sampled.list_means());
+  const SliceNumbers numbers(base, {}, set.sampled);
   EXPECT_FALSE(numbers.changes_section());
   for (std::size_t i = 0; i < set.size(); ++i) {
     const std::vector<double> values = set.get_sample(i);
@@ -85,7 +85,7 @@ TEST(SamplingSections, KnowWhichKeysChangeMoreThanSoils) {
   const auto sort = [](const std::vector<std::string>& keys) {
     const input::LoadedCase base = input::read_case_text(text + list_numbers(keys), "two_soils.toml");
     const SampledNumbers sampled = read_sampled_numbers(base);
-    const SliceNumbers numbers(base, {}, sampled, sampled.list_means());
+    const SliceNumbers numbers(base, {}, sampled);
     return numbers.section_keys();
   };
   EXPECT_TRUE(sort({"materials.fill.grain_density"}).empty());

@@ -20,7 +20,7 @@ TEST(StudyOfRuns, ListsMotionOverThatOfTheReference) {
   EXPECT_EQ(plan.reference, 0u) << "also under the name that equals the base case";
   const fs::path folder = make_test_folder();
   const auto rows = run_study(plan, write_to(folder));
-  ASSERT_FALSE(find_failure(plan, rows));
+  ASSERT_FALSE(find_failure(rows));
   const auto table = make_study_table(plan, rows);
   const results::StudyColumn onset = get_column(table, "onset of toe"), u = get_column(table, "displacement of crest"),
                              ratio = get_column(table, "displacement of crest over that of base");

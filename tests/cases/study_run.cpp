@@ -23,7 +23,7 @@ TEST(Study, TableHoldsWhatEachVariantAloneGives) {
   const StudyPlan plan = plan_text(cohesion_study);
   const fs::path folder = make_test_folder();
   const auto rows = run_study(plan, write_to(folder));
-  EXPECT_FALSE(find_failure(plan, rows));
+  EXPECT_FALSE(find_failure(rows));
   const auto table = make_study_table(plan, rows);
   EXPECT_EQ(table.front().name, "variant");
   EXPECT_EQ(table.back().name, "result");
@@ -98,11 +98,11 @@ TEST(Study, InterruptedStartsNoOtherVariantAndGoesOnLater) {
   request_interrupt();
   auto rows = run_study(plan, write_to(folder));
   request_interrupt(false);
-  for (const StudyRow& row : rows) EXPECT_EQ(row.status, results::VariantStatus::not_started);
-  ASSERT_TRUE(find_failure(plan, rows));
-  EXPECT_EQ(find_failure(plan, rows)->code(), ExitCode::interrupted);
+  for (const StudyRow& row : rows) EXPECT_EQ(row.told.status, results::VariantStatus::not_started);
+  ASSERT_TRUE(find_failure(rows));
+  EXPECT_EQ(find_failure(rows)->code(), ExitCode::interrupted);
   rows = run_study(plan, write_to(folder, true));
-  EXPECT_FALSE(find_failure(plan, rows));
+  EXPECT_FALSE(find_failure(rows));
 }
 
 TEST(Study, AVariantThatFailsLeavesTheOthersAlone) {
@@ -118,10 +118,10 @@ values = [1e9, 8]
   const fs::path folder = make_test_folder();
   const auto rows = run_study(plan, write_to(folder));
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(rows[0].status, results::VariantStatus::finished);
-  EXPECT_EQ(rows[1].status, results::VariantStatus::unstable);
-  EXPECT_EQ(rows[2].status, results::VariantStatus::finished);
-  const auto failure = find_failure(plan, rows);
+  EXPECT_EQ(rows[0].told.status, results::VariantStatus::finished);
+  EXPECT_EQ(rows[1].told.status, results::VariantStatus::unstable);
+  EXPECT_EQ(rows[2].told.status, results::VariantStatus::finished);
+  const auto failure = find_failure(rows);
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->code(), ExitCode::unstable);
   EXPECT_NE(std::string(failure->what()).find("1 of 3 variants did not finish"), std::string::npos) << failure->what();
@@ -171,7 +171,7 @@ TEST(Study, ListsRunoutsForCasesWithoutStrengthReduction) {
                                           {"stage.gravity.until", "time"},
                                           {"stage.gravity.damping", "0"}});
   const auto rows = run_study(plan, write_to(make_test_folder()));
-  EXPECT_FALSE(find_failure(plan, rows));
+  EXPECT_FALSE(find_failure(rows));
   const auto table = make_study_table(plan, rows);
   const results::StudyColumn front = get_column(table, "front advance"), u = get_column(table, "largest displacement");
   EXPECT_EQ(front.unit, "m");

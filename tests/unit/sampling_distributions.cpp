@@ -91,7 +91,7 @@ TEST(Distribution, ProbabilityIsTheInverseOfValue) {
       const double x = m.find_value(z);
       EXPECT_GE(x, m.lowest);
       EXPECT_LE(x, m.highest);
-      EXPECT_NEAR(m.find_probability(x), find_normal_probability(z), 1e-11) << name_distribution(m.kind) << z;
+      EXPECT_NEAR(m.find_probability(x), find_normal_probability(z), 1e-11) << static_cast<int>(m.kind) << " at " << z;
     }
 }
 

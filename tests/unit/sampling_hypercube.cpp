@@ -80,7 +80,7 @@ TEST(LatinHypercube, GainsOverRandomSamplesWhereANumberActsByItself) {
       for (std::size_t i = 0; i < 100; ++i) mean += (std::exp(0.3 * z[0][i]) + z[1][i] + 0.1 * z[0][i] * z[2][i]) / 100;
       (is_latin ? latin : random).push_back(mean);
     }
-  const Moments a = find_moments(latin), b = find_moments(random);
+  const results::SampledValues a = find_moments(latin), b = find_moments(random);
   EXPECT_LT(a.deviation, 0.15 * b.deviation);
   EXPECT_NEAR(a.mean, std::exp(0.045), 4 * a.deviation / std::sqrt(200.0) + 2e-4);
   EXPECT_NEAR(b.mean, std::exp(0.045), 4 * b.deviation / std::sqrt(200.0));

@@ -23,8 +23,17 @@ Marginal make(Distribution kind, double mean, double deviation) {
   return m;
 }
 
+SampledNumbers gather(const std::vector<Marginal>& marginals, const std::vector<double>& correlation = {}) {
+  SampledNumbers sampled;
+  sampled.numbers.resize(marginals.size());
+  sampled.marginals = marginals;
+  for (const Marginal& m : marginals) sampled.means.push_back(m.find_mean());
+  sampled.correlation = correlation;
+  return sampled;
+}
+
 /// Samples that fail, of a slope whose factor is a function of the values.
-Share fail(const std::vector<Marginal>& numbers, ScorePlan plan, const FactorOf& factor) {
+results::SampleShare fail(const std::vector<Marginal>& numbers, ScorePlan plan, const FactorOf& factor) {
   plan.numbers = static_cast<int>(numbers.size());
   const auto scores = draw_scores(plan);
   long failed = 0;
@@ -51,14 +60,14 @@ TEST(Failure, OfAnInfiniteSlopeIsTheClosedForm) {
     const double index = kind == Distribution::normal ? (mean - tan_slope) / deviation
                                                       : (std::log(mean / tan_slope) - 0.5 * zeta * zeta) / zeta;
     const double exact = find_normal_probability(-index);
-    const Share latin = fail({tan_friction}, plan, infinite_slope);
+    const results::SampleShare latin = fail({tan_friction}, plan, infinite_slope);
     EXPECT_NEAR(latin.probability, exact, 10.0 / 10000);  // one class of each of ten hypercubes
-    EXPECT_LT(latin.interval[0], exact);
-    EXPECT_GT(latin.interval[1], exact);
-    const auto point = find_design_point({tan_friction}, {}, infinite_slope);
+    EXPECT_LT(latin.lower, exact);
+    EXPECT_GT(latin.upper, exact);
+    const auto point = find_design_point(gather({tan_friction}), infinite_slope);
     ASSERT_TRUE(point && point->converged);
     EXPECT_NEAR(point->index, index, 2e-3);
-    EXPECT_NEAR(point->values[0], tan_slope, 1e-3);
+    EXPECT_NEAR(point->values[0].value, tan_slope, 1e-3);
   }
 }
 
@@ -73,19 +82,21 @@ TEST(Reliability, OfALinearFactorOfCorrelatedNormalsIsExact) {
   };
   const double sa = 3 * a, sb = 0.1 * b, sc = c;
   const double deviation = std::sqrt(sa * sa + sb * sb + sc * sc - sa * sb + 0.4 * sa * sc);
-  const auto first = estimate_first_order(numbers, correlation, factor);
-  ASSERT_TRUE(first);
-  EXPECT_NEAR(first->deviation, deviation, 1e-12);
-  EXPECT_NEAR(first->index_normal, 0.1 / deviation, 1e-10);
-  EXPECT_NEAR(first->sensitivities[1].high_factor, 1.1 + sb, 1e-12);
-  const auto point = find_design_point(numbers, correlation, factor);
+  const SampledNumbers sampled = gather(numbers, correlation);
+  results::Sampling told;
+  estimate_first_order(sampled, factor, told);
+  ASSERT_TRUE(told.first_order && told.tornado);
+  EXPECT_NEAR(told.first_order->deviation, deviation, 1e-12);
+  EXPECT_NEAR(told.first_order->index_normal, 0.1 / deviation, 1e-10);
+  EXPECT_NEAR(told.tornado->front().high_factor, 1.1 + sb, 1e-12) << "the longest bar";
+  const auto point = find_design_point(sampled, factor);
   ASSERT_TRUE(point && point->converged);
   EXPECT_NEAR(point->index, 0.1 / deviation, 1e-6);
   EXPECT_NEAR(point->factor, 1, 1e-6);
   ScorePlan plan;
   plan.samples = 40000;
   plan.correlation = correlation;
-  const Share share = fail(numbers, plan, factor);
+  const results::SampleShare share = fail(numbers, plan, factor);
   EXPECT_NEAR(share.probability, find_normal_probability(-0.1 / deviation), 0.004);
 }
 
@@ -96,11 +107,11 @@ TEST(Reliability, OfAQuotientOfLognormalsIsExact) {
   const double zr = std::log(1 + 0.0625), zs = std::log(1.04), r = 0.4;
   const double spread = std::sqrt(zr + zs - 2 * r * std::sqrt(zr * zs));
   const double index = (std::log(2) - 0.5 * zr + 0.5 * zs) / spread;
-  const auto point = find_design_point(numbers, {1, r, r, 1}, factor);
+  const auto point = find_design_point(gather(numbers, {1, r, r, 1}), factor);
   ASSERT_TRUE(point && point->converged);
   EXPECT_NEAR(point->index, index, 2e-3);
   // A slope that fails at its means has a negative index of the same size.
-  const auto weak = find_design_point(numbers, {1, r, r, 1},
+  const auto weak = find_design_point(gather(numbers, {1, r, r, 1}),
                                       [](const std::vector<double>& v) { return std::optional(v[0] / v[1] / 2.4); });
   ASSERT_TRUE(weak && weak->converged);
   EXPECT_NEAR(weak->index, index - std::log(2.4) / spread, 2e-3);
@@ -130,12 +141,12 @@ TEST(Interval, HoldsTheTruthOftenEnough) {
       plan.latin = latin;
       plan.seed = seed;
       plan.replicates = latin ? 5 : 1;
-      const Share share = fail(numbers, plan, factor);
+      const results::SampleShare share = fail(numbers, plan, factor);
       found.push_back(share.probability);
-      held += share.interval[0] <= exact && exact <= share.interval[1] ? 1 : 0;
+      held += share.lower <= exact && exact <= share.upper ? 1 : 0;
     }
     EXPECT_GE(held, 184) << (latin ? "latin" : "random");  // 190 are promised; 184 is two deviations less
-    const Moments moments = find_moments(found);
+    const results::SampledValues moments = find_moments(found);
     EXPECT_NEAR(moments.mean, exact, 4 * moments.deviation / std::sqrt(200.0));
     const double plain = std::sqrt(exact * (1 - exact) / 500);
     EXPECT_LT(moments.deviation, latin ? 0.85 * plain : 1.2 * plain);
@@ -163,13 +174,13 @@ TEST(Interval, StandardErrorOfReplicatesIsTheScatter) {
 }
 
 TEST(Statistics, OfAKnownSample) {
-  const Moments m = find_moments({1, 2, 3, 4, 10});
+  const results::SampledValues m = find_moments({1, 2, 3, 4, 10});
   EXPECT_DOUBLE_EQ(m.mean, 4);
   EXPECT_NEAR(m.deviation, std::sqrt(12.5), 1e-14);
   EXPECT_NEAR(m.skewness, 1.697056, 1e-6);  // √20/3 · (36/5·…)/…: as spreadsheets give it
   EXPECT_NEAR(correlate_ranks({1, 2, 3, 4}, {10, 20, 25, 1000}), 1, 1e-14);
   EXPECT_NEAR(correlate_ranks({1, 2, 2, 4}, {4, 2, 2, 1}), -1, 1e-14);
-  const Histogram h = count_classes({0.11, 0.12, 0.13, 0.14, 0.15, 0.31});
+  const results::HistogramCounts h = count_classes({0.11, 0.12, 0.13, 0.14, 0.15, 0.31});
   long total = 0;
   for (const long n : h.counts) total += n;
   EXPECT_EQ(total, 6);
