@@ -8,33 +8,20 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "input/read.hpp"
 #include "lem/search/search.hpp"
 #include "run/lem/run_lem.hpp"
+#include "support/slopes.hpp"
 
 namespace talus::ground {
 namespace {
 
 /// The dry homogeneous slope of the source: 10 m at 2:1, c = 2 kPa, φ = 30°.
 input::Case read(const std::string& more, const std::vector<input::Override>& changes = {}) {
-  return input::read_case_text(R"(
-[[geometry.polygon]]
-name = "soil"
-points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
-[regions]
-soil = "soil"
-[materials.soil]
-model = "mohr_coulomb"
-grain_density = 2650
-porosity = 0.4
-cohesion = "2 kPa"
-friction_angle = "30 deg"
-[analysis]
-methods = ["lem"]
-[lem]
-noncircular = false
-)" + more,
-                               "dry_slope.toml", changes)
+  return input::read_case_text(
+             support::write_slope("dry", {"materials.sand.grain_density=2650", "materials.sand.porosity=0.4",
+                                          "analysis.methods=['lem']", "lem.noncircular=false"}) +
+                 more,
+             "dry_slope.toml", changes)
       .data;
 }
 
@@ -72,7 +59,7 @@ TEST(DesignValues, DrainedSlopeHasItsFactorOver125) {
 TEST(DesignValues, PermanentActionsAreTheWeightOfTheSoil) {
   const DesignValues design = apply_partial_factors(read("[partial_factors]\nset = \"DA1-1\"\n"));
   input::Case heavy = read("");
-  heavy.materials.at("soil").grain_density *= 1.35;
+  heavy.materials.at("sand").grain_density *= 1.35;
   const auto a = search(design.data), b = search(heavy);
   for (const auto& [method, critical] : a)
     EXPECT_NEAR(critical.solution.factor, b.at(method).solution.factor, 1e-5) << to_word(method);
@@ -102,12 +89,13 @@ variable = true
 [partial_factors]
 set = ")";
   const auto apply = [&](const std::string& set, const std::string& by_hand = "") {
-    return apply_partial_factors(read(soils + set + "\"\n" + by_hand, {{"regions.below", "clay"}}));
+    return apply_partial_factors(
+        read(soils + set + "\"\n" + by_hand, {{"regions.below", "clay"}, {"geometry.box", "[[0, -5], [44, 15]]"}}));
   };
   const double tan_30 = std::tan(std::numbers::pi / 6);
   {
     const DesignValues d = apply("DA1-2");
-    const input::Material &sand = d.data.materials.at("soil"), &clay = d.data.materials.at("clay");
+    const input::Material &sand = d.data.materials.at("sand"), &clay = d.data.materials.at("clay");
     EXPECT_NEAR(sand.cohesion, 1600, 1e-9);
     EXPECT_NEAR(std::tan(sand.friction_angle), tan_30 / 1.25, 1e-12);
     EXPECT_NEAR(clay.cohesion, 30e3, 1e-9);
@@ -119,8 +107,8 @@ set = ")";
   }
   {
     const DesignValues d = apply("DA2");
-    EXPECT_NEAR(d.data.materials.at("soil").cohesion, 2000 / 1.35, 1e-9);
-    EXPECT_NEAR(std::tan(d.data.materials.at("soil").friction_angle), tan_30, 1e-12);
+    EXPECT_NEAR(d.data.materials.at("sand").cohesion, 2000 / 1.35, 1e-9);
+    EXPECT_NEAR(std::tan(d.data.materials.at("sand").friction_angle), tan_30, 1e-12);
     EXPECT_NEAR(d.data.surcharges[0].load[0], 20e3, 1e-9);
     EXPECT_NEAR(d.data.surcharges[1].load[0], 10e3 * 1.5 / 1.35, 1e-9);
     EXPECT_EQ(d.resistance, 1.1);
@@ -131,10 +119,10 @@ set = ")";
   }
   {
     const DesignValues d = apply("by_hand", "friction = 1.3\nweight = 1.1\n");
-    EXPECT_NEAR(d.data.materials.at("soil").cohesion, 2000, 1e-9);
-    EXPECT_NEAR(std::tan(d.data.materials.at("soil").friction_angle), tan_30 / 1.3, 1e-12);
+    EXPECT_NEAR(d.data.materials.at("sand").cohesion, 2000, 1e-9);
+    EXPECT_NEAR(std::tan(d.data.materials.at("sand").friction_angle), tan_30 / 1.3, 1e-12);
     EXPECT_NEAR(*d.data.materials.at("clay").slices.unit_weight, 19e3 / 1.1, 1e-9);
-    EXPECT_NEAR(d.data.materials.at("soil").grain_density, 2650 / 1.1, 1e-9);
+    EXPECT_NEAR(d.data.materials.at("sand").grain_density, 2650 / 1.1, 1e-9);
   }
 }
 
@@ -153,12 +141,12 @@ TEST(DesignValues, StatementSaysWhatWasChanged) {
 
 TEST(DesignValues, ASoilWithoutFrictionAngleIsRefusedByName) {
   input::Case data = read("[partial_factors]\nset = \"DA3\"\n");
-  data.materials.at("soil").model = input::MaterialModel::modified_cam_clay;
+  data.materials.at("sand").model = input::MaterialModel::modified_cam_clay;
   try {
     apply_partial_factors(data);
     FAIL() << "was taken";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("'soil'"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("'sand'"), std::string::npos);
   }
 }
 

@@ -14,9 +14,9 @@ using nlohmann::json;
 
 TEST_F(MethodsTest, SlicesGiveTheFactorsOfTable32) {
   // Slide2 in Table 3.2 of the source; an independent program found 1.440, 1.439, 1.439 and 1.386.
-  const json summary = run(write_slope("\"lem\"",
-                                       "[lem]\nmethods = [\"bishop\", \"janbu\", \"spencer\", \"morgenstern_price\"]\n"
-                                       "noncircular = false\n"));
+  const json summary = run(write_case("\"lem\"",
+                                      "[lem]\nmethods = [\"bishop\", \"janbu\", \"spencer\", \"morgenstern_price\"]\n"
+                                      "noncircular = false\n"));
   EXPECT_EQ(summary.at("status"), "finished");
   EXPECT_NEAR(find_factor(summary, "bishop"), 1.440, 0.005);
   EXPECT_NEAR(find_factor(summary, "spencer"), 1.439, 0.005);
@@ -28,23 +28,18 @@ TEST_F(MethodsTest, SlicesGiveTheFactorsOfTable32) {
 }
 
 TEST_F(MethodsTest, ASlopeThatFacesLeftOrIsGivenInPartsHasTheSameFactor) {
-  const double right = find_factor(run(write_slope("\"lem\"", few_circles)), "spencer");
-  std::string mirrored = write_slope("\"lem\"", few_circles);
-  const std::string polygon = "[[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]";
-  mirrored.replace(mirrored.find(polygon), polygon.size(), "[[0, 0], [44, 0], [44, 15], [32, 15], [12, 5], [0, 5]]");
-  EXPECT_NEAR(find_factor(run(mirrored), "spencer"), right, 1e-6);
+  const std::string text = write_case("\"lem\"", few_circles);
+  const double right = find_factor(run(text), "spencer");
+  const std::string mirrored = "[[0, 0], [44, 0], [44, 15], [32, 15], [12, 5], [0, 5]]";
+  EXPECT_NEAR(find_factor(run(text, {{"geometry.polygon.soil.points", mirrored}}), "spencer"), right, 1e-6);
 
   // Two polygons of one soil that overlap, the second a lens in the first, have the ground of the one.
-  std::string parts = write_slope("\"lem\"", few_circles);
-  const std::string line = "[[geometry.line]]\nname = \"crest\"";
-  parts.insert(parts.find(line),
-               "[[geometry.polygon]]\nname = \"lens\"\npoints = [[10, 2], [30, 2], [30, 4], [10, 4]]\n");
-  parts.replace(parts.find("soil = \"sand\""), 13, "soil = \"sand\"\nlens = \"sand\"");
-  EXPECT_NEAR(find_factor(run(parts), "spencer"), right, 1e-3);
+  const std::string lens = "[[geometry.polygon]]\nname = \"lens\"\npoints = [[10, 2], [30, 2], [30, 4], [10, 4]]\n";
+  EXPECT_NEAR(find_factor(run(text + lens, {{"regions.lens", "sand"}}), "spencer"), right, 1e-3);
 }
 
 TEST_F(MethodsTest, FiniteElementsStandBesideSlicesAndTheirBandIsHandedOver) {
-  const json summary = run(write_slope("\"lem\", \"fem\"", std::string(few_circles) + R"(
+  const json summary = run(write_case("\"lem\", \"fem\"", std::string(few_circles) + R"(
 [fem]
 size = 1.5
 flow = "associated"
@@ -70,7 +65,7 @@ resolution = 0.02
 }
 
 TEST_F(MethodsTest, ResumeKeepsWhatIsDone) {
-  const std::string text = write_slope("\"lem\"", few_circles);
+  const std::string text = write_case("\"lem\"", few_circles);
   run(text);
   // As if the run had been stopped after the slices: the file tells whether they were calculated again.
   std::filesystem::remove(folder_ / "summary.json");
@@ -84,7 +79,7 @@ TEST_F(MethodsTest, ResumeKeepsWhatIsDone) {
 }
 
 TEST_F(MethodsTest, AnInterruptedRunGoesOnWithTheFlowRuleThatIsLeft) {
-  const std::string text = write_slope("\"lem\", \"fem\"", std::string(few_circles) + R"(
+  const std::string text = write_case("\"lem\", \"fem\"", std::string(few_circles) + R"(
 [fem]
 size = 3
 flow = "both"
@@ -118,18 +113,14 @@ resolution = 0.1
 TEST_F(MethodsTest, CohesionThatGrowsWithDepthActsInBoth) {
   // Undrained clay: without growth and with 2 kPa/m from the crest down both methods rise, and stay together.
   const auto find = [&](double gradient) {
-    std::string text = write_slope("\"lem\", \"fem\"", std::string(few_circles) + R"(
-[fem]
-size = 2
-resolution = 0.02
-)");
-    const std::string from = "cohesion = \"2 kPa\"\nfriction_angle = \"30 deg\"";
-    text.replace(text.find(from), from.size(),
-                 "cohesion = \"30 kPa\"\nfriction_angle = 0\ncohesion_level = 15\ncohesion_gradient = " +
-                     std::to_string(gradient));
-    const std::string tension = "tensile_strength = 0";
-    text.replace(text.find(tension), tension.size(), "tensile_strength = \"1000 kPa\"");
-    const json summary = run(text);
+    const json summary = run(write_case("\"lem\", \"fem\"", few_circles),
+                             {{"fem.size", "2"},
+                              {"fem.resolution", "0.02"},
+                              {"materials.sand.cohesion", "30"},
+                              {"materials.sand.friction_angle", "0"},
+                              {"materials.sand.cohesion_level", "15"},
+                              {"materials.sand.cohesion_gradient", std::to_string(gradient)},
+                              {"materials.sand.tensile_strength", "1000"}});
     return std::pair{find_factor(summary, "bishop"), summary.at("fem").at("runs").at(0).at("factor").get<double>()};
   };
   const auto even = find(0), growing = find(2);
@@ -139,7 +130,7 @@ resolution = 0.02
 }
 
 TEST_F(MethodsTest, AFinishedRunIsReadBackAndComparedAnew) {
-  const std::string text = write_slope("\"lem\"", few_circles);
+  const std::string text = write_case("\"lem\"", few_circles);
   const json first = run(text);
   const json again =
       run(text + "[[compare]]\nname = \"lem.bishop\"\nvalue = 1.44\ntolerance = 0.02\nsource = \"x\"\n", {}, true);
@@ -150,7 +141,7 @@ TEST_F(MethodsTest, AFinishedRunIsReadBackAndComparedAnew) {
 
 TEST_F(MethodsTest, GivenSurfacesAreCutAsTheyAre) {
   // Bishop's critical circle by an independent program, cut off at the toe: 1.440.
-  const json summary = run(write_slope("\"lem\"", R"([lem]
+  const json summary = run(write_case("\"lem\"", R"([lem]
 methods = ["bishop", "spencer"]
 search = "none"
 [[lem.surface]]
@@ -164,16 +155,10 @@ ends = [11.12, 32]
 }
 
 TEST_F(MethodsTest, FaultsAreSentencesThatNameTheCulprit) {
-  const auto with = [&](const std::string& from, const std::string& to) {
-    std::string text = write_slope("\"lem\"", few_circles);
-    text.replace(text.find(from), from.size(), to);
-    return find_fault(text);
-  };
-  const std::string polygon = "points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]";
-  EXPECT_NE(with(polygon, "points = [[0, 0], [44, 0], [44, 5], [32, 5], [34, 8], [12, 15], [0, 15]]").find("x = 33"),
-            std::string::npos)
-      << "an overhang";
-  EXPECT_NE(find_fault(write_slope("\"lem\"", std::string(few_circles) + R"(
+  const std::string overhang = "[[0, 0], [44, 0], [44, 5], [32, 5], [34, 8], [12, 15], [0, 15]]";
+  EXPECT_NE(find_fault(write_case("\"lem\"", few_circles), {{"geometry.polygon.soil.points", overhang}}).find("x = 33"),
+            std::string::npos);
+  EXPECT_NE(find_fault(write_case("\"lem\"", std::string(few_circles) + R"(
 [[lem.surface]]
 name = "in the air"
 centre = [20, 60]
@@ -181,7 +166,7 @@ radius = 5
 )"))
                 .find("in the air"),
             std::string::npos);
-  const std::string deep = find_fault(write_slope("\"lem\"", "[lem]\nsmallest_depth = 40\nnoncircular = false\n"));
+  const std::string deep = find_fault(write_case("\"lem\"", "[lem]\nsmallest_depth = 40\nnoncircular = false\n"));
   EXPECT_NE(deep.find("no admissible slip surface"), std::string::npos) << deep;
 }
 

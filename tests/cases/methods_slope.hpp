@@ -10,39 +10,16 @@
 
 #include "base/error.hpp"
 #include "support/run_json.hpp"
+#include "support/slopes.hpp"
 
 namespace talus {
 
 /// The dry slope of the source with slices alone; `more` is appended.
-inline std::string write_slope(const std::string& methods = "\"lem\"", const std::string& more = "") {
-  return R"(title = "Slope"
-[geometry]
-[[geometry.polygon]]
-name = "soil"
-points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
-[[geometry.line]]
-name = "crest"
-points = [[0, 15], [12, 15]]
-[[geometry.line]]
-name = "toe"
-points = [[32, 5], [44, 5]]
-[mesh]
-size = 2.5
-[materials.sand]
-model = "mohr_coulomb"
-grain_density = 2650
-porosity = 0.4
-young_modulus = "45 MPa"
-poisson_ratio = 0.3
-cohesion = "2 kPa"
-friction_angle = "30 deg"
-dilatancy_angle = 0
-tensile_strength = 0
-[regions]
-soil = "sand"
-[analysis]
-methods = [)" +
-         methods + "]\n" + more;
+inline std::string write_case(const std::string& methods = "\"lem\"", const std::string& more = "") {
+  return support::write_slope("dry",
+                              {"geometry.box=[[0, 0], [44, 15]]", "mesh.size=2.5", "materials.sand.grain_density=2650",
+                               "materials.sand.porosity=0.4", "analysis.methods=[" + methods + "]"}) +
+         "[[geometry.line]]\nname = \"toe\"\npoints = [[32, 5], [44, 5]]\n" + more;
 }
 
 inline constexpr const char* few_circles = R"(
@@ -71,9 +48,9 @@ class MethodsTest : public ::testing::Test {
   }
 
   /// The sentence that the case ends with.
-  std::string find_fault(const std::string& text) {
+  std::string find_fault(const std::string& text, const std::vector<input::Override>& overrides = {}) {
     try {
-      run(text);
+      run(text, overrides);
     } catch (const Error& error) {
       return error.what();
     }

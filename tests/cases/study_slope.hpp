@@ -12,70 +12,19 @@
 
 #include "study/study.hpp"
 #include "study/study_table.hpp"
+#include "support/slopes.hpp"
 
 namespace talus::study {
 
 /// The slope of the examples with elements of 3 m, its curve at four factors; `[study]` is added by each test.
-inline const std::string coarse_slope = R"(title = "Coarse slope"
-
-[geometry]
-box = [[0, 0], [44, 17]]
-
-[[geometry.polygon]]
-name = "soil"
-points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
-
-[mesh]
-size = 3
-points_per_element = 3
-
-[materials.sand]
-model = "mohr_coulomb"
-grain_density = 2650
-porosity = 0.4
-young_modulus = "45 MPa"
-poisson_ratio = 0.3
-cohesion = "2 kPa"
-friction_angle = "30 deg"
-dilatancy_angle = 0
-tensile_strength = 0
-
-[regions]
-soil = "sand"
-
-[[boundary]]
-on = "bottom"
-fix = "full"
-
-[[boundary]]
-on = "left"
-fix = "normal"
-
-[[boundary]]
-on = "right"
-fix = "normal"
-
-[[stage]]
-name = "gravity"
-duration = 10
-until = "rest"
-damping = 0.75
-
-[analysis]
-kind = "strength_reduction"
-
-[strength_reduction.curve]
-smoothing = "none"
-from = 1.4
-to = 2.0
-step = 0.2
-refine = false
-window = 1
-damping = 0.05
-
-[strength_reduction.frozen]
-enabled = false
-)";
+inline const std::string coarse_slope =
+    support::write_slope("dry", {"geometry.line=[]", "mesh={ size = 3, points_per_element = 3 }",
+                                 "materials.sand.grain_density=2650", "materials.sand.porosity=0.4",
+                                 "stage=[{ name = 'gravity', duration = 10, until = 'rest', damping = 0.75 }]",
+                                 "analysis.kind=strength_reduction",
+                                 "strength_reduction.curve={ smoothing = 'none', from = 1.4, to = 2.0, step = 0.2, "
+                                 "refine = false, window = 1, damping = 0.05 }",
+                                 "strength_reduction.frozen.enabled=false"});
 
 inline const std::string cohesion_study = coarse_slope + R"(
 [study]

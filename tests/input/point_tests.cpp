@@ -16,18 +16,9 @@ confining_pressure = 100
 axial_strain = 0.2
 )";
 
-const std::string soil_alone = R"(title = "Soil"
-[materials.sand]
-model = "mohr_coulomb"
-grain_density = 2500
-porosity = 0.2
-young_modulus = "45 MPa"
-poisson_ratio = 0.3
-cohesion = 2
-friction_angle = "30 deg"
-dilatancy_angle = 0
-tensile_strength = 0
-)";
+const std::string soil_alone =
+    "title = \"Soil\"\n" +
+    slope.substr(slope.find("[materials.sand]"), slope.find("[regions]") - slope.find("[materials.sand]"));
 
 LoadedCase read_tests(const std::string& text, const std::vector<Override>& overrides = {}) {
   return read_case_text(text, "case.toml", overrides, CaseScope::whole_or_tests);

@@ -7,58 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "input/read.hpp"
+#include "support/slopes.hpp"
 
 namespace talus::input {
-
-inline const std::string slope = R"(title = "Dry homogeneous slope"
-
-[geometry]
-dimension = 2
-box = [[0, 0], [44, 17]]
-
-[[geometry.polygon]]
-name = "soil"
-points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
-
-[[geometry.line]]
-name = "crest"
-points = [[0, 15], [12, 15]]
-
-[mesh]
-size = 0.75
-
-[materials.sand]
-model = "mohr_coulomb"
-grain_density = 2500
-porosity = 0.2
-young_modulus = "45 MPa"
-poisson_ratio = 0.3
-cohesion = 2
-friction_angle = "30 deg"
-dilatancy_angle = 0
-tensile_strength = 0
-
-[regions]
-soil = "sand"
-
-[[boundary]]
-on = "bottom"
-fix = "full"
-
-[[boundary]]
-on = "left"
-fix = "normal"
-
-[[stage]]
-name = "gravity"
-duration = 10
-damping = 0.7
-
-[[stage]]
-name = "failure"
-duration = "3 s"
-)";
 
 /// `text` with the one occurrence of `old_part` replaced.
 inline std::string change(std::string text, const std::string& old_part, const std::string& new_part) {
@@ -69,6 +20,18 @@ inline std::string change(std::string text, const std::string& old_part, const s
   }
   return text.replace(at, old_part.size(), new_part);
 }
+
+/// The dry slope whose right wall is free, in two stages.
+inline const std::string slope =
+    change(support::write_slope("dry"), "[[boundary]]\non = \"right\"\nfix = \"normal\"\n", R"([[stage]]
+name = "gravity"
+duration = 10
+damping = 0.7
+
+[[stage]]
+name = "failure"
+duration = "3 s"
+)");
 
 struct Marked {
   std::string text;

@@ -5,19 +5,9 @@
 
 namespace talus::input {
 
-inline const std::string wet_slope = R"(title = "Unsaturated slope with steady seepage"
-
-[geometry]
-box = [[0, 0], [44, 17]]
-
-[[geometry.polygon]]
-name = "soil"
-points = [[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]
-
-[[geometry.line]]
-name = "crest"
-points = [[0, 15], [12, 15]]
-
+inline const std::string wet_slope = change(change(support::write_slope("dry"), "cohesion = 2", "cohesion = 10"),
+                                            "friction_angle = \"30 deg\"", "friction_angle = 20") +
+                                     R"(
 [[geometry.line]]
 name = "slope"
 points = [[12, 15], [32, 5]]
@@ -30,23 +20,9 @@ points = [[32, 5], [44, 5]]
 name = "drain"
 points = [[10, 2], [20, 2]]
 
-[mesh]
-size = 0.75
-
 [water]
 bulk_modulus = 80000
 viscosity = "1e-6 kPa.s"
-
-[materials.sand]
-model = "mohr_coulomb"
-grain_density = 2500
-porosity = 0.2
-young_modulus = "45 MPa"
-poisson_ratio = 0.3
-cohesion = 10
-friction_angle = 20
-dilatancy_angle = 0
-tensile_strength = 0
 
 [materials.sand.water]
 retention = "van_genuchten"
@@ -54,21 +30,6 @@ minimum_saturation = 0.15
 reference_pressure = 6.13
 lambda = 0.27
 permeability = 6e-11
-
-[regions]
-soil = "sand"
-
-[[boundary]]
-on = "bottom"
-fix = "full"
-
-[[boundary]]
-on = "left"
-fix = "normal"
-
-[[boundary]]
-on = "right"
-fix = "normal"
 
 [[hydraulic]]
 on = "left"

@@ -1,10 +1,10 @@
 // Reports of slices and finite elements, with and without material points, against the results that they come from.
 
-#include "input/read.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
 #include "support/run_json.hpp"
+#include "support/slopes.hpp"
 
 namespace talus::report {
 namespace {
@@ -13,42 +13,21 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Two soils, water, a surcharge; few circles and large elements, so that it takes a second.
-const std::string layered_case = R"(title = "Layered slope"
-
-[[geometry.polygon]]
-name = "base"
-points = [[0, 0], [44, 0], [44, 5], [32, 5], [0, 5]]
-
-[[geometry.polygon]]
-name = "slope"
-points = [[0, 5], [32, 5], [12, 15], [0, 15]]
-
-[regions]
-base = "sand"
-slope = "silt"
-
-[materials.sand]
-model = "mohr_coulomb"
-unit_weight = "19 kN/m3"
-saturated_unit_weight = "20 kN/m3"
-young_modulus = "45 MPa"
-poisson_ratio = 0.3
-cohesion = "5 kPa"
-friction_angle = 30
-dilatancy_angle = 0
-tensile_strength = 0
-
-[materials.silt]
-model = "mohr_coulomb"
-unit_weight = "18 kN/m3"
-saturated_unit_weight = "19.5 kN/m3"
-young_modulus = "45 MPa"
-poisson_ratio = 0.3
-cohesion = "8 kPa"
-friction_angle = 26
-dilatancy_angle = 0
-tensile_strength = 0
-
+const std::string layered_case =
+    support::write_slope(
+        "dry",
+        {"title=Layered slope", "geometry.box=[[0, 0], [44, 15]]", "geometry.line=[]",
+         "geometry.polygon=[{ name = 'base', points = [[0, 0], [44, 0], [44, 5], [32, 5], [0, 5]] }, "
+         "{ name = 'slope', points = [[0, 5], [32, 5], [12, 15], [0, 15]] }]",
+         "regions={ base = 'sand', slope = 'silt' }",
+         "materials.sand={ model = 'mohr_coulomb', unit_weight = 19, saturated_unit_weight = 20, "
+         "young_modulus = '45 MPa', poisson_ratio = 0.3, cohesion = 5, friction_angle = 30, dilatancy_angle = 0, "
+         "tensile_strength = 0 }",
+         "materials.silt={ model = 'mohr_coulomb', unit_weight = 18, saturated_unit_weight = 19.5, "
+         "young_modulus = '45 MPa', poisson_ratio = 0.3, cohesion = 8, friction_angle = 26, dilatancy_angle = 0, "
+         "tensile_strength = 0 }",
+         "mesh.size=2.5"}) +
+    R"(
 [initial]
 pore_pressure = "water_table"
 water_table = [[0, 11], [12, 9], [32, 5], [44, 5]]
@@ -57,21 +36,6 @@ water_table = [[0, 11], [12, 9], [32, 5], [44, 5]]
 name = "road"
 x = [2, 8]
 load = ["10 kPa", "10 kPa"]
-
-[mesh]
-size = 2.5
-
-[[boundary]]
-on = "bottom"
-fix = "full"
-
-[[boundary]]
-on = "left"
-fix = "normal"
-
-[[boundary]]
-on = "right"
-fix = "normal"
 
 [analysis]
 methods = ["lem", "fem"]

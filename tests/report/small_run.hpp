@@ -5,66 +5,25 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "input/read.hpp"
 #include "support/run_json.hpp"
+#include "support/slopes.hpp"
 
 namespace talus::report {
 
 /// Elements of 3 m, two soils, a load, monitors, frames, a curve of four factors with a runout, a frozen factor.
-inline const std::string small_case = R"(title = "Small </script><b>slope"
-
-[geometry]
-box = [[0, 0], [44, 17]]
-
-[[geometry.polygon]]
-name = "ground"
-points = [[0, 0], [44, 0], [44, 5], [0, 5]]
-
-[[geometry.polygon]]
-name = "slope"
-points = [[0, 5], [32, 5], [12, 15], [0, 15]]
-
-[[geometry.line]]
-name = "crest"
-points = [[0, 15], [12, 15]]
-
-[mesh]
-size = 3
-
-[materials.clay]
-model = "mohr_coulomb"
-grain_density = 2650
-porosity = 0.4
-young_modulus = "45 MPa"
-poisson_ratio = 0.3
-cohesion = "4 kPa"
-friction_angle = "30 deg"
-dilatancy_angle = 0
-tensile_strength = 0
-
-[materials.rock]
-model = "linear_elastic"
-grain_density = 2650
-porosity = 0.1
-young_modulus = "200 MPa"
-poisson_ratio = 0.25
-
-[regions]
-ground = "rock"
-slope = "clay"
-
-[[boundary]]
-on = "bottom"
-fix = "full"
-
-[[boundary]]
-on = "left"
-fix = "normal"
-
-[[boundary]]
-on = "right"
-fix = "normal"
-
+inline const std::string small_case =
+    support::write_slope(
+        "dry",
+        {"title=Small </script><b>slope",
+         "geometry.polygon=[{ name = 'ground', points = [[0, 0], [44, 0], [44, 5], [0, 5]] }, "
+         "{ name = 'slope', points = [[0, 5], [32, 5], [12, 15], [0, 15]] }]",
+         "mesh.size=3",
+         "materials={ clay = { model = 'mohr_coulomb', grain_density = 2650, porosity = 0.4, young_modulus = '45 MPa', "
+         "poisson_ratio = 0.3, cohesion = 4, friction_angle = 30, dilatancy_angle = 0, tensile_strength = 0 }, "
+         "rock = { model = 'linear_elastic', grain_density = 2650, porosity = 0.1, young_modulus = '200 MPa', "
+         "poisson_ratio = 0.25 } }",
+         "regions={ ground = 'rock', slope = 'clay' }"}) +
+    R"(
 [[traction]]
 on = "crest"
 traction = [0, -5]
