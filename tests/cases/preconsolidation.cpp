@@ -15,6 +15,7 @@
 #include "base/parallel.hpp"
 #include "output/files/frames_reader.hpp"
 #include "support/run_json.hpp"
+#include "support/slopes.hpp"
 
 namespace talus {
 namespace {
@@ -22,49 +23,19 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const std::string head = R"(
-title = "Cam-clay bank"
-[geometry]
-box = [[0, 0], [12, 5]]
-[[geometry.polygon]]
-name = "soil"
-points = [[0, 0], [12, 0], [12, 2], [9, 2], [5, 4], [0, 4]]
-[[geometry.line]]
-name = "ground"
-points = [[0, 4], [5, 4], [9, 2], [12, 2]]
-[mesh]
-size = 1
-[regions]
-soil = "silt"
-[[boundary]]
-on = "bottom"
-fix = "full"
-[[boundary]]
-on = "left"
-fix = "normal"
-[[boundary]]
-on = "right"
-fix = "normal"
-[materials.silt]
-grain_density = 2650
-porosity = 0.4
-poisson_ratio = 0.3
-)";
+std::string write_bank(const std::string& soil) {
+  return support::write_slope(
+      "bank", {"geometry.box=[[0, 0], [12, 5]]",
+               "geometry.polygon.soil.points=[[0, 0], [12, 0], [12, 2], [9, 2], [5, 4], [0, 4]]",
+               "geometry.line=[{ name = 'ground', points = [[0, 4], [5, 4], [9, 2], [12, 2]] }]",
+               "materials.silt={ grain_density = 2650, porosity = 0.4, poisson_ratio = 0.3, " + soil + " }"});
+}
 
-const std::string clay = R"(
-model = "rooted_cam_clay"
-lambda = 0.089
-kappa = 0.022
-critical_state_slope = 1.2
-preconsolidation_ratio = 2
-smallest_pressure = "5 kPa"
-root_hardening = 0.28
-root_strength = 0.18
-[[roots]]
-ground = "ground"
-depth = 1
-content = 0.88
-)";
+const std::string clay = write_bank(
+                             "model = 'rooted_cam_clay', lambda = 0.089, kappa = 0.022, critical_state_slope = 1.2, "
+                             "preconsolidation_ratio = 2, smallest_pressure = 5, root_hardening = 0.28, "
+                             "root_strength = 0.18") +
+                         "[[roots]]\nground = \"ground\"\ndepth = 1\ncontent = 0.88\n";
 
 /// From the stress of the weight: Cam-clay without stress is as soft as its smallest pressure makes it.
 const std::string settle = R"(
@@ -97,7 +68,7 @@ class PreconsolidationOfARun : public testing::Test {
     options.folder = folder_ / name;
     options.threads = default_threads();
     options.resume = resume;
-    return support::run_case(input::read_case_text(head + text, (folder_ / "case.toml").string(), {}), options);
+    return support::run_case(input::read_case_text(text, (folder_ / "case.toml").string(), {}), options);
   }
   const fs::path folder_ = fs::temp_directory_path() / ("talus_preconsolidation_" + std::to_string(getpid()));
 };
@@ -170,7 +141,7 @@ TEST_F(PreconsolidationOfARun, StaysWhenOtherRootsArePlantedOnTheResult) {
 }
 
 TEST_F(PreconsolidationOfARun, BeginsInACaseThatStartsFromAnElasticResult) {
-  const json first = run("model = \"linear_elastic\"\nyoung_modulus = \"5 MPa\"\n" + settle, "first");
+  const json first = run(write_bank("model = 'linear_elastic', young_modulus = '5 MPa'") + settle, "first");
   const json second = run(clay + go_on + "[initial]\nresult = \"first\"\n", "second");
   EXPECT_EQ(second.at("stages")[0].at("preconsolidation").at("points"), second.at("mesh").at("points"));
 }

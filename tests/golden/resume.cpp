@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "output/files/frames_reader.hpp"
+#include "support/slopes.hpp"
 
 namespace talus {
 namespace {
@@ -19,36 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A slope that fails, small enough for a second or two, with a short curve and a frozen factor behind the stages.
-const char* const slope = R"(
-title = "Resumed slope"
-[geometry]
-box = [[0, 0], [20, 8]]
-[[geometry.polygon]]
-name = "soil"
-points = [[0, 0], [20, 0], [20, 2], [14, 2], [6, 7], [0, 7]]
-[mesh]
-size = 0.5
-[materials.clay]
-model = "mohr_coulomb"
-grain_density = 2650
-porosity = 0.4
-young_modulus = "20 MPa"
-poisson_ratio = 0.3
-cohesion = "3 kPa"
-friction_angle = 22
-dilatancy_angle = 0
-tensile_strength = 0
-[regions]
-soil = "clay"
-[[boundary]]
-on = "bottom"
-fix = "full"
-[[boundary]]
-on = "left"
-fix = "normal"
-[[boundary]]
-on = "right"
-fix = "normal"
+const std::string slope =
+    support::write_slope("bank", {"geometry.box=[[0, 0], [20, 8]]",
+                                  "geometry.polygon.soil.points=[[0, 0], [20, 0], [20, 2], [14, 2], [6, 7], [0, 7]]",
+                                  "mesh.size=0.5", "materials.silt.young_modulus=20 MPa", "materials.silt.cohesion=3",
+                                  "materials.silt.friction_angle=22"}) +
+    R"(
 [[stage]]
 name = "gravity"
 duration = 3
@@ -200,7 +177,7 @@ TEST_F(Resume, OfAChangedCaseIsRefused) {
   wait_for_checkpoint("changed");
   kill(child, SIGTERM);
   ASSERT_EQ(wait_for(child), 5);
-  std::ofstream(folder_ / "case.toml") << std::string(slope) + "\n[gravity]\nacceleration = 5\n";
+  std::ofstream(folder_ / "case.toml") << slope + "\n[gravity]\nacceleration = 5\n";
   EXPECT_EQ(wait_for(start("changed", "--resume")), 2);
 }
 

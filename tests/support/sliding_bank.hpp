@@ -1,49 +1,12 @@
 #pragma once
 // A bank so coarse that it slides in a second of computing: three monitors, a vertical section, frames.
 
-#include <string>
+#include "support/slopes.hpp"
 
 namespace talus {
 
 /// 45° bank of 4 m, elements of 1 m; weight first, then its real strength, which does not hold it.
-inline const std::string sliding_bank = R"(title = "Sliding bank"
-
-[geometry]
-box = [[0, 0], [14, 6]]
-
-[[geometry.polygon]]
-name = "soil"
-points = [[0, 0], [14, 0], [14, 1], [7, 1], [3, 5], [0, 5]]
-
-[mesh]
-size = 1
-
-[materials.silt]
-model = "mohr_coulomb"
-grain_density = 2650
-porosity = 0.4
-young_modulus = "10 MPa"
-poisson_ratio = 0.3
-cohesion = "1 kPa"
-friction_angle = "15 deg"
-dilatancy_angle = 0
-tensile_strength = 0
-
-[regions]
-soil = "silt"
-
-[[boundary]]
-on = "bottom"
-fix = "full"
-
-[[boundary]]
-on = "left"
-fix = "normal"
-
-[[boundary]]
-on = "right"
-fix = "normal"
-
+inline const std::string sliding_bank = support::write_slope("bank") + R"(
 [[stage]]
 name = "weight"
 duration = 5
