@@ -13,94 +13,13 @@
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
 #include "support/run_json.hpp"
+#include "support/slopes.hpp"
 
 namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-const char* const bank = R"(
-title = "Wet bank"
-[geometry]
-box = [[0, 0], [10, 4]]
-[[geometry.polygon]]
-name = "soil"
-points = [[0, 0], [10, 0], [10, 1], [7, 1], [4, 3], [0, 3]]
-[[geometry.line]]
-name = "crest"
-points = [[0, 3], [4, 3]]
-[[geometry.line]]
-name = "face"
-points = [[4, 3], [7, 1]]
-[[geometry.line]]
-name = "foot"
-points = [[7, 1], [10, 1]]
-[mesh]
-size = 0.2
-[water]
-bulk_modulus = "80 MPa"
-[materials.silt]
-model = "mohr_coulomb"
-grain_density = 2650
-porosity = 0.4
-young_modulus = "20 MPa"
-poisson_ratio = 0.3
-cohesion = "20 kPa"
-friction_angle = 30
-dilatancy_angle = 0
-tensile_strength = "5 kPa"
-[materials.silt.water]
-retention = "van_genuchten"
-minimum_saturation = 0.15
-reference_pressure = "6 kPa"
-lambda = 0.3
-conductivity = "1e-3 m/s"
-[regions]
-soil = "silt"
-[[boundary]]
-on = "bottom"
-fix = "full"
-[[boundary]]
-on = "left"
-fix = "normal"
-[[boundary]]
-on = "right"
-fix = "normal"
-[[hydraulic]]
-on = "left"
-condition = "total_head"
-head = 2
-[[hydraulic]]
-on = "foot"
-condition = "total_head"
-head = 1.2
-[[hydraulic]]
-on = "crest"
-condition = "rain"
-rate = "0 mm/h"
-[initial]
-stress = "k0"
-pore_pressure = "seepage"
-[[stage]]
-name = "weight"
-duration = 10
-until = "rest"
-geometry = "frozen"
-water = "held"
-damping = 0.5
-[[stage]]
-name = "flow"
-duration = 0.3
-damping = 0.1
-smoothing = "strain"
-reset_displacement = true
-[output]
-frame_interval = 0.1
-[[output.monitor]]
-name = "toe"
-at = [7, 1]
-)";
 
 class WetBank : public testing::Test {
  protected:
@@ -110,7 +29,7 @@ class WetBank : public testing::Test {
     options.folder = folder_;
     options.threads = default_threads();
     options.overwrite = true;
-    return support::run_case(input::read_case_text(bank, "bank.toml", overrides), options);
+    return support::run_case(input::read_case_text(support::write_slope("wet_bank"), "bank.toml", overrides), options);
   }
   void TearDown() override { fs::remove_all(folder_); }
   fs::path folder_;
