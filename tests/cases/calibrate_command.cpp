@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/slopes.hpp"
+
 namespace talus::laboratory {
 namespace {
 
@@ -32,18 +34,8 @@ Outcome run_program(const std::string& arguments) {
 }
 
 // Mohr and Coulomb's strength by hand: q = (N - 1) σ₃ + 2c √N, with c = 4 kPa and N = 3.
-const std::string soil = R"(title = "Sand"
-[materials.sand]
-model = "mohr_coulomb"
-grain_density = 2500
-porosity = 0.4
-young_modulus = "20 MPa"
-poisson_ratio = 0.3
-cohesion = 1
-friction_angle = 25
-dilatancy_angle = 0
-tensile_strength = 0
-
+const std::string soil =
+    support::write_slope("sand", {"title=Sand", "materials.sand.cohesion=1", "materials.sand.friction_angle=25"}) + R"(
 [[test]]
 name = "50 kPa"
 material = "sand"

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "output/files/history.hpp"
+#include "support/slopes.hpp"
 
 namespace talus::laboratory {
 namespace {
@@ -34,18 +35,7 @@ Outcome run_program(const std::string& arguments) {
   return outcome;
 }
 
-const std::string soil = R"(title = "Sand"
-[materials.sand]
-model = "mohr_coulomb"
-grain_density = 2500
-porosity = 0.4
-young_modulus = "20 MPa"
-poisson_ratio = 0.3
-cohesion = 0
-friction_angle = 30
-dilatancy_angle = 0
-tensile_strength = 0
-
+const std::string soil = support::write_slope("sand", {"title=Sand"}) + R"(
 [[test]]
 name = "cell 100 kPa, 1 %"
 material = "sand"

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "laboratory/calibration_model.hpp"
 #include "support/laboratory.hpp"
+#include "support/slopes.hpp"
 
 namespace talus::laboratory {
 namespace {
@@ -12,17 +13,8 @@ using support::Laboratory;
 using support::spread;
 using support::write_triaxial;
 
-const std::string sand = R"([materials.sand]
-model = "mohr_coulomb"
-grain_density = 2500
-porosity = 0.4
-young_modulus = "20 MPa"
-poisson_ratio = 0.3
-cohesion = 5
-friction_angle = 30
-dilatancy_angle = 5
-tensile_strength = 0
-)";
+const std::string sand =
+    support::write_slope("sand", {"materials.sand.cohesion=5", "materials.sand.dilatancy_angle=5"});
 
 std::string write_sand_test(const std::string& name, double cell) {
   return "[[test]]\nname = \"" + name +

@@ -6,6 +6,7 @@
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
+#include "support/slopes.hpp"
 
 namespace talus::report {
 namespace {
@@ -13,18 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const std::string soil = R"(title = "Sand"
-[materials.sand]
-model = "mohr_coulomb"
-grain_density = 2500
-porosity = 0.4
-young_modulus = "20 MPa"
-poisson_ratio = 0.3
-cohesion = 0
-friction_angle = 30
-dilatancy_angle = 0
-tensile_strength = 0
-
+const std::string soil = support::write_slope("sand", {"title=Sand"}) + R"(
 [[test]]
 name = "loose"
 material = "sand"
