@@ -7,7 +7,7 @@
 
 #include "mpm/body/build.hpp"
 #include "mpm/body/observe.hpp"
-#include "reference/cases.hpp"
+#include "reference/bodies.hpp"
 #include "reference/plain_mpm.hpp"
 
 namespace talus {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mpm/body/build.hpp"
-#include "reference/two_phase_cases.hpp"
+#include "reference/two_phase_bodies.hpp"
 
 namespace talus::golden {
 

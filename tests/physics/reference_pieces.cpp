@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/cases.hpp"
+#include "reference/bodies.hpp"
 #include "reference/plain_mpm.hpp"
 
 namespace talus::reference {

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "reference/cases.hpp"
+#include "reference/bodies.hpp"
 #include "reference/plain_mpm.hpp"
 
 namespace talus::reference {

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "reference/two_phase_cases.hpp"
+#include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
 namespace {

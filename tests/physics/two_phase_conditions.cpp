@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/two_phase_cases.hpp"
+#include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
 namespace {

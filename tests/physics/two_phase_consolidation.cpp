@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "reference/two_phase_cases.hpp"
+#include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/two_phase_cases.hpp"
+#include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
 namespace {

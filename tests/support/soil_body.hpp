@@ -8,7 +8,7 @@
 #include "mesh/points.hpp"
 #include "mpm/body/build.hpp"
 #include "mpm/body/observe.hpp"
-#include "reference/cases.hpp"
+#include "reference/bodies.hpp"
 
 namespace talus::support {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "material/water/conductivity.hpp"
-#include "reference/cases.hpp"
+#include "reference/bodies.hpp"
 #include "reference/plain_two_phase.hpp"
 #include "reference/plain_two_phase_limits.hpp"
 
