@@ -118,6 +118,13 @@ TEST_F(OtherMethods, NameOneFactorOfEach) {
   std::vector<double> main;
   for (const json& f : document().at("answer").at("factors")) {
     if (f.at("main") == true) main.push_back(f.at("value"));
+    if (f.at("main") == true && f.at("method") == "lem") {
+      EXPECT_EQ(f.at("by"), "spencer");
+      EXPECT_EQ(f.at("source"), "critical");
+    }
+    if (f.at("method") == "fem") {
+      EXPECT_EQ(f.at("measure"), f.at("lower").is_null() ? "displacement" : "equilibrium") << "which has no bracket";
+    }
     EXPECT_EQ(f.at("name").get<std::string>().find("surface["), std::string::npos) << "given surfaces are no answer";
   }
   ASSERT_EQ(main.size(), 2u);

@@ -36,7 +36,7 @@ const open = async (options) => {
 try {
   const page = await open();
   const report = await readDocument(page);
-  const sequence = report.sequences.find((s) => s.id.startsWith("runout")) ?? report.sequences.at(-1);
+  const sequence = report.sequences.find((s) => s.kind === "runout") ?? report.sequences.at(-1);
 
   await list.group("Loading", async () => {
     list.note(`${(statSync(file).size / 2 ** 20).toFixed(2)} MiB`);

@@ -23,6 +23,10 @@ describe.skipIf(!summary?.methods)("the methods of a report", () => {
       for (const main of factors.filter((f) => f.main))
         expect(report.answer.sentences.join(" ")).toContain(main.value!.toFixed(3));
     }
+    for (const f of report.answer.factors.filter((factor) => factor.method !== "mpm")) {
+      const alike = table.rows.filter((r) => r.method === f.method && r.source === f.source && r.factor === f.value);
+      expect(alike.map((row) => row.name), f.name).toContain(f.by);
+    }
     const names = report.answer.factors.map((f) => `${f.name} ${f.title}`);
     expect(new Set(names).size).toBe(names.length);
   });

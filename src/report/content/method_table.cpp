@@ -124,11 +124,21 @@ Factor make_factor(const MethodRow& row) {
   factor.lower = take_factor(row.lower);
   factor.upper = take_factor(row.upper);
   factor.note = row.note;
-  if (row.method == Method::lem)
+  factor.source = find_source(row);
+  if (row.method == Method::lem) {
     factor.slice_method = results::from_word<SliceMethod>(row.name);
-  else if (find_measure(row) == FactorMeasure::equilibrium)
+  } else {
     factor.flow = results::from_word<results::Flow>(row.name);
+    factor.measure = find_measure(row);
+  }
   return factor;
+}
+
+/// Word of the method of slices, the flow rule or the criterion.
+std::string name_kind(const Factor& factor) {
+  if (factor.slice_method) return to_word(*factor.slice_method);
+  if (factor.flow) return to_word(*factor.flow);
+  return factor.by ? to_word(*factor.by) : "";
 }
 
 /// The factor that stands for its method in the answer: the first of those with the lowest rank.
@@ -220,6 +230,7 @@ json make_method_table(const ResultFolder& folder) {
 
 json to_json(const Factor& factor) {
   json block{{"method", to_word(factor.method)},
+             {"by", name_kind(factor)},
              {"name", factor.name},
              {"title", factor.title},
              {"value", write(factor.value)},
@@ -227,6 +238,8 @@ json to_json(const Factor& factor) {
              {"upper", write(factor.upper)},
              {"note", factor.note},
              {"main", factor.is_main}};
+  if (factor.source) block["source"] = to_word(*factor.source);
+  if (factor.measure) block["measure"] = to_word(*factor.measure);
   if (factor.water) block["water"] = factor.water == input::WaterMotion::held ? "held" : "flows";
   return block;
 }
@@ -242,7 +255,7 @@ std::vector<Factor> list_other_factors(const results::RunResult& run) {
     factors.push_back(make_factor(row));
   }
   mark_main(factors, Method::lem, rank_slices);
-  mark_main(factors, Method::fem, [](const Factor& f) { return f.flow ? 0 : 1; });
+  mark_main(factors, Method::fem, [](const Factor& f) { return f.measure == FactorMeasure::equilibrium ? 0 : 1; });
   return factors;
 }
 
@@ -264,8 +277,8 @@ std::string say_agreement(const std::vector<Factor>& factors) {
   for (const Factor& factor : factors) {
     if (!factor.value) continue;
     if (factor.is_main) values.push_back(*factor.value);
-    if (factor.flow == results::Flow::as_given) given = &factor;
-    if (factor.flow == results::Flow::associated) associated = &factor;
+    if (factor.measure == FactorMeasure::equilibrium)
+      (factor.flow == results::Flow::associated ? associated : given) = &factor;
     if (factor.by == results::CriterionKind::frozen) points = &factor;
   }
   if (values.size() < 2) return "";

@@ -20,12 +20,14 @@ struct Factor {
   std::string title;  ///< "Spencer, critical circle"
   std::optional<double> value, lower, upper;
   std::string note;
-  bool is_main = false;                      ///< it stands for its method in the first sentence
-  std::optional<input::WaterMotion> water;   ///< of material points in wet ground
-  std::optional<SliceMethod> slice_method;   ///< by which slices found it; nothing where they changed a given surface
-  std::optional<results::Flow> flow;         ///< of finite elements that find no equilibrium beyond it
-  std::optional<results::CriterionKind> by;  ///< of material points
-  bool is_extrapolated = false;              ///< to elements of no size
+  bool is_main = false;                     ///< it stands for its method in the first sentence
+  std::optional<input::WaterMotion> water;  ///< of material points in wet ground
+  std::optional<SliceMethod> slice_method;  ///< by which slices found it; nothing where they changed a given surface
+  std::optional<results::SurfaceSource> source;   ///< of slices and finite elements
+  std::optional<results::Flow> flow;              ///< of finite elements
+  std::optional<results::FactorMeasure> measure;  ///< of finite elements
+  std::optional<results::CriterionKind> by;       ///< of material points
+  bool is_extrapolated = false;                   ///< to elements of no size
 };
 
 nlohmann::json to_json(const Factor& factor);

@@ -20,6 +20,7 @@ const surfaces = [
   { name: "lem.janbu", title: "Janbu", method: "lem", factor: null, points: [] },
   { name: "fem.band", title: "Band", method: "fem", factor: 1.42, points },
 ];
+const rows = ["bishop", "spencer", "janbu"].map((name) => ({ name, surface: `lem.${name}`, source: "critical" }));
 const bare = {
   kind: "run",
   sequences: [],
@@ -32,7 +33,7 @@ const bare = {
 
 describe("surfaces over each other", () => {
   it("begin with those that are shown at first: Spencer of slices, all of other methods", () => {
-    report.value = { ...bare, method_table: { surfaces } } as unknown as Report;
+    report.value = { ...bare, method_table: { surfaces, rows } } as unknown as Report;
     const listed = listSurfaces();
     expect(listed.map((s) => [s.name, s.first, s.look])).toEqual([
       ["lem.spencer", true, 0],

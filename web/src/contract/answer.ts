@@ -1,5 +1,5 @@
 /** What was asked for: factors of safety, other numbers, and published values beside them. */
-import type { Unit } from "./units";
+import type { Criterion, FactorMeasure, Flow, MethodName, SliceMethod, SurfaceSource, Unit } from "./units";
 
 export interface Answer {
   /** The answer in words, the most important sentence first. */
@@ -10,8 +10,13 @@ export interface Answer {
 
 /** A factor of safety by one method and criterion. */
 export interface Factor {
-  /** "mpm", "lem", "fem". */
-  method: string;
+  method: MethodName;
+  /** The method of slices, flow rule or criterion; empty where slices changed a surface that they were given. */
+  by: SliceMethod | Flow | Criterion | "";
+  /** Where its surface comes from: of slices and finite elements. */
+  source?: SurfaceSource;
+  /** Of finite elements. */
+  measure?: FactorMeasure;
   /** As in results: "factor_of_safety.frozen". */
   name: string;
   /** "rest or run-away at frozen geometry". */
@@ -46,8 +51,8 @@ export interface NamedResult {
     | "other";
   /** "moved_volume", "largest_suction". */
   quantity: string;
-  /** Word of the method of slices: "spencer"; empty for other results. */
-  by: string;
+  /** Of slices; empty for other results. */
+  by: SliceMethod | "";
 }
 
 /** A [[compare]] of the case. */

@@ -1,5 +1,5 @@
 /** Strength reduction with quadratic finite elements. */
-import type { PackedArray } from "./units";
+import type { Flow, PackedArray } from "./units";
 
 /** Strength reduction with quadratic elements. */
 export interface FiniteElements {
@@ -20,7 +20,7 @@ export interface FiniteElements {
 
 /** One strength reduction: with the flow rule as given, or associated. */
 export interface FlowRun {
-  flow: string;
+  flow: Flow;
   title: string;
   /** Dilatancy angles [rad]: least, greatest. */
   psi: number[];

@@ -1,9 +1,11 @@
 /** Slices, finite elements and material points beside each other, and partial factors. */
 
+import type { MethodName, SurfaceSource } from "./units";
+
 /** Factors of safety by method, and the surfaces that the methods found. */
 export interface MethodTable {
-  /** "lem", "fem", "mpm", as the case asks for them. */
-  asked: string[];
+  /** As the case asks for them. */
+  asked: MethodName[];
   rows: MethodRow[];
   surfaces: MethodSurface[];
   /** Surfaces of one method that slices were cut on. */
@@ -14,17 +16,16 @@ export interface MethodTable {
 }
 
 export interface MethodRow {
-  /** "lem", "fem", "mpm". */
-  method: string;
-  /** "spencer". */
+  method: MethodName;
+  /** Word of the method of slices, the flow rule or the criterion: "spencer", "spencer_optimised". */
   name: string;
   title: string;
   /** "critical circle", "no equilibrium". */
   criterion: string;
   /** Of `surfaces`; empty where there is none. */
   surface: string;
-  /** Where that surface comes from: slices find "critical" circles and "noncircular" polylines themselves. */
-  source: "none" | "critical" | "noncircular" | "given" | "handed" | "optimised" | "band" | "slip_line";
+  /** Where that surface comes from. */
+  source: SurfaceSource;
   /** null: none was found, `note` says why. */
   factor: number | null;
   lower: number | null;
@@ -38,7 +39,7 @@ export interface MethodSurface {
   /** "lem.spencer", "fem.band", "mpm.slip_line". */
   name: string;
   title: string;
-  method: string;
+  method: MethodName;
   factor: number | null;
   /** [m] */
   points: number[][];

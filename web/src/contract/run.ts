@@ -1,5 +1,5 @@
 /** What one run has: frames, the displacement curve, tables over time, motion, sections. */
-import type { PackedArray, TableColumn, Unit } from "./units";
+import type { Criterion, PackedArray, TableColumn, Unit } from "./units";
 
 /** Frames that belong together: the stages, the trials of the curve, one runout. */
 export interface Sequence {
@@ -38,7 +38,7 @@ export interface SequenceField {
 export interface Curve {
   points: { srf: number; displacement: number; end: string; force_ratio: number; nodal_speed: number }[];
   bilinear?: { first: Branch; last: Branch; factor: number | null };
-  criteria: { name: string; factor: number | null; lower: number | null; upper: number | null; note: string }[];
+  criteria: { name: Criterion; factor: number | null; lower: number | null; upper: number | null; note: string }[];
 }
 
 /** displacement = slope × SRF + intercept [m]. */

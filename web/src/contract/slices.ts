@@ -1,11 +1,11 @@
 /** Methods of slices: critical surfaces, and what was tried. */
-import type { PackedArray } from "./units";
+import type { PackedArray, SliceMethod } from "./units";
 
 /** Methods of slices: critical surfaces, and what was tried. */
 export interface Slices {
   /** Why there is no answer. */
   error?: string;
-  methods: { name: string; title: string }[];
+  methods: { name: SliceMethod; title: string }[];
   slice_count: number;
   seconds: number;
   surfaces: SlicedSurface[];
@@ -26,7 +26,7 @@ export interface SlicedSurface {
   kind: "circle" | "polyline" | "given";
   /** Of a given surface; empty otherwise. */
   name: string;
-  method: string;
+  method: SliceMethod;
   title: string;
   /** null: refused, `checks.refusal` says why. */
   factor: number | null;

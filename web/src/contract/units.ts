@@ -1,4 +1,36 @@
-/** What all parts of the contract share: units, packed arrays, columns. */
+/** What all parts of the contract share: kinds of methods and factors, units, packed arrays, columns. */
+
+/** Slices, finite elements, material points. */
+export type MethodName = "lem" | "fem" | "mpm";
+
+export type SliceMethod =
+  | "fellenius"
+  | "bishop"
+  | "janbu"
+  | "janbu_corrected"
+  | "spencer"
+  | "morgenstern_price"
+  | "morgenstern_price_constant";
+
+/** The flow rule of finite elements. */
+export type Flow = "as_given" | "associated";
+
+/** By what a factor is read off the material points. */
+export type Criterion = "frozen" | "bilinear" | "displacement" | "jump";
+
+/** What a factor of finite elements is read off: no equilibrium beyond it, or displacements that run away. */
+export type FactorMeasure = "equilibrium" | "displacement";
+
+/** Slices find "critical" circles and "noncircular" polylines themselves. */
+export type SurfaceSource =
+  | "none"
+  | "critical"
+  | "noncircular"
+  | "given"
+  | "handed"
+  | "optimised"
+  | "band"
+  | "slip_line";
 
 /** How a quantity is shown: value in SI = value shown × si. */
 export interface Unit {

@@ -97,7 +97,7 @@ const wanted = [
 /** One yield acceleration is enough here: that of the method whose factor stands above. */
 function isOtherAcceleration({ kind, by }: NamedResult): boolean {
   const main = report.value.answer.factors.find((factor) => factor.main && factor.method === "lem");
-  return kind === "yield_acceleration" && main !== undefined && main.name !== `lem.${by}`;
+  return kind === "yield_acceleration" && main !== undefined && (main.source !== "critical" || main.by !== by);
 }
 
 /** The results that are not factors, those named above first. */
@@ -116,21 +116,15 @@ function pickResults(results: NamedResult[], most: number): NamedResult[] {
 }
 
 function Results({ results, large }: { results: NamedResult[]; large: boolean }) {
-  // "(runout at SRF 1.75)" behind every title: said once, above.
-  const endings = results.map((result) => /\s*\(([^()]*)\)$/.exec(result.title)?.[1] ?? "");
-  const shared = endings.length > 1 && endings.every((ending) => ending && ending === endings[0]) ? endings[0]! : "";
   return (
-    <>
-      {shared && <p class="small-head">{formatSentence(shared).slice(0, -1)}</p>}
-      <dl class={large ? "results large" : "results"}>
-        {results.map((result) => (
-          <div key={result.name}>
-            <dt>{shared ? result.title.replace(/\s*\([^()]*\)$/, "") : result.title}</dt>
-            <dd>{formatQuantity(result.value, result.unit, 3, true)}</dd>
-          </div>
-        ))}
-      </dl>
-    </>
+    <dl class={large ? "results large" : "results"}>
+      {results.map((result) => (
+        <div key={result.name}>
+          <dt>{result.title}</dt>
+          <dd>{formatQuantity(result.value, result.unit, 3, true)}</dd>
+        </div>
+      ))}
+    </dl>
   );
 }
 

@@ -5,19 +5,19 @@ import type { Factor, Report } from "../contract";
 import { findMechanism } from "./opening";
 import { splitFactors } from "./shortFactors";
 
-const makeFactor = (method: string, name: string, value: number, main = false) =>
-  ({ method, name, title: name, value, lower: null, upper: null, note: "", main }) as Factor;
+const makeFactor = (method: Factor["method"], name: string, value: number, kind: Partial<Factor>, main = false) =>
+  ({ method, name, title: name, value, lower: null, upper: null, note: "", main, ...kind }) as Factor;
 const factors = [
-  makeFactor("lem", "lem.bishop", 1.44),
-  makeFactor("lem", "lem.spencer", 1.439, true),
-  makeFactor("lem", "lem.noncircular.janbu", 1.38),
-  makeFactor("lem", "lem.noncircular.spencer", 1.434),
-  makeFactor("fem", "fem.factor", 1.432, true),
-  makeFactor("fem", "fem.by_displacement", 1.432),
-  makeFactor("fem", "fem.associated.factor", 1.463),
-  makeFactor("mpm", "factor_of_safety.frozen", 1.393, true),
-  makeFactor("mpm", "factor_of_safety.bilinear", 1.593),
-  makeFactor("mpm", "factor_of_safety.jump", 1.625),
+  makeFactor("lem", "lem.bishop", 1.44, { by: "bishop", source: "critical" }),
+  makeFactor("lem", "lem.spencer", 1.439, { by: "spencer", source: "critical" }, true),
+  makeFactor("lem", "lem.noncircular.janbu", 1.38, { by: "janbu", source: "noncircular" }),
+  makeFactor("lem", "lem.noncircular.spencer", 1.434, { by: "spencer", source: "noncircular" }),
+  makeFactor("fem", "fem.factor", 1.432, { by: "as_given", measure: "equilibrium" }, true),
+  makeFactor("fem", "fem.by_displacement", 1.432, { by: "as_given", measure: "displacement" }),
+  makeFactor("fem", "fem.associated.factor", 1.463, { by: "associated", measure: "equilibrium" }),
+  makeFactor("mpm", "factor_of_safety.frozen", 1.393, { by: "frozen" }, true),
+  makeFactor("mpm", "factor_of_safety.bilinear", 1.593, { by: "bilinear" }),
+  makeFactor("mpm", "factor_of_safety.jump", 1.625, { by: "jump" }),
 ];
 
 describe("the short table", () => {

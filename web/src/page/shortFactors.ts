@@ -7,15 +7,13 @@ const worthFolding = 3;
 /** Of material points alone all; of several methods the main ones and those that tell why they differ. */
 export function splitFactors(factors: Factor[]): { shown: Factor[]; folded: Factor[] } {
   if (factors.every((factor) => factor.method === "mpm")) return { shown: factors, folded: [] };
-  const main = factors.find((factor) => factor.method === "lem" && factor.main)?.name.replace(/^lem\./, "");
-  const wanted = new Set([
-    `lem.noncircular.${main}`,
-    "fem.factor",
-    "fem.associated.factor",
-    "factor_of_safety.frozen",
-    "factor_of_safety.bilinear",
-  ]);
-  const isShown = (factor: Factor) => factor.main || wanted.has(factor.name);
+  const main = factors.find((factor) => factor.method === "lem" && factor.main);
+  const isShown = (factor: Factor) =>
+    factor.main ||
+    (factor.source === "noncircular" && factor.by === main?.by) ||
+    factor.measure === "equilibrium" ||
+    factor.by === "frozen" ||
+    factor.by === "bilinear";
   const folded = factors.filter((factor) => !isShown(factor));
   return folded.length < worthFolding ? { shown: factors, folded: [] } : { shown: factors.filter(isShown), folded };
 }

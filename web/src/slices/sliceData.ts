@@ -3,19 +3,7 @@ import type { SlicedSurface, Slices } from "../contract";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
 
-export const reasonTitles: { [reason: string]: string } = {
-  outside: "outside the model",
-  too_shallow: "too shallow",
-  below_base: "below the base",
-  no_driving: "nothing drives it",
-  m_alpha: "m_α too small",
-  tension: "tension on the base",
-  thrust: "thrust outside the mass",
-  not_converged: "no solution",
-  steep_toe: "passive end too steep",
-};
-
-export const nameReason = (reason: string) => reasonTitles[reason] ?? reason.replaceAll("m_alpha", "m_α");
+export const nameReason = (reason: string) => reason.replaceAll("m_alpha", "m_α");
 
 /** "Spencer, circle", "Bishop, polyline", "Bishop, surface ‘toe’". */
 export function nameSurface(surface: SlicedSurface): string {

@@ -2,7 +2,7 @@
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
-import type { Curve } from "../../contract";
+import type { Criterion, Curve } from "../../contract";
 import { frameIndex, report, sequence, sequenceIndex } from "../../state";
 import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -13,7 +13,7 @@ import { formatNumber, formatQuantity } from "../base/numbers";
 import { findRestLimits, judgeTrial, stateWords, type TrialState } from "./rest";
 import { styleOf } from "../base/styles";
 
-const criterionTitles: Record<string, string> = {
+const criterionTitles: Record<Criterion, string> = {
   bilinear: "bilinear lines",
   displacement: "displacement limit",
   jump: "jump",
@@ -22,7 +22,6 @@ const criterionTitles: Record<string, string> = {
 
 /** Factors stand under each other and are compared: three decimals for all. */
 const formatFactor = (factor: number | null) => (factor === null ? "–" : factor.toFixed(3));
-const nameCriterion = (name: string) => criterionTitles[name] ?? name.replaceAll("_", " ");
 const margin = { left: 62, right: 18, bottom: 48 };
 const ink = "var(--chart-ink)";
 const rowHeight = 18;
@@ -58,7 +57,7 @@ function CurveChart({ curve }: { curve: Curve }) {
     [curve, limits, unit],
   );
   const visible = log ? trials.filter((t) => t.displacement > 0) : trials;
-  const main = report.value.answer.factors.find((f) => f.main)?.name.split(".").pop();
+  const main = report.value.answer.factors.find((f) => f.main)?.by;
   const criteria = curve.criteria.map((c, i) => ({ ...c, style: styleOf(i), main: c.name === main }));
   const found = criteria.filter((c) => c.factor !== null);
 
@@ -74,7 +73,7 @@ function CurveChart({ curve }: { curve: Curve }) {
     const inside = width - margin.left - margin.right;
     const at = found.map((c) => margin.left + ((c.factor! - x[0]) / (x[1] - x[0])) * inside);
     const label = (c: (typeof found)[number]) =>
-      width < 480 ? formatFactor(c.factor) : `${formatFactor(c.factor)} ${nameCriterion(c.name)}`;
+      width < 480 ? formatFactor(c.factor) : `${formatFactor(c.factor)} ${criterionTitles[c.name]}`;
     const flags = placeFlags(at, found.map((c) => label(c).length * characterWidth + 14), width - 2);
     // The title of the axis has the row next to the frame when a label would stand in it.
     const reach = found.map((c, i) => at[i]! - (flags.side === "left" ? label(c).length * characterWidth : 0));
@@ -224,7 +223,7 @@ function CurveChart({ curve }: { curve: Curve }) {
               <path d="M1 6H29" stroke={c.style.colour} stroke-width="2" stroke-dasharray={c.style.dash} />
             </svg>
             <span>
-              <strong>{nameCriterion(c.name)}</strong>{" "}
+              <strong>{criterionTitles[c.name]}</strong>{" "}
               {c.factor === null ?
                 "found no factor"
               : `${formatFactor(c.factor)}, bracket ${formatFactor(c.lower)} to ${formatFactor(c.upper)}`}

@@ -136,9 +136,7 @@ export function makePanels(table: Table): Panel[] {
       const head = { id: `${table.id}.${key}`, kind: kind?.id ?? "other", title, unit, extensive, x: table.x };
       rest.set(key, (panel = { ...head, log: kind?.log ?? false, first: kind?.first ?? false, series: [] }));
     }
-    // "crest.displacement_x" is read as "crest, displacement x".
-    const title = column.title.replace(/^([^.]+)\.(?=\D)/, "$1, ").replaceAll("_", " ");
-    panel.series.push({ name: column.name, title, values: column.values });
+    panel.series.push({ name: column.name, title: column.title, values: column.values });
   }
   const order = (p: Panel) => kinds.findIndex((k) => k.id === p.kind) + (p.first ? 0 : 100);
   const known = [...rest.values()].filter((p) => p.kind !== "other");

@@ -77,9 +77,9 @@ export function quoteEach(input: InputTable, key: string): string {
   return join([...groups].map(([text, names]) => `${text} in ${join(names)}`));
 }
 
-/** Whether a switch is on in any stage or trial; undefined where the input does not name it. */
+/** Whether a switch is on, or a number is not 0, in any stage or trial; undefined where the input does not name it. */
 export function isOnAnywhere(input: InputTable, key: string): boolean | undefined {
   const values = listCalculations(input).map(({ table }) => findSetting(table, key));
-  const known = values.filter((value) => typeof value === "boolean");
-  return known.length === 0 ? undefined : known.includes(true);
+  const known = values.filter((value) => typeof value === "boolean" || typeof value === "number");
+  return known.length === 0 ? undefined : known.some(Boolean);
 }

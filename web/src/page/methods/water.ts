@@ -1,11 +1,13 @@
 /** Paragraphs on soil and pore water moving together; formulas as on the theory page on the two-phase step. */
-import { findWords, quoteEach, quoteWhere } from "./settings";
+import type { InputTable } from "../../contract";
+import { findWords, isOnAnywhere, quoteEach, quoteWhere } from "./settings";
 import type { Block, Writer } from "./writer";
 
 /** What the damping of the water was, where there was some. */
-function writeWaterDamping(damping: string): Block[] {
-  if (!damping || damping === "0 throughout") return [];
-  return [{ text: `Local damping acts on the water as well, against its motion; its share was ${damping}.` }];
+function writeWaterDamping(input: InputTable): Block[] {
+  if (!isOnAnywhere(input, "water_damping")) return [];
+  const share = quoteEach(input, "water_damping");
+  return [{ text: `Local damping acts on the water as well, against its motion; its share was ${share}.` }];
 }
 
 export const writeTwoPhase: Writer = ({ input }) => {
@@ -56,7 +58,7 @@ export const writeTwoPhase: Writer = ({ input }) => {
         `node over $M_w$. The drag was taken ${differences.join(", and ")}. Mass scaling $\\beta$ multiplies the ` +
         "inertia of both phases and no weight.",
     },
-    ...writeWaterDamping(quoteEach(input, "water_damping")),
+    ...writeWaterDamping(input),
   ];
 };
 

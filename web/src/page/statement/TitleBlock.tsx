@@ -11,7 +11,7 @@ export function TitleBlock() {
     ["Author", project.author],
     ["Checked by", project.checked_by],
     ["Revision", project.revision],
-    ["Calculated", formatDate(project.date)],
+    ["Calculated", project.date && formatDate(project.date)],
     ["Program", provenance.version && `Talus ${provenance.version}, commit ${provenance.commit || "unknown"}`],
     ["Case file", provenance.case_file],
     ["Input hash", provenance.input_hash],
@@ -22,7 +22,7 @@ export function TitleBlock() {
         {cells.map(([name, value]) => (
           <div key={name} class={name === "Title" ? "wide" : undefined}>
             <dt>{name}</dt>
-            <dd>{value && value !== "–" ? value : <span class="muted">not given</span>}</dd>
+            <dd>{value || <span class="muted">not given</span>}</dd>
           </div>
         ))}
       </dl>
