@@ -62,7 +62,7 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
             labelArrow: "none",
           },
     marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
       runs.map((run, k) => {
         if (hidden.has(run.flow)) return null;
         const own = seen.filter((p) => p.k === k);

@@ -46,7 +46,7 @@ export function BandChart({ title, axis, axisUnit, probability, points, part, no
         }
       : { domain: [0, largest], label: `${probability} [%]`, labelArrow: "none", ticks: 5 },
     marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
       Plot.areaY(seen, {
         x: (p) => p[0],
         y1: (p) => Math.max(lowest, 100 * p[2]),

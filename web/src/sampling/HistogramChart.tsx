@@ -59,7 +59,7 @@ export function HistogramChart({ values, title, unit, limit, probability, part }
     x: { domain: [low, high], label: titleWithUnit(title, unit), ...centred, ticks: 6, inset: 6 },
     y: { label: "Share of the samples [%]", labelArrow: "none", ticks: 5, grid: false },
     marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
       Plot.rectY(classes, {
         x1: "from",
         x2: "to",
@@ -67,11 +67,11 @@ export function HistogramChart({ values, title, unit, limit, probability, part }
         insetLeft: 0.5,
         insetRight: 0.5,
         fill: (c: (typeof classes)[number]) =>
-          limit !== null && c.to <= limit + 1e-9 ? "var(--chart-bad)" : "var(--series-1)",
+          limit !== null && c.to <= limit + 1e-9 ? "var(--bad)" : "var(--series-1)",
         fillOpacity: 0.65,
       }),
       curves.map((c) => Plot.line(c.line, { stroke: c.style.colour, strokeWidth: 1.8, strokeDasharray: c.style.dash })),
-      limit === null ? null : Plot.ruleX([limit], { stroke: "var(--chart-ink)", strokeWidth: 1.5 }),
+      limit === null ? null : Plot.ruleX([limit], { stroke: "var(--ink)", strokeWidth: 1.5 }),
       limit === null || probability === null
         ? null
         : Plot.text([limit], {

@@ -84,7 +84,7 @@ export function Legend() {
       {on.outline && <Entry path={bar} dash="5 3" text="Original outline" />}
       {on.present && model.dimension === 2 && <Entry path={bar} width={1.6} text="Present outline" />}
       {on.path && pickedPoint.value !== null && shown.value && (
-        <Entry path={bar} colour="var(--v-accent)" width={2} text="Path of the picked point" />
+        <Entry path={bar} colour="var(--accent)" width={2} text="Path of the picked point" />
       )}
       {on.water && (waterTables.value ?? model.water).length > 0 && (
         <Entry path={bar} colour="#2f7fd6" dash="8 2 2 2" width={1.8} text="Water table" />

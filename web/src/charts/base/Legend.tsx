@@ -22,7 +22,7 @@ function Swatch({ style, marker }: { style: SeriesStyle; marker?: boolean }) {
 
 /** The symbols as Plot draws them, near enough for a legend. */
 export function Symbol({ style, x, y }: { style: SeriesStyle; x: number; y: number }) {
-  const common = { stroke: style.colour, "stroke-width": 1.8, fill: "var(--chart-ground)" };
+  const common = { stroke: style.colour, "stroke-width": 1.8, fill: "var(--ground)" };
   const at = `translate(${x} ${y})`;
   if (style.symbol === "square") return <rect x="-3.5" y="-3.5" width="7" height="7" transform={at} {...common} />;
   if (style.symbol === "triangle") return <path d="M0 -4.5L4.2 3H-4.2Z" transform={at} {...common} />;

@@ -11,8 +11,8 @@ import { formatNumber, isPlain, titleWithUnit } from "../base/numbers";
 
 /** Differences beyond this many tolerances are drawn at the edge, as arrows. */
 const edge = 3;
-const good = "var(--chart-good)";
-const bad = "var(--chart-bad)";
+const good = "var(--good)";
+const bad = "var(--bad)";
 
 function describeCount(all: readonly Comparison[]): string {
   const passed = all.filter((c) => c.passes).length;
@@ -130,8 +130,8 @@ function DifferenceChart({ all }: { all: Comparison[] }) {
       y: { domain: [rows.length - 0.5, -0.5], axis: null },
       marks: [
         Plot.rect([0], { x1: -1, x2: 1, y1: -0.5, y2: rows.length - 0.5, fill: good, fillOpacity: 0.14 }),
-        Plot.ruleX([0], { stroke: "var(--chart-muted)" }),
-        Plot.ruleY(rows.map((_, k) => k), { stroke: "var(--chart-line)" }),
+        Plot.ruleX([0], { stroke: "var(--muted)" }),
+        Plot.ruleY(rows.map((_, k) => k), { stroke: "var(--line)" }),
         Plot.link(rows, {
           x1: 0,
           x2: (r) => shown(r.over!),

@@ -23,7 +23,7 @@ const criterionTitles: Record<Criterion, string> = {
 /** Factors stand under each other and are compared: three decimals for all. */
 const formatFactor = (factor: number | null) => (factor === null ? "–" : factor.toFixed(3));
 const margin = { left: 62, right: 18, bottom: 48 };
-const ink = "var(--chart-ink)";
+const ink = "var(--ink)";
 const rowHeight = 18;
 /** Width that a label of the flags takes per character [px]; a little more than the fonts need. */
 const characterWidth = 6.9;
@@ -99,7 +99,7 @@ function CurveChart({ curve }: { curve: Curve }) {
         tickFormat: log ? formatLogTick : axis.format,
       },
       marks: [
-        Plot.gridY({ ticks, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+        Plot.gridY({ ticks, stroke: "var(--line)", strokeOpacity: 1 }),
         Plot.rect(
           found.filter((c) => c.lower !== null && c.upper !== null && c.upper > c.lower),
           { x1: "lower", x2: "upper", y1: y[0], y2: y[1], fill: (c) => c.style.colour, fillOpacity: 0.13 },
@@ -128,14 +128,14 @@ function CurveChart({ curve }: { curve: Curve }) {
             Plot.line(line(b), { stroke: ink, strokeWidth: 1, strokeDasharray: "5 3", strokeOpacity: 0.75 }),
           )
         : []),
-        Plot.line(visible, { x: "srf", y: "shown", stroke: "var(--chart-muted)", strokeWidth: 1 }),
+        Plot.line(visible, { x: "srf", y: "shown", stroke: "var(--muted)", strokeWidth: 1 }),
         ...(curve.bilinear && meet !== null ?
           [
             Plot.dot([[meet, (curve.bilinear.first.slope * meet + curve.bilinear.first.intercept) / unit.si]], {
               symbol: "diamond",
               r: 6,
               stroke: ink,
-              fill: "var(--chart-ground)",
+              fill: "var(--ground)",
               strokeWidth: 1.5,
               clip: true,
             }),
@@ -148,9 +148,9 @@ function CurveChart({ curve }: { curve: Curve }) {
           symbol: (t: (typeof visible)[number]) => (t.state === "failed" ? "times" : "circle"),
           stroke: ink,
           strokeWidth: 1.5,
-          fill: (t) => (t.state === "rest" ? "var(--chart-ink)" : "var(--chart-ground)"),
+          fill: (t) => (t.state === "rest" ? "var(--ink)" : "var(--ground)"),
         }),
-        Plot.ruleX([x[0]], { stroke: "var(--chart-muted)" }),
+        Plot.ruleX([x[0]], { stroke: "var(--muted)" }),
         Plot.text([titleWithPower("Largest displacement", unit.name, log ? "" : axis.power)], {
           frameAnchor: "top-left",
           dy: -12,
@@ -240,21 +240,21 @@ function CurveChart({ curve }: { curve: Curve }) {
 function CurveLegend({ states, bilinear }: { states: TrialState[]; bilinear: boolean }) {
   const dot = (fill: string) => (
     <svg class="chart-swatch" width="14" height="12" viewBox="0 0 14 12" aria-hidden="true">
-      <circle cx="7" cy="6" r="4" fill={fill} stroke="var(--chart-ink)" stroke-width="1.6" />
+      <circle cx="7" cy="6" r="4" fill={fill} stroke="var(--ink)" stroke-width="1.6" />
     </svg>
   );
   return (
     <ul class="chart-legend">
-      <li class="chart-entry">{dot("var(--chart-ink)")} trial, {stateWords.rest}</li>
+      <li class="chart-entry">{dot("var(--ink)")} trial, {stateWords.rest}</li>
       {states.includes("moving") && (
-        <li class="chart-entry">{dot("var(--chart-ground)")} trial, {stateWords.moving}</li>
+        <li class="chart-entry">{dot("var(--ground)")} trial, {stateWords.moving}</li>
       )}
       {states.includes("failed") && <li class="chart-entry">× trial, {stateWords.failed}</li>}
       {bilinear && (
         <li class="chart-entry">
           <svg class="chart-swatch" width="30" height="12" viewBox="0 0 30 12" aria-hidden="true">
-            <line x1="1" y1="6" x2="29" y2="6" stroke="var(--chart-ink)" stroke-dasharray="5 3" />
-            <path d="M15 1L19 6L15 11L11 6Z" fill="var(--chart-ground)" stroke="var(--chart-ink)" stroke-width="1.5" />
+            <line x1="1" y1="6" x2="29" y2="6" stroke="var(--ink)" stroke-dasharray="5 3" />
+            <path d="M15 1L19 6L15 11L11 6Z" fill="var(--ground)" stroke="var(--ink)" stroke-width="1.5" />
           </svg>
           bilinear lines and where they meet
         </li>

@@ -76,9 +76,9 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
         tickFormat: log ? formatLogTick : axis.format,
       },
       marks: [
-        Plot.gridY({ ticks, stroke: "var(--chart-line)", strokeOpacity: 1 }),
-        log ? [] : Plot.ruleY([0], { stroke: "var(--chart-muted)", strokeWidth: 1 }),
-        stages.slice(1).map((s) => Plot.ruleX([s.start], { stroke: "var(--chart-muted)", strokeDasharray: "1 3" })),
+        Plot.gridY({ ticks, stroke: "var(--line)", strokeOpacity: 1 }),
+        log ? [] : Plot.ruleY([0], { stroke: "var(--muted)", strokeWidth: 1 }),
+        stages.slice(1).map((s) => Plot.ruleX([s.start], { stroke: "var(--muted)", strokeDasharray: "1 3" })),
         Plot.text(
           stages.filter((s) => stages.length > 1 && (s.end - s.start) / (last - first) > findRoom(s.name) / width),
           {
@@ -89,7 +89,7 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
             dy: 3,
             textAnchor: "start",
             lineAnchor: "top",
-            fill: "var(--chart-muted)",
+            fill: "var(--muted)",
           },
         ),
         visible.map((s) =>
@@ -100,20 +100,20 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
         ),
         limit !== null && log ?
           [
-            Plot.ruleY([limit], { stroke: "var(--chart-ink)", strokeWidth: 1, strokeDasharray: "2 2" }),
+            Plot.ruleY([limit], { stroke: "var(--ink)", strokeWidth: 1, strokeDasharray: "2 2" }),
             Plot.text([limit], {
               y: (d: number) => d,
               text: () => `rest: below ${formatNumber(limit, 2)}`,
               frameAnchor: "right",
               textAnchor: "end",
               dy: -7,
-              fill: "var(--chart-ink)",
-              stroke: "var(--chart-ground)",
+              fill: "var(--ink)",
+              stroke: "var(--ground)",
               strokeWidth: 3,
             }),
           ]
         : [],
-        Plot.ruleX([first], { stroke: "var(--chart-muted)" }),
+        Plot.ruleX([first], { stroke: "var(--muted)" }),
       ],
     };
   };

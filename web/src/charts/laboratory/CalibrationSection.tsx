@@ -52,14 +52,14 @@ function Diagram({ group }: { group: CurveGroup }) {
     },
     symbol: { type: "identity" },
     marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
-      low < 0 && high > 0 ? Plot.ruleY([0], { stroke: "var(--chart-muted)" }) : [],
+      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
+      low < 0 && high > 0 ? Plot.ruleY([0], { stroke: "var(--muted)" }) : [],
       shown.flatMap(({ curve, style }) => [
         Plot.line(curve.line_before, { stroke: style.colour, strokeWidth: 1, strokeOpacity: 0.35, clip: true }),
         Plot.line(curve.line, { stroke: style.colour, strokeWidth: 1.7, strokeDasharray: style.dash, clip: true }),
         Plot.dot(
           curve.at.map((v, i) => [v, curve.measured[i]!] as [number, number]),
-          { stroke: style.colour, fill: "var(--chart-ground)", symbol: style.symbol, r: 3.6, strokeWidth: 1.6 },
+          { stroke: style.colour, fill: "var(--ground)", symbol: style.symbol, r: 3.6, strokeWidth: 1.6 },
         ),
       ]),
     ],

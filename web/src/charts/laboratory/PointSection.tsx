@@ -49,8 +49,8 @@ function Diagram(props: {
       inset: 4,
     },
     marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
-      low < 0 && high > 0 ? Plot.ruleY([0], { stroke: "var(--chart-muted)" }) : [],
+      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
+      low < 0 && high > 0 ? Plot.ruleY([0], { stroke: "var(--muted)" }) : [],
       shown.map((line) => {
         const ys = line.columns.get(panel.y)!.values;
         return Plot.line(

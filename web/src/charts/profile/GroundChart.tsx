@@ -16,7 +16,7 @@ export function GroundChart({ table }: { table: Table }) {
   // The first line is the old ground: dashed and grey, the others are solid.
   const lines = table.columns.map((c, i) => ({
     ...c,
-    style: i === 0 ? { ...styleOf(0), colour: "var(--chart-muted)", dash: "5 3" } : styleOf(i - 1),
+    style: i === 0 ? { ...styleOf(0), colour: "var(--muted)", dash: "5 3" } : styleOf(i - 1),
   }));
   const abscissa = table.x.title.length === 1 ? table.x.title.toLowerCase() : table.x.title;
   const unit = table.columns[0]?.unit ?? "m";
@@ -48,7 +48,7 @@ export function GroundChart({ table }: { table: Table }) {
       x: { label: titleWithUnit(abscissa, table.x.unit), ...centred, ticks: width < 480 ? 5 : 8 },
       y: { domain: [low - pad, high + pad], label: titleWithUnit("Height", unit), labelArrow: "none", ticks: 5 },
       marks: [
-        Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+        Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
         Plot.areaY(change, { x: "0", y1: "1", y2: "2", fill: lines[1]?.style.colour ?? "none", fillOpacity: 0.12 }),
         lines.map((l) =>
           Plot.line(
@@ -59,9 +59,9 @@ export function GroundChart({ table }: { table: Table }) {
         Plot.text([Math.abs(exaggeration - 1) < 0.01 ? "true to scale" : `heights × ${exaggeration.toPrecision(2)}`], {
           frameAnchor: "top-right",
           dy: 4,
-          fill: "var(--chart-muted)",
+          fill: "var(--muted)",
         }),
-        Plot.ruleX([x[0] ?? 0], { stroke: "var(--chart-muted)" }),
+        Plot.ruleX([x[0] ?? 0], { stroke: "var(--muted)" }),
       ],
     };
   };

@@ -61,16 +61,16 @@ export function ProfileChart({ lines, field, vertical, onRemove }: ProfileProps)
       ticks: 6,
     },
     marks: [
-      Plot.gridX({ ticks: 6, stroke: "var(--chart-line)", strokeOpacity: 1 }),
-      Plot.ruleX([0], { stroke: "var(--chart-muted)" }),
+      Plot.gridX({ ticks: 6, stroke: "var(--line)", strokeOpacity: 1 }),
+      Plot.ruleX([0], { stroke: "var(--muted)" }),
       lines.flatMap((l) => {
         const points = l.bins.map((b) => [b.mean / unit.si, b.height / length.si]);
         return [
           Plot.line(points, { stroke: l.style.colour, strokeWidth: 1.5, strokeDasharray: l.style.dash }),
-          Plot.dot(points, { stroke: l.style.colour, symbol: l.style.symbol, r: 3.2, fill: "var(--chart-ground)" }),
+          Plot.dot(points, { stroke: l.style.colour, symbol: l.style.symbol, r: 3.2, fill: "var(--ground)" }),
         ];
       }),
-      Plot.ruleY([bottom / length.si], { stroke: "var(--chart-muted)" }),
+      Plot.ruleY([bottom / length.si], { stroke: "var(--muted)" }),
     ],
   });
 

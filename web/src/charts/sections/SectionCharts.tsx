@@ -63,11 +63,11 @@ function SectionPanel({ chart, names, hidden, field, axis, ends, cross }: PanelP
     y: axis.steep ? { ...place, labelArrow: "none" } : { ...value, labelArrow: "none" },
     marks: [
       axis.steep ?
-        Plot.gridX({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 })
-      : Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+        Plot.gridX({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 })
+      : Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
       axis.steep ?
-        Plot.ruleX([0], { stroke: "var(--chart-muted)" })
-      : Plot.ruleY([0], { stroke: "var(--chart-muted)" }),
+        Plot.ruleX([0], { stroke: "var(--muted)" })
+      : Plot.ruleY([0], { stroke: "var(--muted)" }),
       lines.map((l) =>
         Plot.line(
           l.points.map((p) => {

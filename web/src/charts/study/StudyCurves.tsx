@@ -63,12 +63,12 @@ export function StudyCurves({ study }: { study: Study }) {
     },
     symbol: { type: "identity" },
     marks: [
-      Plot.gridY({ ticks, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      Plot.gridY({ ticks, stroke: "var(--line)", strokeOpacity: 1 }),
       visible.map(({ points, style }) => {
         const place = { x: "x", y: "y", stroke: style.colour };
         return [
           Plot.line(points, { ...place, strokeWidth: 1.5, strokeDasharray: style.dash }),
-          Plot.dot(points, { ...place, symbol: style.symbol, r: 2.8, fill: "var(--chart-ground)" }),
+          Plot.dot(points, { ...place, symbol: style.symbol, r: 2.8, fill: "var(--ground)" }),
         ];
       }),
     ],

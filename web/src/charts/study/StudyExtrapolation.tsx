@@ -39,7 +39,7 @@ export function StudyExtrapolation({ study }: { study: Study }) {
     y: { label: "Factor of safety", labelArrow: "none", ticks: 6, inset: 10, zero: false },
     symbol: { type: "identity" },
     marks: [
-      Plot.gridY({ ticks: 6, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      Plot.gridY({ ticks: 6, stroke: "var(--line)", strokeOpacity: 1 }),
       factors.map((f, k) => {
         const { colour, dash, symbol } = styleOf(k);
         const [n, sum] = [f.sizes.length, (values: number[]) => values.reduce((a, b) => a + b, 0)];
@@ -63,7 +63,7 @@ export function StudyExtrapolation({ study }: { study: Study }) {
             {
               stroke: colour,
               strokeWidth: 1.6,
-              fill: "var(--chart-ground)",
+              fill: "var(--ground)",
               symbol,
               r: 4.2,
             },

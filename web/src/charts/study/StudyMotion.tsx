@@ -53,10 +53,10 @@ function MotionPanel({ chart, names, hidden, cross, ends, threshold }: PanelProp
     },
     symbol: { type: "identity" },
     marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
-      Plot.ruleY([0], { stroke: "var(--chart-muted)" }),
-      Plot.ruleX([0], { stroke: "var(--chart-muted)" }),
-      limit === null ? [] : Plot.ruleY([limit], { stroke: "var(--chart-muted)", strokeDasharray: "2 3" }),
+      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
+      Plot.ruleY([0], { stroke: "var(--muted)" }),
+      Plot.ruleX([0], { stroke: "var(--muted)" }),
+      limit === null ? [] : Plot.ruleY([limit], { stroke: "var(--muted)", strokeDasharray: "2 3" }),
       lines.map((l) =>
         Plot.line(
           l.time.map((t, i) => [t, l.displacement[i] === null ? Number.NaN : l.displacement[i]! / unit.si]),
@@ -70,7 +70,7 @@ function MotionPanel({ chart, names, hidden, cross, ends, threshold }: PanelProp
         symbol: (d: (typeof onsets)[number]) => d.l.style.symbol,
         stroke: (d: (typeof onsets)[number]) => d.l.style.colour,
         strokeWidth: 1.6,
-        fill: "var(--chart-ground)",
+        fill: "var(--ground)",
       }),
     ],
     color: { type: "identity" },

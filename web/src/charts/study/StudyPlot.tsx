@@ -85,19 +85,19 @@ export function StudyPlot({ study }: { study: Study }) {
           },
       symbol: { type: "identity" },
       marks: [
-        Plot.gridY({ ...(logY ? {} : { ticks: 6 }), stroke: "var(--chart-line)", strokeOpacity: 1 }),
-        Plot.ruleX(key ? [] : points, { x: "x", stroke: "var(--chart-line)" }),
+        Plot.gridY({ ...(logY ? {} : { ticks: 6 }), stroke: "var(--line)", strokeOpacity: 1 }),
+        Plot.ruleX(key ? [] : points, { x: "x", stroke: "var(--line)" }),
         groups.map((g, i) => {
           const mine = points.filter((p) => p.group === g);
           const style = styleOf(i);
           const place = { x: "x", y: "y", stroke: style.colour };
           return [
             key ? Plot.line(mine, { ...place, strokeWidth: 1.5, strokeDasharray: style.dash }) : [],
-            Plot.dot(mine, { ...place, strokeWidth: 1.6, fill: "var(--chart-ground)", symbol: style.symbol, r: 4.2 }),
+            Plot.dot(mine, { ...place, strokeWidth: 1.6, fill: "var(--ground)", symbol: style.symbol, r: 4.2 }),
           ];
         }),
         groups.length === 1 && points.length <= 12 && !narrow
-          ? Plot.text(points, { x: "x", y: "y", text: (p) => formatNumber(p.y), dy: -12, fill: "var(--chart-ink)" })
+          ? Plot.text(points, { x: "x", y: "y", text: (p) => formatNumber(p.y), dy: -12, fill: "var(--ink)" })
           : [],
       ],
     };

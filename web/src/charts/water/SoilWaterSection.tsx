@@ -39,11 +39,11 @@ function CurveChart({ name, curve, water }: { name: string; curve: SoilWaterCurv
         tickFormat: curve.log ? formatLogTick : undefined,
       },
       marks: [
-        Plot.gridY({ ticks, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+        Plot.gridY({ ticks, stroke: "var(--line)", strokeOpacity: 1 }),
         most === null ?
           []
         : [
-            Plot.ruleX([most], { stroke: "var(--chart-muted)", strokeDasharray: "3 3" }),
+            Plot.ruleX([most], { stroke: "var(--muted)", strokeDasharray: "3 3" }),
             Plot.text([most], {
               x: (d: number) => d,
               text: () => "largest in the model",
@@ -51,7 +51,7 @@ function CurveChart({ name, curve, water }: { name: string; curve: SoilWaterCurv
               textAnchor: "end",
               dx: -5,
               dy: -4,
-              fill: "var(--chart-muted)",
+              fill: "var(--muted)",
             }),
           ],
         Plot.line(
@@ -140,7 +140,7 @@ function SeriesChart({ condition }: { condition: HydraulicCondition }) {
       tickFormat: axis.format,
     },
     marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--chart-line)", strokeOpacity: 1 }),
+      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
       fromZero ?
         Plot.areaY(
           time.map((t, i) => [t, series.values[i]!]),
