@@ -3,20 +3,64 @@ import type { ComponentChildren } from "preact";
 
 import { Scroller } from "./Scroller";
 
+/** Of a column: its name, or that of a column of numbers; false where the table lacks the column. */
+type Cell = string | false | { number: ComponentChildren; class: string };
+
+/** Heads of columns of numbers, which stand to the right; nothing for what is none. */
+export function numbers(...names: ComponentChildren[]): Cell[] {
+  return names.map((name) => (name ? { number: name, class: "number" } : false));
+}
+
+/** The same, in several lines where that makes the column narrower. */
+export function wrapped(...names: ComponentChildren[]): Cell[] {
+  return names.map((name) => (name ? { number: name, class: "number chart-wrap" } : false));
+}
+
+export function TableHead({ cells }: { cells: Cell[] }) {
+  return (
+    <thead>
+      <tr>
+        {cells
+          .filter((cell) => cell !== false)
+          .map((cell, i) => (
+            <th key={i} scope="col" class={typeof cell === "string" ? undefined : cell.class}>
+              {typeof cell === "string" ? cell : cell.number}
+            </th>
+          ))}
+      </tr>
+    </thead>
+  );
+}
+
 interface Props {
   caption: string;
   /** The caption is read aloud only: the heading above says the same. */
   quiet?: boolean;
   class?: string;
+  /** Above rows; a table without it has a body of its own. */
+  head?: Cell[];
   children: ComponentChildren;
 }
 
-export function DataTable({ caption, quiet, class: name, children }: Props) {
+export function DataTable({ caption, quiet, class: name, head, children }: Props) {
   return (
     <Scroller class="table-box" label={caption}>
       <table class={name}>
         <caption class={quiet ? "unseen" : undefined}>{caption}</caption>
-        {children}
+        {head && <TableHead cells={head} />}
+        {head ? <tbody>{children}</tbody> : children}
+      </table>
+    </Scroller>
+  );
+}
+
+/** A table among charts, whose heading stands above it. */
+export function ChartTable(props: { label: string; class?: string; head: Cell[]; children: ComponentChildren }) {
+  return (
+    <Scroller class="chart-scroll" label={props.label}>
+      <table class={props.class ? `chart-table ${props.class}` : "chart-table"}>
+        <TableHead cells={props.head} />
+        <tbody>{props.children}</tbody>
       </table>
     </Scroller>
   );

@@ -13,36 +13,27 @@ export function Variants() {
   }.`;
   return (
     <Part id="variants" title="Variants and their warnings" lead={lead}>
-      <DataTable caption="Status and warnings of each variant" quiet>
-        <thead>
-          <tr>
-            <th scope="col">Variant</th>
-            <th scope="col">Status</th>
-            <th scope="col">Warnings</th>
+      <DataTable caption="Status and warnings of each variant" quiet head={["Variant", "Status", "Warnings"]}>
+        {rows.map((row) => (
+          <tr key={row.name}>
+            <th scope="row">{row.name}</th>
+            <td class={row.status === "finished" ? undefined : "bad"}>
+              {row.status}
+              {row.reason && <span class="note">: {row.reason}</span>}
+            </td>
+            <td class="prose">
+              {row.warnings.length === 0 ? (
+                <span class="muted">none</span>
+              ) : (
+                <ul class="plain">
+                  {row.warnings.map((warning, i) => (
+                    <li key={i}>{formatSentence(warning)}</li>
+                  ))}
+                </ul>
+              )}
+            </td>
           </tr>
-        </thead>
-        <tbody>
-          {rows.map((row) => (
-            <tr key={row.name}>
-              <th scope="row">{row.name}</th>
-              <td class={row.status === "finished" ? undefined : "bad"}>
-                {row.status}
-                {row.reason && <span class="note">: {row.reason}</span>}
-              </td>
-              <td class="prose">
-                {row.warnings.length === 0 ? (
-                  <span class="muted">none</span>
-                ) : (
-                  <ul class="plain">
-                    {row.warnings.map((warning, i) => (
-                      <li key={i}>{formatSentence(warning)}</li>
-                    ))}
-                  </ul>
-                )}
-              </td>
-            </tr>
-          ))}
-        </tbody>
+        ))}
       </DataTable>
     </Part>
   );

@@ -73,48 +73,34 @@ export function GeometryTables() {
     <>
       <Facts caption={hasPoints ? "Geometry, water and mesh" : "Geometry and water"} rows={rows} />
       {polygons.length > 0 && (
-        <DataTable caption={`Polygons, corners in ${units.length.name}`}>
-          <thead>
-            <tr>
-              <th scope="col">Polygon</th>
-              <th scope="col">Material</th>
-              <th scope="col">Corners</th>
+        <DataTable caption={`Polygons, corners in ${units.length.name}`} head={["Polygon", "Material", "Corners"]}>
+          {polygons.map((polygon) => (
+            <tr key={polygon.name}>
+              <th scope="row">{polygon.name}</th>
+              <td>{polygon.material || "–"}</td>
+              <td class="prose">
+                <Points points={polygon.points} unit={units.length} />
+              </td>
             </tr>
-          </thead>
-          <tbody>
-            {polygons.map((polygon) => (
-              <tr key={polygon.name}>
-                <th scope="row">{polygon.name}</th>
-                <td>{polygon.material || "–"}</td>
-                <td class="prose">
-                  <Points points={polygon.points} unit={units.length} />
-                </td>
-              </tr>
-            ))}
-          </tbody>
+          ))}
         </DataTable>
       )}
       {water.length > 0 && (
-        <DataTable caption={`${wet ? "Water table at the start" : "Water tables"}, points in ${units.length.name}`}>
-          <thead>
-            <tr>
-              <th scope="col">Water table</th>
-              <th scope="col">Points</th>
+        <DataTable
+          caption={`${wet ? "Water table at the start" : "Water tables"}, points in ${units.length.name}`}
+          head={["Water table", "Points"]}
+        >
+          {water.map((table) => (
+            <tr key={table.name}>
+              <th scope="row">{table.name}</th>
+              <td class="prose">
+                <Points points={thin(table.points)} unit={units.length} />
+                {table.points.length > mostPoints && (
+                  <span class="note"> ({mostPoints} of {table.points.length} points)</span>
+                )}
+              </td>
             </tr>
-          </thead>
-          <tbody>
-            {water.map((table) => (
-              <tr key={table.name}>
-                <th scope="row">{table.name}</th>
-                <td class="prose">
-                  <Points points={thin(table.points)} unit={units.length} />
-                  {table.points.length > mostPoints && (
-                    <span class="note"> ({mostPoints} of {table.points.length} points)</span>
-                  )}
-                </td>
-              </tr>
-            ))}
-          </tbody>
+          ))}
         </DataTable>
       )}
     </>

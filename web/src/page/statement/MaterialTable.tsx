@@ -1,6 +1,6 @@
 /** The materials: characteristic and design values, and what is left of them at failure. */
 import { report } from "../../state";
-import { DataTable, SymbolText } from "../DataTable";
+import { DataTable, numbers, SymbolText, TableHead } from "../DataTable";
 import { formatFactor, formatNumber, formatSentence, formatUnit } from "../format";
 import type { SoilWater } from "../../contract";
 
@@ -47,26 +47,14 @@ export function MaterialTable() {
   return (
     <>
       <DataTable caption="Properties of the materials" quiet>
-        <thead>
-          <tr>
-            <th scope="col">Property</th>
-            <th scope="col">Symbol</th>
-            <th scope="col">Unit</th>
-            <th scope="col" class="number">
-              Characteristic
-            </th>
-            {hasDesign && (
-              <th scope="col" class="number">
-                Design
-              </th>
-            )}
-            {hasFailure && (
-              <th scope="col" class="number">
-                At failure
-              </th>
-            )}
-          </tr>
-        </thead>
+        <TableHead
+          cells={[
+            "Property",
+            "Symbol",
+            "Unit",
+            ...numbers("Characteristic", hasDesign && "Design", hasFailure && "At failure"),
+          ]}
+        />
         {model.materials.map((material) => (
           <tbody key={material.name}>
             <tr class="group">

@@ -1,6 +1,6 @@
 /** Factors of safety with their spread, and every other number of the results. */
 import { report } from "../../state";
-import { DataTable } from "../DataTable";
+import { DataTable, numbers } from "../DataTable";
 import { describeDrainage, methodNames } from "../FactorTable";
 import { formatFactor, formatNumber, formatQuantity, formatSentence } from "../format";
 import type { Factor } from "../../contract";
@@ -21,40 +21,24 @@ function describeSpread(factors: Factor[]): string {
 function FactorRows({ factors }: { factors: Factor[] }) {
   const isWet = factors.some((factor) => factor.water);
   return (
-    <DataTable caption="Factors of safety, with the bracket of each search">
-      <thead>
-        <tr>
-          <th scope="col">Method</th>
-          <th scope="col">Criterion</th>
-          {isWet && <th scope="col">Pore water</th>}
-          <th scope="col" class="number">
-            F
+    <DataTable
+      caption="Factors of safety, with the bracket of each search"
+      head={["Method", "Criterion", isWet && "Pore water", ...numbers("F", "from", "to"), "Found how"]}
+    >
+      {factors.map((factor) => (
+        <tr key={`${factor.method} ${factor.name} ${factor.title}`} class={factor.main ? "main" : undefined}>
+          <td>{methodNames[factor.method] ?? factor.method.toUpperCase()}</td>
+          <th scope="row">
+            {factor.title}
+            {factor.main && <span class="note"> (the answer)</span>}
           </th>
-          <th scope="col" class="number">
-            from
-          </th>
-          <th scope="col" class="number">
-            to
-          </th>
-          <th scope="col">Found how</th>
+          {isWet && <td>{factor.water ? describeDrainage(factor.water) : "–"}</td>}
+          <td class="number">{factor.value === null ? "none" : formatFactor(factor.value)}</td>
+          <td class="number">{formatFactor(factor.lower)}</td>
+          <td class="number">{formatFactor(factor.upper)}</td>
+          <td class="prose">{formatSentence(factor.note) || "–"}</td>
         </tr>
-      </thead>
-      <tbody>
-        {factors.map((factor) => (
-          <tr key={`${factor.method} ${factor.name} ${factor.title}`} class={factor.main ? "main" : undefined}>
-            <td>{methodNames[factor.method] ?? factor.method.toUpperCase()}</td>
-            <th scope="row">
-              {factor.title}
-              {factor.main && <span class="note"> (the answer)</span>}
-            </th>
-            {isWet && <td>{factor.water ? describeDrainage(factor.water) : "–"}</td>}
-            <td class="number">{factor.value === null ? "none" : formatFactor(factor.value)}</td>
-            <td class="number">{formatFactor(factor.lower)}</td>
-            <td class="number">{formatFactor(factor.upper)}</td>
-            <td class="prose">{formatSentence(factor.note) || "–"}</td>
-          </tr>
-        ))}
-      </tbody>
+      ))}
     </DataTable>
   );
 }
@@ -67,27 +51,19 @@ export function ResultTables() {
       {factors.length > 0 && <FactorRows factors={factors} />}
       {factors.length > 1 && <p class="note">{describeSpread(factors)}</p>}
       {results.length > 0 && (
-        <DataTable caption="All results, by the names that comparisons use">
-          <thead>
-            <tr>
-              <th scope="col">Result</th>
-              <th scope="col" class="number">
-                Value
-              </th>
-              <th scope="col">Name</th>
+        <DataTable
+          caption="All results, by the names that comparisons use"
+          head={["Result", ...numbers("Value"), "Name"]}
+        >
+          {results.map((result) => (
+            <tr key={result.name}>
+              <th scope="row">{result.title}</th>
+              <td class="number">{formatQuantity(result.value, result.unit, 4, true)}</td>
+              <td>
+                <code>{result.name}</code>
+              </td>
             </tr>
-          </thead>
-          <tbody>
-            {results.map((result) => (
-              <tr key={result.name}>
-                <th scope="row">{result.title}</th>
-                <td class="number">{formatQuantity(result.value, result.unit, 4, true)}</td>
-                <td>
-                  <code>{result.name}</code>
-                </td>
-              </tr>
-            ))}
-          </tbody>
+          ))}
         </DataTable>
       )}
     </>

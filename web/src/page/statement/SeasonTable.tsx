@@ -1,6 +1,6 @@
 /** The weather before the run: where its water went, and how dry the soil became. */
 import { report } from "../../state";
-import { DataTable, Facts } from "../DataTable";
+import { DataTable, Facts, numbers } from "../DataTable";
 import { formatNumber, formatQuantity } from "../format";
 import type { Season, Unit } from "../../contract";
 
@@ -23,37 +23,21 @@ export function SeasonTable({ season, dimension }: { season: Season; dimension: 
   return (
     <>
       <Facts caption="The weather before the run" rows={rows} />
-      <DataTable caption={`Suction under the ground, ${units.stress.name}; negative is pressure`}>
-        <thead>
-          <tr>
-            <th scope="col">Depth, {units.length.name}</th>
-            <th scope="col" class="number">
-              Mean, start
+      <DataTable
+        caption={`Suction under the ground, ${units.stress.name}; negative is pressure`}
+        head={[`Depth, ${units.length.name}`, ...numbers("Mean, start", "Mean, end", "Least", "Greatest")]}
+      >
+        {season.layers.map((layer, i) => (
+          <tr key={layer.depth}>
+            <th scope="row">
+              {length(season.layers[i - 1]?.depth ?? 0)}–{length(layer.depth)}
             </th>
-            <th scope="col" class="number">
-              Mean, end
-            </th>
-            <th scope="col" class="number">
-              Least
-            </th>
-            <th scope="col" class="number">
-              Greatest
-            </th>
+            <td class="number">{suction(layer.initial)}</td>
+            <td class="number">{suction(layer.mean)}</td>
+            <td class="number">{suction(layer.least)}</td>
+            <td class="number">{suction(layer.greatest)}</td>
           </tr>
-        </thead>
-        <tbody>
-          {season.layers.map((layer, i) => (
-            <tr key={layer.depth}>
-              <th scope="row">
-                {length(season.layers[i - 1]?.depth ?? 0)}–{length(layer.depth)}
-              </th>
-              <td class="number">{suction(layer.initial)}</td>
-              <td class="number">{suction(layer.mean)}</td>
-              <td class="number">{suction(layer.least)}</td>
-              <td class="number">{suction(layer.greatest)}</td>
-            </tr>
-          ))}
-        </tbody>
+        ))}
       </DataTable>
     </>
   );

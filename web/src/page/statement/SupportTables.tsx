@@ -16,43 +16,26 @@ export function SupportTables() {
       {!hasSupports ? null : boundaries.length === 0 ? (
         <p>No boundary is held: nothing supports the soil.</p>
       ) : (
-        <DataTable caption="Boundary conditions">
-          <thead>
-            <tr>
-              <th scope="col">Where</th>
-              <th scope="col">Condition</th>
-              <th scope="col">Meaning</th>
+        <DataTable caption="Boundary conditions" head={["Where", "Condition", "Meaning"]}>
+          {boundaries.map((boundary, i) => (
+            <tr key={i}>
+              <th scope="row">{boundary.on}</th>
+              <td>{boundary.fix}</td>
+              <td class="prose">{formatSentence(boundary.text)}</td>
             </tr>
-          </thead>
-          <tbody>
-            {boundaries.map((boundary, i) => (
-              <tr key={i}>
-                <th scope="row">{boundary.on}</th>
-                <td>{boundary.fix}</td>
-                <td class="prose">{formatSentence(boundary.text)}</td>
-              </tr>
-            ))}
-          </tbody>
+          ))}
         </DataTable>
       )}
       {loads.length === 0 ? (
         <p>The results name no loads.</p>
       ) : (
-        <DataTable caption="Loads">
-          <thead>
-            <tr>
-              <th scope="col">Load</th>
-              <th scope="col">Description</th>
+        <DataTable caption="Loads" head={["Load", "Description"]}>
+          {loads.map((load, i) => (
+            <tr key={i}>
+              <th scope="row">{load.name}</th>
+              <td class="prose">{formatSentence(load.text)}</td>
             </tr>
-          </thead>
-          <tbody>
-            {loads.map((load, i) => (
-              <tr key={i}>
-                <th scope="row">{load.name}</th>
-                <td class="prose">{formatSentence(load.text)}</td>
-              </tr>
-            ))}
-          </tbody>
+          ))}
         </DataTable>
       )}
       {monitors.length > 0 && (

@@ -1,6 +1,6 @@
 /** Pore water in numbers: conditions, start, steady seepage, and where the water of the stages went. */
 import { report } from "../../state";
-import { DataTable, Facts, SymbolText } from "../DataTable";
+import { DataTable, Facts, SymbolText, numbers } from "../DataTable";
 import { SeasonTable } from "./SeasonTable";
 import { formatNumber, formatPlace, formatQuantity, formatSentence, formatUnit } from "../format";
 import type { HydraulicCondition, SteadySeepage, Unit, Water, WaterBudget } from "../../contract";
@@ -18,29 +18,18 @@ function writeSeries({ series }: HydraulicCondition): string {
 
 function Properties({ water }: { water: Water }) {
   return (
-    <DataTable caption="Water">
-      <thead>
-        <tr>
-          <th scope="col">Property</th>
-          <th scope="col">Symbol</th>
-          <th scope="col" class="number">
-            Value
-          </th>
+    <DataTable caption="Water" head={["Property", "Symbol", ...numbers("Value")]}>
+      {water.properties.map((property) => (
+        <tr key={property.key}>
+          <th scope="row">{property.title}</th>
+          <td>
+            <SymbolText text={property.symbol} />
+          </td>
+          <td class="number">
+            {formatNumber(property.value)} {formatUnit(property.unit)}
+          </td>
         </tr>
-      </thead>
-      <tbody>
-        {water.properties.map((property) => (
-          <tr key={property.key}>
-            <th scope="row">{property.title}</th>
-            <td>
-              <SymbolText text={property.symbol} />
-            </td>
-            <td class="number">
-              {formatNumber(property.value)} {formatUnit(property.unit)}
-            </td>
-          </tr>
-        ))}
-      </tbody>
+      ))}
     </DataTable>
   );
 }
@@ -49,25 +38,15 @@ function Conditions({ conditions }: { conditions: HydraulicCondition[] }) {
   if (conditions.length === 0)
     return <p>No hydraulic conditions: water may leave free surfaces at zero pressure, and none enters.</p>;
   return (
-    <DataTable caption="Hydraulic conditions">
-      <thead>
-        <tr>
-          <th scope="col">Where</th>
-          <th scope="col">Condition</th>
-          <th scope="col">Value</th>
-          <th scope="col">Meaning</th>
+    <DataTable caption="Hydraulic conditions" head={["Where", "Condition", "Value", "Meaning"]}>
+      {conditions.map((condition, i) => (
+        <tr key={i}>
+          <th scope="row">{condition.on}</th>
+          <td>{condition.title}</td>
+          <td>{writeSeries(condition)}</td>
+          <td class="prose">{formatSentence(condition.text)}</td>
         </tr>
-      </thead>
-      <tbody>
-        {conditions.map((condition, i) => (
-          <tr key={i}>
-            <th scope="row">{condition.on}</th>
-            <td>{condition.title}</td>
-            <td>{writeSeries(condition)}</td>
-            <td class="prose">{formatSentence(condition.text)}</td>
-          </tr>
-        ))}
-      </tbody>
+      ))}
     </DataTable>
   );
 }
@@ -106,39 +85,24 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
   ];
   return (
     <>
-      <DataTable caption={`Steady seepage at the start, ${rate.name}`}>
-        <thead>
-          <tr>
-            <th scope="col">Boundary</th>
-            <th scope="col" class="number">
-              In
-            </th>
-            <th scope="col" class="number">
-              Out
-            </th>
-            {hasRunoff && (
-              <th scope="col" class="number">
-                Runs off
-              </th>
-            )}
+      <DataTable
+        caption={`Steady seepage at the start, ${rate.name}`}
+        head={["Boundary", ...numbers("In", "Out", hasRunoff && "Runs off")]}
+      >
+        {seepage.discharges.map((d) => (
+          <tr key={d.name}>
+            <th scope="row">{d.name}</th>
+            <td class="number">{formatNumber(d.inflow)}</td>
+            <td class="number">{formatNumber(d.outflow)}</td>
+            {hasRunoff && <td class="number">{formatNumber(d.runoff)}</td>}
           </tr>
-        </thead>
-        <tbody>
-          {seepage.discharges.map((d) => (
-            <tr key={d.name}>
-              <th scope="row">{d.name}</th>
-              <td class="number">{formatNumber(d.inflow)}</td>
-              <td class="number">{formatNumber(d.outflow)}</td>
-              {hasRunoff && <td class="number">{formatNumber(d.runoff)}</td>}
-            </tr>
-          ))}
-          <tr class="main">
-            <th scope="row">Together</th>
-            <td class="number">{formatNumber(seepage.inflow)}</td>
-            <td class="number">{formatNumber(seepage.outflow)}</td>
-            {hasRunoff && <td class="number">{formatNumber(runoff)}</td>}
-          </tr>
-        </tbody>
+        ))}
+        <tr class="main">
+          <th scope="row">Together</th>
+          <td class="number">{formatNumber(seepage.inflow)}</td>
+          <td class="number">{formatNumber(seepage.outflow)}</td>
+          {hasRunoff && <td class="number">{formatNumber(runoff)}</td>}
+        </tr>
       </DataTable>
       <Facts caption="The steady seepage" rows={rows} />
     </>
@@ -181,58 +145,37 @@ function Budget({ budget, dimension }: { budget: WaterBudget; dimension: 2 | 3 }
     rows.push(["Lost between elements", `${volume(budget.lost_between)} ${unit.name}`]);
   return (
     <>
-      <DataTable caption={`Water budget of the stages, ${unit.name}`}>
-        <thead>
-          <tr>
-            <th scope="col">Boundary</th>
-            <th scope="col">Condition</th>
-            <th scope="col" class="number">
-              Came in
-            </th>
-            <th scope="col" class="number">
-              Left
-            </th>
+      <DataTable
+        caption={`Water budget of the stages, ${unit.name}`}
+        head={["Boundary", "Condition", ...numbers("Came in", "Left", rains && "Rained", rains && "Ran off")]}
+      >
+        {surfaces.map((s, i) => (
+          <tr key={i}>
+            <th scope="row">{s.name}</th>
+            <td>{s.condition}</td>
+            <td class="number">{volume(s.entered)}</td>
+            <td class="number">{volume(s.left)}</td>
             {rains && (
               <>
-                <th scope="col" class="number">
-                  Rained
-                </th>
-                <th scope="col" class="number">
-                  Ran off
-                </th>
+                <td class="number">{s.supplied ? volume(s.supplied) : "–"}</td>
+                <td class="number">{s.supplied ? volume(s.runoff) : "–"}</td>
               </>
             )}
           </tr>
-        </thead>
-        <tbody>
-          {surfaces.map((s, i) => (
-            <tr key={i}>
-              <th scope="row">{s.name}</th>
-              <td>{s.condition}</td>
-              <td class="number">{volume(s.entered)}</td>
-              <td class="number">{volume(s.left)}</td>
-              {rains && (
-                <>
-                  <td class="number">{s.supplied ? volume(s.supplied) : "–"}</td>
-                  <td class="number">{s.supplied ? volume(s.runoff) : "–"}</td>
-                </>
-              )}
-            </tr>
-          ))}
-          <tr class="main">
-            <th scope="row" colSpan={2}>
-              Together
-            </th>
-            <td class="number">{volume(budget.entered)}</td>
-            <td class="number">{volume(budget.left)}</td>
-            {rains && (
-              <>
-                <td class="number">{volume(budget.surfaces.reduce((sum, s) => sum + s.supplied, 0))}</td>
-                <td class="number">{volume(budget.runoff)}</td>
-              </>
-            )}
-          </tr>
-        </tbody>
+        ))}
+        <tr class="main">
+          <th scope="row" colSpan={2}>
+            Together
+          </th>
+          <td class="number">{volume(budget.entered)}</td>
+          <td class="number">{volume(budget.left)}</td>
+          {rains && (
+            <>
+              <td class="number">{volume(budget.surfaces.reduce((sum, s) => sum + s.supplied, 0))}</td>
+              <td class="number">{volume(budget.runoff)}</td>
+            </>
+          )}
+        </tr>
       </DataTable>
       <Facts caption="The water budget" rows={rows} />
     </>
