@@ -3,7 +3,7 @@ import { CsvButton } from "../charts/base/Legend";
 import type { MethodRow, MethodTable } from "../contract";
 import { methodNames } from "../page/FactorTable";
 import { formatDifference, formatDuration, formatFactor, formatSentence } from "../page/format";
-import { Scroller } from "../page/Scroller";
+import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
 import { PartialFactors } from "./PartialFactors";
 
@@ -22,62 +22,46 @@ interface RowsProps {
 
 function RowTable({ rows, reference, compare, label }: RowsProps) {
   return (
-    <Scroller class="chart-scroll" label={label}>
-      <table class="chart-table compared-factors">
-        <thead>
-          <tr>
-            <th scope="col">Method</th>
-            <th scope="col">Criterion</th>
-            <th scope="col" class="chart-number">
-              F
+    <ChartTable
+      label={label}
+      class="compared-factors"
+      head={[
+        "Method",
+        "Criterion",
+        ...numbers("F", "Bracket"),
+        ...wrapped(reference && `against ${reference.title}`),
+        ...numbers("Time"),
+        "Note",
+      ]}
+    >
+      {rows.map((row, i) => {
+        const difference = compare(row);
+        // The titles of the other methods begin with the method.
+        const before = row.method === "lem" && <span class="chart-missing">{methodNames.lem}: </span>;
+        return (
+          <tr key={i}>
+            <th scope="row">
+              {before}
+              {row.title}
             </th>
-            <th scope="col" class="chart-number">
-              Bracket
-            </th>
+            <td>{row.criterion}</td>
+            <td class="number">
+              <strong>{row.factor === null ? "none" : formatFactor(row.factor)}</strong>
+            </td>
+            <td class="number">
+              {row.lower === null || row.upper === null ? "–" : `${formatFactor(row.lower)}–${formatFactor(row.upper)}`}
+            </td>
             {reference && (
-              <th scope="col" class="chart-number chart-wrap">
-                against {reference.title}
-              </th>
+              <td class="number">
+                {row === reference ? "=" : difference === null ? "–" : formatDifference(difference)}
+              </td>
             )}
-            <th scope="col" class="chart-number">
-              Time
-            </th>
-            <th scope="col">Note</th>
+            <td class="number">{row.seconds === null ? "–" : formatDuration(row.seconds)}</td>
+            <td>{row.note || "–"}</td>
           </tr>
-        </thead>
-        <tbody>
-          {rows.map((row, i) => {
-            const difference = compare(row);
-            // The titles of the other methods begin with the method.
-            const before = row.method === "lem" && <span class="chart-missing">{methodNames.lem}: </span>;
-            return (
-              <tr key={i}>
-                <th scope="row">
-                  {before}
-                  {row.title}
-                </th>
-                <td>{row.criterion}</td>
-                <td class="chart-number">
-                  <strong>{row.factor === null ? "none" : formatFactor(row.factor)}</strong>
-                </td>
-                <td class="chart-number">
-                  {row.lower === null || row.upper === null
-                    ? "–"
-                    : `${formatFactor(row.lower)}–${formatFactor(row.upper)}`}
-                </td>
-                {reference && (
-                  <td class="chart-number">
-                    {row === reference ? "=" : difference === null ? "–" : formatDifference(difference)}
-                  </td>
-                )}
-                <td class="chart-number">{row.seconds === null ? "–" : formatDuration(row.seconds)}</td>
-                <td>{row.note || "–"}</td>
-              </tr>
-            );
-          })}
-        </tbody>
-      </table>
-    </Scroller>
+        );
+      })}
+    </ChartTable>
   );
 }
 
@@ -98,8 +82,7 @@ function FactorRows({ table }: { table: MethodTable }) {
     { name: "note", values: rows.map((r) => r.note) },
   ];
   // A surface that slices were given is no answer of theirs.
-  const isGiven = (row: MethodRow) =>
-    row.method === "lem" && row.source !== "critical" && row.source !== "noncircular";
+  const isGiven = (row: MethodRow) => row.method === "lem" && row.source !== "critical" && row.source !== "noncircular";
   const given = rows.some((row) => row.method === "lem" && !isGiven(row)) ? rows.filter(isGiven) : [];
   const found = rows.filter((row) => !given.includes(row));
   const shared = { reference, compare };

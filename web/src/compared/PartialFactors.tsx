@@ -1,7 +1,7 @@
 /** Partial factors, design values and the over-design factor. */
 import { formatNumber } from "../charts/base/numbers";
 import type { MethodTable } from "../contract";
-import { SymbolText } from "../page/DataTable";
+import { ChartTable, SymbolText, numbers } from "../page/DataTable";
 import { formatFactor, formatSentence } from "../page/format";
 import { Scroller } from "../page/Scroller";
 
@@ -20,13 +20,13 @@ export function PartialFactors({ table }: { table: MethodTable }) {
                 <th scope="row">
                   <SymbolText text={v.symbol} /> {v.title}
                 </th>
-                <td class="chart-number">{formatNumber(v.value, 4)}</td>
+                <td class="number">{formatNumber(v.value, 4)}</td>
               </tr>
             ))}
             {partial.over_design !== null && (
               <tr>
                 <th scope="row">Over-design factor</th>
-                <td class={`chart-number ${partial.over_design < 1 ? "chart-bad" : "chart-good"}`}>
+                <td class={`number ${partial.over_design < 1 ? "chart-bad" : "chart-good"}`}>
                   {formatFactor(partial.over_design)}
                 </td>
               </tr>
@@ -35,41 +35,29 @@ export function PartialFactors({ table }: { table: MethodTable }) {
         </table>
       </Scroller>
       {partial.materials.length > 0 && (
-        <Scroller class="chart-scroll" label="Design values">
-          <table class="chart-table compared-narrow">
-            <thead>
-              <tr>
-                <th scope="col">Soil</th>
-                <th scope="col">Quantity</th>
-                <th scope="col" class="chart-number">
-                  Characteristic
-                </th>
-                <th scope="col" class="chart-number">
-                  Design
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {partial.materials.map((m) => (
-                <tr key={`${m.material} ${m.quantity}`}>
-                  <th scope="row">{m.material}</th>
-                  <td>
-                    {m.quantity}
-                    {m.symbol && (
-                      <>
-                        {" "}
-                        <SymbolText text={m.symbol} />
-                      </>
-                    )}
-                    {m.unit && ` [${m.unit === "deg" ? "°" : m.unit}]`}
-                  </td>
-                  <td class="chart-number">{formatNumber(m.characteristic, 4)}</td>
-                  <td class="chart-number">{formatNumber(m.design, 4)}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
-        </Scroller>
+        <ChartTable
+          label="Design values"
+          class="compared-narrow"
+          head={["Soil", "Quantity", ...numbers("Characteristic", "Design")]}
+        >
+          {partial.materials.map((m) => (
+            <tr key={`${m.material} ${m.quantity}`}>
+              <th scope="row">{m.material}</th>
+              <td>
+                {m.quantity}
+                {m.symbol && (
+                  <>
+                    {" "}
+                    <SymbolText text={m.symbol} />
+                  </>
+                )}
+                {m.unit && ` [${m.unit === "deg" ? "°" : m.unit}]`}
+              </td>
+              <td class="number">{formatNumber(m.characteristic, 4)}</td>
+              <td class="number">{formatNumber(m.design, 4)}</td>
+            </tr>
+          ))}
+        </ChartTable>
       )}
       {partial.notes.map((text) => (
         <p key={text} class="chart-note">

@@ -5,7 +5,7 @@ import { Choice } from "../charts/base/Legend";
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { FlowRun } from "../contract";
 import { formatSentence } from "../page/format";
-import { Scroller } from "../page/Scroller";
+import { ChartTable, numbers } from "../page/DataTable";
 import { report } from "../state";
 import { ElementsFigure } from "./ElementsFigure";
 import { ReductionChart } from "./ReductionChart";
@@ -21,42 +21,25 @@ function describeAngles(psi: number[]): string {
 
 function FactorRows({ runs }: { runs: FlowRun[] }) {
   return (
-    <Scroller class="chart-scroll" label="Factors of safety by finite elements">
-      <table class="chart-table elements-factors">
-        <thead>
-          <tr>
-            <th scope="col">Flow</th>
-            <th scope="col" class="chart-number">
-              ψ
-            </th>
-            <th scope="col" class="chart-number">
-              F, equilibrium lost
-            </th>
-            <th scope="col" class="chart-number">
-              between
-            </th>
-            <th scope="col" class="chart-number">
-              F, displacement runs away
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {runs.map((run) => (
-            <tr key={run.flow}>
-              <th scope="row">{run.title}</th>
-              <td class="chart-number">{describeAngles(run.psi)}</td>
-              <td class="chart-number">
-                <strong>{format(run.factor)}</strong>
-              </td>
-              <td class="chart-number">
-                {format(run.stable)} and {format(run.failed)}
-              </td>
-              <td class="chart-number">{format(run.by_displacement)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </Scroller>
+    <ChartTable
+      label="Factors of safety by finite elements"
+      class="elements-factors"
+      head={["Flow", ...numbers("ψ", "F, equilibrium lost", "between", "F, displacement runs away")]}
+    >
+      {runs.map((run) => (
+        <tr key={run.flow}>
+          <th scope="row">{run.title}</th>
+          <td class="number">{describeAngles(run.psi)}</td>
+          <td class="number">
+            <strong>{format(run.factor)}</strong>
+          </td>
+          <td class="number">
+            {format(run.stable)} and {format(run.failed)}
+          </td>
+          <td class="number">{format(run.by_displacement)}</td>
+        </tr>
+      ))}
+    </ChartTable>
   );
 }
 

@@ -2,7 +2,7 @@
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import type { FlowRun } from "../contract";
-import { Scroller } from "../page/Scroller";
+import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
 
 export function TrialTable({ runs }: { runs: FlowRun[] }) {
@@ -30,52 +30,34 @@ export function TrialTable({ runs }: { runs: FlowRun[] }) {
         <summary class="elements-summary">
           {rows.length} trials, {rows.filter(({ trial }) => trial.converged).length} of them in equilibrium
         </summary>
-        <Scroller class="chart-scroll" label="Trials of the strength reduction by finite elements">
-          <table class="chart-table">
-            <thead>
-              <tr>
-                {several && <th scope="col">Flow</th>}
-                <th scope="col" class="chart-number">
-                  F
-                </th>
-                <th scope="col">Equilibrium</th>
-                <th scope="col" class="chart-number">
-                  Iterations
-                </th>
-                <th scope="col" class="chart-number chart-wrap">
-                  Force residual
-                </th>
-                <th scope="col" class="chart-number chart-wrap">
-                  Displacement residual
-                </th>
-                <th scope="col" class="chart-number chart-wrap">
-                  {titleWithUnit("Largest displacement", unit.name)}
-                </th>
-                <th scope="col" class="chart-number">
-                  Time [s]
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {rows.map(({ run, trial }, i) => (
-                <tr key={i}>
-                  {several && <td>{run.title}</td>}
-                  <th scope="row" class="chart-number">
-                    {trial.factor.toFixed(4)}
-                  </th>
-                  <td>
-                    {trial.converged ? <span class="chart-good">✓ found</span> : <span class="chart-bad">✗ none</span>}
-                  </td>
-                  <td class="chart-number">{formatNumber(trial.iterations)}</td>
-                  <td class="chart-number">{formatNumber(trial.force_residual, 2)}</td>
-                  <td class="chart-number">{formatNumber(trial.displacement_residual, 2)}</td>
-                  <td class="chart-number">{formatNumber(trial.displacement / unit.si, 4)}</td>
-                  <td class="chart-number">{formatNumber(trial.seconds, 3)}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
-        </Scroller>
+        <ChartTable
+          label="Trials of the strength reduction by finite elements"
+          head={[
+            several && "Flow",
+            ...numbers("F"),
+            "Equilibrium",
+            ...numbers("Iterations"),
+            ...wrapped("Force residual", "Displacement residual", titleWithUnit("Largest displacement", unit.name)),
+            ...numbers("Time [s]"),
+          ]}
+        >
+          {rows.map(({ run, trial }, i) => (
+            <tr key={i}>
+              {several && <td>{run.title}</td>}
+              <th scope="row" class="number">
+                {trial.factor.toFixed(4)}
+              </th>
+              <td>
+                {trial.converged ? <span class="chart-good">✓ found</span> : <span class="chart-bad">✗ none</span>}
+              </td>
+              <td class="number">{formatNumber(trial.iterations)}</td>
+              <td class="number">{formatNumber(trial.force_residual, 2)}</td>
+              <td class="number">{formatNumber(trial.displacement_residual, 2)}</td>
+              <td class="number">{formatNumber(trial.displacement / unit.si, 4)}</td>
+              <td class="number">{formatNumber(trial.seconds, 3)}</td>
+            </tr>
+          ))}
+        </ChartTable>
       </details>
     </figure>
   );

@@ -1,7 +1,7 @@
 /** How probable it is that the soil comes farther than a distance beyond the toe. */
 import { formatNumber } from "../charts/base/numbers";
 import type { Runout } from "../contract";
-import { Scroller } from "../page/Scroller";
+import { ChartTable, numbers } from "../page/DataTable";
 import { BandChart } from "./BandChart";
 import { formatShare } from "./probability";
 
@@ -20,38 +20,21 @@ export function RunoutChart({ runout }: { runout: Runout }) {
         />
       )}
       {runout.exceedance.length > 0 && (
-        <Scroller class="chart-scroll" label="Probability that the runout exceeds a distance">
-          <table class="chart-table">
-            <thead>
-              <tr>
-                <th scope="col" class="chart-number">
-                  Farther than [{runout.unit}]
-                </th>
-                <th scope="col" class="chart-number">
-                  Probability
-                </th>
-                <th scope="col" class="chart-number">
-                  from
-                </th>
-                <th scope="col" class="chart-number">
-                  to
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {runout.exceedance.map((e) => (
-                <tr key={e.distance}>
-                  <th scope="row" class="chart-number">
-                    {formatNumber(e.distance, 3)}
-                  </th>
-                  <td class="chart-number">{formatShare(e.probability)}</td>
-                  <td class="chart-number">{formatShare(e.lower)}</td>
-                  <td class="chart-number">{formatShare(e.upper)}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
-        </Scroller>
+        <ChartTable
+          label="Probability that the runout exceeds a distance"
+          head={[...numbers(`Farther than [${runout.unit}]`, "Probability", "from", "to")]}
+        >
+          {runout.exceedance.map((e) => (
+            <tr key={e.distance}>
+              <th scope="row" class="number">
+                {formatNumber(e.distance, 3)}
+              </th>
+              <td class="number">{formatShare(e.probability)}</td>
+              <td class="number">{formatShare(e.lower)}</td>
+              <td class="number">{formatShare(e.upper)}</td>
+            </tr>
+          ))}
+        </ChartTable>
       )}
     </div>
   );

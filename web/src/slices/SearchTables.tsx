@@ -2,7 +2,7 @@
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { LocalMinimum, SlicedSurface, Slices } from "../contract";
 import { formatSentence } from "../page/format";
-import { Scroller } from "../page/Scroller";
+import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
 import { nameReason, titleMethod } from "./sliceData";
 
@@ -57,44 +57,30 @@ export function RefusedTable({ slices }: { slices: Slices }) {
   return (
     <figure class="chart-figure" aria-label="Refused surfaces">
       <h4>Refused, of {formatNumber(search.tried, 6)} surfaces</h4>
-      <Scroller class="chart-scroll" label="Refused surfaces by method and reason">
-        <table class="chart-table">
-          <thead>
-            <tr>
-              <th scope="col">Method</th>
+      <ChartTable
+        label="Refused surfaces by method and reason"
+        head={["Method", ...wrapped(...reasons.map(nameReason)), ...numbers("All")]}
+      >
+        {search.refused.map((row) => {
+          const count = (reason: string) => row.reasons.find((r) => r.reason === reason)?.count ?? 0;
+          return (
+            <tr key={row.method}>
+              <th scope="row">{titleMethod(slices, row.method)}</th>
               {reasons.map((reason) => (
-                <th key={reason} scope="col" class="chart-number chart-wrap">
-                  {nameReason(reason)}
-                </th>
+                <td key={reason} class="number">
+                  {formatNumber(count(reason), 6)}
+                </td>
               ))}
-              <th scope="col" class="chart-number">
-                All
-              </th>
+              <td class="number">
+                {formatNumber(
+                  row.reasons.reduce((sum, r) => sum + r.count, 0),
+                  6,
+                )}
+              </td>
             </tr>
-          </thead>
-          <tbody>
-            {search.refused.map((row) => {
-              const count = (reason: string) => row.reasons.find((r) => r.reason === reason)?.count ?? 0;
-              return (
-                <tr key={row.method}>
-                  <th scope="row">{titleMethod(slices, row.method)}</th>
-                  {reasons.map((reason) => (
-                    <td key={reason} class="chart-number">
-                      {formatNumber(count(reason), 6)}
-                    </td>
-                  ))}
-                  <td class="chart-number">
-                    {formatNumber(
-                      row.reasons.reduce((sum, r) => sum + r.count, 0),
-                      6,
-                    )}
-                  </td>
-                </tr>
-              );
-            })}
-          </tbody>
-        </table>
-      </Scroller>
+          );
+        })}
+      </ChartTable>
     </figure>
   );
 }

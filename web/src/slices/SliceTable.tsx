@@ -40,7 +40,7 @@ export function SliceTable({ surface }: { surface: SlicedSurface }) {
                 <th
                   key={c.name}
                   scope="col"
-                  class={c.name === "soil" ? undefined : "chart-number"}
+                  class={c.name === "soil" ? undefined : "number"}
                   title={c.title}
                   aria-sort={by === i ? (sort.down ? "descending" : "ascending") : "none"}
                 >
@@ -61,7 +61,7 @@ export function SliceTable({ surface }: { surface: SlicedSurface }) {
                 {columns.map((c) => {
                   const value = c.values[row]!;
                   return (
-                    <td key={c.name} class={typeof value === "string" ? undefined : "chart-number"}>
+                    <td key={c.name} class={typeof value === "string" ? undefined : "number"}>
                       {typeof value === "string" ? value : formatNumber(value, c.digits)}
                     </td>
                   );

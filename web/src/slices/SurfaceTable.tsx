@@ -2,7 +2,7 @@
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import type { SlicedSurface, Slices } from "../contract";
-import { Scroller } from "../page/Scroller";
+import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
 import { formatFactor, nameReason, nameSurface } from "./sliceData";
 
@@ -52,80 +52,60 @@ export function SurfaceTable({ slices, selected, select }: Props) {
         <h4>Critical surfaces by method</h4>
         <CsvButton part="slip-surfaces" columns={columns} />
       </div>
-      <Scroller class="chart-scroll" label="Critical surfaces by method">
-        <table class="chart-table surface-table">
-          <thead>
-            <tr>
-              <th scope="col">Surface</th>
-              <th scope="col" class="chart-number">
-                F
-              </th>
-              {has.lambda && (
-                <th scope="col" class="chart-number">
-                  λ
-                </th>
+      <ChartTable
+        label="Critical surfaces by method" class="surface-table"
+        head={[
+          "Surface",
+          ...numbers(
+            "F",
+            has.lambda && "λ",
+            has.correction && "f₀",
+            has.acceleration && (
+              <span title="Horizontal acceleration with F = 1">
+                k<sub>y</sub>
+              </span>
+            ),
+            titleWithUnit("Area", `${length.name}²`),
+            titleWithUnit("Depth", length.name),
+          ),
+          ...wrapped(
+            <>
+              Smallest m<sub>α</sub>
+            </>,
+            "Base in tension",
+            "Thrust outside",
+          ),
+          "Remarks",
+        ]}
+      >
+        {surfaces.map((s, i) => (
+          <tr key={i} class={s === selected ? "surface-selected" : undefined}>
+            <th scope="row">
+              <button type="button" aria-pressed={s === selected} title="Show its slices" onClick={() => select(s)}>
+                <span aria-hidden="true">{s === selected ? "●" : "○"}</span> {nameSurface(s)}
+              </button>
+            </th>
+            <td class="number">{formatFactor(s.factor)}</td>
+            {has.lambda && <td class="number">{formatNumber(s.lambda, 3)}</td>}
+            {has.correction && <td class="number">{s.correction === 1 ? "–" : formatNumber(s.correction, 4)}</td>}
+            {has.acceleration && <td class="number">{formatNumber(s.yield_acceleration, 3)}</td>}
+            <td class="number">{formatNumber(s.area / length.si ** 2, 4)}</td>
+            <td class="number">{formatNumber(s.depth / length.si, 3)}</td>
+            <td class="number">{formatNumber(s.checks.smallest_m_alpha, 3)}</td>
+            <td class="number">{percent(s.checks.tensile_share)}</td>
+            <td class="number">{s.lambda === null ? "–" : percent(s.checks.thrust_outside)}</td>
+            <td class="surface-remarks">
+              {s.factor === null && s.checks.refusal && (
+                <span class="chart-bad">refused: {nameReason(s.checks.refusal)}</span>
               )}
-              {has.correction && (
-                <th scope="col" class="chart-number">
-                  f₀
-                </th>
-              )}
-              {has.acceleration && (
-                <th scope="col" class="chart-number" title="Horizontal acceleration with F = 1">
-                  k<sub>y</sub>
-                </th>
-              )}
-              <th scope="col" class="chart-number">
-                {titleWithUnit("Area", `${length.name}²`)}
-              </th>
-              <th scope="col" class="chart-number">
-                {titleWithUnit("Depth", length.name)}
-              </th>
-              <th scope="col" class="chart-number chart-wrap">
-                Smallest m<sub>α</sub>
-              </th>
-              <th scope="col" class="chart-number chart-wrap">
-                Base in tension
-              </th>
-              <th scope="col" class="chart-number chart-wrap">
-                Thrust outside
-              </th>
-              <th scope="col">Remarks</th>
-            </tr>
-          </thead>
-          <tbody>
-            {surfaces.map((s, i) => (
-              <tr key={i} class={s === selected ? "surface-selected" : undefined}>
-                <th scope="row">
-                  <button type="button" aria-pressed={s === selected} title="Show its slices" onClick={() => select(s)}>
-                    <span aria-hidden="true">{s === selected ? "●" : "○"}</span> {nameSurface(s)}
-                  </button>
-                </th>
-                <td class="chart-number">{formatFactor(s.factor)}</td>
-                {has.lambda && <td class="chart-number">{formatNumber(s.lambda, 3)}</td>}
-                {has.correction && (
-                  <td class="chart-number">{s.correction === 1 ? "–" : formatNumber(s.correction, 4)}</td>
-                )}
-                {has.acceleration && <td class="chart-number">{formatNumber(s.yield_acceleration, 3)}</td>}
-                <td class="chart-number">{formatNumber(s.area / length.si ** 2, 4)}</td>
-                <td class="chart-number">{formatNumber(s.depth / length.si, 3)}</td>
-                <td class="chart-number">{formatNumber(s.checks.smallest_m_alpha, 3)}</td>
-                <td class="chart-number">{percent(s.checks.tensile_share)}</td>
-                <td class="chart-number">{s.lambda === null ? "–" : percent(s.checks.thrust_outside)}</td>
-                <td class="surface-remarks">
-                  {s.factor === null && s.checks.refusal && (
-                    <span class="chart-bad">refused: {nameReason(s.checks.refusal)}</span>
-                  )}
-                  {s.warnings.map((w) => (
-                    <div key={w}>{w}</div>
-                  ))}
-                  {s.factor !== null && s.warnings.length === 0 && <span class="chart-missing">none</span>}
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </Scroller>
+              {s.warnings.map((w) => (
+                <div key={w}>{w}</div>
+              ))}
+              {s.factor !== null && s.warnings.length === 0 && <span class="chart-missing">none</span>}
+            </td>
+          </tr>
+        ))}
+      </ChartTable>
       {has.acceleration && (
         <p class="chart-note">
           k<sub>y</sub> is the horizontal acceleration, over that of gravity, with which the factor of this surface is

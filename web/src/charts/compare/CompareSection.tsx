@@ -2,6 +2,7 @@
 import * as Plot from "@observablehq/plot";
 
 import type { Comparison } from "../../contract";
+import { ChartTable, numbers } from "../../page/DataTable";
 import { report } from "../../state";
 import { centred } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -45,45 +46,33 @@ export function CompareSection() {
         <CsvButton part="comparisons" columns={() => makeColumns(all)} />
       </div>
       <p>{describeCount(all)}</p>
-      <div class="chart-scroll" tabIndex={0} role="group" aria-label="Table of comparisons">
-        <table class="chart-table">
-          <thead>
-            <tr>
-              <th scope="col">Quantity</th>
-              <th scope="col">Verdict</th>
-              <th scope="col" class="chart-number">Computed</th>
-              <th scope="col" class="chart-number">Published</th>
-              <th scope="col" class="chart-number">Difference</th>
-              <th scope="col" class="chart-number">Tolerance</th>
-              <th scope="col">Source</th>
+      <ChartTable
+        label="Table of comparisons"
+        head={["Quantity", "Verdict", ...numbers("Computed", "Published", "Difference", "Tolerance"), "Source"]}
+      >
+        {all.map((c) => {
+          const d = measureDifference(c);
+          return (
+            <tr key={c.name}>
+              <th scope="row">{titleWithUnit(c.title, c.unit.name)}</th>
+              <td>
+                <Verdict comparison={c} />
+              </td>
+              <td class="number">{formatNumber(c.computed === null ? null : c.computed / c.unit.si)}</td>
+              <td class="number">{formatNumber(c.published / c.unit.si)}</td>
+              <td class="number">
+                {signed(d.absolute === null ? null : d.absolute / c.unit.si)}
+                {d.relative !== null && <> ({percent(d.relative)})</>}
+              </td>
+              <td class="number">± {nameTolerance(c)}</td>
+              <td>
+                {c.source}
+                {c.note && <div class="chart-missing">{c.note}</div>}
+              </td>
             </tr>
-          </thead>
-          <tbody>
-            {all.map((c) => {
-              const d = measureDifference(c);
-              return (
-                <tr key={c.name}>
-                  <th scope="row">{titleWithUnit(c.title, c.unit.name)}</th>
-                  <td>
-                    <Verdict comparison={c} />
-                  </td>
-                  <td class="chart-number">{formatNumber(c.computed === null ? null : c.computed / c.unit.si)}</td>
-                  <td class="chart-number">{formatNumber(c.published / c.unit.si)}</td>
-                  <td class="chart-number">
-                    {signed(d.absolute === null ? null : d.absolute / c.unit.si)}
-                    {d.relative !== null && <> ({percent(d.relative)})</>}
-                  </td>
-                  <td class="chart-number">± {nameTolerance(c)}</td>
-                  <td>
-                    {c.source}
-                    {c.note && <div class="chart-missing">{c.note}</div>}
-                  </td>
-                </tr>
-              );
-            })}
-          </tbody>
-        </table>
-      </div>
+          );
+        })}
+      </ChartTable>
       <DifferenceChart all={all} />
     </section>
   );

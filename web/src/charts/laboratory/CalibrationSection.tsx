@@ -3,7 +3,7 @@ import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
 import type { Calibration, CalibratedParameter } from "../../contract";
-import { DataTable } from "../../page/DataTable";
+import { DataTable, numbers } from "../../page/DataTable";
 import { report } from "../../state";
 import { centred, describeAxis, formatLogTick, titleWithPower } from "../base/axes";
 import { type CurveGroup, findRange, groupCurves, makeCurveCsv, makeParameterCsv, shortenKey } from "./calibrationData";
@@ -124,88 +124,72 @@ function describeError(p: CalibratedParameter): string {
 function ParameterTable({ calibration }: { calibration: Calibration }) {
   const { parameters, correlation } = calibration;
   return (
-    <DataTable caption="Fitted parameters" class="point-table">
-      <thead>
-        <tr>
-          <th scope="col">Parameter</th>
-          <th scope="col" class="number">Fitted</th>
-          <th scope="col" class="number">Standard error</th>
-          <th scope="col" class="number">Start</th>
-          <th scope="col" class="number">Range</th>
-          {parameters.map((p, j) => (
-            <th key={p.key} scope="col" class="number">
-              Corr. with {j + 1}
-            </th>
-          ))}
+    <DataTable
+      caption="Fitted parameters"
+      class="point-table"
+      head={[
+        "Parameter",
+        ...numbers("Fitted", "Standard error", "Start", "Range", ...parameters.map((_, j) => `Corr. with ${j + 1}`)),
+      ]}
+    >
+      {parameters.map((p, i) => (
+        <tr key={p.key}>
+          <th scope="row">
+            {i + 1} {titleWithUnit(shortenKey(p.key), p.unit)}
+          </th>
+          <td class="number">
+            {formatNumber(p.value, 5)}
+            {p.limit !== "no" && <strong> at its limit</strong>}
+          </td>
+          <td class="number">{describeError(p)}</td>
+          <td class="number">{formatNumber(p.start)}</td>
+          <td class="number">
+            {formatNumber(p.low)} to {formatNumber(p.high)}
+          </td>
+          {parameters.map((other, j) => {
+            const c = correlation[i]?.[j] ?? null;
+            const text = i === j || c === null ? "–" : c.toFixed(2).replace("-", "−");
+            return (
+              <td key={other.key} class="number">
+                {i !== j && c !== null && Math.abs(c) > 0.95 ? <strong>{text}</strong> : text}
+              </td>
+            );
+          })}
         </tr>
-      </thead>
-      <tbody>
-        {parameters.map((p, i) => (
-          <tr key={p.key}>
-            <th scope="row">
-              {i + 1} {titleWithUnit(shortenKey(p.key), p.unit)}
-            </th>
-            <td class="number">
-              {formatNumber(p.value, 5)}
-              {p.limit !== "no" && <strong> at its limit</strong>}
-            </td>
-            <td class="number">{describeError(p)}</td>
-            <td class="number">{formatNumber(p.start)}</td>
-            <td class="number">
-              {formatNumber(p.low)} to {formatNumber(p.high)}
-            </td>
-            {parameters.map((other, j) => {
-              const c = correlation[i]?.[j] ?? null;
-              const text = i === j || c === null ? "–" : c.toFixed(2).replace("-", "−");
-              return (
-                <td key={other.key} class="number">
-                  {i !== j && c !== null && Math.abs(c) > 0.95 ? <strong>{text}</strong> : text}
-                </td>
-              );
-            })}
-          </tr>
-        ))}
-      </tbody>
+      ))}
     </DataTable>
   );
 }
 
 function ResidualTable({ calibration }: { calibration: Calibration }) {
   return (
-    <DataTable caption="Differences, calculated minus measured" class="point-table">
-      <thead>
-        <tr>
-          <th scope="col">Test</th>
-          <th scope="col">Curve</th>
-          <th scope="col" class="number">Points</th>
-          <th scope="col" class="number">Root mean square</th>
-          <th scope="col" class="number">At the start</th>
-          <th scope="col" class="number">Mean</th>
-          <th scope="col" class="number">Largest</th>
-          <th scope="col" class="number">Stated error</th>
-          <th scope="col" class="number">Weight</th>
+    <DataTable
+      caption="Differences, calculated minus measured"
+      class="point-table"
+      head={[
+        "Test",
+        "Curve",
+        ...numbers("Points", "Root mean square", "At the start", "Mean", "Largest", "Stated error", "Weight"),
+      ]}
+    >
+      {calibration.curves.map((c, i) => (
+        <tr key={i}>
+          <th scope="row">{c.test}</th>
+          <td>
+            {titleWithUnit(c.y.title, c.y.unit)} over {c.x.title}
+            {c.missing > 1e-6 && <strong>; {formatNumber(100 * c.missing, 2)} % not reached</strong>}
+          </td>
+          <td class="number">{c.at.length}</td>
+          <td class="number">{formatNumber(c.rms, 3)}</td>
+          <td class="number">{formatNumber(c.rms_before, 3)}</td>
+          <td class="number">{formatNumber(c.mean, 3)}</td>
+          <td class="number">
+            {formatNumber(c.largest, 3)} at {formatQuantity(c.largest_at, c.x.unit, 3)}
+          </td>
+          <td class="number">{formatNumber(c.deviation, 3)}</td>
+          <td class="number">{formatNumber(c.weight, 3)}</td>
         </tr>
-      </thead>
-      <tbody>
-        {calibration.curves.map((c, i) => (
-          <tr key={i}>
-            <th scope="row">{c.test}</th>
-            <td>
-              {titleWithUnit(c.y.title, c.y.unit)} over {c.x.title}
-              {c.missing > 1e-6 && <strong>; {formatNumber(100 * c.missing, 2)} % not reached</strong>}
-            </td>
-            <td class="number">{c.at.length}</td>
-            <td class="number">{formatNumber(c.rms, 3)}</td>
-            <td class="number">{formatNumber(c.rms_before, 3)}</td>
-            <td class="number">{formatNumber(c.mean, 3)}</td>
-            <td class="number">
-              {formatNumber(c.largest, 3)} at {formatQuantity(c.largest_at, c.x.unit, 3)}
-            </td>
-            <td class="number">{formatNumber(c.deviation, 3)}</td>
-            <td class="number">{formatNumber(c.weight, 3)}</td>
-          </tr>
-        ))}
-      </tbody>
+      ))}
     </DataTable>
   );
 }

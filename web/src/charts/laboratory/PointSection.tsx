@@ -3,7 +3,7 @@ import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
 import type { PointGroup, PointTest, PointTests } from "../../contract";
-import { DataTable, SymbolText } from "../../page/DataTable";
+import { DataTable, SymbolText, numbers } from "../../page/DataTable";
 import { report } from "../../state";
 import { centred, describeAxis, formatLogTick, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -114,49 +114,39 @@ function Group({ tests, group }: { tests: PointTests; group: PointGroup }) {
 function ResultTable({ tests }: { tests: PointTest[] }) {
   const { stress } = report.value.units;
   return (
-    <DataTable caption="What came out" class="point-table">
-      <thead>
-        <tr>
-          <th scope="col">Test</th>
-          <th scope="col">Path</th>
-          <th scope="col" class="number">
-            Peak q [{stress.name}]
-          </th>
-          <th scope="col" class="number">
-            at strain [%]
-          </th>
-          <th scope="col" class="number">
-            End q [{stress.name}]
-          </th>
-          <th scope="col" class="number">
-            End p′ [{stress.name}]
-          </th>
-          <th scope="col" class="number">
+    <DataTable
+      caption="What came out"
+      class="point-table"
+      head={[
+        "Test",
+        "Path",
+        ...numbers(
+          `Peak q [${stress.name}]`,
+          "at strain [%]",
+          `End q [${stress.name}]`,
+          `End p′ [${stress.name}]`,
+          <>
             End <SymbolText text="ε_v" /> [%]
-          </th>
-          <th scope="col" class="number">
-            End e [-]
-          </th>
+          </>,
+          "End e [-]",
+        ),
+      ]}
+    >
+      {tests.map((test) => (
+        <tr key={test.name}>
+          <th scope="row">{test.name}</th>
+          <td>
+            {capitalise(test.kind)} of {test.material}
+            {test.set && `, ${test.set}`}; {test.path}.{test.stopped && <strong> Ended early: {test.stopped}.</strong>}
+          </td>
+          <td class="number">{formatNumber(test.peak_q / stress.si)}</td>
+          <td class="number">{formatNumber(test.peak_q_strain * 100, 3)}</td>
+          <td class="number">{formatNumber(test.end.q / stress.si)}</td>
+          <td class="number">{formatNumber(test.end.p / stress.si)}</td>
+          <td class="number">{formatNumber(test.end.volumetric_strain * 100, 3)}</td>
+          <td class="number">{formatNumber(test.end.void_ratio)}</td>
         </tr>
-      </thead>
-      <tbody>
-        {tests.map((test) => (
-          <tr key={test.name}>
-            <th scope="row">{test.name}</th>
-            <td>
-              {capitalise(test.kind)} of {test.material}
-              {test.set && `, ${test.set}`}; {test.path}.
-              {test.stopped && <strong> Ended early: {test.stopped}.</strong>}
-            </td>
-            <td class="number">{formatNumber(test.peak_q / stress.si)}</td>
-            <td class="number">{formatNumber(test.peak_q_strain * 100, 3)}</td>
-            <td class="number">{formatNumber(test.end.q / stress.si)}</td>
-            <td class="number">{formatNumber(test.end.p / stress.si)}</td>
-            <td class="number">{formatNumber(test.end.volumetric_strain * 100, 3)}</td>
-            <td class="number">{formatNumber(test.end.void_ratio)}</td>
-          </tr>
-        ))}
-      </tbody>
+      ))}
     </DataTable>
   );
 }

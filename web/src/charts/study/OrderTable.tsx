@@ -1,6 +1,6 @@
 /** When the monitored points of each variant began to move, and in which order. */
 import type { Study } from "../../contract";
-import { Scroller } from "../../page/Scroller";
+import { ChartTable, numbers } from "../../page/DataTable";
 import { CsvButton } from "../base/Legend";
 import { formatNumber } from "../base/numbers";
 
@@ -24,37 +24,25 @@ export function OrderTable({ study }: { study: Study }) {
           ]}
         />
       </div>
-      <Scroller class="chart-scroll" label="When the monitored points began to move">
-        <table class="chart-table">
-          <thead>
-            <tr>
-              <th scope="col">Variant</th>
-              {monitors.map((name) => (
-                <th key={name} scope="col" class="chart-number">
-                  {name} [s]
-                </th>
-              ))}
-              <th scope="col">In words</th>
-            </tr>
-          </thead>
-          <tbody>
-            {rows.map((r) => (
-              <tr key={r.name}>
-                <th scope="row">{r.name}</th>
-                {monitors.map((name) => {
-                  const time = onset(r, name);
-                  return (
-                    <td key={name} class="chart-number">
-                      {time === null ? <span class="chart-missing">at rest</span> : formatNumber(time, 3)}
-                    </td>
-                  );
-                })}
-                <td>{r.motion!.sentence}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </Scroller>
+      <ChartTable
+        label="When the monitored points began to move"
+        head={["Variant", ...numbers(...monitors.map((name) => `${name} [s]`)), "In words"]}
+      >
+        {rows.map((r) => (
+          <tr key={r.name}>
+            <th scope="row">{r.name}</th>
+            {monitors.map((name) => {
+              const time = onset(r, name);
+              return (
+                <td key={name} class="number">
+                  {time === null ? <span class="chart-missing">at rest</span> : formatNumber(time, 3)}
+                </td>
+              );
+            })}
+            <td>{r.motion!.sentence}</td>
+          </tr>
+        ))}
+      </ChartTable>
     </figure>
   );
 }

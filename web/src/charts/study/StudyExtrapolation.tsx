@@ -2,7 +2,7 @@
 import * as Plot from "@observablehq/plot";
 
 import type { Study } from "../../contract";
-import { Scroller } from "../../page/Scroller";
+import { ChartTable, numbers, wrapped } from "../../page/DataTable";
 import { centred } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { CsvButton, Legend } from "../base/Legend";
@@ -104,56 +104,33 @@ export function StudyExtrapolation({ study }: { study: Study }) {
           };
         }}
       />
-      <Scroller class="chart-scroll" label="Extrapolated factors of safety">
-        <table class="chart-table">
-          <thead>
-            <tr>
-              <th scope="col">Factor</th>
-              <th scope="col" class="chart-number">
-                Sizes
-              </th>
-              <th scope="col" class="chart-number">
-                Coarsest
-              </th>
-              <th scope="col" class="chart-number">
-                Finest
-              </th>
-              <th scope="col" class="chart-number chart-wrap">
-                At zero, line through all
-              </th>
-              <th scope="col" class="chart-number">
-                ±
-              </th>
-              <th scope="col" class="chart-number chart-wrap">
-                Line through the finest two
-              </th>
-              <th scope="col" class="chart-number">
-                Order p
-              </th>
-              <th scope="col" class="chart-number">
-                with p
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {factors.map((f) => (
-              <tr key={title(f)}>
-                <th scope="row">{title(f)}</th>
-                <td class="chart-number">{f.sizes.length}</td>
-                <td class="chart-number">{format(f.factors[0] ?? null)}</td>
-                <td class="chart-number">{format(f.factors.at(-1) ?? null)}</td>
-                <td class="chart-number">
-                  <strong>{format(f.linear)}</strong>
-                </td>
-                <td class="chart-number">{format(f.standard_error)}</td>
-                <td class="chart-number">{format(f.finest_pair)}</td>
-                <td class="chart-number">{formatNumber(f.order, 3)}</td>
-                <td class="chart-number">{format(f.by_order)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </Scroller>
+      <ChartTable
+        label="Extrapolated factors of safety"
+        head={[
+          "Factor",
+          ...numbers("Sizes", "Coarsest", "Finest"),
+          ...wrapped("At zero, line through all"),
+          ...numbers("±"),
+          ...wrapped("Line through the finest two"),
+          ...numbers("Order p", "with p"),
+        ]}
+      >
+        {factors.map((f) => (
+          <tr key={title(f)}>
+            <th scope="row">{title(f)}</th>
+            <td class="number">{f.sizes.length}</td>
+            <td class="number">{format(f.factors[0] ?? null)}</td>
+            <td class="number">{format(f.factors.at(-1) ?? null)}</td>
+            <td class="number">
+              <strong>{format(f.linear)}</strong>
+            </td>
+            <td class="number">{format(f.standard_error)}</td>
+            <td class="number">{format(f.finest_pair)}</td>
+            <td class="number">{formatNumber(f.order, 3)}</td>
+            <td class="number">{format(f.by_order)}</td>
+          </tr>
+        ))}
+      </ChartTable>
       <p class="chart-note">
         ± is the standard error from the scatter of the meshes about the line. The order p is the exponent of the size
         that fits best, where there are four sizes.

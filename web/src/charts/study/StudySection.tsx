@@ -68,7 +68,7 @@ function StudyTable({ study }: { study: Study }) {
                 <th
                   key={c.name}
                   scope="col"
-                  class={isNumeric[i] ? "chart-number chart-wrap" : undefined}
+                  class={isNumeric[i] ? "number chart-wrap" : undefined}
                   aria-sort={sort.by === i ? (sort.down ? "descending" : "ascending") : "none"}
                 >
                   <button type="button" onClick={() => press(i)}>
@@ -89,7 +89,7 @@ function StudyTable({ study }: { study: Study }) {
                 <tr key={row}>
                   <th scope="row">{r.name}</th>
                   {columns.map(({ c, i }) => (
-                    <td key={c.name} class={isNumeric[i] ? "chart-number" : undefined}>
+                    <td key={c.name} class={isNumeric[i] ? "number" : undefined}>
                       {c.shown[row] ?
                         c.shown[row]
                       : <span class="chart-missing" title={r.reason || "this variant has no such result"}>
