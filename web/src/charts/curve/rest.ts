@@ -1,5 +1,6 @@
 /** Did a trial of the displacement curve come to rest? It runs its whole window, so its last state has to be judged. */
 import type { Curve, InputTable } from "../../contract";
+import { findSetting } from "../../page/methods/settings";
 
 export interface RestLimits {
   /** Largest out-of-balance force over the external force [-]. */
@@ -10,17 +11,15 @@ export interface RestLimits {
 
 export type TrialState = "rest" | "moving" | "failed";
 
-function readLeaf(input: InputTable, table: string, key: string): number | null {
-  const inner = input[table] as InputTable | undefined;
-  const leaf = inner?.[key] as { value?: unknown } | undefined;
-  return typeof leaf?.value === "number" ? leaf.value : null;
-}
-
 /** The limits of the case's [rest] table; its defaults where the report does not hold them. */
 export function findRestLimits(input: InputTable, slopeHeight: number): RestLimits {
-  const g = readLeaf(input, "gravity", "acceleration") ?? 9.81;
-  const ratio = readLeaf(input, "rest", "speed_ratio") ?? 1e-4;
-  const forceRatio = readLeaf(input, "rest", "force_ratio") ?? 1e-3;
+  const read = (path: string, otherwise: number) => {
+    const value = findSetting(input, path);
+    return typeof value === "number" ? value : otherwise;
+  };
+  const forceRatio = read("rest.force_ratio", 1e-3);
+  const ratio = read("rest.speed_ratio", 1e-4);
+  const g = read("gravity.acceleration", 9.81);
   return { forceRatio, nodalSpeed: ratio * Math.sqrt(g * slopeHeight) };
 }
 

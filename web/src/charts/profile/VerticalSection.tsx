@@ -2,6 +2,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 
 import type { InputTable, Sequence } from "../../contract";
+import { findSetting } from "../../page/methods/settings";
 import { fieldName, frameIndex, load, report, sequenceIndex } from "../../state";
 import type { CsvColumn } from "../base/csv";
 import { CsvButton } from "../base/Legend";
@@ -15,8 +16,7 @@ const mostTimes = 6;
 
 /** The axis along which gravity points: y, unless it is tilted further. */
 function findVertical(input: InputTable): number {
-  const gravity = input.gravity as { direction?: { value?: unknown } } | undefined;
-  const direction = gravity?.direction?.value;
+  const direction = findSetting(input, "gravity.direction");
   if (!Array.isArray(direction)) return 1;
   const sizes = direction.map((d) => Math.abs(Number(d)));
   return Math.max(0, sizes.indexOf(Math.max(...sizes)));
