@@ -46,7 +46,7 @@ function RowTable({ rows, reference, compare, label }: RowsProps) {
             </th>
             <td>{row.criterion}</td>
             <td class="number">
-              <strong>{row.factor === null ? "none" : formatFactor(row.factor)}</strong>
+              <strong>{formatFactor(row.factor, "none")}</strong>
             </td>
             <td class="number">
               {row.lower === null || row.upper === null ? "–" : `${formatFactor(row.lower)}–${formatFactor(row.upper)}`}

@@ -4,14 +4,12 @@ import { useState } from "preact/hooks";
 import { Choice } from "../charts/base/Legend";
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { FlowRun } from "../contract";
-import { formatSentence } from "../page/format";
+import { formatFactor, formatSentence } from "../page/format";
 import { ChartTable, numbers } from "../page/DataTable";
 import { report } from "../state";
 import { ElementsFigure } from "./ElementsFigure";
 import { ReductionChart } from "./ReductionChart";
 import { TrialTable } from "./TrialTable";
-
-const format = (factor: number | null) => (factor === null ? "none" : factor.toFixed(3));
 
 function describeAngles(psi: number[]): string {
   const degrees = psi.map((angle) => `${formatNumber((angle * 180) / Math.PI, 3)}°`);
@@ -31,12 +29,12 @@ function FactorRows({ runs }: { runs: FlowRun[] }) {
           <th scope="row">{run.title}</th>
           <td class="number">{describeAngles(run.psi)}</td>
           <td class="number">
-            <strong>{format(run.factor)}</strong>
+            <strong>{formatFactor(run.factor, "none")}</strong>
           </td>
           <td class="number">
-            {format(run.stable)} and {format(run.failed)}
+            {formatFactor(run.stable, "none")} and {formatFactor(run.failed, "none")}
           </td>
-          <td class="number">{format(run.by_displacement)}</td>
+          <td class="number">{formatFactor(run.by_displacement, "none")}</td>
         </tr>
       ))}
     </ChartTable>

@@ -76,7 +76,7 @@ export function FactorTable({ factors, among, caption }: Props) {
               {factor.water && <span class="note">; {describeDrainage(factor.water)}</span>}
               {factor.value === null && factor.note && <span class="note"> – {factor.note}</span>}
             </th>
-            <td class="number">{factor.value === null ? "none" : formatFactor(factor.value)}</td>
+            <td class="number">{formatFactor(factor.value, "none")}</td>
             <td class="number muted">
               {factor.lower !== null && factor.upper !== null
                 ? `${formatFactor(factor.lower)}–${formatFactor(factor.upper)}`

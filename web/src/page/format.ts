@@ -33,9 +33,9 @@ export function formatNumber(value: number | null | undefined, digits = 4, keepZ
   return groupDigits(decimals > 0 && !keepZeros ? text.replace(/\.?0+$/, "") : text);
 }
 
-/** A factor of safety: three decimals, always. */
-export function formatFactor(value: number | null | undefined): string {
-  return value === null || value === undefined ? "–" : value.toFixed(3).replace("-", "−");
+/** A factor of safety: three decimals, always; `none` where there is none. */
+export function formatFactor(value: number | null | undefined, none = "–"): string {
+  return value === null || value === undefined ? none : value.toFixed(3).replace("-", "−");
 }
 
 /** The name of a unit as it follows a number; quantities without one show nothing. */

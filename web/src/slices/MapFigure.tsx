@@ -3,6 +3,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 
 import { formatNumber } from "../charts/base/numbers";
 import type { FactorMap, SlicedSurface, Slices } from "../contract";
+import { formatFactor } from "../page/format";
 import { useDark } from "../drawing/dark";
 import { drawOutlines, drawSoils, drawWater } from "../drawing/ground";
 import { LineKey } from "../drawing/Keys";
@@ -15,7 +16,7 @@ import { makeLevels, makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
 import { binTrials, takeMap, type CentreMap } from "./centreMap";
 import { traceContour } from "./contours";
-import { chooseColours, formatFactor, nameSurface, rankTrials, titleMethod } from "./sliceData";
+import { chooseColours, nameSurface, rankTrials, titleMethod } from "./sliceData";
 import { criticalLook, drawCritical } from "./surfacePainter";
 import { useTrials } from "./useTrials";
 
@@ -128,7 +129,7 @@ export function MapFigure({ slices, selected }: { slices: Slices; selected: Slic
       <ul class="drawing-keys" aria-label="Legend">
         {circle && (
           <LineKey colour={criticalLook.colour} width={2.6}>
-            {nameSurface(selected)}: F = {formatFactor(selected.factor)}, centre (
+            {nameSurface(selected)}: F = {formatFactor(selected.factor, "none")}, centre (
             {circle.centre.map((v) => formatNumber(v / length.si, 4)).join(", ")}), radius{" "}
             {formatNumber(circle.radius / length.si, 4)} {length.name}
           </LineKey>

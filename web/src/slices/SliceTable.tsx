@@ -4,10 +4,11 @@ import { useState } from "preact/hooks";
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import type { SlicedSurface } from "../contract";
+import { formatFactor } from "../page/format";
 import { SymbolText } from "../page/DataTable";
 import { Scroller } from "../page/Scroller";
 import { orderValues } from "./order";
-import { formatFactor, makeSliceTable, nameSurface } from "./sliceData";
+import { makeSliceTable, nameSurface } from "./sliceData";
 
 const lowerFirst = (text: string) => text[0]!.toLowerCase() + text.slice(1);
 
@@ -28,7 +29,7 @@ export function SliceTable({ surface }: { surface: SlicedSurface }) {
         />
       </div>
       <p class="chart-note">
-        F = {formatFactor(surface.factor)}
+        F = {formatFactor(surface.factor, "none")}
         {surface.lambda !== null && `, λ = ${formatNumber(surface.lambda, 4)}`}
         {surface.correction !== 1 && `, f₀ = ${formatNumber(surface.correction, 4)}`}; forces per metre of thickness.
       </p>

@@ -2,9 +2,10 @@
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import type { SlicedSurface, Slices } from "../contract";
+import { formatFactor } from "../page/format";
 import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
-import { formatFactor, nameReason, nameSurface } from "./sliceData";
+import { nameReason, nameSurface } from "./sliceData";
 
 interface Props {
   slices: Slices;
@@ -85,7 +86,7 @@ export function SurfaceTable({ slices, selected, select }: Props) {
                 <span aria-hidden="true">{s === selected ? "●" : "○"}</span> {nameSurface(s)}
               </button>
             </th>
-            <td class="number">{formatFactor(s.factor)}</td>
+            <td class="number">{formatFactor(s.factor, "none")}</td>
             {has.lambda && <td class="number">{formatNumber(s.lambda, 3)}</td>}
             {has.correction && <td class="number">{s.correction === 1 ? "–" : formatNumber(s.correction, 4)}</td>}
             {has.acceleration && <td class="number">{formatNumber(s.yield_acceleration, 3)}</td>}

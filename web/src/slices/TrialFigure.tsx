@@ -4,6 +4,7 @@ import { useMemo, useState } from "preact/hooks";
 import { Choice } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import type { LocalMinimum, SlicedSurface, Slices } from "../contract";
+import { formatFactor } from "../page/format";
 import { useDark } from "../drawing/dark";
 import { clipToSoil, drawOutlines, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
@@ -14,7 +15,7 @@ import { report } from "../state";
 import { makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
 import { drawRanges } from "./ranges";
-import { chooseColours, formatFactor, nameSurface, rankTrials, titleMethod } from "./sliceData";
+import { chooseColours, nameSurface, rankTrials, titleMethod } from "./sliceData";
 import { criticalLook, drawCritical, drawSlices, drawThrust, hasThrust, thrustLook } from "./surfacePainter";
 import { drawTrials, findTrial, trialWidth } from "./trialPainter";
 import { useTrials } from "./useTrials";
@@ -106,7 +107,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
       </div>
       {failure && <p class="chart-bad">The trial surfaces cannot be read: {failure}</p>}
       <SectionCanvas
-        label={`Section with ${show === "best" ? "the critical surface" : `${count} trial surfaces coloured by factor of safety`}; ${nameSurface(selected)} with F = ${formatFactor(selected.factor)}`}
+        label={`Section with ${show === "best" ? "the critical surface" : `${count} trial surfaces coloured by factor of safety`}; ${nameSurface(selected)} with F = ${formatFactor(selected.factor, "none")}`}
         file={`slices_${selected.method}`}
         box={findSoilBox()}
         bar={bar}
@@ -146,7 +147,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
       <ul class="drawing-keys" aria-label="Legend">
         <GroundKeys />
         <LineKey colour={criticalLook.colour} width={2.6}>
-          {nameSurface(selected)}: F = {formatFactor(selected.factor)}
+          {nameSurface(selected)}: F = {formatFactor(selected.factor, "none")}
         </LineKey>
         {on.thrust && hasThrust(selected) && (
           <LineKey colour={thrustLook.colour} dash="7 3">

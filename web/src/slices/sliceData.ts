@@ -14,8 +14,6 @@ export function nameSurface(surface: SlicedSurface): string {
 export const titleMethod = (slices: Slices, name: string) =>
   slices.methods.find((m) => m.name === name)?.title ?? name.replaceAll("_", " ");
 
-export const formatFactor = (factor: number | null) => (factor === null ? "none" : factor.toFixed(3));
-
 /** Unit of forces per metre of thickness that goes with the report's unit of stress: kPa and kN/m. */
 export function findForceUnit(): { name: string; si: number } {
   const { name, si } = report.value.units.stress;

@@ -3,13 +3,12 @@ import * as Plot from "@observablehq/plot";
 
 import type { Study } from "../../contract";
 import { ChartTable, numbers, wrapped } from "../../page/DataTable";
+import { formatFactor } from "../../page/format";
 import { centred } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { CsvButton, Legend } from "../base/Legend";
 import { formatNumber, titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
-
-const format = (value: number | null) => (value === null ? "–" : value.toFixed(3));
 
 export function StudyExtrapolation({ study }: { study: Study }) {
   const { extrapolation } = study;
@@ -99,7 +98,7 @@ export function StudyExtrapolation({ study }: { study: Study }) {
           const x = [...new Set(points.map((p) => p.x))][i]!;
           const here = points.filter((p) => p.x === x);
           return {
-            text: here.map((p) => `${p.name}: ${format(p.y)}`).join("; "),
+            text: here.map((p) => `${p.name}: ${formatFactor(p.y)}`).join("; "),
             marks: here.map((p) => ({ value: p.y, at: x, colour: styleOf(p.k).colour })),
           };
         }}
@@ -119,15 +118,15 @@ export function StudyExtrapolation({ study }: { study: Study }) {
           <tr key={title(f)}>
             <th scope="row">{title(f)}</th>
             <td class="number">{f.sizes.length}</td>
-            <td class="number">{format(f.factors[0] ?? null)}</td>
-            <td class="number">{format(f.factors.at(-1) ?? null)}</td>
+            <td class="number">{formatFactor(f.factors[0] ?? null)}</td>
+            <td class="number">{formatFactor(f.factors.at(-1) ?? null)}</td>
             <td class="number">
-              <strong>{format(f.linear)}</strong>
+              <strong>{formatFactor(f.linear)}</strong>
             </td>
-            <td class="number">{format(f.standard_error)}</td>
-            <td class="number">{format(f.finest_pair)}</td>
+            <td class="number">{formatFactor(f.standard_error)}</td>
+            <td class="number">{formatFactor(f.finest_pair)}</td>
             <td class="number">{formatNumber(f.order, 3)}</td>
-            <td class="number">{format(f.by_order)}</td>
+            <td class="number">{formatFactor(f.by_order)}</td>
           </tr>
         ))}
       </ChartTable>

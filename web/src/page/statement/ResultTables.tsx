@@ -33,7 +33,7 @@ function FactorRows({ factors }: { factors: Factor[] }) {
             {factor.main && <span class="note"> (the answer)</span>}
           </th>
           {isWet && <td>{factor.water ? describeDrainage(factor.water) : "–"}</td>}
-          <td class="number">{factor.value === null ? "none" : formatFactor(factor.value)}</td>
+          <td class="number">{formatFactor(factor.value, "none")}</td>
           <td class="number">{formatFactor(factor.lower)}</td>
           <td class="number">{formatFactor(factor.upper)}</td>
           <td class="prose">{formatSentence(factor.note) || "–"}</td>
