@@ -1,7 +1,8 @@
 /** The slip surfaces of all methods over one section, for a run without material points: on the strains of the finite
  * elements where there are any, else on the soils. */
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 
+import { useSwitches } from "../charts/base/useSwitches";
 import { drawOutlines, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
 import { GroundKeys, LineSwatch } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
@@ -21,9 +22,7 @@ export function Overview() {
   const run = elements?.runs.find((r) => r.fields);
   const fields = useFields(elements, run);
   const surfaces = useMemo(listSurfaces, []);
-  const [hidden, setHidden] = useState<ReadonlySet<string>>(
-    () => new Set(surfaces.filter((s) => !s.first).map((s) => s.name)),
-  );
+  const [hidden, toggle] = useSwitches(() => surfaces.filter((s) => !s.first).map((s) => s.name));
   const limits = run?.fields?.strain_scale ?? [0, 1];
   const colours = tabulateColours("viridis");
   const scale = makeScale(limits[0]!, limits[1]!);
@@ -32,11 +31,6 @@ export function Overview() {
     [fields],
   );
   const shown = surfaces.filter((s) => !hidden.has(s.name));
-  const toggle = (name: string) => {
-    const next = new Set(hidden);
-    if (!next.delete(name)) next.add(name);
-    setHidden(next);
-  };
   const list = (some: NamedSurface[]) =>
     some.map((s) => {
       const { colour, dash } = chooseLook(s.look);

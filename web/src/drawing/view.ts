@@ -1,5 +1,6 @@
 /** The two canvases of a drawing, its view, and when they are drawn. */
 import { printing } from "../charts/base/printing";
+import { saveFile } from "../charts/base/saveFile";
 import { Camera } from "../viewer/camera";
 import { drawRulers } from "../viewer/rulers";
 import { drawScaleBar, uprightFrom, type Bar, type Key } from "../viewer/scaleBar";
@@ -170,14 +171,7 @@ export class View {
     context.fillStyle = readTheme().ground;
     context.fillRect(0, 0, picture.width, picture.height);
     for (const canvas of [this.below, this.above]) context.drawImage(canvas, 0, 0);
-    picture.toBlob((blob) => {
-      if (!blob) return;
-      const link = document.createElement("a");
-      link.href = URL.createObjectURL(blob);
-      link.download = name;
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-    });
+    picture.toBlob((blob) => blob && saveFile(blob, name));
   }
 
   dispose(): void {

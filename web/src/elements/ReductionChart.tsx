@@ -4,16 +4,17 @@ import { useMemo, useState } from "preact/hooks";
 
 import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
-import { Choice, Legend } from "../charts/base/Legend";
+import { AxisChoice, type AxisKind, Legend } from "../charts/base/Legend";
 import { formatQuantity } from "../charts/base/numbers";
 import { styleOf } from "../charts/base/styles";
+import { useSwitches } from "../charts/base/useSwitches";
 import type { FlowRun } from "../contract";
 import { report } from "../state";
 
 export function ReductionChart({ runs }: { runs: FlowRun[] }) {
   const { displacement: unit } = report.value.units;
-  const [axis, setAxis] = useState<"linear" | "log">("linear");
-  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const [axis, setAxis] = useState<AxisKind>("linear");
+  const [hidden, toggle] = useSwitches();
   // Failed trials far above the factor say nothing, and would press the curve together.
   const beyond = useMemo(() => {
     const least = Math.min(...runs.flatMap((r) => r.trials.map((t) => t.factor)));
@@ -99,27 +100,11 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
     <figure class="chart-figure" aria-label="Displacement over strength reduction factor, finite elements">
       <div class="chart-head">
         <h4>Displacement over strength reduction factor</h4>
-        <Choice
-          label="Axis of the displacement"
-          value={axis}
-          options={[
-            { value: "linear", title: "linear" },
-            { value: "log", title: "logarithmic" },
-          ]}
-          onChange={setAxis}
-        />
+        <AxisChoice label="Axis of the displacement" value={axis} onChange={setAxis} />
       </div>
       <Legend
         hidden={hidden}
-        onToggle={
-          runs.length > 1
-            ? (id) => {
-                const next = new Set(hidden);
-                if (!next.delete(id)) next.add(id);
-                setHidden(next);
-              }
-            : undefined
-        }
+        onToggle={runs.length > 1 ? toggle : undefined}
         items={runs.map((run, k) => ({ id: run.flow, title: run.title, style: styleOf(k) }))}
       />
       <Chart

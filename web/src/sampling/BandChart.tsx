@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 
 import { centred, findLogTicks, formatLogTick } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
-import { Choice, CsvButton } from "../charts/base/Legend";
+import { AxisChoice, type AxisKind, CsvButton } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import { formatShare } from "./probability";
 
@@ -22,7 +22,7 @@ interface Props {
 }
 
 export function BandChart({ title, axis, axisUnit, probability, points, part, note }: Props) {
-  const [scale, setScale] = useState<"linear" | "log">("linear");
+  const [scale, setScale] = useState<AxisKind>("linear");
   const positive = points.flatMap((p) => [p[1]!, p[2]!]).filter((v) => v > 0);
   const log = scale === "log" && positive.length > 0;
   const lowest = log ? 100 * Math.min(...positive) : 0;
@@ -62,15 +62,7 @@ export function BandChart({ title, axis, axisUnit, probability, points, part, no
       <div class="chart-head">
         <h4>{title}</h4>
         <span class="chart-tools">
-          <Choice
-            label="Axis of the probability"
-            value={scale}
-            options={[
-              { value: "linear", title: "linear" },
-              { value: "log", title: "logarithmic" },
-            ]}
-            onChange={setScale}
-          />
+          <AxisChoice label="Axis of the probability" value={scale} onChange={setScale} />
           <CsvButton
             part={part}
             columns={() => [

@@ -5,7 +5,7 @@ import type { SequenceField } from "../contract";
 import { readValues } from "../data";
 import { fieldName, load, pickedPoint, report } from "../state";
 import { writeNumber, writeUnit } from "./format";
-import { saveFile } from "./picture";
+import { saveFile } from "../charts/base/saveFile";
 import { writePointCsv } from "./pointCsv";
 import { PointHistory } from "./PointHistory";
 import { frame, shown, type Shown } from "./shown";

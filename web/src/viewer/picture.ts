@@ -1,4 +1,5 @@
 /** Pictures of the stage for outside: a file, a sheet of paper. */
+import { saveFile } from "../charts/base/saveFile";
 import { drawCaption, captionHeight } from "./caption";
 import type { Theme } from "./theme";
 import { paperTheme } from "./theme";
@@ -37,13 +38,4 @@ export function savePicture(stage: Pictured, theme: Theme, name: string): void {
   const canvas = document.createElement("canvas");
   if (!stage.drawElsewhere(null, () => compose(stage, canvas, theme, 2, captionHeight))) return;
   canvas.toBlob((blob) => blob && saveFile(blob, name), "image/png");
-}
-
-/** Hands a file to the browser's downloads. */
-export function saveFile(content: Blob, name: string): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }

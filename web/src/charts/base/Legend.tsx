@@ -1,6 +1,7 @@
 /** The legend of a chart, whose entries switch series on and off; and the button that saves a table. */
 import { report } from "../../state";
 import { type CsvColumn, makeFileName, writeCsv } from "./csv";
+import { saveFile } from "./saveFile";
 import type { SeriesStyle } from "./styles";
 
 export interface LegendItem {
@@ -68,12 +69,8 @@ export function Legend({ items, hidden, onToggle, markers }: LegendProps) {
 /** Saves `columns()` as a file named after the project and `part`. */
 export function CsvButton({ part, columns, what }: { part: string; columns: () => CsvColumn[]; what?: string }) {
   const save = () => {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([writeCsv(columns())], { type: "text/csv;charset=utf-8" }));
-    link.download = makeFileName(report.value.project.title, part);
-    link.click();
-    // The browser has taken the data by then; without this the blob would stay for the life of the page.
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    const content = new Blob([writeCsv(columns())], { type: "text/csv;charset=utf-8" });
+    saveFile(content, makeFileName(report.value.project.title, part));
   };
   return (
     <button type="button" class="chart-button" onClick={save}>
@@ -102,5 +99,29 @@ export function Choice<T extends string>(props: {
         </button>
       ))}
     </span>
+  );
+}
+
+export type AxisKind = "linear" | "log";
+
+interface AxisProps {
+  label: string;
+  value: AxisKind;
+  /** What the two are called where there is little room. */
+  short?: boolean;
+  onChange: (kind: AxisKind) => void;
+}
+
+/** A choice between a linear and a logarithmic axis. */
+export function AxisChoice({ short, ...props }: AxisProps) {
+  const [linear, log] = short ? ["lin", "log"] : ["linear", "logarithmic"];
+  return (
+    <Choice
+      {...props}
+      options={[
+        { value: "linear", title: linear! },
+        { value: "log", title: log! },
+      ]}
+    />
   );
 }

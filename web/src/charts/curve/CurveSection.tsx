@@ -3,11 +3,12 @@ import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";
 
 import type { Criterion, Curve } from "../../contract";
+import { formatFactor } from "../../page/format";
 import { frameIndex, report, sequence, sequenceIndex } from "../../state";
 import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { makeCurveColumns, placeFlags, sampleBranch } from "./curveData";
-import { Choice, CsvButton } from "../base/Legend";
+import { AxisChoice, type AxisKind, CsvButton } from "../base/Legend";
 import { findNearestFrame } from "../base/nearest";
 import { formatNumber, formatQuantity } from "../base/numbers";
 import { findRestLimits, judgeTrial, stateWords, type TrialState } from "./rest";
@@ -20,8 +21,6 @@ const criterionTitles: Record<Criterion, string> = {
   frozen: "frozen geometry",
 };
 
-/** Factors stand under each other and are compared: three decimals for all. */
-const formatFactor = (factor: number | null) => (factor === null ? "–" : factor.toFixed(3));
 const margin = { left: 62, right: 18, bottom: 48 };
 const ink = "var(--ink)";
 const rowHeight = 18;
@@ -45,7 +44,7 @@ export function CurveSection() {
 }
 
 function CurveChart({ curve }: { curve: Curve }) {
-  const [scale, setScale] = useState<"linear" | "log">("linear");
+  const [scale, setScale] = useState<AxisKind>("linear");
   const unit = report.value.units.displacement;
   const limits = useMemo(() => findRestLimits(report.value.input, report.value.model.slope_height), [report.value]);
   const log = scale === "log";
@@ -177,15 +176,7 @@ function CurveChart({ curve }: { curve: Curve }) {
   return (
     <>
       <div class="chart-bar">
-        <Choice
-          label="Axis of displacement"
-          value={scale}
-          options={[
-            { value: "linear", title: "linear" },
-            { value: "log", title: "logarithmic" },
-          ]}
-          onChange={setScale}
-        />
+        <AxisChoice label="Axis of displacement" value={scale} onChange={setScale} />
       </div>
       <Chart
         label="Displacement over strength reduction factor, trials"

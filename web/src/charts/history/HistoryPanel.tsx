@@ -7,10 +7,11 @@ import { frameIndex, report, sequence, sequenceIndex } from "../../state";
 import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { findStageSpans, type Panel } from "./histories";
-import { Choice, Legend } from "../base/Legend";
+import { AxisChoice, Legend } from "../base/Legend";
 import { findNearest, findNearestFrame } from "../base/nearest";
 import { findLargest, formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
 import { printing } from "../base/printing";
+import { useSwitches } from "../base/useSwitches";
 import { findRestLimits } from "../curve/rest";
 import { styleOf } from "../base/styles";
 import { pickRows } from "../base/thin";
@@ -32,7 +33,7 @@ function nameUnit({ unit, extensive }: Panel): string {
 
 export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelProps) {
   const [log, setLog] = useState(panel.log);
-  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const [hidden, toggle] = useSwitches();
   const unit = nameUnit(panel);
   const series = useMemo(() => panel.series.map((s, i) => ({ ...s, style: styleOf(i) })), [panel]);
   const single = series.length === 1 ? series[0] : undefined;
@@ -130,24 +131,17 @@ export function HistoryPanel({ panel, cross, sequence: own, monitors }: PanelPro
     <figure aria-label={panel.title}>
       <div class="chart-head">
         <h4>{panel.title}</h4>
-        <Choice
+        <AxisChoice
+          short
           label={`Axis of ${panel.title}`}
           value={log ? "log" : "linear"}
-          options={[
-            { value: "linear", title: "lin" },
-            { value: "log", title: "log" },
-          ]}
           onChange={(v) => setLog(v === "log")}
         />
       </div>
       {!single && (
         <Legend
           hidden={hidden}
-          onToggle={(id) => {
-            const next = new Set(hidden);
-            if (!next.delete(id)) next.add(id);
-            setHidden(next);
-          }}
+          onToggle={toggle}
           items={series.map((s) => ({
             id: s.name,
             title: s.title,

@@ -9,6 +9,7 @@ import { findEnergyBalance } from "./energy";
 import { HistoryPanel } from "./HistoryPanel";
 import { type HistoryGroup, groupHistories, makePanels } from "./histories";
 import { CsvButton } from "../base/Legend";
+import { useSwitches } from "../base/useSwitches";
 
 /** The table as it is, and the residual of the energy balance where it can be formed. */
 function makeColumns(table: Table): CsvColumn[] {
@@ -63,14 +64,9 @@ function Panels({ group }: { group: HistoryGroup }) {
     () => group.tables.flatMap((table) => makePanels(table).map((panel) => ({ panel, table }))),
     [group],
   );
-  const [shown, setShown] = useState(() => new Set(panels.filter((p) => p.panel.first).map((p) => p.panel.id)));
+  const [shown, toggle] = useSwitches(() => panels.filter((p) => p.panel.first).map((p) => p.panel.id));
   // One crosshair for all charts of the run.
   const cross = useMemo(() => signal<number | null>(null), [group]);
-  const toggle = (id: string) => {
-    const next = new Set(shown);
-    if (!next.delete(id)) next.add(id);
-    setShown(next);
-  };
   return (
     <>
       {group.tables.map((t) => (

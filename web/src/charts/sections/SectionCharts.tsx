@@ -9,6 +9,7 @@ import { Chart } from "../base/Chart";
 import { Choice, CsvButton, Legend } from "../base/Legend";
 import { interpolate } from "../study/motionData";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
+import { useSwitches } from "../base/useSwitches";
 import {
   chooseField, findAxis, makeSectionCharts, makeSectionColumns, type SectionChart, type SectionOfRun,
 } from "./sectionData";
@@ -115,7 +116,7 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
   const section = runs[0]!.section;
   const [name, setName] = useState(() => chooseField(section));
   const [by, setBy] = useState<"run" | "time">("run");
-  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const [hidden, toggle, showAll] = useSwitches();
   const cross = useMemo(() => signal<number | null>(null), [section]);
   const charts = useMemo(() => makeSectionCharts(runs, name, by), [runs, name, by]);
   const field = section.fields.find((f) => f.name === name) ?? section.fields[0];
@@ -161,18 +162,14 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
             ]}
             onChange={(v) => {
               setBy(v);
-              setHidden(new Set<string>());
+              showAll();
             }}
           />
         )}
       </div>
       <Legend
         hidden={hidden}
-        onToggle={(id) => {
-          const next = new Set(hidden);
-          if (!next.delete(id)) next.add(id);
-          setHidden(next);
-        }}
+        onToggle={toggle}
         items={names.map((n, i) => ({ id: n, title: n, style: styleOf(i) }))}
       />
       <div class="chart-grid">

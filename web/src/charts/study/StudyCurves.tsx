@@ -7,14 +7,15 @@ import { report } from "../../state";
 import { centred, describeAxis, findLogTicks, formatLogTick } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { makeCurveColumns } from "../curve/curveData";
-import { Choice, CsvButton, Legend } from "../base/Legend";
+import { AxisChoice, type AxisKind, CsvButton, Legend } from "../base/Legend";
 import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
+import { useSwitches } from "../base/useSwitches";
 import { styleOf } from "../base/styles";
 
 export function StudyCurves({ study }: { study: Study }) {
   const unit = report.value.units.displacement;
-  const [scale, setScale] = useState<"linear" | "log">("linear");
-  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const [scale, setScale] = useState<AxisKind>("linear");
+  const [hidden, toggle] = useSwitches();
   const curves = useMemo(
     () =>
       study.rows
@@ -81,24 +82,12 @@ export function StudyCurves({ study }: { study: Study }) {
         <CsvButton part="study-curves" what="curves" columns={columns} />
       </div>
       <div class="chart-bar">
-        <Choice
-          label="Axis of displacement"
-          value={scale}
-          options={[
-            { value: "linear", title: "linear" },
-            { value: "log", title: "logarithmic" },
-          ]}
-          onChange={setScale}
-        />
+        <AxisChoice label="Axis of displacement" value={scale} onChange={setScale} />
       </div>
       <Legend
         markers
         hidden={hidden}
-        onToggle={(id) => {
-          const next = new Set(hidden);
-          if (!next.delete(id)) next.add(id);
-          setHidden(next);
-        }}
+        onToggle={toggle}
         items={curves.map((c) => ({ id: c.name, title: c.name, style: c.style }))}
       />
       <Chart

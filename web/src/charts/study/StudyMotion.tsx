@@ -10,6 +10,7 @@ import { Chart } from "../base/Chart";
 import { Choice, CsvButton, Legend } from "../base/Legend";
 import { interpolate, makeMotionCharts, makeMotionColumns, type MotionChart } from "./motionData";
 import { formatNumber, formatQuantity } from "../base/numbers";
+import { useSwitches } from "../base/useSwitches";
 import { styleOf } from "../base/styles";
 
 /** Times at which the crosshair stops. */
@@ -107,7 +108,7 @@ function MotionPanel({ chart, names, hidden, cross, ends, threshold }: PanelProp
 
 export function StudyMotion({ study }: { study: Study }) {
   const [by, setBy] = useState<"monitor" | "variant">("monitor");
-  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const [hidden, toggle, showAll] = useSwitches();
   const cross = useMemo(() => signal<number | null>(null), [study]);
   const charts = useMemo(() => makeMotionCharts(study, by), [study, by]);
   const unit = report.value.units.displacement;
@@ -136,18 +137,14 @@ export function StudyMotion({ study }: { study: Study }) {
           ]}
           onChange={(v) => {
             setBy(v);
-            setHidden(new Set<string>());
+            showAll();
           }}
         />
       </div>
       <Legend
         markers
         hidden={hidden}
-        onToggle={(id) => {
-          const next = new Set(hidden);
-          if (!next.delete(id)) next.add(id);
-          setHidden(next);
-        }}
+        onToggle={toggle}
         items={names.map((n, i) => ({ id: n, title: n, style: styleOf(i) }))}
       />
       <div class="chart-grid">

@@ -5,7 +5,7 @@ import { useState } from "preact/hooks";
 import type { Study } from "../../contract";
 import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
-import { Choice, Legend } from "../base/Legend";
+import { AxisChoice, type AxisKind, Legend } from "../base/Legend";
 import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
 import { findNumeric, findVaried, nameGroup } from "./studyData";
@@ -28,7 +28,7 @@ export function StudyPlot({ study }: { study: Study }) {
   const keys = findVaried(study).filter((c) => c.values.filter((v) => v !== null).length > 1);
   const [resultName, setResult] = useState(results[0]?.name ?? "");
   const [keyName, setKey] = useState(keys[0]?.name ?? byVariant);
-  const [axisKind, setAxisKind] = useState<"linear" | "log">("log");
+  const [axisKind, setAxisKind] = useState<AxisKind>("log");
   const result = results.find((c) => c.name === resultName);
   if (!result) return null;
   const key = keys.find((c) => c.name === keyName) ?? null;
@@ -131,17 +131,7 @@ export function StudyPlot({ study }: { study: Study }) {
             <option value={byVariant}>variant</option>
           </select>
         </label>
-        {canLog && (
-          <Choice
-            label="Axis of the result"
-            value={axisKind}
-            options={[
-              { value: "linear", title: "linear" },
-              { value: "log", title: "logarithmic" },
-            ]}
-            onChange={setAxisKind}
-          />
-        )}
+        {canLog && <AxisChoice label="Axis of the result" value={axisKind} onChange={setAxisKind} />}
       </div>
       {groups.length > 1 && <Legend markers items={groups.map((g, i) => ({ id: g, title: g, style: styleOf(i) }))} />}
       <Chart
