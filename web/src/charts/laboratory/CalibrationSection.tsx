@@ -1,59 +1,31 @@
 /** A calibration: the fitted parameters with their errors and correlations, and measured points over fitted curves. */
 import * as Plot from "@observablehq/plot";
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 
 import type { Calibration, CalibratedParameter } from "../../contract";
 import { DataTable, numbers } from "../../page/DataTable";
 import { report } from "../../state";
-import { centred, describeAxis, formatLogTick, titleWithPower } from "../base/axes";
 import { type CurveGroup, findRange, groupCurves, makeCurveCsv, makeParameterCsv, shortenKey } from "./calibrationData";
 import { Chart } from "../base/Chart";
 import { CsvButton, Legend } from "../base/Legend";
 import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
-import { listTicks } from "./pointData";
-
-const margins = { marginLeft: 62, marginRight: 14, marginTop: 26, marginBottom: 44 };
-
-function capitalise(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
-}
+import { useSwitches } from "../base/useSwitches";
+import { capitalise, layOutDiagram } from "./diagram";
 
 function Diagram({ group }: { group: CurveGroup }) {
-  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const [hidden, toggle] = useSwitches();
   const shown = group.lines.filter(({ curve }) => !hidden.has(curve.test));
   const { x, y } = group.lines[0]!.curve;
-  const [low, high] = findRange(group.lines, 1);
-  const [left, right] = findRange(group.lines, 0);
-  const axis = describeAxis(low, high, 5);
   const stops = useMemo(
     () => [...new Set(group.lines.flatMap(({ curve }) => curve.at))].sort((a, b) => a - b),
     [group],
   );
   const title = `${y.title} over ${x.title}`;
-  const draw = (): Plot.PlotOptions => ({
-    height: 300,
-    ...margins,
-    x: {
-      type: group.logX ? "log" : "linear",
-      domain: group.logX ? [left / 1.1, right * 1.1] : [left, right],
-      label: titleWithUnit(capitalise(x.title), x.unit),
-      ...centred,
-      inset: 6,
-      ticks: group.logX ? listTicks(left / 1.1, right * 1.1) : 6,
-      tickFormat: group.logX ? formatLogTick : describeAxis(left, right, 6).format,
-    },
-    y: {
-      domain: [low, high],
-      label: titleWithPower(capitalise(y.title), y.unit, axis.power),
-      labelArrow: "none",
-      ticks: 5,
-      tickFormat: axis.format,
-      inset: 6,
-    },
-    symbol: { type: "identity" },
-    marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      low < 0 && high > 0 ? Plot.ruleY([0], { stroke: "var(--muted)" }) : [],
+  const draw = () =>
+    layOutDiagram(
+      { ...x, ends: findRange(group.lines, 0) },
+      { ...y, ends: findRange(group.lines, 1) },
+      { height: 300, inset: 6, logX: group.logX },
       shown.flatMap(({ curve, style }) => [
         Plot.line(curve.line_before, { stroke: style.colour, strokeWidth: 1, strokeOpacity: 0.35, clip: true }),
         Plot.line(curve.line, { stroke: style.colour, strokeWidth: 1.7, strokeDasharray: style.dash, clip: true }),
@@ -62,8 +34,7 @@ function Diagram({ group }: { group: CurveGroup }) {
           { stroke: style.colour, fill: "var(--ground)", symbol: style.symbol, r: 3.6, strokeWidth: 1.6 },
         ),
       ]),
-    ],
-  });
+    );
   return (
     <figure class="chart-figure" aria-label={title}>
       <div class="chart-head">
@@ -73,11 +44,7 @@ function Diagram({ group }: { group: CurveGroup }) {
       <Legend
         markers
         hidden={hidden}
-        onToggle={(id) => {
-          const next = new Set(hidden);
-          if (!next.delete(id)) next.add(id);
-          setHidden(next);
-        }}
+        onToggle={toggle}
         items={group.lines.map(({ curve, style }) => ({
           id: curve.test,
           title: curve.weight > 0 ? curve.test : `${curve.test} (not fitted)`,

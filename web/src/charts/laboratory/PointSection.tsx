@@ -1,17 +1,16 @@
 /** Element tests: diagrams of each kind of apparatus, with one legend, and what came out in a table. */
 import * as Plot from "@observablehq/plot";
-import { useMemo, useState } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 
 import type { PointGroup, PointTest, PointTests } from "../../contract";
 import { DataTable, SymbolText, numbers } from "../../page/DataTable";
 import { report } from "../../state";
-import { centred, describeAxis, formatLogTick, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { CsvButton, Legend } from "../base/Legend";
-import { formatNumber, formatQuantity, titleWithUnit } from "../base/numbers";
-import { findSpan, listTicks, makeLines, makePointCsv, makeStops, type PointLine, readLines } from "./pointData";
-
-const margins = { marginLeft: 62, marginRight: 14, marginTop: 26, marginBottom: 44 };
+import { formatNumber, formatQuantity } from "../base/numbers";
+import { useSwitches } from "../base/useSwitches";
+import { capitalise, layOutDiagram } from "./diagram";
+import { findSpan, makeLines, makePointCsv, makeStops, type PointLine, readLines } from "./pointData";
 
 function Diagram(props: {
   group: PointGroup;
@@ -23,34 +22,13 @@ function Diagram(props: {
   const first = lines[0]!;
   const x = first.columns.get(panel.x)!;
   const y = first.columns.get(panel.y)!;
-  const [low, high] = findSpan(lines, panel.y);
-  const [left, right] = findSpan(lines, panel.x, panel.log_x);
-  const stops = makeStops(left, right, panel.log_x);
-  const axis = describeAxis(low, high, 5);
-  const ticks = listTicks(left / 1.1, right * 1.1);
-  const draw = (): Plot.PlotOptions => ({
-    height: 260,
-    ...margins,
-    x: {
-      type: panel.log_x ? "log" : "linear",
-      domain: panel.log_x ? [left / 1.1, right * 1.1] : [left, right],
-      label: titleWithUnit(capitalise(x.title), x.unit),
-      ...centred,
-      inset: 4,
-      ticks: panel.log_x ? ticks : 6,
-      tickFormat: panel.log_x ? formatLogTick : describeAxis(left, right, 6).format,
-    },
-    y: {
-      domain: [low, high],
-      label: titleWithPower(capitalise(y.title), y.unit, axis.power),
-      labelArrow: "none",
-      ticks: 5,
-      tickFormat: axis.format,
-      inset: 4,
-    },
-    marks: [
-      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      low < 0 && high > 0 ? Plot.ruleY([0], { stroke: "var(--muted)" }) : [],
+  const ends = findSpan(lines, panel.x, panel.log_x);
+  const stops = makeStops(...ends, panel.log_x);
+  const draw = () =>
+    layOutDiagram(
+      { ...x, ends },
+      { ...y, ends: findSpan(lines, panel.y) },
+      { height: 260, inset: 4, logX: panel.log_x },
       shown.map((line) => {
         const ys = line.columns.get(panel.y)!.values;
         return Plot.line(
@@ -58,8 +36,7 @@ function Diagram(props: {
           { stroke: line.style.colour, strokeDasharray: line.style.dash, strokeWidth: 1.7, clip: true },
         );
       }),
-    ],
-  });
+    );
   const title = `${y.title} over ${x.title}`;
   return (
     <Chart
@@ -84,7 +61,7 @@ function Diagram(props: {
 }
 
 function Group({ tests, group }: { tests: PointTests; group: PointGroup }) {
-  const [hidden, setHidden] = useState<ReadonlySet<string>>(new Set<string>());
+  const [hidden, toggle] = useSwitches();
   const lines = useMemo(() => makeLines(tests, group), [tests, group]);
   const shown = lines.filter((line) => !hidden.has(line.test.name));
   return (
@@ -95,11 +72,7 @@ function Group({ tests, group }: { tests: PointTests; group: PointGroup }) {
       </div>
       <Legend
         hidden={hidden}
-        onToggle={(id) => {
-          const next = new Set(hidden);
-          if (!next.delete(id)) next.add(id);
-          setHidden(next);
-        }}
+        onToggle={toggle}
         items={lines.map((line) => ({ id: line.test.name, title: line.test.name, style: line.style }))}
       />
       <div class="chart-grid">
@@ -149,10 +122,6 @@ function ResultTable({ tests }: { tests: PointTest[] }) {
       ))}
     </DataTable>
   );
-}
-
-function capitalise(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 export function PointSection() {
