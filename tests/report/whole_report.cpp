@@ -148,8 +148,10 @@ TEST_F(WholeReport, TablesAreTheHistories) {
   EXPECT_EQ(first.at("x").at("values").size(), history.values[0].size());
   EXPECT_EQ(first.at("columns").back().at("values").back(), history.values.back().back());
   for (const json& t : tables)
-    for (const json& column : t.at("columns"))
+    for (const json& column : t.at("columns")) {
       EXPECT_NE(column.at("quantity"), "state") << column.at("name") << " is written by no name that is known";
+      EXPECT_EQ(column.at("quantity") == "energy", column.contains("part")) << column.at("name");
+    }
   std::vector<std::string> ids;
   for (const json& t : tables) {
     ids.push_back(t.at("id"));

@@ -9,6 +9,7 @@ namespace {
 struct Known {
   HistoryQuantity quantity;
   bool extensive = false;
+  std::optional<EnergyPart> part{};
 };
 
 /// Names without monitor, "largest_" and component.
@@ -18,12 +19,12 @@ const std::map<std::string_view, Known>& list_known() {
       {"time", {time}},
       {"step", {count}},
       {"time_step", {time_step}},
-      {"kinetic_energy", {energy, true}},
+      {"kinetic_energy", {energy, true, EnergyPart::kinetic}},
       {"potential_energy", {potential_energy, true}},
-      {"elastic_energy", {energy, true}},
-      {"plastic_work", {energy, true}},
-      {"damping_work", {energy, true}},
-      {"external_work", {energy, true}},
+      {"elastic_energy", {energy, true, EnergyPart::elastic}},
+      {"plastic_work", {energy, true, EnergyPart::plastic}},
+      {"damping_work", {energy, true, EnergyPart::damping}},
+      {"external_work", {energy, true, EnergyPart::external}},
       {"force_ratio", {force_ratio}},
       {"nodal_speed", {nodal_speed}},
       {"points", {count}},
@@ -70,6 +71,7 @@ HistoryColumn describe_column(const std::string& name) {
   }
   if (known == list_known().end()) return column;
   column.quantity = known->second.quantity;
+  column.part = known->second.part;
   column.extensive = known->second.extensive;
   return column;
 }

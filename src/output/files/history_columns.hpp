@@ -3,6 +3,7 @@
 // room for more.
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "results/about.hpp"
@@ -33,12 +34,16 @@ enum class HistoryQuantity {
   state  ///< another variable of a soil model
 };
 
+/// Of the balance of energy: what goes into the body, and what it becomes.
+enum class EnergyPart { external, kinetic, elastic, plastic, damping };
+
 struct HistoryColumn {
   HistoryQuantity quantity = HistoryQuantity::state;
-  std::string of;          ///< monitor or side; empty: the whole body
-  bool largest = false;    ///< of all points
-  char component = 0;      ///< 'x', 'y', 'z'; 0: a scalar, or the length of a vector
-  bool extensive = false;  ///< in plane strain per metre of thickness
+  std::optional<EnergyPart> part;  ///< of energy
+  std::string of;                  ///< monitor or side; empty: the whole body
+  bool largest = false;            ///< of all points
+  char component = 0;              ///< 'x', 'y', 'z'; 0: a scalar, or the length of a vector
+  bool extensive = false;          ///< in plane strain per metre of thickness
 };
 
 /// "crest.displacement_x", "kinetic_energy", "left.inflow".
@@ -47,6 +52,12 @@ HistoryColumn describe_column(const std::string& name);
 }  // namespace talus::output
 
 namespace talus::results {
+
+template <>
+inline constexpr auto words<output::EnergyPart> =
+    std::array{Word{output::EnergyPart::external, "external"}, Word{output::EnergyPart::kinetic, "kinetic"},
+               Word{output::EnergyPart::elastic, "elastic"}, Word{output::EnergyPart::plastic, "plastic"},
+               Word{output::EnergyPart::damping, "damping"}};
 
 template <>
 inline constexpr auto words<output::HistoryQuantity> =

@@ -42,7 +42,7 @@ std::vector<std::string> split(const std::string& line) {
 json make_column(const output::Column& column, bool ground, const std::vector<double>& values,
                  const std::vector<std::size_t>& rows) {
   const output::HistoryColumn described =
-      ground ? output::HistoryColumn{.quantity = output::HistoryQuantity::position, .of = ""}
+      ground ? output::HistoryColumn{.quantity = output::HistoryQuantity::position, .part = {}, .of = ""}
              : output::describe_column(column.name);
   json list = json::array();
   for (const std::size_t i : rows) list.push_back(std::isfinite(values[i]) ? json(values[i]) : json());
@@ -54,6 +54,7 @@ json make_column(const output::Column& column, bool ground, const std::vector<do
             {"largest", described.largest},
             {"extensive", described.extensive},
             {"values", list}};
+  if (described.part) made["part"] = results::to_word(*described.part);
   if (described.component != 0) made["component"] = std::string(1, described.component);
   return made;
 }

@@ -65,6 +65,8 @@ export interface Column {
 /** A column of a history, of monitors, or of the ground. */
 export interface TableColumn extends Column {
   quantity: HistoryQuantity;
+  /** Of energy: what goes into the body, and what it becomes. */
+  part?: "external" | "kinetic" | "elastic" | "plastic" | "damping";
   /** Monitor, or side that water passes; empty: the whole body. */
   of: string;
   /** Of all points. */

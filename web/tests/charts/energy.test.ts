@@ -2,8 +2,9 @@
 import { expect, test } from "vitest";
 
 import { findEnergyBalance } from "../../src/charts/history/energy";
+import type { TableColumn } from "../../src/contract";
 
-const column = (name: string, values: (number | null)[]) => ({ name, title: name, unit: "J", values });
+const column = (part: TableColumn["part"], values: (number | null)[]) => ({ part, values });
 const times = Array.from({ length: 50 }, (_, i) => i * 0.02);
 
 /** A weight m on a spring k, let go at rest: x = (mg/k)(1 - cos ωt), whose energies are known in closed form. */
@@ -14,11 +15,11 @@ function makeOscillator(lost: number) {
   const v = times.map((t) => ((m * g) / k) * omega * Math.sin(omega * t));
   return {
     columns: [
-      column("external_work", x.map((s) => 1000 + m * g * s)),
-      column("kinetic_energy", v.map((s) => 0.5 * m * s * s)),
-      column("elastic_energy", x.map((s) => 400 + 0.5 * k * s * s)),
-      column("plastic_work", times.map(() => 70)),
-      column("damping_work", times.map((t) => 30 - lost * t)),
+      column("external", x.map((s) => 1000 + m * g * s)),
+      column("kinetic", v.map((s) => 0.5 * m * s * s)),
+      column("elastic", x.map((s) => 400 + 0.5 * k * s * s)),
+      column("plastic", times.map(() => 70)),
+      column("damping", times.map((t) => 30 - lost * t)),
     ],
   };
 }

@@ -1,7 +1,7 @@
 /** The balance of energy of a history, see "Budgets" in the theory: what goes in, where it goes, what is left over. */
-import type { Column } from "../../contract";
+import type { TableColumn } from "../../contract";
 
-const stores = ["kinetic_energy", "elastic_energy", "plastic_work", "damping_work"] as const;
+const stores = ["kinetic", "elastic", "plastic", "damping"] as const;
 
 export interface EnergyBalance {
   /** external work − (kinetic + elastic + plastic + damping), all as changes since the first row [J]. */
@@ -17,13 +17,12 @@ export function takeChange(values: readonly (number | null)[]): (number | null)[
 }
 
 /** Whether it is what goes into the body; the other energies are what it becomes. */
-export const isWork = ({ name }: Pick<Column, "name">) => name === "external_work";
+export const isWork = ({ part }: Pick<TableColumn, "part">) => part === "external";
 
 /** null when the table lacks one of the columns. */
-export function findEnergyBalance(table: { columns: Column[] }): EnergyBalance | null {
-  const find = (name: string): Column | undefined => table.columns.find((c) => c.name === name);
+export function findEnergyBalance(table: { columns: Pick<TableColumn, "part" | "values">[] }): EnergyBalance | null {
   const work = table.columns.find(isWork);
-  const parts = stores.map(find);
+  const parts = stores.map((part) => table.columns.find((c) => c.part === part));
   if (!work || parts.some((p) => !p)) return null;
   const changes = parts.map((p) => takeChange(p!.values));
   const done = takeChange(work.values);
