@@ -71,7 +71,7 @@ function FactorRows({ table }: { table: MethodTable }) {
   const compare = (row: MethodRow) =>
     row.factor === null || !reference?.factor || row === reference ? null : row.factor / reference.factor - 1;
   const columns = () => [
-    { name: "method", values: rows.map((r) => methodNames[r.method] ?? r.method) },
+    { name: "method", values: rows.map((r) => methodNames[r.method]) },
     { name: "title", values: rows.map((r) => r.title) },
     { name: "criterion", values: rows.map((r) => r.criterion) },
     { name: "factor of safety", unit: "-", values: rows.map((r) => r.factor) },

@@ -92,8 +92,7 @@ export interface LocalMinimum {
 }
 
 export interface SliceSearch {
-  /** "entry_exit", "grid". */
-  kind: string;
+  kind: "entry_exit" | "grid";
   tried: number;
   /** Surfaces that gave no factor, by method and reason. */
   refused: { method: string; reasons: { reason: string; count: number }[] }[];

@@ -58,8 +58,7 @@ export interface Season {
 /** What water meets on a side. */
 export interface HydraulicCondition {
   on: string;
-  /** "total_head", "pressure", "seepage_face", "rain", "flux", "no_flow". */
-  condition: string;
+  condition: "total_head" | "pressure" | "seepage_face" | "rain" | "flux" | "no_flow";
   title: string;
   /** What happens there, in words. */
   text: string;

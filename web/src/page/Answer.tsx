@@ -19,7 +19,7 @@ function MainFactors({ factors }: { factors: Factor[] }) {
       <dl>
         {factors.map((factor) => (
           <div key={factor.name}>
-            <dt>{methodNames[factor.method] ?? factor.method}</dt>
+            <dt>{methodNames[factor.method]}</dt>
             <dd>
               <span class={factor.value! < 1 ? "value bad" : "value"}>{formatFactor(factor.value)}</span>
               <span class="criterion">{factor.title}</span>

@@ -1,8 +1,8 @@
 /** Factors of safety by method and criterion, each with its bracket, drawn on one common axis. */
 import { formatFactor } from "./format";
-import type { Factor } from "../contract";
+import type { Factor, MethodName } from "../contract";
 
-export const methodNames: { [method: string]: string } = {
+export const methodNames: Record<MethodName, string> = {
   mpm: "Material points",
   lem: "Slices",
   fem: "Finite elements",
@@ -69,9 +69,7 @@ export function FactorTable({ factors, among, caption }: Props) {
         {factors.map((factor) => (
           <tr key={`${factor.method} ${factor.name} ${factor.title}`} class={factor.main ? "main" : undefined}>
             <th scope="row" title={factor.note || undefined}>
-              {methods.size > 1 && (
-                <span class="method">{methodNames[factor.method] ?? factor.method.toUpperCase()}: </span>
-              )}
+              {methods.size > 1 && <span class="method">{methodNames[factor.method]}: </span>}
               {factor.title}
               {factor.water && <span class="note">; {describeDrainage(factor.water)}</span>}
               {factor.value === null && factor.note && <span class="note"> – {factor.note}</span>}

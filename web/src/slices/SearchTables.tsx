@@ -1,17 +1,17 @@
 /** How the search went: what was tried and refused, limits that were hit, and separate local minima. */
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
-import type { LocalMinimum, SlicedSurface, Slices } from "../contract";
+import type { LocalMinimum, SlicedSurface, Slices, SliceSearch } from "../contract";
 import { formatSentence } from "../page/format";
 import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
 import { nameReason, titleMethod } from "./sliceData";
 
-const kinds: { [kind: string]: string } = {
+const kinds: Record<SliceSearch["kind"], string> = {
   entry_exit: "Circles through points of entry and exit on the ground, several depths each",
   grid: "Circles about a grid of centres, several radii each",
 };
 
-function describeRanges(search: NonNullable<Slices["search"]>): string {
+function describeRanges(search: SliceSearch): string {
   const { length } = report.value.units;
   const tell = (v: number) => formatNumber(v / length.si, 4);
   const parts = [];
@@ -31,7 +31,7 @@ export function SearchSummary({ slices }: { slices: Slices }) {
   return (
     <>
       <p>
-        {kinds[search.kind] ?? search.kind}
+        {kinds[search.kind]}
         {describeRanges(search)}. {formatNumber(search.tried, 6)} tried with {slices.slice_count} slices in{" "}
         {formatQuantity(slices.seconds, "s", 3)}
         {rate}.

@@ -12,7 +12,7 @@ export function nameSurface(surface: SlicedSurface): string {
 }
 
 export const titleMethod = (slices: Slices, name: string) =>
-  slices.methods.find((m) => m.name === name)?.title ?? name.replaceAll("_", " ");
+  slices.methods.find((m) => m.name === name)?.title ?? name;
 
 /** Unit of forces per metre of thickness that goes with the report's unit of stress: kPa and kN/m. */
 export function findForceUnit(): { name: string; si: number } {

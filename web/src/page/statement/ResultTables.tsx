@@ -27,7 +27,7 @@ function FactorRows({ factors }: { factors: Factor[] }) {
     >
       {factors.map((factor) => (
         <tr key={`${factor.method} ${factor.name} ${factor.title}`} class={factor.main ? "main" : undefined}>
-          <td>{methodNames[factor.method] ?? factor.method.toUpperCase()}</td>
+          <td>{methodNames[factor.method]}</td>
           <th scope="row">
             {factor.title}
             {factor.main && <span class="note"> (the answer)</span>}
