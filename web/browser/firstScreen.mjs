@@ -35,7 +35,7 @@ export async function checkFirstScreen(list, page, report, summary) {
     }
     for (const criterion of found.criteria ?? []) {
       const text = typeof criterion.factor !== "number" ? "none" : criterion.factor.toFixed(3);
-      const title = report.answer.factors.find((f) => f.name === `factor_of_safety.${criterion.name}`)?.title;
+      const title = report.answer.factors.find((f) => f.by === criterion.name)?.title;
       const row = page.locator("tr", { hasText: title ?? criterion.name }).filter({ hasText: text });
       const stands = title !== undefined && (await row.count()) > 0;
       list.expect(stands, `the ${criterion.name} criterion's factor ${text} stands in a row named for it`);

@@ -11,8 +11,7 @@ export function nameSurface(surface: SlicedSurface): string {
   return `${surface.title}, ${surface.kind === "circle" ? "critical circle" : "polyline"}`;
 }
 
-export const titleMethod = (slices: Slices, name: string) =>
-  slices.methods.find((m) => m.name === name)?.title ?? name;
+export const titleMethod = (slices: Slices, name: string) => slices.methods.find((m) => m.name === name)?.title ?? name;
 
 /** Unit of forces per metre of thickness that goes with the report's unit of stress: kPa and kN/m. */
 export function findForceUnit(): { name: string; si: number } {
