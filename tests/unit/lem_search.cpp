@@ -197,14 +197,14 @@ TEST(LemSearch, TheMapHoldsTheSmallestFactorOfAllTrials) {
     const SearchResult result = search(Slope(make_section(plain, make_soil(5, 25, 19), 0)), options);
     for (std::size_t m = 0; m < result.maps.size(); ++m) {
       float trials = 1e9f, map = 1e9f;
-      for (const Trial& t : result.trials)
+      for (const TriedCircle& t : result.trials)
         if (t.factors[m] > 0) trials = std::min(trials, t.factors[m]);
       for (const float f : result.maps[m].factor)
         if (f < map) map = f;
       EXPECT_EQ(trials, map);
       long refused = 0, zero = 0;
       for (const auto& [reason, count] : result.refused[m]) refused += count;
-      for (const Trial& t : result.trials) zero += t.factors[m] == 0 ? 1 : 0;
+      for (const TriedCircle& t : result.trials) zero += t.factors[m] == 0 ? 1 : 0;
       EXPECT_EQ(refused, zero);
       EXPECT_EQ(result.tried, static_cast<long>(result.trials.size()));
     }
@@ -262,7 +262,7 @@ TEST(LemSearch, CompositeCirclesSlideOnTheBase) {
   options.composite = true;
   const SearchResult composite = search(slope, options);
   EXPECT_LE(composite.circular[1].solution.factor, 1.0005 * plain_circles.circular[1].solution.factor);
-  EXPECT_TRUE(std::any_of(composite.trials.begin(), composite.trials.end(), [](const Trial& t) {
+  EXPECT_TRUE(std::any_of(composite.trials.begin(), composite.trials.end(), [](const TriedCircle& t) {
     return t.surface.circle->centre[1] - t.surface.circle->radius < 6 && t.factors[1] > 0;
   }));
 }
