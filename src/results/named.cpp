@@ -233,7 +233,7 @@ std::vector<NamedValue> list_values(const RunResult& run, int dimension) {
       values.add_times(path, of, r.failure_time, r.trial.end, r.trial.time);
     }
   if (run.runout) values.add_runout("runout", "", *run.runout);
-  if (run.stages && !run.stages->empty())
+  if (run.runout && run.stages && !run.stages->empty())
     values.add_times("runout", "", run.failure_time, run.stages->back().end, run.stages->back().time);
   if (run.motion) values.add_motion(*run.motion);
   if (run.stages)
