@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The rules a machine can check: floors and file lengths, formatting, and clang-tidy with .clang-tidy.
+# The rules a machine can check: floors and file lengths, names in documents, formatting, and clang-tidy with .clang-tidy.
 # Usage: tools/lint.sh [build folder with compile_commands.json] [files …]; without files: every .cpp of src.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -8,6 +8,7 @@ shift || true
 status=0
 
 tools/check_floors.py || status=1
+tools/check_claims.py || status=1
 tools/format.sh --check || { echo "lint: make format mends the formatting."; status=1; }
 
 files=("$@")
