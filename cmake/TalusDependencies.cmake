@@ -1,4 +1,4 @@
-# Everything here is a Debian package named in tools/apt-packages.txt; docs/decisions/0003 says why each was chosen.
+# The libraries, each a Debian package named in tools/apt-packages.txt; docs/decisions/0003 says why each was chosen.
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json 3 REQUIRED)

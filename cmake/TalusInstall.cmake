@@ -1,3 +1,5 @@
+# What is installed: program, library, headers, and the files by which other projects find them.
+
 include(CMakePackageConfigHelpers)
 install(TARGETS talus_lib talus_options EXPORT talus-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})

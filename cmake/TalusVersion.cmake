@@ -1,4 +1,4 @@
-# The commit goes into every summary.json: a result must say which source made it.
+# The commit as a part of the version, for every summary.json: a result must say which source made it.
 find_package(Git QUIET)
 set(TALUS_COMMIT "unknown")
 if(GIT_FOUND)

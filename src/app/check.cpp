@@ -1,3 +1,5 @@
+// `talus check CASE`: every fault of a case file, or what the case would calculate.
+
 #include <fmt/format.h>
 
 #include <memory>

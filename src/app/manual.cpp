@@ -1,3 +1,5 @@
+// `talus manual`: the reference of every key of a case file, or of the results.
+
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,3 +1,5 @@
+// `talus schema`: the JSON Schema of case files, or of the results.
+
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,3 +1,5 @@
+// `talus template`: a commented case file that can be run as it is.
+
 #include <fmt/format.h>
 
 #include "app/commands.hpp"

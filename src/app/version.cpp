@@ -1,3 +1,5 @@
+// `talus version`: the version, its source, and how it was built.
+
 #include "base/version.hpp"
 
 #include <fmt/format.h>

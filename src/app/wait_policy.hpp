@@ -1,4 +1,5 @@
 #pragma once
+// Threads of OpenMP that wait for others sleep instead of spinning.
 
 namespace talus::app {
 

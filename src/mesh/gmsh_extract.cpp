@@ -1,3 +1,5 @@
+// Gmsh's nodes, elements and named sides as a mesh, and how its nodes may move.
+
 #include <fmt/format.h>
 #include <gmsh.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Gmsh keeps one global state per process. This is its lock, its start and its end.
+// The lock, the start and the end of Gmsh, which keeps one global state per process.
 
 #include <mutex>
 #include <string>

@@ -1,3 +1,5 @@
+// A ready mesh in Gmsh's format: its header is looked at, its physical groups are regions and sides.
+
 #include <fmt/format.h>
 #include <gmsh.h>
 

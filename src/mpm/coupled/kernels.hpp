@@ -1,5 +1,5 @@
 #pragma once
-// What pore water adds to the mathematics of one element (kernels.hpp), as templates on T.
+// What pore water adds to the mathematics of one element (mpm/step/kernels.hpp), as templates on T.
 
 #include "mpm/step/kernels.hpp"
 

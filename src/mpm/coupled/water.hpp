@@ -1,5 +1,5 @@
 #pragma once
-// Pore water of the engine as plain data: what the coupled step (coupled.hpp) has beside the fields of one phase.
+// Pore water of the engine as plain data: what the coupled step (coupled_step.hpp) has beside the fields of one phase.
 // Symbols and formulas: docs/theory/14-two-phase.md. Pressure p is positive in tension, so suction is a positive p.
 
 #include <cstdint>
@@ -88,7 +88,7 @@ struct Water {
   std::vector<WaterLaw> laws;   ///< by material number; empty: the body has one phase
   double density = 1000;        ///< ρ_w at zero pressure, the same in all wet soils [kg/m³]
   double bulk_modulus = 2.2e9;  ///< K_w, likewise [Pa]
-  int first_field = 0;          ///< of the point's water in a slot, see WaterFields in coupled_kernels.hpp
+  int first_field = 0;          ///< of the point's water in a slot, see WaterFields in kernels.hpp
 
   // Conditions.
   std::vector<int> constraint_of_node;  ///< index into constraints, or -1
@@ -108,7 +108,7 @@ struct Water {
   AlignedVector<double> surplus;          ///< what smoothing, exchange and roots take from the water per volume [-]
 
   // Nodes, by row.
-  AlignedVector<double> sums;      ///< [wet_sums_stride]: see coupled_kernels.hpp
+  AlignedVector<double> sums;      ///< [wet_sums_stride]: see kernels.hpp
   AlignedVector<double> motion;    ///< [wet_motion_stride]: a_s, a_w [m/s²], v, θ(w-v) [m/s]
   AlignedVector<double> average;   ///< [4]: Σ Δε V_e, Σ V_e, Σ div V̄, Σ V̄ of nodal averages
   AlignedVector<double> smoothed;  ///< [4]: nodal averages of Δε, of the divergence, unused, of what raises pressure

@@ -1,3 +1,5 @@
+// Nodal forces of the tractions on sides and on points, at the time of the body.
+
 #include "mpm/step/step.hpp"
 
 namespace talus::mpm {

@@ -1,5 +1,5 @@
 #pragma once
-// A time series of an unstructured grid in the VTKHDF layout, version 2.0, as ParaView 5.12 and later open it:
+// A time series of an unstructured grid in the VTKHDF layout, version 2.0, as ParaView 5.12 and later open it.
 // https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/vtkhdf_specifications.html
 // All steps of a quantity stand one after the other in one dataset; `Steps` says where each begins.
 
