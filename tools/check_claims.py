@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds what documents name in `backticks` against the tree: files and folders, commands and their options, targets of make,
+"""Holds what documents name in backticks against the tree: files and folders, commands and their options, targets of make,
 tests, keys of a case, names of the sources, messages of the program. Exits with 1 and one line per claim that is not true.
 
 Usage: check_claims.py | check_claims.py --self-test

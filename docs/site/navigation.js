@@ -49,7 +49,7 @@ const manual = [
 
 const rest = [
   ["Verification", ["docs/verification.md", "docs/performance.md"]],
-  ["How it is built", ["docs/architecture.md", "docs/decisions/README.md", "CONTRIBUTING.md", "CHANGELOG.md"]],
+  ["How it is built", ["docs/architecture.md", "docs/where-is.md", "docs/decisions/README.md", "CONTRIBUTING.md", "CHANGELOG.md"]],
 ];
 
 /** Sections of the navigation: [name, sources of pages]. Pages that do not exist (yet) are left out. */
