@@ -2,6 +2,8 @@
 """Holds what documents name in backticks against the tree: files and folders, commands and their options, targets of make,
 tests, keys of a case, names of the sources, messages of the program. Exits with 1 and one line per claim that is not true.
 
+The number of the version is the same in all files, too.
+
 Usage: check_claims.py | check_claims.py --self-test
 
 It reads text and runs nothing: a name is known when it stands in the code (comments do not count), `a.b` when the two stand
@@ -263,7 +265,17 @@ class Page:
                 yield from ((number, fault) for fault in self.check_command(words))
 
 
+def check_versions(root):
+    """The files that repeat the number of the version (RELEASING.md)."""
+    number = re.search(r"project\(talus VERSION ([\d.]+)", (root / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+    for name in ("CITATION.cff", *(f"{folder}/package{lock}.json" for folder in ("web", "docs/site") for lock in ("", "-lock"))):
+        found = re.search(r'^(?:version:|\s*"version":) "?([\d.]+)', (root / name).read_text(encoding="utf-8"), flags=re.M)[1]
+        if found != number:
+            yield f"{name}: the version is {found}, and in CMakeLists.txt {number}"
+
+
 def find_faults(root):
+    yield from check_versions(root)
     tree = Tree(root)
     for path in find_pages(root):
         name, text = path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")
@@ -281,7 +293,9 @@ def run_self_test():
     """Every kind of claim must be able to fail: a small tree, a page that is true of it, and claims that are not."""
     tree = {
         "Makefile": "docs: all\nPRESET ?= release\n", "CMakePresets.json": '{"name": "release"}\n',
-        "web/package.json": '{"scripts": {"lint": "oxlint"}}\n',
+        "web/package.json": '{"scripts": {"lint": "oxlint"},\n"version": "1.2.3"}\n', "web/package-lock.json": '"version": "1.2.3"\n',
+        "docs/site/package.json": '"version": "1.2.3"\n', "docs/site/package-lock.json": '"version": "1.2.3"\n',
+        "CITATION.cff": "cff-version: 1.2.0\nversion: 1.2.2\n", "CMakeLists.txt": "project(talus VERSION 1.2.3)\n",
         "src/app/case_options.cpp": 'add_option("--set", s);\n',
         "src/app/run.cpp": 'add_subcommand("run", "x");\nadd_option("--threads", n);\nwrite("summary.json");\n',
         "src/input/case/case.hpp": 'v.tables(\n"stage", s);\nv.key("mesh", m);\nv.key("size", m.size, "the soil of "\n"{} is weak");\n',
@@ -305,7 +319,8 @@ def run_self_test():
             (root / name).parent.mkdir(parents=True, exist_ok=True)
             (root / name).write_text(text, encoding="utf-8")
         found = [fault.split(": ")[0] for fault in find_faults(root)]
-    expected = [f"docs/wrong.md:{line}" for line in range(1, len(false) + 1)] + ["docs/blocks.md:4", "docs/blocks.md:9"]
+    expected = [f"docs/wrong.md:{line}" for line in range(1, len(false) + 1)] + [
+        "docs/blocks.md:4", "docs/blocks.md:9", "CITATION.cff"]
     return [f"self-test: the fault in {place} was not found" for place in expected if place not in found] + [
         f"self-test: {place} is no fault" for place in found if place not in expected]
 

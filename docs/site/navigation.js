@@ -49,7 +49,17 @@ const manual = [
 
 const rest = [
   ["Verification", ["docs/verification.md", "docs/performance.md"]],
-  ["How it is built", ["docs/architecture.md", "docs/where-is.md", "docs/decisions/README.md", "CONTRIBUTING.md", "CHANGELOG.md"]],
+  [
+    "How it is built",
+    [
+      "docs/architecture.md",
+      "docs/where-is.md",
+      "docs/decisions/README.md",
+      "CONTRIBUTING.md",
+      "RELEASING.md",
+      "CHANGELOG.md",
+    ],
+  ],
 ];
 
 /** Sections of the navigation: [name, sources of pages]. Pages that do not exist (yet) are left out. */
@@ -69,7 +79,7 @@ export function sections(referencePages) {
 
 /** Markdown outside docs/ that becomes pages as well. */
 export function outsidePages() {
-  return ["CHANGELOG.md", "CONTRIBUTING.md", ...listReadmes("examples")].filter((source) => existsSync(source));
+  return ["CHANGELOG.md", "CONTRIBUTING.md", "RELEASING.md", ...listReadmes("examples")].filter((source) => existsSync(source));
 }
 
 function listReadmes(folder) {
