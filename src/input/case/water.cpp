@@ -157,7 +157,8 @@ void check_water(const Case& data, Findings& findings) {
   for (std::size_t i = 0; i < data.stages.size(); ++i)
     check_step(data, data.stages[i].step, Stage().step, fmt::format("stage.{}", i), findings);
   const StrengthReduction& reduction = data.strength_reduction;
-  check_step(data, reduction.curve.step_settings, DisplacementCurve().step_settings, "strength_reduction.curve", findings);
+  check_step(data, reduction.curve.step_settings, DisplacementCurve().step_settings, "strength_reduction.curve",
+             findings);
   check_step(data, reduction.frozen.step_settings, FrozenFactor().step_settings, "strength_reduction.frozen", findings);
 }
 

@@ -65,10 +65,8 @@ json list_boundaries(const input::Case& data, std::size_t dimension, const std::
   for (const input::Boundary& b : data.boundaries) {
     json lines = json::array();
     if (dimension == 2) lines = find_boundary_lines(b.on, data.mesh, mesh);
-    list.push_back({{"on", b.on},
-                    {"fix", input::get_word(b.fix)},
-                    {"text", describe_boundary(b, dimension)},
-                    {"lines", lines}});
+    list.push_back(
+        {{"on", b.on}, {"fix", input::get_word(b.fix)}, {"text", describe_boundary(b, dimension)}, {"lines", lines}});
   }
   return list;
 }
