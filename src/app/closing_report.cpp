@@ -9,12 +9,12 @@ void do_and_report(const std::filesystem::path& folder, bool wants_report, const
   try {
     work();
   } catch (const Error& error) {
-    // Input errors and a folder that is taken come before anything is written: what lies there is of another run.
+    // Input errors and an occupied folder are found before anything is written: the files there belong to another run.
     const bool has_begun = error.code() != ExitCode::wrong_input && error.code() != ExitCode::folder_exists;
     if (wants_report && has_begun) {
       try {
         report::write_report(folder);
-      } catch (const Error&) {  // the first error is the one to tell
+      } catch (const Error&) {  // the first error is the one to report
       }
     }
     throw;

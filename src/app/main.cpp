@@ -50,7 +50,7 @@ int run_command_line(int argc, char** argv) {
   return static_cast<int>(talus::ExitCode::success);
 }
 
-/// Diagnostics begin with their place already; other errors say whose they are.
+/// Diagnostics already begin with their place; other errors begin with the program's name.
 int report(const talus::Error& error) {
   const bool has_place = dynamic_cast<const talus::InputError*>(&error) != nullptr;
   fmt::print(stderr, "{}{}\n", has_place ? "" : "talus: error: ", error.what());

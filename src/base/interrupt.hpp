@@ -12,7 +12,7 @@ bool is_interrupted();
 /// Throws Error (interrupted) when one has arrived, for work that keeps its results as it goes on.
 void throw_if_interrupted();
 
-/// As if the signal had come, for tests and for programs that have this one inside; false: as if it had not.
+/// Sets the flag as the signal does, for tests and for programs that embed this one; false clears it.
 void request_interrupt(bool wanted = true);
 
 }  // namespace talus

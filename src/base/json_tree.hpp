@@ -1,5 +1,5 @@
 #pragma once
-// A JSON tree that is carried along and written out, such as the echo of a case. Who looks into it includes json.hpp.
+// A JSON tree that is carried along and written out, such as the echo of a case. Code that reads it includes json.hpp.
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>

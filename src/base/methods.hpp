@@ -1,5 +1,5 @@
 #pragma once
-// What answers: the three methods, and the methods of slices. One word for each, from the case to the page.
+// The three methods, and the methods of slices. Each has one word, from the case to the page.
 
 #include <array>
 
@@ -10,7 +10,7 @@ enum class Method { lem, fem, mpm };
 
 enum class SliceMethod {
   fellenius,                  ///< ordinary method; with water N' = W cosα - u l (the classical form)
-  bishop,                     ///< simplified; polylines: moments about the centre of the fitted circle, says so
+  bishop,                     ///< simplified; polylines: moments about the centre of the fitted circle, with a warning
   janbu,                      ///< simplified, f_0 = 1
   janbu_corrected,            ///< simplified times f_0
   spencer,                    ///< parallel interslice forces
@@ -41,7 +41,7 @@ constexpr const char* get_title(SliceMethod method) {
   return slice_methods[static_cast<std::size_t>(method)].title;
 }
 
-/// Whether it takes surfaces that are no circles.
+/// Whether it takes non-circular surfaces.
 constexpr bool suits_polylines(SliceMethod method) {
   return method != SliceMethod::fellenius && method != SliceMethod::bishop;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // One line on the terminal that is written over as work goes on; nothing when standard error is no terminal. A program
-// that has this one inside hears of the progress instead.
+// that embeds this one receives the progress instead.
 
 #include <atomic>
 #include <chrono>

@@ -163,7 +163,7 @@ Quantity parse_quantity(const std::string& text) {
 double get_si_factor(const std::string& unit) {
   std::unique_lock<std::mutex> held;
   const Database& database = Database::lock(held);
-  static std::map<std::string, double> cache;  // every number of a case file comes by here
+  static std::map<std::string, double> cache;  // every number of a case file passes here
   if (const auto found = cache.find(unit); found != cache.end()) return found->second;
   const double factor = database.convert_to_si(1, database.parse(unit).get());
   return cache[unit] = factor;

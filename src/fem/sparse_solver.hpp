@@ -14,9 +14,9 @@ class SparseSolver {
   SparseSolver(SparseSolver&&) noexcept;
 
   /// Factorises A and keeps the factors. `symmetric`: A is symmetric and positive definite, which is cheaper. False
-  /// when A is singular, or not positive definite where that was said.
+  /// when A is singular, or not positive definite although `symmetric`.
   bool factorise(const std::vector<double>& values, bool symmetric);
-  /// Solves A x = b with the factors that are kept. False when the solution is no number.
+  /// Solves A x = b with the factors that are kept. False when the solution is not finite.
   bool solve(const std::vector<double>& b, std::vector<double>& x);
   /// Both in one.
   bool solve(const std::vector<double>& values, bool symmetric, const std::vector<double>& b, std::vector<double>& x);

@@ -25,7 +25,7 @@ std::vector<results::PartialFactor> list_values(const input::PartialFactorValues
           {"resistance", "resistance", "γ_R;e", v.resistance}};
 }
 
-/// Changes numbers of one soil and tells of each that it changed.
+/// Changes numbers of one soil and records each change.
 class SoilFactors {
  public:
   SoilFactors(const std::string& name, std::vector<results::DesignValue>& told) : name_(name), told_(told) {}

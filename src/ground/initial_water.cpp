@@ -102,7 +102,7 @@ InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>&
   water.pressure.assign(mesh.elements.size(), 0.0);
   water.velocity.assign(mesh.elements.size(), {});
   if (!has_water(data)) return water;
-  // A state that is taken over has its weather behind it.
+  // A state from another result already contains its weather.
   const bool has_season = data.initial.water.season > 0 && data.initial.result.empty();
   const bool seeps = data.initial.water.pressure == input::InitialPressure::seepage;
   mesh::Mesh<D> wet_mesh;

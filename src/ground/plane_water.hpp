@@ -21,7 +21,7 @@ struct Pond {
 };
 std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground);
 
-/// Sentences on ponds that end in the open, where the ground beside them is lower than their water.
+/// Sentences on ponds without a bank, where the ground beside them is lower than their water.
 std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground);
 
 /// Level of the water that stands over the ground at x [m]: a pond's, or that of the water table; nothing where the

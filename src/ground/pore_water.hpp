@@ -1,5 +1,5 @@
 #pragma once
-// Pore water of a case as the engine takes it: what each soil does with water, and what stands in the pores.
+// Pore water of a case as the engine takes it: the laws of each soil, and the water in the pores.
 
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace talus::ground {
 /// Whether some soil that fills a region has pore water.
 bool has_water(const input::Case& data);
 
-/// What water does in each material, by material number (list_materials); empty when has_water() is false.
+/// The laws of water in each material, by material number (list_materials); empty when has_water() is false.
 std::vector<mpm::WaterLaw> make_water_laws(const input::Case& data);
 
 /// γ_w [N/m³] under the model's gravity.

@@ -67,7 +67,7 @@ std::optional<double> find_ground_cohesion(const input::Roots& roots) {
   const bool breaks_one_by_one = bundle.model == input::RootBundleModel::fibre_bundle;
   std::vector<material::RootClass> classes;
   for (std::size_t i = 0; i < bundle.area_ratios.size(); ++i) {
-    const double diameter = i < bundle.diameters.size() ? bundle.diameters[i] : 0;  // of no account for the plain sum
+    const double diameter = i < bundle.diameters.size() ? bundle.diameters[i] : 0;  // the plain sum does not use it
     classes.push_back({diameter, bundle.area_ratios[i], bundle.strengths.at(i)});
   }
   return breaks_one_by_one ? material::find_fibre_bundle_cohesion(classes, bundle.orientation)

@@ -17,11 +17,11 @@ template <int D>
 std::vector<double> find_depths(const mesh::Mesh<D>& mesh, const std::string& ground,
                                 const std::vector<Vec<D>>& places);
 
-/// Share of the roots at the ground that is at a depth and at a place along the ground [-] (T17.5): 1 where the block
+/// Roots at a depth and at a place along the ground, as a share of those at the ground [-] (T17.5): 1 where the block
 /// gives its content, 0 below its depth. `x`: horizontal coordinate of the place [m].
 double find_root_share(const input::Roots& roots, double depth, double x);
 
-/// What age and felling leave of the roots, growth × decay [-].
+/// Share of the roots by age and felling, growth × decay [-].
 double find_age_share(const input::Roots& roots);
 
 /// c_r at the ground of roots of full age, given or from their bundle [Pa]; none when the block says nothing of it.
@@ -39,7 +39,7 @@ template <int D>
 std::vector<RootsAt> find_roots(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<Vec<D>>& places,
                                 const std::vector<const input::Material*>& soils);
 
-/// All that find_roots() makes of a case, as text: equal texts, equal roots on the same mesh.
+/// The result of find_roots() for a case, as text: equal texts mean equal roots on the same mesh.
 std::string write_root_input(const input::Case& data);
 
 }  // namespace talus::ground

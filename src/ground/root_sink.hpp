@@ -9,7 +9,7 @@
 
 namespace talus::ground {
 
-/// How much ground drinks through each part of the wet soil.
+/// The ground area that transpires through each part of the wet soil.
 template <int D>
 struct RootDistribution {
   double covered =

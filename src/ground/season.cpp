@@ -19,7 +19,7 @@ constexpr int intervals = 100;
 /// Error of a step by which seepage chooses the next one [m of water]; a tenth of a kilopascal. Suctions of a dry
 /// season are a thousand times as high.
 constexpr double head_tolerance = 0.01;
-/// Lower limits of the layers that the record tells of, as multiples of the deepest roots, or of a tenth of the soil's
+/// Lower limits of the layers of the record, as multiples of the deepest roots, or of a tenth of the soil's
 /// height where nothing grows.
 constexpr double layer_limits[] = {0.5, 1, 2, 4};
 

@@ -31,7 +31,7 @@ struct SeasonRecord {
   std::vector<fem::Uptake> uptakes;
   int steps = 0, rejected = 0, iterations = 0;
 
-  /// What inflow - outflow - transpired - growth leaves, as a share of the greatest of them [-].
+  /// The imbalance inflow - outflow - transpired - growth, as a share of the greatest of them [-].
   double find_error() const;
 };
 
@@ -46,7 +46,7 @@ struct Season {
 template <int D>
 Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial);
 
-/// What results tell of it.
+/// Its results.
 results::Season tell_season(const SeasonRecord& record);
 
 /// season.csv: the rows. Throws Error (cannot_write).

@@ -63,7 +63,7 @@ fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mes
   model.mesh = &wet_mesh;
   for (const std::string& region : mesh.region_names) model.soils.push_back(make_soil<D>(data, region));
   model.unit_weight = find_water_weight(data);
-  // The same sides and the same order of strength as on the moving soil; what has no name is a seepage face.
+  // The same sides and the same precedence as on the moving soil; sides without a name are seepage faces.
   const WaterSides<D> sides = find_water_sides<D>(mesh, data);
   for (std::size_t number = 0; number < sides.surfaces.size(); ++number) {
     const bool is_named = number > 0 && number <= data.hydraulics.size();

@@ -1,5 +1,5 @@
 #pragma once
-// From the materials of a case to constitutive laws, with the strength of a stage or trial.
+// Constitutive laws of the materials of a case, with the strength of a stage or trial.
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What results tell of steady seepage.
+// The results of steady seepage.
 
 #include "fem/seepage/seepage.hpp"
 #include "results/water.hpp"

@@ -1,6 +1,7 @@
 #pragma once
-// What each side of the wet soil is to water at the start: a wall, a surface with a condition, or a line that it may
-// not cross. Numbers of conditions: 0 surfaces without a name, then one for each [[hydraulic]], then one for each
+// The hydraulic condition of each side of the wet soil at the start: a wall, a surface with a condition, or an
+// impervious line. Numbers of conditions: 0 surfaces without a name, then one for each [[hydraulic]], then one for
+// each
 // boundary that moves.
 
 #include <utility>
@@ -35,7 +36,7 @@ struct WaterSides {
 /// The condition of the engine for one [[hydraulic]]. Pressures change their sign: positive in tension.
 mpm::SurfaceCondition make_surface_condition(const input::Hydraulic& hydraulic);
 
-/// Throws Error (wrong_input) for a side that the mesh does not have, and for a condition that water never meets.
+/// Throws Error (wrong_input) for a side that the mesh does not have, and for a condition on no side of the wet soil.
 template <int D>
 WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const input::Case& data);
 

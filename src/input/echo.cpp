@@ -24,7 +24,7 @@ class Echo {
   template <class T>
   void key(const std::string& name, T&& member, const Spec& spec, const char* /*meaning*/) {
     if (spec.condition && !spec.condition->holds()) return;
-    // What no method needs and nobody gave has no value.
+    // A key that no method needs and that was not given has no value.
     if (!spec.methods.empty() && spec.is_waived(methods_) && !places_.is_given(write_path(name))) return;
     json entry = {{"value", Codec<std::remove_cvref_t<T>>::encode(member, spec)},
                   {"given", places_.is_given(write_path(name))}};

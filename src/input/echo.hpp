@@ -14,8 +14,8 @@ namespace talus::input {
 /// meaning in the case (a cohesion of an elastic material) are left out; an optional key without a value is null.
 nlohmann::json echo(const Case& data, const Places& places);
 
-/// The case that an echo tells of, in SI and with unit directions, as read_case() gives it. What this version does not
-/// know is left out, and what the echo does not hold keeps its default.
+/// The case of an echo, in SI and with unit directions, as read_case() gives it. Keys that this version does not know
+/// are left out, and keys that the echo lacks keep their defaults.
 Case read_echo(const JsonTree& echo);
 
 /// Hash of what decides the state of a run. A run may be resumed with other outputs, and after an instability with a

@@ -1,4 +1,4 @@
-// What is asked of an echo that is not read into a case: whether two agree, and what they are called.
+// Questions to an echo without reading it into a case: whether two agree, and what they are called.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// A case from its echo, for who has the results of a run and not its file.
+// A case from its echo, for readers that have the results of a run but not its file.
 
 #include <toml++/toml.h>
 #include <nlohmann/json.hpp>
@@ -36,7 +36,7 @@ void append(toml::array& list, const json& value) {
   with_toml(value, [&](auto&& node) { list.push_back(std::forward<decltype(node)>(node)); });
 }
 
-/// The visitor that reads the structs from an echo. What is missing or not as this version knows it keeps its default:
+/// The visitor that reads the structs from an echo. A key that is missing or unknown in its form keeps its default:
 /// the results may be those of another version.
 class EchoReader {
  public:

@@ -137,7 +137,7 @@ results::Calibration calibrate(const input::Case& data, const CalibrationOptions
     result.parameters.push_back(
         {p.key, p.unit, p.first, model.find_value(i, places[i]), "", p.low, p.high, std::nullopt, limit});
   }
-  // Without a value to spare there is no scatter to tell.
+  // Without more values than parameters the scatter is unknown.
   const auto freedom = static_cast<double>(result.values) - static_cast<double>(places.size() - held);
   result.scatter = freedom > 0 ? std::sqrt(sum_squares(fitted->residuals) / freedom) : 0;
   const Certainty certainty = find_certainty(model, places, options.threads);

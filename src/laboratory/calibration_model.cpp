@@ -14,13 +14,13 @@
 namespace talus::laboratory {
 namespace {
 
-/// What a point counts, in standard errors, that lies where the test does not come; more, the farther. The end of a
-/// curve on which a soil gives way tells nothing of the parameters, and any soil that comes there is to be preferred.
+/// Difference, in standard errors, of a point that the test does not reach; more for points farther away. The end of
+/// a curve at which a soil fails says nothing of the parameters, and any soil that reaches the point is better.
 constexpr double missed = 100;
 constexpr double slack = 1e-6;  ///< of the measured abscissae: less than this beyond the end is at the end
 constexpr std::size_t most_drawn = 200;
 
-/// What the checks of a case say against the soil; empty when nothing.
+/// What the checks of a case find wrong with the soil; empty when nothing.
 std::string find_fault(const std::string& name, const input::Material& soil) {
   input::Case alone;
   alone.materials[name] = soil;

@@ -21,7 +21,7 @@ namespace {
 /// Of the range of a parameter. The tests are solved to ten digits, so that smaller steps would see their last ones.
 constexpr double difference_step = 5e-4;
 constexpr double rank_limit = 1e-5;  ///< of singular values, over the largest: below it a direction counts as unfixed
-constexpr double felt = 1e-4;        ///< standard errors that a parameter changes over its range: below it is unfelt
+constexpr double felt = 1e-4;        ///< effect of a parameter over its range, in standard errors: below it has none
 
 void refuse_when_interrupted() {
   if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted; a calibration keeps nothing of what it began");

@@ -92,7 +92,7 @@ bool PointController::solve(PointState& state, Voigt& strain, const PointStep& s
     }
     trial = soil_.advance(state, find_strain(step, x), step.suction);
     const Vector now = find_error<Vector>(step, trial);
-    // Broyden: what the tangent did not foretell.
+    // Broyden: the error of the tangent's prediction.
     for (std::size_t i = 0; i < n && square > 0; ++i)
       for (std::size_t j = 0; j < n; ++j) tangent_[i][j] += now[i] * dx[j] / square;
     error = now;

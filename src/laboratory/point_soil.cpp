@@ -81,7 +81,7 @@ PointState PointSoil::advance(const PointState& from, const Voigt& d_epsilon, do
         if constexpr (std::is_same_v<L, material::External>)
           if (auto failure = law.take_failure()) {
             failure_ = std::move(failure);
-            to.stress.fill(std::numeric_limits<double>::quiet_NaN());  // so that nobody goes on from here
+            to.stress.fill(std::numeric_limits<double>::quiet_NaN());  // so that no caller goes on from here
           }
       },
       law_);

@@ -27,14 +27,14 @@ class PointSoil {
   PointSoil(const input::Material& material, const Voigt& stress, double suction);
 
   const PointState& start() const { return start_; }
-  /// The state after the strain increment `d_epsilon`, at the end of which the pore water has `suction` [Pa]. Where an
-  /// external model fails the stress is no number: a smaller step may do.
+  /// The state after the strain increment `d_epsilon`, at the end of which the pore water has `suction` [Pa]. If an
+  /// external model fails, the stress is NaN: a smaller step may succeed.
   PointState advance(const PointState& from, const Voigt& d_epsilon, double suction) const;
   /// Throws Error (unstable) with the last failure of an external model, if there was one.
   void throw_failure() const;
 
   double find_saturation(double suction) const;
-  /// χ s: what net stress is smaller than effective stress by [Pa].
+  /// χ s: effective less net stress [Pa].
   double find_suction_stress(double suction) const;
   /// p'_c [Pa]; 0 for laws without one.
   double find_preconsolidation(const PointState& at) const;

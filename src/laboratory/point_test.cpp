@@ -39,7 +39,7 @@ PointRow make_row(const PointTest& test, const PointSoil& soil, const PointState
   row.radial_stress = -(s[0] + s[2]) / 2;
   row.shear_stress = s[3];
   row.p = -(s[0] + s[1] + s[2]) / 3;
-  // What is nothing but rounding is shown as nothing.
+  // Shows pure rounding as zero.
   double q = std::sqrt(1.5) * norm(s, 1);
   if (q < 1e-7 * std::abs(row.p)) q = 0;
   if (std::abs(row.volumetric_strain) < 1e-12) row.volumetric_strain = 0;

@@ -48,7 +48,7 @@ void show_parameters(results::Calibration& told, const input::Calibration& calib
     for (double* v : {&p.start, &p.value, &p.low, &p.high}) *v /= factor;
     if (p.error) *p.error /= factor;
     for (results::CalibrationSearch& s : told.starts) s.from[i] /= factor, s.to[i] /= factor;
-    // Six digits are more than any calibration knows; a value at its limit must not be rounded past it.
+    // Six digits are more than any calibration determines; a value at its limit must not be rounded past it.
     p.text = p.limit == AtLimit::no ? fmt::format("{:.6g}", p.value) : output::to_shortest(p.value);
   }
 }

@@ -1,11 +1,11 @@
 #pragma once
-// A plan is checked by words before the mesh generator sees it: its own messages would tell a user little.
+// Checks a plan before the mesh generator sees it, whose own messages would tell a user little.
 
 #include "mesh/plan.hpp"
 
 namespace talus::mesh {
 
-/// Lengths below this are taken as nought: a millionth of the element size [m].
+/// Lengths below this are taken as zero: a millionth of the element size [m].
 double get_tolerance(const Plan& plan);
 
 /// The plan with points that nearly coincide (within the tolerance) made the same: on the sides and corners of the box

@@ -45,7 +45,7 @@ Parts find_parts(const Polyline& a, const Polyline& b, double tolerance) {
     }
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-      // Between two cuts the segment stays on one side, so its middle tells for all of it.
+      // Between two cuts the segment stays on one side, so its middle decides for all of it.
       const Point2 middle = interpolate(p, q, (cuts[k] + cuts[k + 1]) / 2);
       if (compute_distance(middle, other) <= tolerance) continue;
       (is_inside(middle, b) ? parts.inside : parts.outside) = true;

@@ -1,5 +1,5 @@
 #pragma once
-// What water meets at the border of the soil.
+// Hydraulic conditions at the boundary of the soil.
 
 #include <array>
 #include <limits>

@@ -1,4 +1,4 @@
-// Newton's method with a search along the line.
+// Newton's method with a line search.
 
 #include "fem/seepage/newton.hpp"
 
@@ -10,7 +10,7 @@ namespace talus::fem {
 namespace {
 
 constexpr int switches_allowed = 6;  ///< iterations of a solve, faces included, as a multiple of most_iterations
-/// Iterations in which the fault must halve; otherwise a smaller stage or step gets there sooner.
+/// Iterations in which the imbalance must halve; otherwise a smaller stage or step converges sooner.
 constexpr std::size_t patience = 8;
 constexpr double first_chord = 0.02, small_chord = 1e-8;  ///< shares of the height
 constexpr std::size_t memory = 5;                         ///< merits that a step is compared with
@@ -48,7 +48,7 @@ double SeepageNewton<D>::find_merit(const NodalSums& sums, const SeepageState& s
   return merit;
 }
 
-/// The sums at the state, the fault of the balance, and what is allowed: a share of the water that flows through the
+/// The sums at the state, the imbalance, and what is allowed: a share of the water that flows through the
 /// border and into stores, but not less than the rounding of the sums.
 template <int D>
 void SeepageNewton<D>::evaluate(const SeepageState& state) {
@@ -72,7 +72,7 @@ void SeepageNewton<D>::evaluate(const SeepageState& state) {
 }
 
 /// The longest of the halved steps whose merit lies below the worst of the last few (Grippo, Lampariello and Lucidi
-/// 1986): with laws that have corners, a search that must descend in every step gets stuck in one.
+/// 1986): a monotone search gets stuck at the kinks of the laws.
 template <int D>
 bool SeepageNewton<D>::search_line(SeepageState& state, const std::vector<double>& direction, double& largest) {
   if (recent_.size() == memory) recent_.erase(recent_.begin());
@@ -95,7 +95,7 @@ bool SeepageNewton<D>::search_line(SeepageState& state, const std::vector<double
   return false;
 }
 
-/// One step: Newton's direction, and where that leads nowhere the direction with the conductivities held.
+/// One step: Newton's direction, and where that fails Picard's, with the conductivities held.
 template <int D>
 bool SeepageNewton<D>::take_step(SeepageState& state, double& largest) {
   const std::size_t n = weight_.size();

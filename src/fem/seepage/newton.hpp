@@ -16,7 +16,7 @@ struct SeepageState {
 /// Which slope of k_r the Jacobian has.
 enum class Slopes {
   tangent,  ///< the law's own: fastest near the solution
-  chord     ///< over a range of suction as wide as the last change: less easily misled by corners and steep ends
+  chord     ///< the secant over the last change of suction: more robust at kinks and steep ends
 };
 
 template <int D>
@@ -50,7 +50,7 @@ class SeepageNewton {
   std::vector<int> switches_;     ///< how often a node has changed its state
   std::vector<double> recent_;    ///< merits of the last steps
   std::vector<double> weight_;    ///< scale of each equation in the merit
-  double fault_ = 0, limit_ = 0;  ///< sum of the residuals' sizes, and what it may be [m³/s]
+  double fault_ = 0, limit_ = 0;  ///< sum of the residuals' magnitudes, and its limit [m³/s]
   double height_ = 1;             ///< of the soil [m]
   int undecided_ = 0;
   int solves_ = 0;

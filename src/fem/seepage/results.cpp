@@ -12,7 +12,7 @@ namespace talus::fem {
 
 namespace {
 
-/// Water through each boundary. The flow that a node's equation lacks is what its border brings: given fluxes go to
+/// Water through each boundary. The residual of a node's equation is the flow through its boundary: given fluxes go to
 /// their boundaries, rain that enters is shared out by what each offers, the rest belongs to the node's owner.
 template <int D>
 void add_discharges(const SeepageSystem<D>& system, const NodalSums& sums, const std::vector<NodeCondition>& conditions,

@@ -37,7 +37,7 @@ struct SeepageModel {
 };
 
 struct SeepageOptions {
-  double tolerance = 1e-11;             ///< fault of the balance at the nodes, as a share of the flow [-]
+  double tolerance = 1e-11;             ///< imbalance at the nodes, as a share of the flow [-]
   double smallest_conductivity = 1e-9;  ///< k_r is not taken below this [-]; keeps dry soil solvable
   int most_iterations = 60;             ///< of Newton between changes of face nodes; then a smaller step is tried
 };
@@ -47,7 +47,7 @@ enum class FaceState : char {
   none,  ///< no node of a face
   open,  ///< unsaturated; all that is offered enters
   wet,   ///< zero pressure: water leaves, or not all of the rain enters
-  dry    ///< at the suction limit: less than asked for evaporates
+  dry    ///< at the suction limit: less than the potential evaporates
 };
 
 /// Water through one boundary [m³/s] (per metre of thickness in 2D); for a time range [m³].

@@ -1,4 +1,4 @@
-// The steady state: from saturated flow to the soil's own law of conductivity, in as few stages as go.
+// The steady state: from saturated flow to the soil's own law of conductivity, in as few stages as possible.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace talus::fem {
 namespace {
 
 constexpr double first_factor = 4;    ///< by which the stretch of the suction grows from stage to stage
-constexpr double chord_factor = 1.5;  ///< smaller stages are tried with slopes over a chord as well
+constexpr double chord_factor = 1.5;  ///< smaller stages are tried with secant slopes as well
 constexpr double smallest_factor = 1.003;
 constexpr double smallest_stretch = 1e-6;  ///< where any law is that of saturated soil
 

@@ -32,7 +32,7 @@ bool has_strength(const Case& data) {
   return some_material(data, [](const Material& m) { return is_mohr_coulomb(m) || is_cam_clay(m); });
 }
 
-/// Nobody knows which of the constants of a UMAT are its strength.
+/// It is unknown which of the constants of a UMAT are its strength.
 void check_no_external(const Case& data, const std::string& path, const std::string& what, Findings& findings) {
   for (const auto& [name, material] : data.materials)
     if (material.model == MaterialModel::external)

@@ -60,7 +60,7 @@ class ParameterCheck {
                                          "to begin with",
                                          p_.path));
     }
-    const double slack = 1e-9 * (p_.high - p_.low);  // of a value at its limit that went through a text
+    const double slack = 1e-9 * (p_.high - p_.low);  // rounding of a value at its limit that was written as text
     if (p_.first < p_.low - slack || p_.first > p_.high + slack)
       report(p_.start ? "start" : "key", fmt::format("'{}' begins at {}, outside 'min' and 'max', {} to {}", p_.key,
                                                      show(p_.first), show(p_.low), show(p_.high)));
@@ -213,7 +213,7 @@ class CurveCheck {
   Findings& findings_;
 };
 
-/// Whether the test feels the parameter: it has the material, and does not set the number itself.
+/// Whether the test depends on the parameter: it has the material, and does not set the number itself.
 bool feels(const PointTest& test, const CalibrationParameter& parameter) {
   return test.material == parameter.material &&
          std::none_of(test.set.begin(), test.set.end(), [&](const PointSetting& s) { return s.key == parameter.path; });

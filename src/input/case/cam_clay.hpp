@@ -1,5 +1,5 @@
 #pragma once
-// [materials.NAME]: modified Cam-clay, and what roots do to a soil.
+// [materials.NAME]: modified Cam-clay, and the effects of roots.
 
 #include <limits>
 #include <optional>
@@ -21,7 +21,7 @@ struct CamClaySoil {
   double smallest_pressure = 1e3;                ///< K = (1+e) max(p', this)/κ [Pa]
 };
 
-/// What roots do to the soil, per per cent of content.
+/// The effects of roots on the soil, per per cent of content.
 struct RootedSoil {
   double content = 0;                                                ///< m_r^ini where no [[roots]] says otherwise [%]
   double hardening = 0;                                              ///< R_p [1/%]

@@ -29,10 +29,10 @@ class SoilOutline;
 /// One [[lem.surface]], which is at `path`.
 void check_slip_surface(const SlipSurface& surface, const std::string& path, const SoilOutline& soil,
                         Findings& findings);
-/// Whether a list is [from, to], increasing. Empty it is not, which is no fault; else it is one. `what` names the
-/// numbers.
+/// Whether a list is [from, to], increasing. An empty list is not, without a fault; any other list that is not is
+/// a fault. `what` names the numbers.
 bool check_range(const std::vector<double>& range, const std::string& path, const char* what, Findings& findings);
-/// Uncertain numbers of a study and what goes together among them, and the key that is extrapolated.
+/// Uncertain numbers of a study and their correlations, and the key that is extrapolated.
 void check_sampling(const Case& data, Findings& findings);
 /// The pore water itself, that of the materials, and whether stages and start ask for what needs it.
 void check_water(const Case& data, Findings& findings);
@@ -40,8 +40,8 @@ void check_water(const Case& data, Findings& findings);
 void check_hydraulics(const Case& data, Findings& findings);
 /// Clock and sections of the output.
 void check_output(const Case& data, Findings& findings);
-/// Names, units and tolerances of the values that results are held against. A result that this case leaves out is no
-/// fault: the report says that it was not calculated.
+/// Names, units and tolerances of the values that results are compared with. A result that this case leaves out is
+/// no fault: the report says that it was not calculated.
 void check_compare(const Case& data, Findings& findings);
 /// Element tests: names, materials, and what each of them follows.
 void check_point_tests(const Case& data, Findings& findings);

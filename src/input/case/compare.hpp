@@ -1,5 +1,5 @@
 #pragma once
-// [[compare]]: a value that a result is held against.
+// [[compare]]: a value that a result is compared with.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace talus::input {
 
-/// A published or measured value that a result is held against.
+/// A published or measured value that a result is compared with.
 struct Compare {
   std::string name;  ///< of the result, see result_names.hpp
   Amount value;

@@ -9,7 +9,7 @@
 namespace talus::input {
 namespace {
 
-/// Without material points the room around the soil is that which the soil takes.
+/// Without material points the box is the bounding box of the soil.
 void fit_box(mesh::Plan& plan) {
   if (plan.polygons.empty()) return;
   constexpr double far = std::numeric_limits<double>::infinity();
@@ -25,7 +25,7 @@ void fit_box(mesh::Plan& plan) {
   }
 }
 
-/// What holds the soil of finite elements where the case says nothing.
+/// Supports of the finite elements where the case names none.
 void hold_section(Case& data) {
   std::vector<const char*> rollers{"left", "right"};
   if (data.mesh.dimension == 3) rollers.insert(rollers.end(), {"front", "back"});

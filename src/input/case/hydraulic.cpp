@@ -13,7 +13,7 @@ namespace {
 
 using mesh::Point2;
 
-/// What stands on the two sides of a line, looked at in many places.
+/// What lies on the two sides of a line, sampled in many places.
 struct Border {
   bool meets_air = false;   ///< soil on one side, empty room of the box on the other
   bool meets_soil = false;  ///< soil on one side at least
@@ -30,7 +30,7 @@ class SoilPlan {
       const Point2 &a = line[i], &b = line[i + 1];
       const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
       if (length == 0) continue;
-      // Corners may be off by what the mesh generator closes, a millionth of an element.
+      // Corners may be off by the tolerance of the mesh generator, a millionth of an element.
       const double step = 1e-3 * (plan_.size > 0 ? plan_.size : length);
       const Point2 across{-(b[1] - a[1]) / length * step, (b[0] - a[0]) / length * step};
       for (int k = 0; k < places; ++k) {

@@ -1,5 +1,5 @@
 #pragma once
-// [[hydraulic]]: what pore water meets at the border of the soil.
+// [[hydraulic]]: hydraulic conditions at the boundary of the soil.
 
 #include <array>
 #include <limits>
@@ -14,7 +14,7 @@ namespace talus::input {
 enum class WaterCondition { total_head, pressure, seepage_face, rain, flux, no_flow };
 enum class RainDirection { vertical, normal };
 
-/// [[hydraulic]]: what water meets on a named side or line. Values are series in time; a constant is one row.
+/// [[hydraulic]]: the condition on a named side or line. Values are series in time; a constant is one row.
 struct Hydraulic {
   std::string on;
   WaterCondition condition = WaterCondition::no_flow;

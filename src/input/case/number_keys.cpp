@@ -12,7 +12,7 @@
 namespace talus::input {
 namespace {
 
-/// The visitor that passes by every key of a material, and stops at its numbers.
+/// The visitor that visits every key of a material and takes its numbers.
 template <class Take>
 class NumberVisitor {
  public:

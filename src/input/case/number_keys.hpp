@@ -14,7 +14,7 @@ namespace talus::input {
 struct NumberKey {
   std::string path;
   Spec spec;                    ///< unit and range for people
-  double factor = 1;            ///< one `spec.unit` is so much in the unit in which the material keeps it
+  double factor = 1;            ///< one `spec.unit` in the unit in which the material keeps it
   std::optional<double> value;  ///< as the material keeps it; nothing where it is not given
   bool applies = true;          ///< has a meaning with the material's model
 };

@@ -57,7 +57,7 @@ std::optional<NamedValue> name_point_result(const Case& data, const std::string&
   return std::nullopt;
 }
 
-/// What slices hold at the least: the numbers mean nothing.
+/// The results that slices always have; the numbers are placeholders.
 results::SliceResult outline_slices(const LimitEquilibrium& lem) {
   results::SliceResult slices;
   const auto add = [&](std::vector<results::CriticalSurface>& list, SliceMethod method) -> results::CriticalSurface& {
@@ -157,7 +157,7 @@ void outline_points(const Case& data, results::RunResult& run) {
   run.motion = outline_motion(data);
 }
 
-/// A run that holds a number wherever that of `data` may: which results there are, not what they are.
+/// A run with a placeholder wherever a run of `data` may have a number: it tells which results there are.
 results::RunResult outline_results(const Case& data) {
   results::RunResult run;
   if (uses(data, Method::lem)) run.slices = outline_slices(data.lem);

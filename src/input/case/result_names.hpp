@@ -14,7 +14,7 @@ namespace talus::input {
 const Stage* find_clock_stage(const Case& data);
 
 /// All results that the case yields, in the order of the report, without those of single trials of the curve; their
-/// values mean nothing.
+/// values are placeholders.
 std::vector<results::NamedValue> list_result_names(const Case& data);
 
 /// The factor of "curve.displacement[1.45]"; nothing for another name.
@@ -33,8 +33,8 @@ std::optional<PointResultName> find_point_result_name(const std::string& name);
 /// The result called `name`, also of a trial of the curve; nothing when the case does not yield it.
 std::optional<results::NamedValue> find_result_name(const Case& data, const std::string& name);
 
-/// The result called `name` of the same case when it is asked for more: a [[compare]] stays right when --set or a study
-/// leaves a calculation out. Nothing when no such case yields it.
+/// The result called `name` of the same case with more calculations, so that a [[compare]] stays valid when --set or a
+/// study leaves one out. Nothing when no such case yields it.
 std::optional<results::NamedValue> find_possible_name(const Case& data, const std::string& name);
 
 }  // namespace talus::input

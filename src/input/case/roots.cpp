@@ -1,4 +1,4 @@
-// [[roots]]: what is given of each block, whether there are soils for it, and what rooted soils must be told.
+// [[roots]]: what is given of each block, whether there are soils for it, and what rooted soils require.
 
 #include <fmt/format.h>
 
@@ -106,7 +106,7 @@ class Block {
   Findings& findings_;
 };
 
-/// A rooted soil must be told its roots, be it that there are none.
+/// A rooted soil must state its roots, even if there are none.
 void check_rooted_soil(const Case& data, const std::string& name, const Material& material, Findings& findings) {
   const bool takes_content = material.model == MaterialModel::rooted_cam_clay;
   if (!takes_content && material.model != MaterialModel::rooted_mohr_coulomb) return;

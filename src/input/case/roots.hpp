@@ -1,5 +1,5 @@
 #pragma once
-// [[roots]]: where roots are, how much of them or what they are worth, how old they are, and what they drink.
+// [[roots]]: where roots are, their content or cohesion, their age, and their water uptake.
 
 #include <array>
 #include <optional>
@@ -15,7 +15,7 @@ namespace talus::input {
 enum class RootProfile { uniform, exponential, table };
 enum class RootBundleModel { wu_waldron, fibre_bundle };
 
-/// Roots that cross a shear plane, by class of diameter; what practice turns into a cohesion.
+/// Roots that cross a shear plane, by class of diameter; from which practice computes a cohesion.
 struct RootBundle {
   RootBundleModel model = RootBundleModel::wu_waldron;
   std::vector<double> diameters;    ///< [m]
@@ -24,8 +24,8 @@ struct RootBundle {
   double orientation = 1.2;         ///< k' = cosθ tanφ + sinθ [-]
 };
 
-/// Water that the plants draw from the soil where their roots are, in proportion to the roots, less by Feddes'
-/// reduction: nothing below suctions[0] (no air) and above suctions[3] (wilting), all between [1] and [2], linear
+/// Water that the plants draw from the soil where their roots are, in proportion to the roots, reduced after
+/// Feddes: none below suctions[0] (no air) and above suctions[3] (wilting), all between [1] and [2], linear
 /// between.
 struct Transpiration {
   TimeTable rate;  ///< potential [m/s] per horizontal area of ground, over time [s]

@@ -1,4 +1,4 @@
-// [study] with mode = "sample": what does not depend on the numbers of the case. Those are looked at in read.cpp.
+// [study] with mode = "sample": the checks that do not depend on the numbers of the case. Those are in read.cpp.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ void check_mode(const Study& study, Findings& findings) {
     findings.add("study.random.0", "[[study.random]] has a meaning only with mode = \"sample\" in [study]");
 }
 
-/// Samples are of the soil as it is.
+/// Samples use the soil without partial factors.
 void check_no_partial_factors(const Case& data, Findings& findings) {
   if (data.study.mode == StudyMode::sample && data.partial_factors.set != DesignApproach::none &&
       findings.is_sound("study.mode") && findings.is_sound("partial_factors"))

@@ -1,5 +1,5 @@
 #pragma once
-// [[stage]] and [rest]: stretches of time, how they are calculated, and when the soil is at rest.
+// [[stage]] and [rest]: periods of time, how they are calculated, and when the soil is at rest.
 
 #include <array>
 #include <optional>
@@ -17,7 +17,7 @@ enum class Drag { implicit_at_nodes, explicit_at_nodes };
 enum class DampedForce { net, without_drag };
 enum class WaterMotion { flows, held };
 
-/// How a stretch of time is calculated. Shared by stages and by the trials of the strength reduction.
+/// How a period of time is calculated. Shared by stages and by the trials of the strength reduction.
 struct StepSettings {
   double damping = 0;       ///< α of (2.89) [-]
   double mass_scaling = 1;  ///< β of (2.91) [-]
@@ -32,7 +32,7 @@ struct StepSettings {
   double water_damping = 0;                     ///< α of the water (2.89) [-]
   DampedForce damped_force = DampedForce::net;  ///< what damping takes its share of (docs/theory/14)
   bool pressure_smoothing = false;              ///< (2.96-2.97)
-  bool water_exchange = true;                   ///< against pressures that no node feels (T14.9)
+  bool water_exchange = true;                   ///< against spurious pressures (T14.9)
   double conductivity_factor = 1;               ///< multiplies every conductivity [-]
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The uncertain numbers of a study in figures: a [[study.random]] held against the case that it is of.
+// The uncertain numbers of a study in figures: a [[study.random]] evaluated for its case.
 
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
@@ -20,7 +20,7 @@ struct EchoedNumber {
 /// Error (wrong_input) with one sentence when there is no such key, or it holds no number.
 EchoedNumber find_number(const nlohmann::json& echo, const std::string& key);
 
-/// A [[study.random]] in figures, all in `unit`. What it does not give is that of the case, or infinite.
+/// A [[study.random]] in figures, all in `unit`. Values that it does not give are those of the case, or infinite.
 struct UncertainNumber {
   std::string key, unit;
   Distribution distribution = Distribution::normal;

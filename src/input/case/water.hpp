@@ -1,5 +1,5 @@
 #pragma once
-// [water] and [materials.NAME.water]: pore water, and what soils do with it.
+// [water] and [materials.NAME.water]: pore water, and the laws of soils for it.
 
 #include <array>
 #include <optional>
@@ -24,7 +24,7 @@ enum class ConductivityCurve { constant, mualem, hillel, exponential, table };
 enum class SaturationShare { total, effective };
 enum class BishopChi { saturation, khalili_khabbaz };
 
-/// [materials.NAME.water]: what a soil does with water. The default is a soil without pore water.
+/// [materials.NAME.water]: the hydraulic laws of a soil. The default is a soil without pore water.
 struct PoreWater {
   RetentionCurve retention = RetentionCurve::dry;
   double minimum_saturation = 0;                       ///< S_min [-]

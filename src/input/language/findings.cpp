@@ -31,7 +31,7 @@ Place Places::locate(const std::string& path, int line, int column) const {
 
 void Places::record(const std::string& path, int line, int column) {
   const Place place = locate(path, line, column);
-  // A table that --set had to create stands nowhere; its faults are reported at its parent.
+  // A table that --set had to create has no place in the file; its faults are reported at its parent.
   if (place.line > 0 || place.file != file_) places_[path] = place;
 }
 

@@ -29,7 +29,7 @@ class Reader {
   /// Blocks at the top of the file whose absence is no fault.
   void leave_out(const std::set<std::string>& blocks) { left_out_ = blocks; }
 
-  /// Methods that answer: what none of them needs is not required.
+  /// Methods of the case: a key that none of them needs is not required.
   void ask_methods(const std::set<std::string>& words) { methods_ = words; }
 
   template <class T>
@@ -90,7 +90,7 @@ class Reader {
     std::string path;    ///< with numbers of list entries: stage.0
     std::string name;    ///< as the file writes it: materials.sand
     std::string header;  ///< as messages name it: [materials.sand], [[stage]]
-    bool is_broken;      ///< it is no table: that fault is reported, and must not bring a dozen more
+    bool is_broken;      ///< it is no table: that fault is reported, without a dozen that follow from it
     std::vector<std::string> known;
   };
 

@@ -118,9 +118,9 @@ struct Spec {
   Spec needed_without(const char* key, bool other_is_given) && {
     return condition = Condition{{{key, "", !other_is_given}}, true}, std::move(*this);
   }
-  /// Nor required where none of these methods is asked for; it may be given all the same.
+  /// The key is not required where none of these methods is asked for, but may be given.
   Spec by_methods(std::vector<std::string> words) && { return methods = std::move(words), std::move(*this); }
-  /// Nor required where `key` is given; it may be given all the same.
+  /// The key is not required where `key` is given, but may be given.
   Spec unless_given(const char* key, bool other_is_given) && {
     return instead = Alternative{key, "", other_is_given}, std::move(*this);
   }
@@ -131,7 +131,7 @@ struct Spec {
 
   /// Whether the key must be given somewhere.
   bool may_be_required() const { return is_required || (condition && condition->required); }
-  /// Whether nothing asks for the key where these methods answer, or another key stands in its place.
+  /// Whether the key is not required with these methods, or another key replaces it.
   bool is_waived(const std::set<std::string>& asked_methods) const;
   /// "at least 0", "above -1 and below 0.5"; empty without limits.
   std::string write_range() const;

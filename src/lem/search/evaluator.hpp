@@ -11,7 +11,7 @@ class Evaluator {
   Evaluator(const Slope& slope, Method method, const Checks& checks, int slices)
       : slope_(&slope), method_(method), checks_(checks), slices_(slices) {}
 
-  /// F; `refused` for a surface that is none or has no factor.
+  /// F; `refused` for an invalid surface or one without a factor.
   double operator()(const Surface& surface) {
     ++count_;
     cut_surface(*slope_, surface, slices_, checks_, cut_);

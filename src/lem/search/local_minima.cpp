@@ -74,7 +74,7 @@ std::vector<int> find_local_minima(const Slope& slope, const TrialCircles& circl
           if (smallest) minima.push_back(s);
         }
   std::stable_sort(minima.begin(), minima.end(), [&](int a, int b) { return factor_of(a) < factor_of(b); });
-  // What needs twice the strength of the weakest is no second mechanism.
+  // A surface with more than twice the smallest factor is no second mechanism.
   constexpr float most_ratio = 2;
   std::vector<int> kept;
   for (int s : minima) {

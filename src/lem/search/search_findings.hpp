@@ -1,5 +1,5 @@
 #pragma once
-// What a search tells about itself in sentences: why surfaces were refused, and limits that were hit.
+// Sentences about a search: why surfaces were refused, and limits that were hit.
 
 #include <string>
 #include <vector>

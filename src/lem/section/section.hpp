@@ -85,7 +85,7 @@ struct Section {
   std::optional<TensionCrack> crack;
 };
 
-/// Faults of a section that no surface could be calculated in, each a sentence that names the culprit: a polygon that
+/// Faults of a section that no surface could be calculated in, each a sentence that names its item: a polygon that
 /// crosses itself, ground that runs backwards, soil without region, weight that is not positive …
 std::vector<std::string> find_faults(const Section& section);
 

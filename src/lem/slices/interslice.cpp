@@ -1,4 +1,4 @@
-// Methods that meet both equilibria: X = λ f E between the slices (Spencer, Morgenstern and Price).
+// Methods that satisfy both equilibria: X = λ f E between the slices (Spencer, Morgenstern and Price).
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace talus::lem {
 
 namespace {
 
-/// Force left over at the lower end and moment left over, for a trial q = 1/F and λ; and their derivatives.
+/// Residual force at the lower end and residual moment, for a trial q = 1/F and λ; and their derivatives.
 struct Balance {
   double force = 0, force_q = 0, force_l = 0;
   double moment = 0, moment_q = 0, moment_l = 0;
@@ -66,7 +66,7 @@ double close_forces(const Mass& mass, double lambda, double q, Balance& end, int
   return 0;
 }
 
-/// A point of the curve of closed forces: what is left over of the moments there.
+/// A point of the curve of closed forces: the residual moment there.
 struct Try {
   double lambda = 0, q = 0, moment = 0;
 };

@@ -56,7 +56,7 @@ Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Poin
   return slice;
 }
 
-/// An end that is meant to lie on the ground, and does but for rounding, is put there.
+/// Puts an end that lies on the ground up to rounding exactly there.
 Point snap_end(const Slope::Strips& strips, const BaseLine& base, const Stretch& stretch, double x, double near) {
   const Strip& strip = strips.strip(stretch.strip);
   const BasePiece& piece = base.pieces[static_cast<std::size_t>(stretch.piece)];

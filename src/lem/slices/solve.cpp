@@ -13,7 +13,7 @@ namespace talus::lem {
 
 namespace {
 
-/// Under level ground rounding alone drives the mass; a factor beyond this says nothing.
+/// Under level ground rounding alone drives the mass; a factor beyond this is meaningless.
 constexpr double largest_factor = 1000;
 
 /// Memory of one thread.
@@ -50,7 +50,7 @@ void judge_forces(const CutSurface& cut, const Scratch& s, Solution& solution) {
   solution.tensile_share = tensile / length;
 }
 
-/// Share of E that acts outside the mass by more than a tenth of its height: where E is small its place says little.
+/// Share of E that acts outside the mass by more than a tenth of its height: where E is small its place matters little.
 void judge_thrust(const CutSurface& cut, const Scratch& s, Solution& solution) {
   const auto size = cut.slices.size();
   double all = 0, outside = 0;
@@ -97,7 +97,7 @@ Refusal check_solution(const CutSurface& cut, const Solution& solution, const Ch
   const double toe = cut.slides_left ? cut.slices.front().alpha : cut.slices.back().alpha;
   if (-toe > checks.steepest_toe) return Refusal::steep_toe;
   if (solution.smallest_m_alpha < checks.smallest_m_alpha) return Refusal::m_alpha;
-  // The normal forces of Fellenius are in no equilibrium: tension says nothing of his surface.
+  // The normal forces of Fellenius are not in equilibrium, so tension does not discredit his surface.
   if (solution.method != Method::fellenius && solution.tensile_share > checks.most_tension) return Refusal::tension;
   if (solution.thrust_outside > checks.most_thrust_outside) return Refusal::thrust;
   return Refusal::none;

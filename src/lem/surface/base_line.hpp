@@ -30,13 +30,13 @@ struct BaseLine {
 
   double at(const BasePiece& piece, double x) const;
   double at(double x) const;
-  /// Does the piece pass a point so near? Beside the steep end of an arc that is its distance, not its height over it.
+  /// Whether the piece passes a point so near. Beside the steep end of an arc its distance counts, not its height.
   bool passes(const BasePiece& piece, const Point& p, double tolerance) const;
-  /// Does the base end on the ground at this x, or on a vertical step of it?
+  /// Whether the base ends on the ground at this x, or on a vertical step of it.
   bool ends_on_ground(const Slope::Strips& strips, const BasePiece& piece, double x, double tolerance) const;
   /// Lays the pieces; arcs that reach below the base are cut level there.
   Refusal lay(const Slope& slope, const Surface& surface, const Checks& checks);
-  /// Cuts the base between `from` and `to` at all lines of the section; refuses what rises above the ground.
+  /// Cuts the base between `from` and `to` at all lines of the section; refuses a base that rises above the ground.
   Refusal divide(const Slope& slope, double from, double to);
 };
 

@@ -42,7 +42,7 @@ double solve_simplified(const Mass& mass, bool moments, double start, int& itera
 /// Janbu's f_0 of a surface.
 double correct_janbu(const CutSurface& cut);
 
-/// Factor and λ of a method that meets both equilibria; factor 0 when there is none.
+/// Factor and λ of a method that satisfies both equilibria; factor 0 when there is none.
 struct Complete {
   double factor = 0, lambda = 0;
   int iterations = 0;

@@ -32,7 +32,7 @@ enum class Refusal {
   tension,        ///< effective normal forces are tensile over too long a part
   thrust,         ///< line of thrust outside the sliding mass
   not_converged,  ///< the equations have no solution in the range of λ and F
-  steep_toe,      ///< passive end steeper than 45° - φ/2 … of the limit set
+  steep_toe,      ///< passive end steeper than the limit, e.g. 45° - φ/2
   count
 };
 

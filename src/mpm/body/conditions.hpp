@@ -62,7 +62,7 @@ Vec<D> constrain_velocity(const Conditions<D>& conditions, const Constraint<D>& 
   }
   if (c.has_wall) {
     const double into = dot(wanted, c.wall_normal);
-    if (into > 0) {  // the wall stops the normal motion and rubs with at most μ times that impulse
+    if (into > 0) {  // the wall stops the normal motion; its friction is at most μ times that impulse
       Vec<D> along = wanted;
       for (int d = 0; d < D; ++d) along[d] -= into * c.wall_normal[d];
       const double speed = norm(along);

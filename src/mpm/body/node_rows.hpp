@@ -51,7 +51,7 @@ Vec<D> unsupported_part(const Constraint<D>& c, bool pressed, std::type_identity
 }
 
 /// Velocity after the remap under a constraint. What a wall holds does not leave it within the step: the remap mixes in
-/// neighbours' accelerations, and a rebound from them would strain the soil by a motion that no force has paid for.
+/// neighbours' accelerations, and a rebound from them would strain the soil without the work of any force.
 template <int D>
 Vec<D> constrain_remapped(const Conditions<D>& conditions, int c, std::type_identity_t<Vec<D>> v, double t) {
   const Constraint<D>& k = conditions.constraints[static_cast<std::size_t>(c)];
