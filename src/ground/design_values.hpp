@@ -17,8 +17,7 @@ struct DesignValues {
 
 /// c'/γ_c', tanφ'/γ_φ', c_u/γ_cu where φ = 0, weights over γ_γ, loads by γ_G and γ_Q. γ_G applies to soil, water
 /// and permanent loads alike, so all that is in kPa is divided by it instead (input::divide_by_permanent). Throws
-/// Error
-/// (wrong_input) for a soil without cohesion and friction angle.
+/// Error (wrong_input) for a soil without cohesion and friction angle.
 DesignValues apply_partial_factors(const input::Case& data);
 
 /// Writes the over-design factor of a factor of safety that was calculated with design values into the statement, and

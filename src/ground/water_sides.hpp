@@ -1,8 +1,7 @@
 #pragma once
 // The hydraulic condition of each side of the wet soil at the start: a wall, a surface with a condition, or an
 // impervious line. Numbers of conditions: 0 surfaces without a name, then one for each [[hydraulic]], then one for
-// each
-// boundary that moves.
+// each boundary that moves.
 
 #include <utility>
 #include <vector>

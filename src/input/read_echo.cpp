@@ -36,8 +36,8 @@ void append(toml::array& list, const json& value) {
   with_toml(value, [&](auto&& node) { list.push_back(std::forward<decltype(node)>(node)); });
 }
 
-/// The visitor that reads the structs from an echo. A key that is missing or unknown in its form keeps its default:
-/// the results may be those of another version.
+/// The visitor that reads the structs from an echo. A key that is missing, or whose form has changed, keeps its
+/// default: the results may be those of another version.
 class EchoReader {
  public:
   EchoReader(const json& object, Findings& findings) : object_(object), findings_(findings) {}

@@ -56,7 +56,7 @@ void note_dimension(ResultFolder& folder) {
   mesh.points = frame.point_count();
 }
 
-/// What a report needs of a run, element tests tell of themselves.
+/// Element tests themselves give what a report needs of a run.
 results::RunResult tell_as_run(const results::PointTests& tests) {
   results::RunResult run;
   run.title = tests.title;

@@ -28,8 +28,8 @@ struct TrialFolder {
 
 struct ResultFolder {
   std::filesystem::path path;
-  results::RunResult run;           ///< summary.json; of a run that did not come to write it what else tells of it
-  input::Case data;                 ///< the case that `run` tells of
+  results::RunResult run;           ///< summary.json; of a run that did not write it, from its other files
+  input::Case data;                 ///< the case of `run`
   std::vector<TrialFolder> trials;  ///< by factor
   std::shared_ptr<const output::ResultsReader> frames;  ///< of the stages; nullptr when there are none
   std::optional<results::StudyResult> study_result;     ///< study.json
@@ -42,7 +42,7 @@ struct ResultFolder {
 /// 2 or 3.
 std::size_t get_dimension(const results::RunResult& run);
 
-/// What summary.json alone tells of the run in `path`; nothing when there is none. Throws Error (wrong_input).
+/// The run in `path` from summary.json alone; nothing when there is none. Throws Error (wrong_input).
 std::optional<ResultFolder> open_run(const std::filesystem::path& path);
 
 /// Throws Error (wrong_input) with one sentence when `path` is no folder of results.

@@ -106,14 +106,14 @@ json make_study_report(const ResultFolder& folder, Packer& packer) {
   document["comparisons"] = json::array();
   document["timing"] = {{"wall", study.wall}, {"cpu", study.cpu}, {"parts", json::array()}};
   if (folder.study_result->sampling) {
-    // Slices are sampled without a run that would tell its input.
+    // Samples by slices have no run that would hold the input.
     if (document["input"].empty()) document["methods"] = json::array();
     document["methods"].push_back("sampling");
   }
   return document;
 }
 
-/// Element tests without a run: what is said of slopes is left out.
+/// Element tests without a run: the parts on slopes are left out.
 json make_tests_report(const ResultFolder& folder, Packer& packer) {
   json document = make_common(folder, packer);
   document["kind"] = "tests";

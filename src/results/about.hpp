@@ -7,8 +7,8 @@
 //     v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
 //   }
 //
-// which names key, unit and title once. What writes JSON, reads it, makes its schema, the manual's table and the names
-// of [[compare]] visits that function. `key` is always there, and null where an optional holds nothing; `maybe` is left
+// which names key, unit and title once. The writer and the reader of JSON, its schema, the manual's table and the names
+// of [[compare]] visit that function. `key` is always there, and null where an optional holds nothing; `maybe` is left
 // out where there is nothing to say; `merge` puts the keys of a block beside those of its owner, and knows by the key
 // `sign` whether the block is there.
 
@@ -21,11 +21,11 @@
 
 namespace talus::results {
 
-/// R is T, constant for who writes, else for who reads: one description serves both.
+/// R is T, const for writers and not const for readers: one description serves both.
 template <class R, class T>
 concept As = std::same_as<std::remove_const_t<R>, T>;
 
-/// What is said of a key besides its name and place.
+/// Unit and title of a key.
 struct About {
   const char* unit = "";   ///< of the stored number, as UDUNITS writes it; empty: dimensionless, or no number
   const char* title = "";  ///< as tables, [[compare]] and Python call it

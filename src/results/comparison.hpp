@@ -27,7 +27,7 @@ inline constexpr auto words<SurfaceSource> =
                Word{SurfaceSource::band, "band"},                // of the shear strain of finite elements
                Word{SurfaceSource::slip_line, "slip_line"}};     // of the material points
 
-/// What a factor of finite elements is read off: no equilibrium beyond it, or displacements that run away.
+/// The criterion of a factor of finite elements: no equilibrium beyond it, or displacements that run away.
 enum class FactorMeasure { equilibrium, displacement };
 template <>
 inline constexpr auto words<FactorMeasure> =
@@ -141,7 +141,7 @@ void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "factor"});
 }
 
-/// What partial factors changed, and how far the slope is beyond what they ask.
+/// The changes by partial factors, and the over-design factor.
 struct DesignStatement {
   std::string set;
   std::vector<PartialFactor> values;
@@ -162,7 +162,7 @@ void describe(V& v, R& r) {
   v.key("notes", r.notes, {"", "notes"});
 }
 
-/// What a sentence of the reading is about.
+/// The subject of a remark.
 enum class Topic { agreement, slices, elements, points, mechanism, seconds };
 template <>
 inline constexpr auto words<Topic> = std::array{Word{Topic::agreement, "agreement"}, Word{Topic::slices, "slices"},

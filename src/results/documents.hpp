@@ -1,5 +1,5 @@
 #pragma once
-// What the descriptions of results are for people and editors: a JSON Schema, and a table for the manual.
+// The descriptions of results for people and editors: a JSON Schema, and a table for the manual.
 
 #include <string>
 

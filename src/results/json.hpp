@@ -1,5 +1,5 @@
 #pragma once
-// Results as JSON. This is the only place that knows how: what a struct holds, its description says.
+// Results as JSON. This is the only place that knows how; the description of a struct says what it holds.
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -21,7 +21,8 @@ T from_json(const nlohmann::json& tree, const std::string& file);
 template <class T>
 std::optional<T> read_file(const std::filesystem::path& path);
 
-/// Likewise; nothing also where it is damaged or of another version: what is only a help may be calculated again.
+/// Likewise; nothing also where it is damaged or of another version: such a file only saves time and can be
+/// calculated again.
 template <class T>
 std::optional<T> find_file(const std::filesystem::path& path);
 

@@ -38,7 +38,7 @@ struct NamedValue {
 /// that of the section: a plane one is one metre thick.
 std::vector<NamedValue> list_values(const RunResult& run, int dimension);
 
-/// The one called `name` [SI]; nothing when the run did not come to it.
+/// The one called `name` [SI]; nothing when the run did not reach it.
 std::optional<double> find_value(const RunResult& run, const std::string& name);
 
 /// The displacement at a factor of the curve, interpolated between its neighbours where no trial has that factor.

@@ -1,5 +1,5 @@
 #pragma once
-// All that a run tells: summary.json.
+// All results of a run: summary.json.
 
 #include <map>
 #include <memory>
@@ -114,7 +114,7 @@ struct RunResult {
   Provenance provenance;
   DisplayUnits units;
   std::vector<std::vector<Point>> outlines;  ///< of the soils [m]
-  JsonTree input;                            ///< the case as it was read; empty where nothing tells of it
+  JsonTree input;                            ///< the case as it was read; empty where it is unknown
   Status status = Status::unfinished;
   std::optional<std::string> error;
   std::vector<std::string> warnings;
@@ -145,10 +145,10 @@ struct RunResult {
   std::optional<Timing> timing;
 };
 
-/// The factor that stands for the run: that of the material points, at frozen geometry or else by the first criterion
+/// The main factor of the run: that of the material points, at frozen geometry or else by the first criterion
 /// that found one; else the first of the finite elements (ψ as given before ψ = φ); else the smallest of the rigorous
-/// methods of slices (Spencer, Morgenstern and Price), or of any where none of these has one. Every place that needs
-/// one number takes it from here. Nothing: no method found a factor.
+/// methods of slices (Spencer, Morgenstern and Price), or of any where none of these has one. Code that needs one
+/// number takes it from here. Nothing: no method found a factor.
 std::optional<double> find_main_factor(const RunResult& run);
 
 template <class V, As<RunResult> R>

@@ -1,5 +1,5 @@
 #pragma once
-// Uncertain numbers: what was drawn, the factors, the probability of failure, and what matters.
+// Uncertain numbers: the samples, the factors, the probability of failure, and the sensitivities.
 
 #include <array>
 #include <cstdint>

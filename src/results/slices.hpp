@@ -50,7 +50,7 @@ void describe(V& v, R& r) {
   v.maybe("name", r.name, {"", "name in the case"});
 }
 
-/// Whether a surface can be believed.
+/// The checks of a surface.
 struct SurfaceChecks {
   double smallest_m_alpha = 0, tensile_share = 0, thrust_outside = 0;
   std::string refusal;  ///< why a search would refuse it; empty: it would not
@@ -101,7 +101,7 @@ void describe(V& v, R& r) {
   v.key("thrust_right", r.thrust_right, {"m", "y of the thrust on the right side"});
 }
 
-/// A surface with all that is known of it.
+/// A surface with all its results.
 struct CriticalSurface {
   SlipSurface surface;
   std::optional<double> lambda;  ///< of Spencer and of Morgenstern and Price

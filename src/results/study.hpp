@@ -1,5 +1,5 @@
 #pragma once
-// A study: its table, how each variant went, what the factors tend to, and what samples say. study.json.
+// A study: its table, how each variant went, the extrapolated factors, and the statistics of samples. study.json.
 
 #include <array>
 #include <optional>
@@ -34,7 +34,7 @@ void describe(V& v, R& r) {
   v.key("shown", r.shown, {"", "as people read it"});
 }
 
-/// What a column is of, where somebody asks: ranges are told of these, and factors are extrapolated.
+/// The kind of a column, where the program must know it: ranges are given for these, and factors are extrapolated.
 enum class ColumnKind { other, factor, runout, displacement, ratio };
 template <>
 inline constexpr auto words<ColumnKind> =
@@ -136,7 +136,7 @@ struct StudyResult {
   StudyUnits units;
   std::optional<StudyExtrapolation> extrapolation;
   std::optional<Sampling> sampling;
-  // Of samples by slices, which leave no run to tell it.
+  // For samples by slices, which have no run that holds it.
   std::optional<Project> project;
   std::optional<Provenance> provenance;
   std::optional<JsonTree> input;

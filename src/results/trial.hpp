@@ -15,7 +15,7 @@ template <>
 inline constexpr auto words<StageEnd> =
     std::array{Word{StageEnd::time, "time"}, Word{StageEnd::rest, "rest"}, Word{StageEnd::failed, "failed"}};
 
-/// What setting the preconsolidation of Cam-clay soils after a stage came to.
+/// The outcome of setting the preconsolidation of Cam-clay soils after a stage.
 struct Preconsolidation {
   int points = 0;                    ///< that were given one
   double smallest = 0, largest = 0;  ///< p'_c of these, with suction and roots [Pa]
@@ -116,7 +116,7 @@ void describe(V& v, R& r) {
   v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
 }
 
-/// By what a factor of safety was read off the material points.
+/// The criterion of a factor of safety by material points.
 enum class CriterionKind { frozen, bilinear, displacement, jump };
 template <>
 inline constexpr auto words<CriterionKind> =

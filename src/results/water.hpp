@@ -9,7 +9,7 @@
 
 namespace talus::results {
 
-/// What a surface is to water.
+/// The hydraulic condition of a surface.
 enum class SurfaceCondition { open, seepage_face, rain, flux, total_head, pressure };
 template <>
 inline constexpr auto words<SurfaceCondition> = std::array{Word{SurfaceCondition::open, "open"},
@@ -39,7 +39,7 @@ void describe(V& v, R& r) {
 struct WaterBudget {
   double density = 1000;  ///< [kg/m³]
   double initial = 0, stored = 0, entered = 0, left = 0, runoff = 0, lost_between = 0, left_grid = 0, pressed_in = 0;
-  double error = 0;                                  ///< what the parts do not explain, over the water in the model
+  double error = 0;                                  ///< the error of the budget, over the water in the model
   double largest_pressure = 0, largest_suction = 0;  ///< at the end [Pa]
   std::vector<double> largest_suction_at;            ///< [m]
   std::vector<SurfaceWater> surfaces;

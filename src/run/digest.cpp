@@ -15,7 +15,7 @@ std::string pad(const std::string& text, std::size_t width) {
   return text + std::string(length < width ? width - length : 1, ' ');
 }
 
-/// The factors of all methods side by side, and what their differences say.
+/// The factors of all methods side by side, and the sentences on their differences.
 std::string write_method_table(const results::MethodComparison& methods) {
   if (methods.table.empty()) return "";
   constexpr std::size_t method_width = 30, criterion_width = 52;

@@ -1,5 +1,5 @@
 #pragma once
-// What the results of every run begin with, by whatever methods: title block, program, machine, units, input.
+// The head of the results of every run: title block, program, machine, units, input.
 
 #include "input/read.hpp"
 #include "results/run.hpp"

@@ -11,11 +11,11 @@
 
 namespace talus::run {
 
-/// The result `name` of a run [SI]; nothing when the run did not come to it. The displacement of a trial that was not
+/// The result `name` of a run [SI]; nothing when the run did not reach it. The displacement of a trial that was not
 /// calculated is interpolated between its neighbours on the curve.
 std::optional<double> find_result(const results::RunResult& run, const std::string& name);
 
-/// All results that the case yields and the run came to, with the units that they are shown in.
+/// All results that the case yields and the run reached, with the units in which they are shown.
 std::vector<results::NamedResult> list_results(const input::Case& data, const results::RunResult& run);
 
 /// The case's [[compare]] of results of a run, each with the computed value, the tolerance in SI, and whether it

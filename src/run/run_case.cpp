@@ -67,7 +67,7 @@ class CaseRun {
     const input::Case& data = design_.data;
     const bool alone = data.methods.size() == 1;
     const bool has_points = input::uses(data, Method::mpm), has_elements = input::uses(data, Method::fem);
-    // A fault of the finite elements is told before the hours that material points may take.
+    // A fault of the finite elements is reported before the hours that material points may take.
     if (has_points && has_elements) check_solid(data);
     if (input::uses(data, Method::lem)) slices_.emplace(data, alone, options_, hash_);
     run_ = begin_result(loaded_, hash_, options_.threads);
@@ -126,7 +126,7 @@ class CaseRun {
     return parts;
   }
 
-  /// Material points that answer alone, with the values of the case, have nothing to be compared with.
+  /// Material points alone, with the values of the case, have nothing to be compared with.
   void compare() {
     if (points_ && !slices_ && !elements_ && !design_.statement) return;
     run_.methods =
@@ -149,8 +149,8 @@ class CaseRun {
   results::RunResult run_;
 };
 
-/// What a finished run compares with, what is read off its files, and its title block, may have changed since: none
-/// needs the run again.
+/// The comparisons of a finished run, the results from its files and its title block may have changed since. None
+/// of them needs the run again.
 results::RunResult renew(results::RunResult run, const input::Case& data, const RunOptions& options) {
   const nlohmann::json before = results::to_json(run);
   run.title = data.title;

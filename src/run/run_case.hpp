@@ -9,9 +9,9 @@ namespace talus::run {
 
 /// Each method is prepared, then slices, finite elements and material points are calculated one after the other, then
 /// they are compared. Writes summary.json and what each method leaves in the folder, also when a method ends early;
-/// with options.resume parts that are done are kept. Nothing is written before every method is prepared and slices that
-/// answer alone have found a surface. Throws InputError when names do not fit the mesh, Error (wrong_input) for what a
-/// method cannot take, Error (folder_exists, cannot_write, unstable, interrupted) as its code says; where slices or
+/// with options.resume parts that are done are kept. Nothing is written before every method is prepared and slices, if
+/// they are alone, have found a surface. Throws InputError when names do not fit the mesh, Error (wrong_input) for what
+/// a method cannot take, Error (folder_exists, cannot_write, unstable, interrupted) as its code says; where slices or
 /// finite elements find no answer beside another method, the reason stands in the results and the run goes on.
 results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& options);
 

@@ -45,7 +45,7 @@ void check_folder(const input::Initial& initial, const RunOptions& options) {
 void clear_folder(const RunOptions& options) {
   if (options.resume || !options.overwrite || !fs::exists(options.folder)) return;
   for (const char* name : own_files) fs::remove_all(options.folder / name);
-  // Pictures of the old results would pass for those of the new ones.
+  // Pictures of the old results would be taken for those of the new ones.
   static const std::regex picture(R"((curve|section|.*_\d{4})\.(svg|png|gp))");
   for (const auto& entry : fs::directory_iterator(options.folder)) {
     if (std::regex_match(entry.path().filename().string(), picture)) fs::remove(entry.path());

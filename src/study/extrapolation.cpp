@@ -136,7 +136,8 @@ std::optional<results::StudyExtrapolation> extrapolate_factors(const StudyPlan& 
         sizes.push_back(size);
         factors.push_back(factor);
       }
-      // A factor that does not know the key, such as that of slices over the element size, has nothing to extrapolate.
+      // A factor that does not depend on the key, such as that of slices over the element size, has nothing to
+      // extrapolate.
       const auto [low, high] = std::minmax_element(factors.begin(), factors.end());
       if (!(*low < *high)) continue;
       results::ExtrapolatedFactor& e = found.factors.emplace_back(extrapolate(sizes, factors));

@@ -52,7 +52,7 @@ std::vector<std::vector<int>> pair_classes(std::vector<std::vector<int>> classes
     for (int i = 0; i < samples; ++i)
       scores(i, j) = find_normal_score((classes[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] + 1.0) /
                                        (samples + 1.0));
-  // What correlation the shuffles have by chance is taken out, where the samples are enough to tell it. Lazy products:
+  // Removes the chance correlation of the shuffles, where the samples are enough to estimate it. Lazy products:
   // those of Eigen's own threads would depend on how many there are.
   MatrixXd change = wanted.transpose();
   if (samples > 2 * numbers) {

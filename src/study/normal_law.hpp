@@ -1,5 +1,5 @@
 #pragma once
-// The standard normal distribution, and the exact interval of a share that was counted.
+// The standard normal distribution, and the exact interval of a counted share.
 
 #include <array>
 

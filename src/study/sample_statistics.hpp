@@ -1,5 +1,5 @@
 #pragma once
-// What a sample says about the distribution that it was drawn from.
+// Statistics of a sample.
 
 #include <vector>
 
@@ -22,7 +22,7 @@ double correlate_ranks(const std::vector<double>& a, const std::vector<double>& 
 /// and Diaconis (1981) advise, 60 at most. Empty for an empty sample.
 results::HistogramCounts count_classes(const std::vector<double>& values);
 
-/// How often something was seen, and between which limits its probability lies.
+/// A count of an event, and the interval of its probability.
 results::SampleShare estimate_share(long count, long samples, double confidence);
 
 /// Standard error of the mean of `values` where they come in replicates of equal standing, each drawn for itself:

@@ -14,7 +14,7 @@ namespace {
 
 using input::Distribution;
 
-/// A distribution of which less than this lies beyond the limits of its key is cut there without a word.
+/// A distribution of which less than this lies beyond the limits of its key is cut there without a note.
 constexpr double worth_telling = 1e-6;
 constexpr double per_cent = 100;
 

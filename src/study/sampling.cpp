@@ -13,8 +13,7 @@
 namespace talus::study {
 namespace {
 
-/// A Latin hypercube is made of so many that are drawn for themselves, where the samples are enough for it: their
-/// scatter tells the standard error.
+/// With enough samples a Latin hypercube is made of so many independent ones, whose scatter gives the standard error.
 constexpr int hypercubes = 10, enough_samples = 1000;
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// `talus study` with mode = "sample": uncertain numbers are drawn, every sample is calculated, and what follows is
-// told.
+// `talus study` with mode = "sample": uncertain numbers are drawn, every sample is calculated, and the statistics
+// are reported.
 
 #include <optional>
 #include <string>
@@ -42,13 +42,13 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
 results::StudyResult calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                                     const StudyOptions& options, SampleSet& set, std::optional<Error>& failure);
 
-/// Completes `set.told` with what the samples say.
+/// Completes `set.told` with the statistics of the samples.
 void tell_samples(const input::Sampling& asked, SampleSet& set);
 
 /// study.md of it.
 std::string write_sampling_markdown(const std::string& title, const results::Sampling& sampling);
 
-/// One row per sample: its number, the values in the units of their keys, and what came of it.
+/// One row per sample: its number, the values in the units of their keys, and its result.
 std::string write_samples(const SampleSet& set);
 
 /// What `talus study` does: draws, calculates, writes study.json, study.md and samples.csv into the folder. Errors as

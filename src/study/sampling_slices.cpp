@@ -51,8 +51,7 @@ class SliceSampling {
     if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted while the samples were calculated");
   }
 
-  /// Searches for some samples for themselves. Where they find less, their surfaces are kept and all is calculated
-  /// again.
+  /// Searches for some samples individually. Where they find less, their surfaces are kept and all is calculated again.
   void check() {
     for (int round = 0;; ++round) {
       const std::vector<std::size_t> chosen = choose(round);
@@ -134,7 +133,7 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
   SliceFactor::Workspace work;
   const FactorOf factor = [&](const std::vector<double>& values) { return slices.find(values, work); };
   estimate_first_order(set.sampled, factor, told);
-  // With a search for every sample the iteration would cost more than it tells.
+  // With a search for every sample the iteration would cost more than it is worth.
   if (!slices.is_full()) told.design_point = find_design_point(set.sampled, factor);
   if (told.design_point) {
     // The surface that fails first need not be critical at the means: it is looked for where failure is most probable.

@@ -1,4 +1,4 @@
-// What samples say: shares, moments and correlations of what they gave.
+// Statistics of samples: shares, moments and correlations of their results.
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t steps_of_growth = 40;
 constexpr std::size_t distances_of_curve = 60;
 
-/// The numbers of a list that are there, and which they are.
+/// The finite numbers of a list, and their places.
 struct Present {
   explicit Present(const std::vector<double>& all) {
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -56,7 +56,7 @@ results::SampledValues describe_values(const std::vector<double>& all) {
   return values;
 }
 
-/// P(F < 1), its interval, its standard error, and how it settled.
+/// P(F < 1), its interval, its standard error, and how it converged.
 results::FailureProbability describe_failure(const input::Sampling& asked, const SampleSet& set) {
   const Present there(set.factor);
   std::vector<double> failed;

@@ -1,5 +1,5 @@
 #pragma once
-// What an uncertain number changes for slices: a soil, the earthquake, nothing, or the whole section.
+// The effect of an uncertain number on slices: a soil, the earthquake, nothing, or the whole section.
 
 #include <string>
 #include <vector>

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using results::VariantStatus;
 
-/// What the folder of a variant tells; nothing where a file is damaged.
+/// The results in the folder of a variant; nothing where a file is damaged.
 std::optional<results::RunResult> load_result(const fs::path& folder) try {
   return results::read_file<results::RunResult>(folder / "summary.json");
 } catch (const Error&) {
@@ -100,7 +100,7 @@ class StudyRun {
                         : row.code == ExitCode::interrupted ? VariantStatus::interrupted
                                                             : VariantStatus::failed;
     } catch (const std::exception& error) {
-      // A defect of the program in one variant must not cost the results of the others.
+      // A defect of the program in one variant must not lose the results of the others.
       row.code = ExitCode::internal_error;
       row.told.reason = fmt::format("internal error: {}", error.what());
       row.told.status = VariantStatus::failed;
@@ -142,7 +142,7 @@ class StudyRun {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The larger, the more it matters to the person who waits.
+/// A larger number is more serious to the user.
 int rank(ExitCode code) {
   switch (code) {
     case ExitCode::interrupted:

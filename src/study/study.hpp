@@ -40,7 +40,7 @@ void check_folder(const StudyOptions& options, const std::string& ways);
 /// both before anything is written; Error (cannot_write) for the study's own files.
 std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options);
 
-/// One error for all rows that did not finish, with the code of the gravest; nothing when all did.
+/// One error for all rows that did not finish, with the most serious code; nothing when all did.
 std::optional<Error> find_failure(const std::vector<StudyRow>& rows);
 
 }  // namespace talus::study

@@ -71,7 +71,7 @@ std::vector<Choice> list_choices(const input::Study& study) {
   return choices;
 }
 
-/// With mode = "together", names of one key's values can stand for those of all.
+/// With mode = "together", the names of one key's values can name the variants.
 bool is_unnamed(const input::Study& study, std::size_t key) {
   const auto has_names = [](const input::Vary& v) { return !v.names.empty(); };
   return study.mode == input::StudyMode::together && study.vary[key].names.empty() &&

@@ -17,7 +17,7 @@ std::string write_study_csv(const std::vector<results::StudyColumn>& table);
 /// Plan, table and how each variant went, for the report; numbers in `full` are in the unit of their column.
 results::StudyResult describe_study(const StudyPlan& plan, const std::vector<StudyRow>& rows);
 
-/// The same as Markdown, with the reasons of what is missing and the warnings of the runs below.
+/// The same as Markdown, with the reasons for missing values and the warnings of the runs below.
 std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyRow>& rows,
                                  const results::StudyResult& study);
 

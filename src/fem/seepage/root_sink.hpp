@@ -20,8 +20,8 @@ struct RootSink {
 /// Water drawn through one sink [m³/s] (per metre of thickness in 2D); for a time range [m³].
 struct Uptake {
   std::string name;
-  double potential = 0;  ///< the potential
-  double actual = 0;     ///< the actual
+  double potential = 0;  ///< potential transpiration
+  double actual = 0;     ///< actual transpiration
 };
 
 }  // namespace talus::fem

@@ -29,8 +29,8 @@ class SoilOutline;
 /// One [[lem.surface]], which is at `path`.
 void check_slip_surface(const SlipSurface& surface, const std::string& path, const SoilOutline& soil,
                         Findings& findings);
-/// Whether a list is [from, to], increasing. An empty list is not, without a fault; any other list that is not is
-/// a fault. `what` names the numbers.
+/// Whether a list is [from, to], increasing. False for an empty list; false with a finding for any other wrong list.
+/// `what` names the numbers.
 bool check_range(const std::vector<double>& range, const std::string& path, const char* what, Findings& findings);
 /// Uncertain numbers of a study and their correlations, and the key that is extrapolated.
 void check_sampling(const Case& data, Findings& findings);

@@ -44,7 +44,7 @@ class Handle {
   Close close_ = nullptr;
 };
 
-/// Something the library refused; callers turn it into an Error that names the file. `reason` is errno, or 0.
+/// A refusal of the library; callers turn it into an Error that names the file. `reason` is errno, or 0.
 struct Failure : std::runtime_error {
   explicit Failure(const std::string& what);
   int reason;

@@ -34,7 +34,7 @@ enum class HistoryQuantity {
   state  ///< another variable of a soil model
 };
 
-/// Of the balance of energy: what goes into the body, and what it becomes.
+/// Terms of the balance of energy: energy that enters the body, and its forms.
 enum class EnergyPart { external, kinetic, elastic, plastic, damping };
 
 struct HistoryColumn {

@@ -1,5 +1,5 @@
 #pragma once
-// What a soil does with water, as numbers over suction: for the picture of water_plot.hpp and for a table.
+// The hydraulic laws of a soil as numbers over suction: for the picture of water_plot.hpp and for a table.
 
 #include <array>
 #include <optional>

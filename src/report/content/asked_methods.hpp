@@ -5,7 +5,7 @@
 
 namespace talus::report {
 
-/// A folder that tells of no method is one of material points.
+/// A folder that names no method is one of material points.
 bool asks_for(const ResultFolder& folder, Method method);
 
 }  // namespace talus::report

@@ -8,7 +8,7 @@
 namespace talus::report {
 
 /// Adds what `talus calibrate` found to the document of a report: its section, its findings among the warnings, and
-/// what it answers before what the element tests do. Nothing when the folder holds no calibration.
+/// its answer before that of the element tests. Nothing when the folder holds no calibration.
 void add_calibration(const ResultFolder& folder, nlohmann::json& document);
 
 }  // namespace talus::report

@@ -27,7 +27,7 @@ const std::map<std::string, Words>& list_words() {
       {"plastic_strain", {"plastic deviatoric strain", false}},
       {"volume", {"volume of the point", false}},
       {"pore_pressure", {"pore pressure (compression positive)", true}},
-      // Not from zero on: what differs is seen.
+      // The scale does not begin at zero, so that differences are visible.
       {"saturation", {"degree of saturation", true}},
       {"porosity", {"porosity", true}},
       {"darcy_velocity", {"flow of the water (Darcy)", false}},

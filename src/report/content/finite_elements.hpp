@@ -8,8 +8,8 @@
 
 namespace talus::report {
 
-/// `FiniteElements` of web/src/contract/; null when the run has none. Fields that cannot be read cost their
-/// picture and add a warning.
+/// `FiniteElements` of web/src/contract/; null when the run has none. Fields that cannot be read leave out
+/// their picture and add a warning.
 nlohmann::json make_finite_elements(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 
 }  // namespace talus::report

@@ -1,5 +1,5 @@
 #pragma once
-// The title block, where the numbers come from, and what they cost.
+// The title block, provenance and timing.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -22,7 +22,7 @@ using results::Topic;
 
 namespace {
 
-/// Nothing for what is no factor.
+/// Nothing for a value that is no factor.
 std::optional<double> take_factor(std::optional<double> value) {
   return value && *value > 0 ? value : std::nullopt;
 }
@@ -62,7 +62,7 @@ std::string describe(const MethodRow& row) {
   return row.criterion.empty() ? label : label + ", " + row.criterion;
 }
 
-/// Rows of older versions do not say it: the names of their surfaces do.
+/// Rows of older versions do not hold it; the names of their surfaces tell it.
 SurfaceSource find_source(const MethodRow& row) {
   if (row.source) return *row.source;
   if (row.surface.empty()) return SurfaceSource::none;
@@ -141,7 +141,7 @@ std::string name_kind(const Factor& factor) {
   return factor.by ? to_word(*factor.by) : "";
 }
 
-/// The factor that stands for its method in the answer: the first of those with the lowest rank.
+/// The factor that represents its method in the answer: the first of those with the lowest rank.
 template <class Rank>
 void mark_main(std::vector<Factor>& factors, Method method, Rank rank) {
   Factor* main = nullptr;
@@ -270,7 +270,7 @@ std::string say_main_factors(const results::RunResult& run, const std::vector<Fa
 }
 
 std::string say_agreement(const std::vector<Factor>& factors) {
-  // Less is not worth a reason.
+  // A smaller difference needs no reason.
   constexpr double close = 0.02;
   std::vector<double> values;
   const Factor *given = nullptr, *associated = nullptr, *points = nullptr;
@@ -302,7 +302,7 @@ std::string say_agreement(const std::vector<Factor>& factors) {
 }
 
 std::string say_weakest_surface(const std::vector<Factor>& factors) {
-  // Other methods leave a part of the equilibrium out: a lower factor of theirs says less.
+  // Other methods leave a part of the equilibrium out, so their lower factor is less reliable.
   constexpr double noticed = 0.995;
   const Factor *main = nullptr, *weakest = nullptr;
   for (const Factor& factor : factors) {

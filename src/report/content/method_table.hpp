@@ -20,7 +20,7 @@ struct Factor {
   std::string title;  ///< "Spencer, critical circle"
   std::optional<double> value, lower, upper;
   std::string note;
-  bool is_main = false;                     ///< it stands for its method in the first sentence
+  bool is_main = false;                     ///< it represents its method in the first sentence
   std::optional<input::WaterMotion> water;  ///< of material points in wet ground
   std::optional<SliceMethod> slice_method;  ///< by which slices found it; nothing where they changed a given surface
   std::optional<results::SurfaceSource> source;   ///< of slices and finite elements

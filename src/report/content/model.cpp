@@ -269,7 +269,7 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
       add_mesh<3>(*space, is_measured, mesh, packer);
     }
   }
-  // Nothing tells of the case of a run that was killed, and element tests have no weight.
+  // The case of a run that was killed is unknown, and element tests have no weight.
   const bool has_weight = !folder.run.input.is_empty() && !folder.has_tests_alone;
   json polygons = json::array();
   for (const mesh::Polygon& p : data.mesh.polygons) {

@@ -16,7 +16,7 @@ nlohmann::json make_point_tests(const ResultFolder& folder);
 /// The answer of element tests in words.
 std::vector<std::string> say_point_tests(const ResultFolder& folder);
 
-/// What element tests rest on, in sentences.
+/// The assumptions of element tests, in sentences.
 std::vector<std::string> list_point_assumptions();
 
 }  // namespace talus::report

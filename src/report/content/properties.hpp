@@ -32,11 +32,11 @@ class Properties {
            std::optional<double> value, std::optional<double> design = {}, std::optional<double> at_failure = {});
   void add_mohr_coulomb(const input::Material& soil);
   void add_cam_clay(const input::CamClaySoil& clay);
-  /// What roots are worth in this soil; `blocks`: of the whole case.
+  /// The effect of roots in this soil; `blocks`: of the whole case.
   void add_roots(const std::vector<input::Roots>& blocks, const input::Material& soil);
-  /// What a UMAT is given. Its constants have no names and no units that anybody but the UMAT knows.
+  /// The inputs of a UMAT. Only the UMAT knows names and units of its constants.
   void add_external(const input::ExternalModel& external);
-  /// With all pores that fill full of water, and as light as the driest soil of the model.
+  /// With all fillable pores full of water, and as light as the driest soil of the model.
   void add_wet_weights(const ResultFolder& folder, const input::Material& soil);
 
   nlohmann::json list() const;

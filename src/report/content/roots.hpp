@@ -8,7 +8,7 @@
 
 namespace talus::report {
 
-/// What the numbers of rooted soils rest on; nothing for a case without.
+/// The assumptions on rooted soils; nothing for a case without.
 std::vector<std::string> list_root_assumptions(const ResultFolder& folder);
 
 }  // namespace talus::report

@@ -8,8 +8,7 @@
 
 namespace talus::report {
 
-/// `Slices` of web/src/contract/; null when the run has none. What of the trials cannot be read costs them and
-/// adds a warning.
+/// `Slices` of web/src/contract/; null when the run has none. Trials that cannot be read are left out with a warning.
 nlohmann::json make_slices(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 
 }  // namespace talus::report

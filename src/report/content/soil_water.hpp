@@ -1,5 +1,5 @@
 #pragma once
-// What the soils of a run do with pore water (`SoilWater` in web/src/contract/).
+// The hydraulic laws of the soils of a run (`SoilWater` in web/src/contract/).
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>

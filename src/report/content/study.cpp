@@ -66,7 +66,7 @@ void say_ranges(const std::vector<results::StudyColumn>& columns, std::vector<st
   }
 }
 
-/// Factors of methods that know nothing of the size are the same at all sizes.
+/// Factors of methods that do not depend on the size are the same at all sizes.
 std::vector<results::ExtrapolatedFactor> list_varying(const results::StudyExtrapolation& extrapolation) {
   std::vector<results::ExtrapolatedFactor> varying;
   for (const results::ExtrapolatedFactor& f : extrapolation.factors)
@@ -95,7 +95,7 @@ void say_extrapolation(const results::StudyExtrapolation& extrapolation, std::ve
 /// In a large study the table says it.
 constexpr std::size_t most_motions = 6;
 
-/// The first variant that has a summary, or what a study without variants says of itself.
+/// The first variant that has a summary, or the head of a study without variants.
 ResultFolder take_first(std::vector<std::optional<ResultFolder>>& runs, const results::StudyResult& study) {
   ResultFolder first;
   const auto found = std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run.has_value(); });

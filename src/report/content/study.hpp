@@ -1,5 +1,5 @@
 #pragma once
-// A study as the report shows it: its table, the curves of its variants, and what became of them.
+// A study as the report shows it: its table, the curves of its variants, and how they ended.
 
 #include <string>
 #include <vector>

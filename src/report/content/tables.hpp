@@ -8,8 +8,8 @@
 namespace talus::report {
 
 /// Tables of the stages, then of the trials that run out. Of longer files about `most_rows` rows are taken, evenly
-/// spread, the first and the last among them; the title says so. A file that cannot be read costs its table, not the
-/// report: a sentence is added to `warnings`.
+/// spread, the first and the last among them; the title says so. If a file cannot be read, the report lacks its
+/// table, and `warnings` gets a sentence.
 nlohmann::json make_tables(const ResultFolder& folder, nlohmann::json& warnings);
 
 inline constexpr std::size_t most_rows = 1000;

@@ -1,5 +1,5 @@
 #pragma once
-// Pore water of a run: what it is, how it began, what it met, and where it went (`Water` in web/src/contract/).
+// Pore water of a run: properties, initial state, conditions and budget (`Water` in web/src/contract/).
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What pore water does in the stages and trials of a wet case.
+// How pore water is calculated in the stages and trials of a wet case.
 
 #include <optional>
 #include <string>

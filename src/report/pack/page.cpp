@@ -60,7 +60,7 @@ std::string fill_page(std::string_view page, const std::string& title, const nlo
         "the page for reports inside this program has no place for data; build it again (docs/manual/report.md)");
   }
   std::string data = "<script type=\"application/json\" id=\"talus-report\">";
-  // Text that is no UTF-8, in a title for example, must not cost the report.
+  // Text that is no UTF-8, in a title for example, must not prevent the report.
   data += escape_script(document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   data += "</script>\n";
   for (const PackedText& array : arrays)

@@ -13,8 +13,8 @@ namespace talus::report {
 /// The empty page as it was built.
 std::string_view get_page();
 
-/// `page` with the document and its arrays in place of the mark <!--TALUS_DATA-->, and `title` as the name of its
-/// window. Throws Error (internal_error) when the page has no such mark.
+/// `page` with the document and its arrays in place of the placeholder <!--TALUS_DATA-->, and `title` as the name
+/// of its window. Throws Error (internal_error) when the page has no such placeholder.
 std::string fill_page(std::string_view page, const std::string& title, const nlohmann::json& document,
                       const std::vector<PackedText>& arrays);
 

@@ -94,7 +94,7 @@ void say_methods(const results::RunResult& run, const std::vector<Factor>& facto
     return;
   }
   sentences.push_back(sentence);
-  // Of design values the statement on partial factors says it.
+  // For design values the statement on partial factors says so.
   if (!has_design_values(run) &&
       std::any_of(factors.begin(), factors.end(), [](const Factor& f) { return f.is_main && *f.value < 1; }))
     sentences.push_back(too_low);
@@ -134,7 +134,7 @@ void say_factor(const results::RunResult& run, const std::vector<Factor>& factor
   if (*found->value < 1) sentences.push_back(too_low);
 }
 
-/// What has become of the soil when a calculation ended.
+/// The state of the soil at the end of a calculation.
 std::string describe_end(results::StageEnd end, double time, double force_ratio) {
   if (end == results::StageEnd::rest) return fmt::format("after {} s the soil is at rest", show_number(time));
   return fmt::format(
@@ -186,7 +186,7 @@ bool has_lost_all(const results::RunResult& run) {
   return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
 }
 
-/// Points that left the grid are in no number of the answer. Returns whether any soil is left.
+/// The numbers of the answer exclude points that left the grid. Returns whether any soil is left.
 bool say_lost(const results::RunResult& run, json& sentences) {
   if (!run.budgets || run.budgets->lost.points == 0) return true;
   if (has_lost_all(run)) {

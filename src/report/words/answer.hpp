@@ -1,5 +1,5 @@
 #pragma once
-// The answer of a run in plain words, and the factors of safety with what they rest on.
+// The answer of a run in plain words, and the factors of safety with their basis.
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>

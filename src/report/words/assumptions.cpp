@@ -246,7 +246,7 @@ class Assumptions {
           lost == 1 ? "is" : "are");
   }
 
-  /// Of a run that nothing moved in, nothing is to be said about how far.
+  /// A run without movement has no runout to describe.
   bool has_moved() const {
     const auto moves = [](const results::Runout& runout) { return runout.moved_volume > 0; };
     if (run_.runout && moves(*run_.runout)) return true;

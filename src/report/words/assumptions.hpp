@@ -1,5 +1,5 @@
 #pragma once
-// What the numbers of a run rest on and where they end, as sentences derived from its case and its results.
+// The assumptions of a run and their limits, as sentences derived from its case and its results.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -19,11 +19,12 @@ struct ShownUnits {
   ShownUnit length{"m", 1}, displacement{"mm", 1e-3}, stress{"kPa", 1e3};
 };
 ShownUnits read_units(const results::RunResult& run);
-/// "3.23", "−0.061", "4.06 × 10⁻⁶": `digits` significant digits, and all before the point; "–" for what is no number.
+/// "3.23", "−0.061", "4.06 × 10⁻⁶": `digits` significant digits, and all before the point; "–" for a value that is
+/// not finite.
 std::string show_number(double value, int digits = 3);
 /// "3.23 m".
 std::string show(double si, const ShownUnit& unit, int digits = 3);
-/// 0 for what is no number.
+/// 0 for a value that is not finite.
 double keep_finite(double value);
 /// "a, b and c".
 std::string join_words(const std::vector<std::string>& words);

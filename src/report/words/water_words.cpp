@@ -16,9 +16,9 @@ namespace {
 
 using input::WaterMotion;
 
-/// Of water as it is [Pa].
+/// Of real water [Pa].
 constexpr double real_modulus = 2.2e9;
-/// Water that the budget does not explain, over the water in the model, from which on it is worth a sentence.
+/// Error of the budget, over the water in the model, from which on it is reported.
 constexpr double noticeable = 1e-6;
 
 /// Lists the soils of which `holds` is true.
@@ -91,7 +91,7 @@ class WaterAssumptions {
     return soil.young_modulus > 0 ? std::optional(soil.constrained_modulus()) : std::nullopt;
   }
 
-  /// How much of a load that is brought on undrained the water takes: 1/(1 + n E_c/K_w), in one dimension.
+  /// The share of an undrained load that the water takes: 1/(1 + n E_c/K_w), in one dimension.
   static double find_share(const input::Material& soil, double oedometric, double modulus) {
     return 1 / (1 + soil.porosity * oedometric / modulus);
   }

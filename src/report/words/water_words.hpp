@@ -1,5 +1,5 @@
 #pragma once
-// Sentences about pore water: for the answer of a report, and what its numbers rest on.
+// Sentences about pore water: for the answer of a report, and its assumptions.
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace talus::report {
 /// What the results say of pore water; none where the ground is dry.
 std::vector<std::string> tell_water(const ResultFolder& folder);
 
-/// What a wet case assumes, and where that ends; none where the ground is dry.
+/// The assumptions of a wet case and their limits; none where the ground is dry.
 std::vector<std::string> list_water_assumptions(const ResultFolder& folder);
 
 }  // namespace talus::report

@@ -9,7 +9,7 @@
 
 namespace talus::run {
 
-/// From what the methods have put into `run`. `slope`: for surfaces that are handed to slices; may be nullptr.
+/// From the results of the methods in `run`. `slope`: for surfaces that are handed to slices; may be nullptr.
 /// `folder`: results of material points.
 results::MethodComparison compare_methods(const input::Case& data, const lem::Slope* slope,
                                           const results::RunResult& run, const std::filesystem::path& folder,

@@ -14,12 +14,12 @@ namespace {
 
 /// Factors that differ by less are the same [-].
 constexpr double same = 0.01;
-/// Differences that slices, which vary little among themselves, deserve a sentence for [-].
+/// Difference among the methods of slices, which usually differ little, from which on it is reported [-].
 constexpr double noticeable = 0.02;
 /// Mean distance of two surfaces over the height of the slope that still is one mechanism, where it is more than the
 /// size of the elements [-].
 constexpr double same_surface = 0.06;
-/// Share of suction in the resistance that is worth saying [-].
+/// Share of suction in the resistance from which on it is reported [-].
 constexpr double noticeable_suction = 0.01;
 
 std::string format_share(double part) {
@@ -164,7 +164,7 @@ class Reading {
           circle_name_, *polyline, format_share(*polyline / *circle_ - 1));
   }
 
-  /// How much of the resistance on the critical circle is suction's.
+  /// The share of suction in the resistance on the critical circle.
   void read_suction() {
     if (critical_ == nullptr) return;
     const results::SliceTable& slices = critical_->slices;
@@ -299,7 +299,7 @@ class Reading {
 
   bool is_extrapolated() const { return run_.factor_of_safety->frozen->extrapolated.has_value(); }
 
-  /// Whether the methods see one mechanism, and what slices say on the surfaces of the others.
+  /// Whether the methods find one mechanism, and the factors of slices on the surfaces of the others.
   void read_surfaces() {
     if (critical_ == nullptr || !(height_ > 0)) return;
     const ground::Polyline& circle = critical_->surface.points;
@@ -322,7 +322,7 @@ class Reading {
     }
   }
 
-  /// Which of two bands a surface of the finite elements is; empty where there is one.
+  /// The name of a surface of the finite elements where there are two bands; empty where there is one.
   std::string name_rule(const results::MethodSurface& s) const {
     if (given_ == nullptr || associated_ == nullptr) return "";
     return " with " + describe_flow(s.name == name_band(results::Flow::associated) ? *associated_ : *given_);
@@ -370,7 +370,7 @@ class Reading {
   const results::RunResult& run_;
   const results::MethodComparison& methods_;
   double height_;
-  const results::CriticalSurface* critical_ = nullptr;  ///< the circle that stands for slices
+  const results::CriticalSurface* critical_ = nullptr;  ///< the circle that represents slices
   std::optional<double> circle_, frozen_;
   std::string circle_name_;
   const results::ElementRun *given_ = nullptr, *associated_ = nullptr;

@@ -1,5 +1,5 @@
 #pragma once
-// What the numbers of the methods say about one another, in sentences.
+// Sentences on the differences between the methods.
 
 #include <vector>
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 /// Distance that a simplified line may keep from the full one, over the width of the line.
 constexpr double simplified = 0.004;
-/// The middle of a line that is compared: ends are led on to the ground and say nothing.
+/// The middle part of a line is compared: its ends are extended to the ground and mean nothing.
 constexpr int compared_points = 60;
 /// The ends of a line rise to the ground at least so steeply [-].
 constexpr double flattest_end = 0.2;
@@ -140,7 +140,7 @@ std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::
   ground::Polyline line = given;
   if (line.size() < 2) return std::nullopt;
   if (line.front()[0] > line.back()[0]) std::reverse(line.begin(), line.end());
-  // Only what lies in the soil and goes on to the right.
+  // Only points that lie in the soil and continue to the right.
   ground::Polyline inside;
   for (const ground::Point& x : line) {
     if (x[0] <= slope.left() + least || x[0] >= slope.right() - least) continue;
@@ -155,7 +155,7 @@ std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::
   ground::Polyline body;
   for (std::size_t i = 0; i < inside.size(); ++i)
     if (kept[i]) body.push_back(inside[i]);
-  // The ends go on as they came, to the ground.
+  // The ends continue in their direction to the ground.
   const auto lead_on = [&](const ground::Point& end, const ground::Point& before) -> std::optional<ground::Point> {
     const double dx = end[0] - before[0], dy = end[1] - before[1], sign = dx > 0 ? 1 : -1;
     const double slope_out = std::max(dy / std::abs(dx), flattest_end);

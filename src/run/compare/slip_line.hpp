@@ -1,5 +1,5 @@
 #pragma once
-// Slip lines of finite elements and material points as surfaces that slices can be put on.
+// Slip lines of finite elements and material points as surfaces for slices.
 
 #include <filesystem>
 #include <optional>
@@ -27,8 +27,8 @@ struct PointsSlipLine {
 PointsSlipLine find_points_slip_line(const input::Case& data, const results::RunResult& run,
                                      const std::filesystem::path& folder);
 
-/// A line made into a surface: from left to right without turning back, its ends led on to the ground, with few
-/// vertices. Nothing when it does not enclose soil.
+/// A line made into a surface: from left to right without turning back, its ends extended to the ground, with
+/// few vertices. Nothing when it does not enclose soil.
 std::optional<lem::Surface> make_surface(const lem::Slope& slope, const ground::Polyline& line);
 
 /// Largest distance of a point of `a` from the line `b` and the other way round [m].

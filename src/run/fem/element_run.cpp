@@ -78,7 +78,7 @@ void ElementRun<D>::prepare() {
   });
 }
 
-/// What an interrupted run has left, or what is known before the first trial.
+/// The state of an interrupted run, or the one before the first trial.
 template <int D>
 void ElementRun<D>::begin() {
   if (options_.resume) {

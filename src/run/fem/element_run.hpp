@@ -1,6 +1,5 @@
 #pragma once
-// Strength reduction by finite elements in a run: calculated or taken from what an interrupted run has left, and kept
-// in the folder.
+// Strength reduction by finite elements in a run: calculated or taken from an interrupted run, and kept in the folder.
 
 #include <chrono>
 #include <memory>
@@ -16,7 +15,7 @@ namespace talus::run {
 template <int D>
 class ElementRun {
  public:
-  /// `data`: what is calculated. `alone`: no other method answers.
+  /// `data`: what is calculated. `alone`: the case has no other method.
   ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
 
   /// Mesh and model; nothing is written. Throws Error (interrupted); where finite elements answer alone, what
@@ -34,7 +33,7 @@ class ElementRun {
     fem::QuadraticMesh<D> mesh;
   };
 
-  /// Runs `part`, and turns what it throws into the result where other methods answer as well.
+  /// Runs `part`. If the case has other methods as well, its exception becomes a part of the result.
   template <class Part>
   void attempt(Part part);
   void begin();

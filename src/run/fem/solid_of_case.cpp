@@ -139,7 +139,7 @@ class SolidBuilder {
   bool is_soil(int e) const { return mesh_.element_region[e] != mesh::empty_region; }
 
   void find_plane() {
-    if (data_.mesh.polygons.empty()) return;  // a ready mesh: nothing stands on it but what its sides say
+    if (data_.mesh.polygons.empty()) return;  // a ready mesh: only its sides carry loads
     ground_ = ground::find_ground(data_.mesh);
     ponds_ = ground::find_ponds(data_, ground_);
     for (std::string& note : ground::find_open_ends(ponds_, ground_)) solid_.notes.push_back(std::move(note));
@@ -162,7 +162,7 @@ class SolidBuilder {
       const bool wet = ground::takes_water(data_, m);
       std::array<double, D + 1> p{};
       for (std::size_t c = 0; c <= D; ++c) p[c] = wet && has_pressure ? pressure[mesh_.elements[e][c]] : 0;
-      // Without water in the case there is nothing to be below: the soil is dry.
+      // Without water in the case the soil is dry.
       const bool is_dry = !m.water.is_wet() && !(wet && has_pressure);
       model.unit_weight[e] = is_dry ? ground::find_unit_weight(data_, m, 1)
                                     : find_mean<D>(p, [&](double q) { return ground::find_unit_weight(data_, m, q); });

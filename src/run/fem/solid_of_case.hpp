@@ -17,7 +17,7 @@ struct SolidOfCase {
   std::shared_ptr<const mesh::Mesh<D>> mesh;  ///< that the model points to
   fem::SolidModel<D> model;                   ///< with the dilatancy angles as given
   std::optional<results::Seepage> seepage;    ///< that pore pressures are from
-  std::vector<std::string> notes;             ///< what finite elements cannot take as the case says it, in sentences
+  std::vector<std::string> notes;             ///< what finite elements cannot take from the case, in sentences
 };
 
 /// Mesh, supports, weights, water and loads of a case. Pore pressures of steady seepage are calculated on the same

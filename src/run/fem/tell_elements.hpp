@@ -1,5 +1,5 @@
 #pragma once
-// What finite elements found, as results tell it.
+// The results of finite elements.
 
 #include <array>
 

@@ -22,7 +22,7 @@ namespace {
 
 /// Cohesion of soil that cannot yield: no surface through it is ever critical [Pa].
 constexpr double unyielding = 1e9;
-/// Places across a polygon where the saturation above the water table is looked at.
+/// Places across a polygon where the saturation above the water table is sampled.
 constexpr int weight_samples = 40;
 /// Parts in depth, and along the ground, that a distribution of roots is cut into.
 constexpr int root_depths = 20, root_parts = 24;
@@ -67,7 +67,7 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
       break;
   }
   if (soil.suction == lem::Suction::saturation) {
-    // The χ of the soil, whichever it is.
+    // The χ of the soil, by either law.
     soil.saturation = [m](double suction) {
       return suction > 0 ? ground::find_suction_stress(m, suction) / suction : 1.0;
     };
@@ -144,7 +144,7 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
   }
   for (std::size_t s = 0; s < section.soils.size(); ++s) {
     const input::Material& m = data.materials.at(section.soils[s].name);
-    // Without a water table nothing is below it: dry soil is dry, and wet soil at zero pressure full.
+    // Without a water table dry soil is dry, and wet soil at zero pressure is saturated.
     const bool is_dry = !m.water.is_wet() && !has_table && grid == nullptr;
     if (area[s] > 0)
       section.soils[s].unit_weight = sum[s] / area[s];

@@ -13,7 +13,7 @@ namespace talus::run {
 
 struct SectionOfCase {
   lem::Section section;
-  std::vector<std::string> notes;           ///< what slices cannot take as the case says it, in sentences
+  std::vector<std::string> notes;           ///< what slices cannot take from the case, in sentences
   std::optional<results::Seepage> seepage;  ///< that pore pressures are from
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Slices in a run: calculated or taken from what an interrupted run has left, and kept in the folder.
+// Slices in a run: calculated or taken from an interrupted run, and kept in the folder.
 
 #include <optional>
 #include <string>
@@ -12,11 +12,11 @@ namespace talus::run {
 
 class SliceRun {
  public:
-  /// Prepares the slope; throws what prepare_slope() throws. `data`: what is calculated. `alone`: no other method
-  /// answers.
+  /// Prepares the slope; throws what prepare_slope() throws. `data`: what is calculated. `alone`: the case has no
+  /// other method.
   SliceRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
 
-  /// Throws Error (interrupted), and Error (wrong_input) where slices answer alone and no surface is admissible; beside
+  /// Throws Error (interrupted), and Error (wrong_input) where slices are alone and no surface is admissible; beside
   /// others the reason stands in the result.
   void calculate();
   /// lem.json; nothing where it is that of an earlier run.

@@ -1,5 +1,5 @@
 #pragma once
-// What results tell of slip surfaces and of the search for them.
+// The results of slip surfaces and of the search for them.
 
 #include <vector>
 

@@ -142,7 +142,7 @@ void PointRun<D>::finish(results::RunResult& run) {
   try {
     read_output(run, data_, options_.folder);
   } catch (const Error& error) {
-    warnings_.push_back(error.what());  // a table that cannot be made must not cost the summary
+    warnings_.push_back(error.what());  // a table that fails must not prevent the summary
   }
   run.warnings = warnings_;
 }
@@ -287,7 +287,7 @@ void PointRun<D>::warn_about(const input::Stage& stage, const results::Stage& re
   }
 }
 
-/// The end of the stages for whoever starts from it, and what they did without what was done before them.
+/// The end of the stages for a case that starts from it, and the results of these stages alone.
 template <int D>
 void PointRun<D>::end_stages(results::RunResult& run) {
   save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_, ground::write_root_input(data_));

@@ -38,7 +38,7 @@ class PointRun {
   /// Stages, and the strength reduction or the runout. Throws Error (unstable, interrupted, cannot_write); what was
   /// found before stands in `run`.
   void calculate(results::RunResult& run);
-  /// Stages, warnings and what follows from the files, of a run that ended anyhow.
+  /// Stages, warnings and the results from the files, of a run that ended in any way.
   void finish(results::RunResult& run);
   /// Seconds by part; `cpu`: of the whole process.
   std::vector<results::TimedPart> list_parts(double cpu) const;

@@ -16,7 +16,7 @@
 namespace talus::run {
 namespace {
 
-/// Looks between copies of the body that an unstable run falls back to.
+/// Looks between copies of the body to which an unstable run returns.
 constexpr int looks_per_copy = 32;
 /// What is faster than this many wave speeds is not soil any more.
 constexpr double unstable_speed_ratio = 2;
@@ -51,7 +51,7 @@ double find_smallest_step(const mpm::Body<D>& body, double wave_speed, const Sta
   double step = smallest_step_share * *std::min_element(altitudes.begin(), altitudes.end()) *
                 std::sqrt(plan.step.mass_scaling) / wave_speed;
   if (body.water.is_wet() && plan.step.drag == input::Drag::explicit_at_nodes) {
-    // Drag may ask for far less than the waves do (2.85).
+    // Drag may require a far smaller step than the waves (2.85).
     StagePlan<D> without = plan;
     without.step.drag = input::Drag::implicit_at_nodes;
     step *= std::min(1.0, find_critical_step(body, plan).dt / find_critical_step(body, without).dt);
@@ -68,7 +68,7 @@ int find_step_interval(const mpm::Body<D>& body) {
   return follows ? changing : look_interval;
 }
 
-/// Where and how fast something moves that should not.
+/// The place and speed of an unstable motion.
 template <int D>
 struct Runaway {
   Vec<D> place{};    ///< [m]

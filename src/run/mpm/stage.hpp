@@ -1,5 +1,5 @@
 #pragma once
-// One stretch of time: the loop over steps, with the time step, the end at rest, and the watch over stability.
+// One period of time: the loop over steps, with the time step, the end at rest, and the check of stability.
 
 #include <functional>
 #include <string>
@@ -39,7 +39,7 @@ struct StageState {
   double wave_speed = 0;     ///< compression waves at the start of the stage [m/s]
 };
 
-/// What others do while a stage runs. All may be empty.
+/// Callbacks while a stage runs. All may be empty.
 template <int D>
 struct StageHooks {
   /// Called when body.time reaches state.next_output, which it must advance.

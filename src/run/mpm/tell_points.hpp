@@ -1,5 +1,5 @@
 #pragma once
-// What results tell of a body of material points: its mesh, and what became of energy, momentum and mass.
+// The results of a body of material points: its mesh, and the balances of energy, momentum and mass.
 
 #include "mpm/body/body.hpp"
 #include "results/run.hpp"

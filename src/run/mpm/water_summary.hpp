@@ -1,5 +1,5 @@
 #pragma once
-// What results tell of the pore water of a run.
+// The results of the pore water of a run.
 
 #include "input/case/case.hpp"
 #include "mpm/body/body.hpp"
@@ -8,7 +8,7 @@
 namespace talus::run {
 
 /// Water at the start and now, and what passed each condition [kg], [Pa]. `initial` is its mass at the start. The
-/// error of the budget is what the sums leave unexplained, as a share of the water in the model.
+/// error of the budget is given as a share of the water in the model.
 template <int D>
 results::WaterBudget tell_water(const input::Case& data, const mpm::Body<D>& body, double initial);
 

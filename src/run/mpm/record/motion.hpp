@@ -14,8 +14,8 @@
 
 namespace talus::run {
 
-/// Where the clock of onset and sections starts: [output] count_from. `stages`: as far as the run came. Nothing when it
-/// did not come to the stage.
+/// Where the clock of onset and sections starts: [output] count_from. `stages`: those that the run reached. Nothing
+/// when it did not reach the stage.
 std::optional<results::Clock> find_clock(const input::Case& data, const std::vector<results::Stage>& stages);
 
 /// Displacement of a monitor from the start of the clock on, [row], beginning with zero there.

@@ -16,7 +16,7 @@ using Line = std::vector<std::array<double, 2>>;
 constexpr double column_width = 1.5;
 constexpr std::size_t fewest_columns = 6;
 
-/// The height that parts best what moved from what stayed in a column; nothing where nothing moved.
+/// The height that separates best the moved soil from the rest in a column; nothing where nothing moved.
 std::optional<double> part_column(std::vector<std::pair<double, bool>> column, double spacing) {
   std::sort(column.begin(), column.end());
   // With the limit under all points those that stayed are on the wrong side; it then climbs point by point.

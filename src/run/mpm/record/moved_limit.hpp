@@ -12,9 +12,9 @@ namespace talus::run {
 inline constexpr double moved_share = 0.25;
 
 /// The lower limit of the soil that moved by more than `threshold` [m], from left to right: for each column the height
-/// that parts best what moved from what stayed, with the fewest points on the wrong side; the longest stretch of such
-/// columns, smoothed. Empty where fewer than six stand side by side. `positions` before the motion [m], `spacing`: mean
-/// distance of the points [m].
+/// that separates best the moved soil from the rest, with the fewest points on the wrong side; the longest stretch of
+/// such columns, smoothed. Empty where fewer than six stand side by side. `positions` before the motion [m], `spacing`:
+/// mean distance of the points [m].
 std::vector<std::array<double, 2>> find_moved_limit(const std::vector<std::array<double, 2>>& positions,
                                                     const std::vector<double>& displacement, double spacing,
                                                     double threshold);

@@ -1,5 +1,5 @@
 #pragma once
-// What the history of a run tells about pore water.
+// Pore water in the history of a run.
 
 #include <string>
 #include <vector>

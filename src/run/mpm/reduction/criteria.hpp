@@ -30,7 +30,7 @@ std::optional<Bilinear> construct_bilinear(const std::vector<CurvePoint>& curve,
 /// Where the displacement reaches `displacement` [m], by linear interpolation.
 results::Criterion find_displacement_criterion(const std::vector<CurvePoint>& curve, double displacement);
 
-/// The interval in which ln u grows fastest; displacements below `floor` [m] are elastic and not looked at.
+/// The interval in which ln u grows fastest; displacements below `floor` [m] are elastic and not considered.
 results::Criterion find_jump_criterion(const std::vector<CurvePoint>& curve, double floor);
 
 /// Factors that halve the two intervals beside every point where the curve bends noticeably (change of slope times

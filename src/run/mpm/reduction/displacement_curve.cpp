@@ -132,7 +132,7 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
   std::vector<double> factors = list_factors(curve);
   for (int round = 0; round <= most_refinements && !factors.empty(); ++round) {
     const int count = static_cast<int>(factors.size());
-    // The weakest last takes longest with runouts; start it first so that the others fill in beside it.
+    // The weakest, which is the last, takes longest with runouts: start it first, so that the others run beside it.
     std::reverse(factors.begin(), factors.end());
     parallel_tasks(count, side_by_side, [&](int i) { run_one(factors[i], fmt::format("[{} of {}] ", i + 1, count)); });
     sort_results();

@@ -85,7 +85,7 @@ results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, in
         low_holds = true;
       }
     }
-    // An end of the first bracket that the search has run into must be looked at, and the bracket widened beyond it.
+    // If the search runs into an end of the first bracket, that end must be tried and the bracket widened beyond it.
     if (!low_holds && widenings < most_widenings) {
       if (is_stable({low})[0]) {
         low_holds = true;

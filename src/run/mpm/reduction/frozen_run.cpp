@@ -50,7 +50,7 @@ StagePlan<D> make_frozen_stage(const input::Case& data, const input::Stage& stag
   plan.step.geometry = input::Geometry::frozen;
   plan.step.mass_scaling = stage.step.mass_scaling;
   plan.step.objective_rate = stage.step.objective_rate;
-  // Undamped or nearly undamped stages would swing for long without changing where they come to rest.
+  // Undamped or nearly undamped stages would oscillate for long without changing their state of rest.
   plan.step.damping = std::max(stage.step.damping, settings.step_settings.damping);
   plan.until_rest = true;
   plan.duration = std::max(stage.duration, longest_frozen_stage);
@@ -136,7 +136,8 @@ class FrozenMesh {
       }
       if (!stage_state.started) mpm::reset_displacements(state_);
       if (run_stage(state_, plan, stage_state, hooks) != results::StageEnd::rest) {
-        // A slope that fails as it stands has a factor below one; its trials start from before it moved.
+        // A slope that fails under its own weight has a factor below one; its trials start from the
+        // state before it moved.
         if (i > 0) state_ = before;
         const std::string warning = fmt::format(
             "stage '{}' did not come to rest at frozen geometry: the slope does not stand with the strength of this "

@@ -19,7 +19,7 @@ std::size_t find_place(const mpm::Points<D>& points, int id) {
   return static_cast<std::size_t>(place / lane_width * points.fields * lane_width + place % lane_width);
 }
 
-/// What the pore pressures do to the soil, growing with the weight of the stage.
+/// The load of the pore pressures on the soil, growing with the weight of the stage.
 template <int D>
 mpm::Load<D> make_pore_load(const mpm::Body<D>& wet, const StagePlan<D>& plan, const StageState& state) {
   mpm::StepOptions<D> options = make_options(plan);
@@ -94,7 +94,7 @@ void copy_from_drained(const mpm::Body<D>& drained, mpm::Body<D>& wet) {
   wet.elements = drained.elements;
   wet.elements.held_saturation.clear();
   wet.nodes = drained.nodes;
-  // For whoever looks at the nodes: the grains move, no water moves against them.
+  // For readers of the nodes: the grains move, no water moves against them.
   for (int row = 0; row < wet.layout->rows; ++row) {
     const double* from = &drained.nodes.motion[static_cast<std::size_t>(row * mpm::motion_stride<D>)];
     double* to = &wet.water.motion[static_cast<std::size_t>(row * mpm::wet_motion_stride<D>)];

@@ -66,7 +66,7 @@ State adopt(const mpm::PointView<D>& point, const State& fresh, const material::
             input::MaterialModel before, bool same_roots) {
   const auto now = soil.model;
   const bool stays_cam_clay = is_cam_clay(now) && is_cam_clay(before);
-  // A run that ended before its preconsolidation was set leaves that to a case that gives one.
+  // If a run ended before its preconsolidation was set, the next case that gives one sets it.
   const bool lacks_one =
       stays_cam_clay && !material::ModifiedCamClay::is_set(point.state[1]) && soil.cam_clay.preconsolidation;
   if (now == before && !lacks_one && (same_roots || !is_rooted(now))) return point.state;

@@ -1,5 +1,6 @@
 #pragma once
-// Where pore water is held, and what it meets where the wet soil ends: [[hydraulic]] and [[boundary]] on a body's mesh.
+// Where pore water is held, and its conditions where the wet soil ends: [[hydraulic]] and [[boundary]] on a body's
+// mesh.
 
 #include "input/case/case.hpp"
 #include "mpm/body/body.hpp"
@@ -13,7 +14,7 @@ namespace talus::run {
 /// its
 /// [[hydraulic]], or number 0, a seepage face. A node that lies on none of these sides takes the condition of the
 /// nearest, so that conditions go with a free surface that moves; those of walls stay with the elements at the wall.
-/// Throws Error (wrong_input) for a side that the mesh does not have, and for a condition that water never meets.
+/// Throws Error (wrong_input) for a side that the mesh does not have, and for a condition on no side of the wet soil.
 template <int D>
 void resolve_water_conditions(mpm::Body<D>& body, const input::Case& data);
 
