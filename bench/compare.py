@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Speed of the engine beside the throw-away yardstick, in one run.
+"""Speed of the engine beside the yardstick, in one run.
 
     bench/compare.py BUILD_FOLDER [--yardstick FOLDER] [--rounds N] [--only dry|wet|threads]
 
-Both step the same slope (bench/yardstick_case.hpp, bench/wet_yardstick.hpp); they take turns, because the machine's speed drifts, and the
-ratio is taken turn by turn. Without the yardstick's sources only Talus is measured, and the script says so.
+Both step the same slope (bench/yardstick_case.hpp, bench/wet_yardstick.hpp); they alternate, because the machine's
+speed drifts, and each round has its own ratio. Without the yardstick's sources only Talus is measured, and the script
+says so.
 """
 import argparse
 import os

@@ -17,16 +17,16 @@ READS = [re.compile(p) for p in (
     r'\.at\("[A-Za-z_]+"\)', r'\.value\("[A-Za-z_]+",', r'\.(?:contains|erase)\("[A-Za-z_]+"\)',
     r'\["[A-Za-z_]+"\](?!\s*=(?!=))(?!\.push_back)(?!\.update)(?!\[)', r'\bfind(?:_list|_number)?\([^()]*\{"',
     r'\bget_(?:number|text|word|si|flag)\([^()]*"')]
-# The page's contract is a document that report/ makes: what it put there, under this name, it may take again.
+# The page's contract is a document that report/ makes: what it put there under this name it may read again.
 CONTRACT, DOCUMENT = "src/report/", re.compile(r'\b(?:document|section)(?:\[[^\]]*\])+')
-# Words that are asked for and are not ours, with the reason.
+# Words of others that the source searches for, with the reason.
 MAY_SEARCH = {"src/output/plots/gnuplot.cpp": "what gnuplot says is no sentence of ours"}
 WRITES = [re.compile(p) for p in (r'\{"[a-z_]+", ', r'\["[A-Za-z_]+"\]\s*=[^=]')]
 HELPER = re.compile(r'^(?:const )?(?:nlohmann::)?(?:json|std::optional<double>|double|std::string|bool)[&*]? '
                     r'(?:find|get|list|find_list|find_number|get_number|get_text|get_si|get_word|get_flag|find_si|find_member)'
                     r'\((?:const )?(?:nlohmann::)?json')
 INCLUDE = re.compile(r'#include <nlohmann/json\.hpp>')
-# Words of ours that are asked for: .find("…"), starts_with("…") with a capital letter or a blank in it.
+# Our own words that the source searches for: .find("…"), starts_with("…") with a capital letter or a blank in it.
 SEARCH = re.compile(r'(?:\.find|starts_with|ends_with)\(\s*"[^"]*(?:[A-Z]| )[^"]*"')
 FOLDERS = {"analysis", "methods", "report", "study", "laboratory", "app", "output", "run", "ground"}
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a change of the house must leave as it is: everything that the examples and the published problems print and write.
+"""What a restructuring must not change: everything that the examples and the published problems print and write.
 
 Usage: same_results.py store PROGRAM FOLDER [--only NAME …] [--jobs N]
        same_results.py compare FOLDER OTHER [--renamed OLD=NEW …] [--added KEY …]

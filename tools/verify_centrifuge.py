@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Runs the centrifuge slope (examples/centrifuge_slope), fallow and rooted, and holds it against section 4.5.
+"""Runs the centrifuge slope (examples/centrifuge_slope), fallow and rooted, and compares it with section 4.5.
 
 Usage: tools/verify_centrifuge.py PROGRAM FOLDER [--runs FOLDER] [--threads N] [--variants]
-Writes centrifuge_slope.csv, .md and .png to FOLDER and prints the tables. Misses are told, and do not make the program
-fail. --runs keeps the results of the runs there and takes finished ones as they are; --variants also runs what changes one
-choice at a time. Needs python3 with numpy, h5py and matplotlib.
-"""
+Writes centrifuge_slope.csv, .md and .png to FOLDER and prints the tables. Misses are reported, and do not make the
+program fail. --runs keeps the results of the runs there and takes finished ones as they are; --variants also runs
+what changes one choice at a time. Needs python3 with numpy, h5py and matplotlib."""
 import argparse
 import csv
 import os

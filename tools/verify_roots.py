@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Runs the vegetated slope (examples/vegetated_slope) and holds it against section 4.4 of the source, statement by statement.
+"""Runs the vegetated slope (examples/vegetated_slope) and compares it with section 4.4 of the source, statement by
+statement.
 
 Usage: tools/verify_roots.py PROGRAM FOLDER [--only slope,choices,crutches] [--runs FOLDER] [--threads N]
-Writes vegetated_slope.csv and .md and pictures to FOLDER and prints the tables. What differs from the source is told, and does not make the
-program fail. --runs keeps the results of the runs there and takes finished ones as they are. Needs python3 with numpy, h5py and matplotlib.
+Writes vegetated_slope.csv and .md and pictures to FOLDER and prints the tables. Differences from the source are
+reported, and do not make the program fail. --runs keeps the results of the runs there and takes finished ones as they
+are. Needs python3 with numpy, h5py and matplotlib.
 """
 import argparse
 import os

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the verification problems of coupled water (examples/verification) and holds them against their closed forms.
+"""Runs the verification problems of coupled water (examples/verification) and compares them with their closed forms.
 
 Usage: tools/verify_water.py PROGRAM FOLDER [--only NAME,...] [--runs FOLDER] [--threads N]
 Writes water.csv, water.md and one SVG for each problem to FOLDER, prints the table, and ends with 1 when a number is

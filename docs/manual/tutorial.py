@@ -3,7 +3,7 @@
 #
 # The dry slope of the examples, coarse enough for a few seconds: built in code, its mistakes found, its factor of safety
 # calculated, and the results drawn. Run it cell by cell in Jupyter or VS Code, or as a whole: `python3 tutorial.py`.
-# [The Python package](python.md) tells the rest.
+# [The Python package](python.md) has the rest.
 
 # %%
 import sys

@@ -138,10 +138,10 @@ def _closing_report(folder: Path, wanted: bool) -> Iterator[None]:
     try:
         yield
     except (InputError, FolderExists):
-        raise  # what lies there is of another run
+        raise  # the files there belong to another run
     except BaseException:
         if wanted:
-            with contextlib.suppress(Error):  # the first error is the one to tell
+            with contextlib.suppress(Error):  # the first error is the one to report
                 _core.write_report(folder)
         raise
     if wanted:

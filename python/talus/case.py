@@ -48,7 +48,7 @@ class Case(_CaseTable):  # type: ignore[misc]
     @classmethod
     def read(cls, path: Union[str, os.PathLike[str]]) -> "Case":
         """Reads a case file. Raises InputError when it cannot be read or is not TOML; faults of its content are found
-        by `validate()` and `talus.run`, so that they can be mended in code first."""
+        by `validate()` and `talus.run`, so that they can be corrected in code first."""
         name = os.fspath(path)
         try:
             text = Path(name).read_bytes().decode("utf-8")

@@ -57,7 +57,7 @@ class Interrupted(Error):
 
 
 class CannotWrite(Error):
-    """The disk is full or the folder is not writable; what was written before is whole."""
+    """The disk is full or the folder is not writable; what was written before is complete."""
 
     exit_code = 6
 

@@ -48,7 +48,7 @@ class Trials(dict[float, "Results"]):
 
 
 class Results:
-    """The folder of a run, of a trial, or of a run that is still going on: what is read is what lay there then."""
+    """The folder of a run, of a trial, or of a run that is still going on, as far as it is written."""
 
     def __init__(self, folder: Union[str, os.PathLike[str]], parent: Optional["Results"] = None) -> None:
         """Nothing is read yet. Raises InputError where there is no such folder, or where it is a study's."""
@@ -84,7 +84,7 @@ class Results:
 
     @property
     def warnings(self) -> list[str]:
-        """What must be known before the results are used."""
+        """Warnings on the results."""
         return self.summary.get("warnings", [])
 
     @property
@@ -140,7 +140,7 @@ class Results:
     @property
     def failure_time(self) -> Optional[float]:
         """When the slope failed [s], from the start of the last stage or of the trial's runout: when the displacement
-        passed `displacement_ratio` of the height. None where it did not, or where nothing looked for it."""
+        passed `displacement_ratio` of the height. None where it did not, or where it was not looked for."""
         summary = self.summary
         if self.parent and "srf" in summary:
             matches = [r for r in self.parent.summary.get("runouts", []) if r["srf"] == summary["srf"]]

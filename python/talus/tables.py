@@ -21,7 +21,7 @@ Path = tuple[Union[str, int], ...]
 
 def to_plain(value: Any, name: str) -> Any:
     """The value in the types of TOML: tuples, ranges and arrays become lists, NumPy's numbers Python's; None is left out.
-    `name` is the key that it is for. Raises InputError for what a case file cannot say."""
+    `name` is the key that it is for. Raises InputError for a value that a case file cannot hold."""
     if isinstance(value, (Table, NamedTables, TableList)):
         value = value._data
     if isinstance(value, Mapping):
@@ -46,7 +46,7 @@ def _refuse(value: Any, name: str) -> Any:
 
 
 def keep_given(block: Block, data: Any) -> Any:
-    """The data without the empty tables and lists that only looking at them has made."""
+    """The data without the empty tables and lists that reading has created."""
     if not isinstance(data, dict) or block.kind == "entries":
         return data
     kept: dict[str, Any] = {}
@@ -104,7 +104,7 @@ def _want_table(name: str, value: Any) -> InputError:
 
 
 def check_kind(block: Block, name: str, value: Any, path: Path) -> None:
-    """Refuses what is no table where a table belongs: what is set next, a key of it, would have no place."""
+    """Refuses a value where a table belongs: a key of it, set next, would have no place."""
     inner = block.blocks.get(name)
     full = write_path((*path, name))
     if inner is None:

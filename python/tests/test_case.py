@@ -1,4 +1,4 @@
-"""The case in code says what a file says, and its faults are reported in the words of the command line."""
+"""A case in code equals a file, and its faults are reported in the words of the command line."""
 
 import pickle
 import tomllib

@@ -1,4 +1,4 @@
-"""The tutorial of the manual runs as it stands, and tells the truth."""
+"""The tutorial of the manual runs as it stands, and its statements are true."""
 
 import re
 import subprocess

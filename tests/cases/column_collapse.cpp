@@ -53,7 +53,7 @@ Collapse run_example(double aspect) {
 // The band is that of what is published for plane columns, from the shortest runout to the longest: the experiments of
 // Lube et al. (2005), (d - d0)/d0 = 1.2 a for a < 1.8 and 1.9 a^(2/3) for a > 2.8, in a channel whose walls hold the
 // grains back a little; and disks in two dimensions, 1.67 a for a < 2.3 (Kumar 2015). Perfectly plastic sand should run
-// between them. 10 % more on either side is what this mesh scatters.
+// between them. 10 % more on either side is the scatter of this mesh.
 TEST(ColumnCollapse, RunsOutBetweenTheExperimentsAndDisks) {
   for (const double aspect : {1.0, 2.0}) {
     const Collapse c = run_example(aspect);

@@ -60,7 +60,7 @@ TEST(DrySlope, DisplacementsAreThoseOfAnIndependentCodeOnTheSameMesh) {
     const auto theirs = peer.find(factor);
     if (theirs == peer.end() || theirs->second < 1) continue;
     ++compared;
-    // The other code leaves points beside fixed nodes their speed, which moves these numbers by up to 0.7 %.
+    // In the other code points beside fixed nodes keep their speed, which changes these numbers by up to 0.7 %.
     EXPECT_NEAR(ours / theirs->second, 1, 0.01)
         << "SRF " << factor << ": " << ours << " mm, independent " << theirs->second << " mm";
   }

@@ -1,5 +1,5 @@
-// Cases with a compiled UMAT as a soil: the built-in model's results, states that are carried along, threads, and what
-// a run that fails says.
+// Cases with a compiled UMAT as a soil: the built-in model's results, states that are carried along, threads, and the
+// message of a run that fails.
 
 #include <gtest/gtest.h>
 
@@ -115,7 +115,7 @@ TEST(ExternalModel, StateVariablesAreCarriedByThePoints) {
   }
 }
 
-// The weight comes at once on clay that was never loaded before: it swings, yields and hardens.
+// The weight acts at once on clay that was never loaded before: the clay oscillates, yields and hardens.
 TEST(ExternalModel, CamClayInFortranSettlesAsTheBuiltInOne) {
   TALUS_NEEDS_FORTRAN("cam_clay");
   // Small steps: the UMAT takes the stiffness of the start of the step, the built-in model that of its middle.

@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `talus run` on a coarse dry slope in a child whose files may not grow beyond `limit` bytes, which is what a full
-/// disk looks like to the program. Returns its exit code; what it said goes to `folder`/said.txt.
+/// `talus run` on a coarse dry slope in a child whose files may not grow beyond `limit` bytes, which to the program
+/// looks like a full disk. Returns its exit code; its output goes to `folder`/said.txt.
 int run_with_limit(const fs::path& folder, rlim_t limit) {
   const pid_t child = fork();
   if (child == 0) {

@@ -50,12 +50,12 @@ resolution = 0.02
   EXPECT_NEAR(fem.at("factor").get<double>(), spencer, 0.03 * spencer);
   EXPECT_LE(fem.at("stable").get<double>(), fem.at("factor").get<double>());
   EXPECT_FALSE(fem.at("slip_line").empty());
-  // Spencer's own circle is the weakest, and the band is near it: no less, and little more.
+  // Spencer's own circle is the weakest, and the factor of the band is a little larger.
   const auto handed = support::find_result(summary, "lem.handed[fem.associated.band].spencer");
   ASSERT_TRUE(handed.has_value());
   EXPECT_GT(*handed, 0.985 * spencer);
   EXPECT_LT(*handed, 1.08 * spencer);
-  // Polylines are freer than circles: what is optimised from the band is not above the band itself.
+  // Polylines are freer than circles: the surface optimised from the band is not above the band itself.
   const auto best = support::find_result(summary, "lem.handed[fem.associated.band].spencer_optimised");
   ASSERT_TRUE(best.has_value());
   EXPECT_LE(*best, *handed + 1e-6);

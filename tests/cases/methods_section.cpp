@@ -1,4 +1,4 @@
-// A case as slices and finite elements see it, held against closed forms and against itself in another guise.
+// A case as slices and finite elements see it, against closed forms and against equivalent cases.
 
 #include <fmt/format.h>
 
@@ -109,7 +109,7 @@ name = "plane"
   const auto find = [&](double cohesion, double of_roots) {
     return run(write(cohesion, of_roots)).at("lem").at("given").at(0).at("factor").get<double>();
   };
-  // The ends of the surface add a little to the infinite slope; what holds the soil does not matter to them.
+  // The ends of the surface add a little to the infinite slope, whatever holds the soil.
   const double closed =
       5000 / (18000 * h * std::sin(beta) * std::cos(beta)) + std::tan(25 * std::numbers::pi / 180) / std::tan(beta);
   EXPECT_NEAR(find(1, 4), closed, 0.04 * closed);

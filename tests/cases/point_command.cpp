@@ -111,7 +111,7 @@ TEST_F(PointCommand, WritesTablesPicturesSummaryAndReport) {
   EXPECT_NEAR(summary["tests"][2]["end"]["shear_stress"].get<double>(), 100e3 * std::sin(M_PI / 6), 100);
   ASSERT_EQ(summary["comparisons"].size(), 1u);
   EXPECT_TRUE(summary["comparisons"][0]["passes"].get<bool>());
-  // A soil that gives way is a result and is said in one sentence.
+  // A soil that fails is a result, reported in one sentence.
   EXPECT_EQ(summary["warnings"].size(), 1u);
   EXPECT_NE(outcome.text.find("'too much' ended early: the soil carries an axial stress of 150 kPa and no more"),
             std::string::npos)

@@ -78,7 +78,7 @@ TEST_F(PreconsolidationOfARun, IsSetAtTheEndOfTheStageAndSoOnlyOnceWhenTheRunIsR
   const json whole = run(text, "whole");
   const json& set = whole.at("stages")[0].at("preconsolidation");
   EXPECT_EQ(set.at("points"), whole.at("mesh").at("points"));
-  // At least R_0 times the smallest pressure, which rules at the ground, and roots there.
+  // At least R_0 times the smallest pressure, which governs at the ground, and roots there.
   EXPECT_GT(set.at("smallest").get<double>(), 9.9e3);
   EXPECT_LT(set.at("largest").get<double>(), 2 * 2650 * 0.6 * 9.81 * 4);
   EXPECT_FALSE(whole.at("stages")[1].contains("preconsolidation"));
@@ -130,7 +130,7 @@ TEST_F(PreconsolidationOfARun, StaysWhenOtherRootsArePlantedOnTheResult) {
   int rooted = 0;
   for (std::size_t i = 0; i < end.ids.size(); ++i) {
     const double content = get(start, "root_content")[i];
-    // The saturated soil without roots keeps its preconsolidation: p'_c falls by what 0.44 % less harden.
+    // The saturated soil without roots keeps its preconsolidation: p'_c falls by the hardening of 0.44 % of roots.
     ASSERT_NEAR(get(start, "preconsolidation_pressure")[i],
                 get(end, "preconsolidation_pressure")[i] * std::exp(-0.28 * (get(end, "root_content")[i] - content)),
                 1e-12 * get(end, "preconsolidation_pressure")[i]);

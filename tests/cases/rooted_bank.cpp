@@ -1,5 +1,5 @@
 // The factor of safety of a bank whose soil has roots: a uniform root cohesion over all soil is a cohesion, whatever
-// way it is given, and a layer of it lies between nothing and that.
+// way it is given, and a layer of it gives a factor between none and that.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

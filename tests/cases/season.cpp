@@ -1,5 +1,5 @@
-// The example of a season through `talus run`'s own path: what the month's weather adds up to, that the run begins
-// where it ends, and that nothing is left of it without one.
+// The example of a season through `talus run`'s own path: the sums of the month's weather, the start of the run at
+// its end, and no trace of it in a run without a season.
 
 #include "cases/water_run.hpp"
 

@@ -1,4 +1,4 @@
-// The vegetated slope of section 4.4 of the source on a coarser mesh: what roots change about a failure in rain.
+// The vegetated slope of section 4.4 of the source on a coarser mesh: the effect of roots on a failure in rain.
 // `talus study examples/vegetated_slope/case.toml` makes the full comparison.
 
 #include "water_run.hpp"

@@ -81,8 +81,8 @@ TEST(WaterColumns, WaterAtRestStaysAtRest) {
   }
 }
 
-// Real water in soil whose points change their elements: pores of a full element that grow by more or less than the
-// volume its forces act over feed a flutter that no time step cures.
+// Real water in soil whose points change their elements: if the pores of a full element grow by more or less than
+// the volume its forces act over, an oscillation grows at any time step.
 void expect_rest_after_settling(const std::vector<input::Override>& changes) {
   std::vector<input::Override> overrides = {{"stage.settling.duration", "40"}};
   overrides.insert(overrides.end(), changes.begin(), changes.end());

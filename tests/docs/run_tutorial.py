@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The tutorial and the how-to pages do not rot: run_tutorial.py PROGRAM.
+"""The tutorial and the how-to pages stay correct: run_tutorial.py PROGRAM.
 
 The blocks of docs/manual/tutorial.md are put together to the case files that a reader writes. `talus check` must print
-what the page says, word for word; every run and the study must end well, on a coarse mesh, and say what the page
-concludes from them: the bank stands, the weak one does not, the factor is near Taylor's, and it falls with the cohesion.
+what the page says, word for word; every run and the study must succeed, on a coarse mesh, and support the conclusions
+of the page: the bank stands, the weak one does not, the factor is near Taylor's, and it falls with the cohesion.
 The blocks of the how-to pages must be accepted in that case.
 """
 

@@ -163,7 +163,7 @@ TEST_F(StartFromResult, GivesWhatOneRunGives) {
   }
 }
 
-/// What has come to rest stays at rest: its stress carries it. Started without, it would settle once more.
+/// Soil that has come to rest stays at rest, because its stress carries it. Without that stress it would settle again.
 TEST_F(StartFromResult, LeavesSoilAtRestAtRest) {
   Bank bank{.cohesion = 50, .stages = golden::come_to_rest};
   const json first = run(bank, "one");
@@ -188,7 +188,7 @@ TEST_F(StartFromResult, TakesAnotherStrengthAndGoesOnFromThere) {
   };
   const double without = slide("one", "two", 1.5), with_roots = slide("one", "rooted", 30);
   EXPECT_LT(with_roots, 0.5 * without);
-  // After the slide the bank is on its way; stronger soil stops it earlier.
+  // At the end of the slide the bank still moves; stronger soil stops it earlier.
   const double third = slide("two", "three", 1.5), held = slide("two", "held", 30);
   EXPECT_LT(held, 0.8 * third);
   EXPECT_EQ(last_frame("three").ids.size(), last_frame("one").ids.size());

@@ -60,7 +60,7 @@ std::vector<FieldDifference> compare_points(const reference::WetBody<D>& plain, 
   return r;
 }
 
-/// Differences of the water's budgets, condition by condition, by the largest of all.
+/// Differences of the water's budgets, condition by condition, relative to the largest of all.
 template <int D>
 std::vector<FieldDifference> compare_budgets(const reference::WetBody<D>& plain, const mpm::Body<D>& body) {
   std::vector<reference::WaterBudget> sums(body.water.surfaces.size());

@@ -1,5 +1,5 @@
 #pragma once
-// Runs the fast and the plain coupled step side by side and holds the one against the other after every step.
+// Runs the fast and the plain coupled step side by side and compares them after every step.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ struct Variant {
   int chunks = 3;
 };
 
-/// What has happened on the way: a case in which it has not tests nothing.
+/// Events on the way: a case without them tests nothing.
 struct Seen {
   int changed = 0, left = 0, emptied = 0, occupied = 0;  ///< points; elements
   double largest_plastic = 0, entered = 0, left_water = 0;

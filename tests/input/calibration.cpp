@@ -1,4 +1,4 @@
-// [calibration]: what `talus calibrate` fits, to what, and what is wrong with it.
+// [calibration]: what `talus calibrate` fits, to which curves, and its faults.
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// Cam-clay and external models: what is refused of them, and the sentence that says so.
+// Cam-clay and external models: what is refused, and the sentence that says so.
 
 #include <filesystem>
 #include <fstream>
@@ -100,7 +100,7 @@ TEST(StrengthReduction, DividesTheStrengthOfEveryBuiltInModel) {
                     "'cohesion' needs a material with model = \"mohr_coulomb\" or \"rooted_mohr_coulomb\"");
 }
 
-/// A slope of an external model, whose library is there (nobody opens it here).
+/// A slope of an external model, whose library exists (it is not opened here).
 class ExternalSoil : public testing::Test {
  protected:
   void SetUp() override { std::ofstream(library_) << "x"; }

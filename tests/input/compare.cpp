@@ -1,4 +1,4 @@
-// [[compare]]: names, units and tolerances of the values that results are held against.
+// [[compare]]: names, units and tolerances of the values that results are compared with.
 
 #include "input/case/result_names.hpp"
 #include "slope.hpp"

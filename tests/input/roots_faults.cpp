@@ -1,4 +1,4 @@
-// What is refused of [[roots]] and of rooted soils, and the sentence that says so.
+// The refusals of [[roots]] and of rooted soils, and their sentences.
 
 #include "rooted_slope.hpp"
 
@@ -12,7 +12,7 @@ area_ratios = [1e-4, 2e-4]
 strengths = [30, 20]
 )";
 
-/// The slope whose [[roots]] say nothing of what they are worth but `keys`.
+/// The slope whose [[roots]] give only `keys` of their content or cohesion.
 std::string without_content(const std::string& keys = "") {
   return change(change(rooted_slope, "content = 0.94\n", keys), "root_strength = 0.18",
                 "root_strength = 0.18\nroot_content = 0.5");

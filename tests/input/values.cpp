@@ -1,4 +1,4 @@
-// What a correct file becomes, and what is refused of a single value.
+// The case of a correct file, and the refusals of single values.
 
 #include <filesystem>
 #include <fstream>

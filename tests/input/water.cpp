@@ -1,4 +1,4 @@
-// What the keys of pore water become: units, series in time, laws of the soil.
+// The meaning of the keys of pore water: units, series in time, laws of the soil.
 
 #include <cmath>
 #include <limits>

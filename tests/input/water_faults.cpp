@@ -1,4 +1,4 @@
-// What is refused of pore water, and the sentence that says so.
+// The refusals of pore water, and their sentences.
 
 #include "wet_slope.hpp"
 

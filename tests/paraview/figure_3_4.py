@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws docs/manual/paraview/figure_3_4.py's panels of a small run in ParaView and holds them against the HDF5 files.
+"""Draws docs/manual/paraview/figure_3_4.py's panels of a small run in ParaView and compares them with the HDF5 files.
 
 Usage: figure_3_4.py TALUS_PROGRAM SOURCE_DIR
 Started by plain Python it calculates the run and starts itself once in pvpython. Exit codes: 0 all is equal, 1 not,

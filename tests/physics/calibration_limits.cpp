@@ -1,4 +1,5 @@
-// What a calibration says of parameters that the curves do not fix, and how it behaves at limits and refused soils.
+// The findings of a calibration on parameters that the curves do not fix, and its behaviour at limits and refused
+// soils.
 
 #include "base/error.hpp"
 #include "laboratory/calibration_model.hpp"

@@ -1,5 +1,5 @@
 // Stages with held pore pressures: the soil comes to rest under its buoyant weight, and stays at rest when the water is
-// let go.
+// released.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A frictionless wall gives and takes no energy. Found by this test: a node that the wall had stopped could receive a
-// velocity away from it in MUSL's remap and strained the soil for nothing, which doubled the energy of a bounce.
+// velocity away from it in MUSL's remap. It strained the soil without work and doubled the energy of a bounce.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// States of rest: uniform stress on any mesh, columns under their weight, loads, layers; and what must not change them.
+// States of rest: uniform stress on any mesh, columns under their weight, loads, layers; and their invariances.
 
 #include <gtest/gtest.h>
 
@@ -99,7 +99,7 @@ TYPED_TEST(EngineEquilibrium, LinearBoundaryDisplacementGivesUniformStrain) {
     o.damping = 0.7;
     mpm::gather_nodal_sums(body, o);
     support::run_steps(body, o, static_cast<int>(ramp / o.dt) + 500);
-    // What the ramp gave in fact is the same everywhere; read it off one corner node.
+    // The actual result of the ramp is the same everywhere; one corner node gives it.
     double given = 0;
     for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
       const Vec<D>& x = body.mesh().nodes[i];

@@ -82,8 +82,7 @@ TYPED_TEST(EngineWalls, BlockSticksBelowTheAngleOfFriction) {
     c.wall_normal[1] = -1;
     c.friction = 2 * std::tan(theta);
   }
-  // Free sliding would reach gsinθ = 3.8 m/s and 1.9 m. Damping takes the rocking away that suddenly applied gravity
-  // makes.
+  // Free sliding would reach gsinθ = 3.8 m/s and 1.9 m. Damping removes the rocking from the suddenly applied gravity.
   slide(body, theta, 1, 0.2);
   const double there = mpm::sum_points(body, {}).centre[0];
   EXPECT_LT(std::abs(slide(body, theta, 1, 0.2)), 1e-3);

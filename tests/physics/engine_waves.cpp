@@ -99,7 +99,7 @@ TEST(EngineWaves, FrontOfAPushRunsWithTheWaveSpeedAndCarriesItsStress) {
     return sum / n;
   };
   const double full = -density * bar.wave_speed() * v;
-  // Between two stations: how the push starts is the boundary's affair.
+  // Between two stations, so that the start of the push at the boundary does not matter.
   while (stress_at(1) > 0.5 * full && body.time < 1) mpm::step(body, o);
   const double first = body.time;
   while (stress_at(at) > 0.5 * full && body.time < 1) mpm::step(body, o);
@@ -111,7 +111,7 @@ TEST(EngineWaves, FrontOfAPushRunsWithTheWaveSpeedAndCarriesItsStress) {
   EXPECT_NEAR(sum / n, full, 0.01 * std::abs(full));
 }
 
-/// Energy of a body and what it has given away, per the engine's own books [J/m].
+/// Energy of a body and its losses, as the engine counts them [J/m].
 template <int D>
 double sum_energy(const mpm::Body<D>& body, const std::type_identity_t<Vec<D>>& gravity) {
   const auto t = mpm::sum_points(body, gravity);
@@ -148,7 +148,7 @@ TEST(EngineEnergy, ErrorOfASwingingBarShrinksLinearlyWithTheTimeStep) {
 }
 
 TEST(EngineEnergy, ErrorOfADampedBarShrinksAtLeastLinearlyWithTheMesh) {
-  // The work of local damping is booked on the nodes' paths, the points' energy on theirs: they differ by O(h).
+  // The work of local damping is counted on the nodes' paths, the points' energy on theirs: they differ by O(h).
   double error[2];
   int n = 0;
   for (const int cells : {50, 100}) {

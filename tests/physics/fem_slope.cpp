@@ -1,5 +1,5 @@
-// Strength reduction of slopes against limit equilibrium and published finite elements, and what its answer must not
-// depend on.
+// Strength reduction of slopes against limit equilibrium and published finite elements, and the invariances of its
+// answer.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ SoilSection make_dry_slope(double size, double dilatancy) {
 SoilSection make_griffiths_lane(double size, double dilatancy) {
   return {{{0, 0}, {160, 0}, {60, 50}, {0, 50}}, 312.5, 20, dilatancy, 125, 1e5, 0.3, size};
 }
-/// A small one for what holds of every slope.
+/// A small slope for properties of every slope.
 SoilSection make_small(double size = 1) {
   return {{{0, 0}, {14, 0}, {14, 2}, {11, 2}, {4, 6}, {0, 6}}, 4e3, 25, 0, 18e3, 1e7, 0.3, size};
 }
@@ -100,7 +100,7 @@ TEST(SolidSlope, ToleranceAndPatienceDoNotMatter) {
 
 TEST(SolidSlope, ASmallCorrectionIsNotEquilibrium) {
   // The trap: the last correction over all displacement falls below any tolerance when a failing slope has only moved
-  // long enough. So it passes alone, with an eighth of the loads out of balance, and may not count without the forces.
+  // long enough. So it passes even with an eighth of the loads out of balance, and must not count without the forces.
   const SolidSlope<2> slope(make_small());
   fem::SolidOptions options;
   options.load_steps = 1;

@@ -1,5 +1,5 @@
 // The state that points start with: Cam-clay's preconsolidation against the weight of a column, with suction and roots,
-// given or from the stress of equilibrium, exactly once; and what a start from another run makes of it.
+// given or from the stress of equilibrium, exactly once; and after a start from another run.
 
 #include <gtest/gtest.h>
 

@@ -38,7 +38,7 @@ void expect_equilibrium(const Section& section, const CutSurface& cut, std::size
   fx += away * s.surface_thrust - away * s.earthquake;
   fy -= (1 + section.vertical_acceleration) * s.weight + s.surface_load;
   fx += on_left[0] - on_right[0];
-  // X on the lower side holds the slice up, on the upper side it hangs on it.
+  // X on the lower side supports the slice; on the upper side it loads it.
   fy += left ? on_left[1] - on_right[1] : on_right[1] - on_left[1];
   EXPECT_NEAR(fx, 0, 1e-7 * scale) << i;
   EXPECT_NEAR(fy, 0, 1e-7 * scale) << i;

@@ -1,4 +1,4 @@
-// What must not change the factor: mirror, place, units, the level of a pool over everything, what is not there.
+// Invariances of the factor: mirror image, position, units, the level of a pool over everything, absent items.
 
 #include <algorithm>
 #include <functional>

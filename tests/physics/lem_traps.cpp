@@ -1,4 +1,4 @@
-// Known traps of the methods of slices, each held down by a test.
+// Known traps of the methods of slices, each with a test.
 
 #include "physics/lem_sections.hpp"
 

@@ -1,5 +1,5 @@
-// Budgets of the plain coupled step: momentum and water close to round-off, and pressures do the work on both phases
-// that the water's storage gets.
+// Budgets of the plain coupled step: momentum and water close to round-off, and the work of the pressures on both
+// phases equals that on the water's storage.
 
 #include <gtest/gtest.h>
 

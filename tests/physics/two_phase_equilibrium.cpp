@@ -46,7 +46,7 @@ void expect_still(const WetSettings& settings) {
   WetBody<D> body = make_hydrostatic<D>();
   const std::vector<WetPoint<D>> start = body.points;
   for (int n = 0; n < 300; ++n) step(body, settings);
-  // Water at depth is denser by p/K_w = 5e-6, which the stress above does not know; all else is round-off.
+  // Water at depth is denser by p/K_w = 5e-6, which the stress above ignores; all else is round-off.
   for (std::size_t p = 0; p < start.size(); ++p) {
     EXPECT_NEAR(body.points[p].pressure, start[p].pressure, 0.2);
     EXPECT_LT((body.points[p].sigma - start[p].sigma).norm(), 0.2);
@@ -122,7 +122,7 @@ TEST(TwoPhaseEquilibrium, SuctionAboveTheWaterTableStandsUnderAClosedSurfaceOnly
       EXPECT_LT(largest, 0.005 * gamma_w);  // of 9.8 kPa at the top
       EXPECT_LT(gone, 1e-5);
     } else {
-      EXPECT_GT(largest, 0.2 * gamma_w);  // a free surface drinks: the test above can fail
+      EXPECT_GT(largest, 0.2 * gamma_w);  // a free surface takes up water: the test above can fail
       EXPECT_GT(gone, 1e-2);
     }
   }

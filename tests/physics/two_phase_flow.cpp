@@ -1,4 +1,4 @@
-// Steady flow in the plain coupled step: Darcy's discharge through layers, and what damping makes of it.
+// Steady flow in the plain coupled step: Darcy's discharge through layers, and the effect of damping on it.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Critical steps of the coupled step against the values that the source prints, and against the plain step itself: just
-// below the exact limit it stands, just above it does not.
+// below the exact limit it is stable, just above it is not.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The plain coupled step on a wet slope that fails, with everything on: it stays finite, keeps grains and water, and
-// no node outruns what falling can give.
+// no node is faster than free fall.
 
 #include <gtest/gtest.h>
 

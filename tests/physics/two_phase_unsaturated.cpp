@@ -177,7 +177,7 @@ TEST(TwoPhaseInfiltration, FollowsRichardsEquationAndKeepsItsWater) {
 }
 
 TEST(TwoPhaseInfiltration, RainBeyondWhatTheSoilTakesRunsOffAndTheRestIsTheConductivity) {
-  // Steady state under 3 k: saturated, unit gradient, inflow k; the surface does not drink more.
+  // Steady state under 3 k: saturated, unit gradient, inflow k; the surface takes up no more.
   const double height = 0.5, n = 0.4, rain = 3e-4;
   const Soil soil = make_gardner_soil(3e-4);
   WetBody<2> body = make_column<2>(6, height / 6, soil, n);

@@ -1,4 +1,4 @@
-// Packs against doubles, plane strain against space, turned axes, and what an update tells of its plastic strain.
+// Packs against doubles, plane strain against space, turned axes, and the plastic strain of an update.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// What roots add: larger p'_c and M, hardening with the activation strain, breakage, and the mechanics of the source's
-// Figure 4.2, each against a closed form or a limit.
+// Effects of roots: larger p'_c and M, hardening with the activation strain, breakage, and the mechanics of the
+// source's Figure 4.2, each against a closed form or a limit.
 
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ TEST(CamClayRoots, RaiseTheCriticalState) {
   EXPECT_NEAR(point.q() / point.p(), 1.0 + 0.2 * 1.5, 2e-3);
 }
 
-/// Beyond the peak roots go linearly with ε_r, do not come back, and leave the strength of bare soil.
+/// Beyond the peak roots break linearly with ε_r, do not recover, and leave the strength of bare soil.
 TEST(CamClayRoots, BreakAndStayBroken) {
   const material::RootedCamClay law(
       clay,

@@ -1,5 +1,5 @@
-// A compiled UMAT: that every argument arrives where it belongs, that elasticity in C is the built-in one, and what is
-// said of a UMAT that fails or is not there.
+// A compiled UMAT: that every argument arrives where it belongs, that elasticity in C is the built-in one, and the
+// message of a UMAT that fails or is missing.
 
 #include <gtest/gtest.h>
 
@@ -190,7 +190,7 @@ TEST(ExternalLaw, EveryKindOfFailureIsSeen) {
   }
 }
 
-// The engine calls from several threads; what is told must not depend on who comes first.
+// The engine calls from several threads; the message must not depend on their order.
 TEST(ExternalLaw, LowestPointIsToldWhateverTheThreads) {
   const External law = open_umat({"failing", {100}, 2, {}, "no_number"});
   std::vector<std::thread> threads;

@@ -1,4 +1,4 @@
-// The closed-form return against the plain one that tries every set of planes, and what any return must obey.
+// The closed-form return against the plain one that tries every set of planes, and the properties of any return.
 
 #include <gtest/gtest.h>
 
@@ -180,7 +180,7 @@ TEST(MohrCoulombReturn, PlaneAndSpaceAgreeOnPlaneStrain) {
   }
 }
 
-/// Lane by lane the pack gives the double's result, and lanes that are not active are no one's business.
+/// Lane by lane the pack gives the double's result; inactive lanes do not matter.
 template <int NS>
 void expect_lanes_to_agree(unsigned seed) {
   Draw draw(seed);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The command that verifies published problems reads them rightly and notices what is wrong.
+"""The command that verifies published problems reads them correctly and finds faults.
 
 check_published.py                 geometry, units, bands and reasons by themselves
 check_published.py PROGRAM         and every case file that it writes is sound to `talus check`, and a wrong answer is a miss

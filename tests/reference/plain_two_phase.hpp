@@ -1,6 +1,6 @@
 #pragma once
 // The textbook two-phase single-point MUSL step of 2.3.4 and 3.2, saturated and unsaturated, as plain loops over plain
-// structs, in the order of the source. The coupled engine is held against it point by point.
+// structs, in the order of the source. The coupled engine is compared with it point by point.
 
 #include <Eigen/Dense>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 // The data of the plain coupled step of soil and pore water (2.3, 3.2): one set of points that carries both phases,
-// nodes with two velocities, and what water needs to know of its soil. docs/theory/14-two-phase.md has the formulas.
+// nodes with two velocities, and the data of the soil for its water. docs/theory/14-two-phase.md has the formulas.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -102,7 +102,7 @@ enum class SurfaceKind {
   seepage,  ///< p = 0 where water leaves; none enters
   rain,     ///< as seepage, but up to the rain enters; or evaporation draws water out
   flux,     ///< just the given inflow
-  closed,   ///< flux 0, a tight skin that goes with the soil: none leaves or enters
+  closed,   ///< flux 0, an impervious skin that moves with the soil
   head,     ///< under standing water of the given level; above it a seepage face
   pressure  ///< the given pressure; water may leave and enter
 };

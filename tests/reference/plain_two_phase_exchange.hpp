@@ -57,7 +57,7 @@ Vector<D> still_flux(const WetBody<D>& body, int number) {
   return flux;
 }
 
-/// Where the pressure grows from middle to middle by more than Darcy's law lets it with the fluxes of the side's nodes,
+/// Where the pressure grows from middle to middle by more than by Darcy's law with the fluxes of the side's nodes,
 /// water passes the side as if it were the only one; at most 5 % of the smaller storage, every fourth step.
 template <int D>
 void exchange_water(WetBody<D>& body, const WetSettings& settings) {

@@ -74,8 +74,8 @@ void compute_wet_increments(WetBody<D>& body, const WetSettings& settings) {
   }
 }
 
-/// Pressure smoothing (2.96, 2.97), applied to what makes the pressure rise, S tr Δε + Δt div(θ(w−v)): where n, S and
-/// K_w are uniform this is the smoothing of Δp, and elsewhere, unlike that, it makes and destroys no water.
+/// Pressure smoothing (2.96, 2.97), applied to the source of the pressure, S tr Δε + Δt div(θ(w−v)). Where n, S and
+/// K_w are uniform this is the smoothing of Δp; elsewhere, unlike that, it conserves water.
 template <int D>
 void smooth_water_increments(WetBody<D>& body, const WetSettings& settings) {
   if (!settings.smooth_pressure) return;
@@ -111,7 +111,8 @@ std::vector<double> update_wet_points(WetBody<D>& body, const WetSettings& setti
         if (settings.frozen) lost += soil.water.saturation(point.pressure) * cell.stretch * volumetric;
         point.water_mass -= soil.water.density * point.volume * lost;
       }
-      // The pores grow over the volume that the flux is integrated over: else pressures would work without balance.
+      // The pores grow over the volume that the flux is integrated over: otherwise the work of pressures would not
+      // balance.
       if (!settings.frozen) point.volume *= 1 + (soil.wet ? cell.stretch : 1.0) * volumetric;
       if (soil.wet && !cell.full)
         point.pressure = find_pressure(soil.water, pore_volume(body, point), point.water_mass, point.pressure);

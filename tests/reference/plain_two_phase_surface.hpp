@@ -138,8 +138,8 @@ double offered_flux(const SurfaceCondition<D>& condition, const WetNode<D>& node
 }
 
 /// Where more water would enter than is offered, or less would leave than evaporates, an impulse along the normal,
-/// opposite on the two phases, puts the relative velocity right; a given flux is put right always. What a phase may not
-/// do there (held directions) the supports take.
+/// opposite on the two phases, corrects the relative velocity; for a given flux always. In held directions the supports
+/// take the impulse.
 template <int D>
 void limit_inflow(const WetBody<D>& body, int number, Vector<D>& v, Vector<D>& w) {
   const WetNode<D>& node = at(body.nodes, number);

@@ -38,7 +38,7 @@ TEST(OtherFolders, AFolderThatIsNoResultIsRefused) {
 TEST(OtherFolders, ARunThatWasKilledShowsWhatItLeft) {
   const fs::path folder = make_test_folder("killed");
   const json summary = run_small_case(folder);
-  // What a kill leaves: no summary, no curve, the last trial without its result.
+  // The files after a kill: no summary, no curve, the last trial without its result.
   fs::remove(folder / "summary.json");
   fs::remove(folder / "curve.csv");
   fs::remove(folder / "trials" / "srf_1.8000" / "trial.json");

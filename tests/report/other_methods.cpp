@@ -131,7 +131,7 @@ TEST_F(OtherMethods, NameOneFactorOfEach) {
   EXPECT_EQ(main[0], slices.at("factor"));
   EXPECT_EQ(main[1], document().at("finite_elements").at("runs")[0].at("factor"));
   EXPECT_EQ(slices.at("factor"), summary_->at("lem").at("critical")[1].at("factor"));
-  // Strength at failure is that at the factor that stands for the run, which over-design rests on too.
+  // The strength at failure belongs to the main factor of the run, as does the over-design factor.
   const double stands = summary_->at("main_factor");
   EXPECT_EQ(stands, main[1]);
   for (const json& soil : document().at("model").at("materials"))

@@ -16,7 +16,7 @@ namespace {
 using input::change;
 using nlohmann::json;
 
-/// What the folder of a run of this case tells.
+/// The results in the folder of a run of this case.
 ResultFolder make_folder(const std::string& text) {
   ResultFolder folder;
   folder.run.input = input::read_case_text(text, "slope.toml").echo;

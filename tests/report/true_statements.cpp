@@ -1,4 +1,4 @@
-// What a report says has to be true of its case: nothing that does not apply, and numbers in the units of the case.
+// The statements of a report must be true of its case: only those that apply, with numbers in the units of the case.
 
 #include <algorithm>
 

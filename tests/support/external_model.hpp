@@ -36,7 +36,7 @@ inline material::External open_umat(const ExternalCase& c) {
 
 }  // namespace talus::support
 
-/// Ends a test whose UMAT is in Fortran where there was no compiler for it.
+/// Skips a test whose UMAT is in Fortran where there was no compiler for it.
 #define TALUS_NEEDS_FORTRAN(name)                                                                                    \
   do {                                                                                                               \
     if (!std::filesystem::exists(support::find_umat(name))) GTEST_SKIP() << "no Fortran compiler: no umat_" << name; \

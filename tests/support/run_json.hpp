@@ -1,5 +1,5 @@
 #pragma once
-// Runs whose results tests look at as JSON, as who reads summary.json does.
+// Runs whose results tests read as JSON, as readers of summary.json do.
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // Equilibrium by quadratic elements where the answer is known to the last digit: they hold every stress that is linear
-// in space, on any mesh; and what is said of meshes that cannot be.
+// in space, on any mesh; and the messages on invalid meshes.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Pore pressure and stress at the start, against what a level of water and the weight above a point make of them.
+// Pore pressure and stress at the start, against those from a level of water and the weight above a point.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A section made ready: what stands over x, faults by name, surfaces on the ground.
+// A section made ready: soil and water above x, faults by name, surfaces on the ground.
 
 #include "lem/section/slope.hpp"
 

@@ -1,4 +1,4 @@
-// Onset of movement: when a curve passes the threshold, in which order points began, and what is said of it.
+// Onset of movement: when a curve passes the threshold, in which order points began, and the sentence about it.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,5 @@
-// Soil-water curves: what is drawn and tabled is what closed formulas give, and the axes show all that happens.
+// Soil-water curves: drawn and tabulated values are those of closed formulas, and the axes show the whole range
+// of change.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// Latin hypercubes: classes, correlations, and what they gain over random samples.
+// Latin hypercubes: classes, correlations, and their gain over random samples.
 
 #include "study/latin_hypercube.hpp"
 

@@ -1,4 +1,5 @@
-// Probability of failure and reliability index against closed forms, and how often the intervals hold the truth.
+// Probability of failure and reliability index against closed forms, and how often the intervals contain the
+// true value.
 
 #include "study/reliability.hpp"
 

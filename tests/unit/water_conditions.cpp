@@ -1,4 +1,4 @@
-// Where water is held and what it meets at each node: walls, skins, lines inside the soil, and ground that moves.
+// Where water is held, and its condition at each node: walls, skins, lines inside the soil, and ground that moves.
 
 #include <gtest/gtest.h>
 

@@ -135,7 +135,7 @@ def describe_reference(problem, values):
 
 
 def explain_misses(runner, problem, rows, expected_by_kind, slices):
-    """What the program says of the recomputed surface itself, where its own search ends higher."""
+    """The program's factor of the recomputed surface, where its own search ends higher."""
     wanted = [(row, kind, method, values) for kind, expected in expected_by_kind.items() for method, values in expected.items()
               for row in rows if row.verdict == MISS and row.kind == kind and method in METHODS and row.method == METHODS[method]
               and (row.computed is None or row.computed > values["F"])]

@@ -1,4 +1,5 @@
-"""The figures: displacements (4.7), preconsolidation (4.6), deviatoric strain (4.8 to 4.11), and the crutches."""
+"""The figures: displacements (4.7), preconsolidation (4.6), deviatoric strain (4.8 to 4.11), and softer water
+with mass scaling."""
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What the source states about the slope, beside what comes out: agrees, in part, or differs, and why."""
+"""The statements of the source about the slope, beside the results: agrees, in part, or differs, and why."""
 import dataclasses
 
 import numpy as np

@@ -1,1 +1,1 @@
-"""The verification problems of coupled water: each module runs one, holds it against its closed form and draws it."""
+"""The verification problems of coupled water: each module runs one, compares it with its closed form and draws it."""

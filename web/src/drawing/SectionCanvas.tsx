@@ -8,7 +8,7 @@ import { View } from "./view";
 import "./drawing.css";
 
 interface Props {
-  /** What is seen, for who cannot see it. */
+  /** Description of the picture for readers who cannot see it. */
   label: string;
   box: Box;
   draw: (pen: Pen) => void;

@@ -8,7 +8,7 @@ export const methodNames: Record<MethodName, string> = {
   fem: "Finite elements",
 };
 
-/** What pore water did in the trials of a factor. */
+/** The pore water in the trials of a factor. */
 export function describeDrainage(water: NonNullable<Factor["water"]>): string {
   return water === "held" ? "drained, pressures held" : "coupled, water flows";
 }

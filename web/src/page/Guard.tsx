@@ -1,4 +1,4 @@
-/** Keeps a fault of one part from taking the whole report away: a sentence stands in its place. */
+/** If one part fails, a sentence stands in its place and the rest of the report remains. */
 import { Component, type ComponentChildren } from "preact";
 
 interface Props {

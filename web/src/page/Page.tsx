@@ -1,4 +1,4 @@
-/** The page: the answer first, then what it rests on. */
+/** The page: the answer first, then its basis. */
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 

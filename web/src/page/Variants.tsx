@@ -1,4 +1,4 @@
-/** What became of each variant of a study: its status, why it did not finish, its warnings. */
+/** The outcome of each variant of a study: its status, why it did not finish, its warnings. */
 import { report } from "../state";
 import { DataTable } from "./DataTable";
 import { formatCount, formatSentence } from "./format";

@@ -1,7 +1,7 @@
 /** What the reader switched, by name: hidden series, shown panels. */
 import { useState } from "preact/hooks";
 
-/** The names, what switches one of them, and what forgets all; `first` are those at the beginning. */
+/** The names, a function that switches one of them, and one that clears all; `first` are those at the beginning. */
 export function useSwitches(first: () => Iterable<string> = () => []) {
   const [chosen, setChosen] = useState<ReadonlySet<string>>(() => new Set(first()));
   const toggle = (name: string) => {

@@ -1,4 +1,4 @@
-/** What the monitored points of all variants did: displacements over time, onsets, and their order. */
+/** The movement of the monitored points of all variants: displacements over time, onsets, and their order. */
 import * as Plot from "@observablehq/plot";
 import { type Signal, signal } from "@preact/signals";
 import { useMemo, useState } from "preact/hooks";

@@ -1,4 +1,4 @@
-/** Soil water: retention and conductivity of each soil, and what changes with time at the border. */
+/** Soil water: retention and conductivity of each soil, and the conditions at the boundary that change with time. */
 import * as Plot from "@observablehq/plot";
 
 import type { HydraulicCondition, MaterialRow, SoilWater } from "../../contract";

@@ -3,7 +3,7 @@ import type { InputTable } from "../../contract";
 import { findWords, isOnAnywhere, quoteEach, quoteWhere } from "./settings";
 import type { Block, Writer } from "./writer";
 
-/** What the damping of the water was, where there was some. */
+/** The damping of the water, where there was some. */
 function writeWaterDamping(input: InputTable): Block[] {
   if (!isOnAnywhere(input, "water_damping")) return [];
   const share = quoteEach(input, "water_damping");

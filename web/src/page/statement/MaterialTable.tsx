@@ -1,4 +1,4 @@
-/** The materials: characteristic and design values, and what is left of them at failure. */
+/** The materials: characteristic and design values, and values at failure. */
 import { report } from "../../state";
 import { DataTable, numbers, SymbolText, TableHead } from "../DataTable";
 import { formatFactor, formatNumber, formatSentence, formatUnit } from "../format";

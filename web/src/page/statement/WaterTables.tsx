@@ -109,7 +109,7 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
   );
 }
 
-/** Water that never was, to the digits that a balance of this size has, is none. */
+/** Amounts of water below the rounding of a balance of this size count as zero. */
 function dropNoise(mass: number, budget: WaterBudget): number {
   return Math.abs(mass) < 1e-13 * Math.max(budget.initial, budget.stored) ? 0 : mass;
 }
