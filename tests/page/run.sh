@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The code of web/ after the rules of its linter (web/.oxlintrc.jsonc). Then the reports of the dry slope, of a small wet
-# bank, of a slope by three methods, and of two studies, as the program writes them: held against their contract and
+# bank, of a slope by three methods, and of two studies, as the program writes them: checked against their contract and
 # their results by the tests of web/, then opened and used in a headless Chromium. The second argument is a folder for
 # results and screenshots.
 set -euo pipefail
