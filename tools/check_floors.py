@@ -13,7 +13,7 @@ from pathlib import Path
 # is refused: the engines do not know each other, output knows no engine, results know nobody.
 ALLOWED = {
     "base": [],
-    "material": ["base"],
+    "material": ["base", "input/language"],
     "mesh": ["base"],
     "results": ["base"],
     "input": ["base", "material", "mesh", "results"],
@@ -29,9 +29,9 @@ ALLOWED = {
     "app": ["base", "results", "input", "output", "run", "laboratory", "study", "report"],
 }
 # Rooms of one floor that do not know each other: no method owns the run.
-APART = [("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("output/files", "output/plots")]
+APART = [("input/language", "input/case"), ("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("output/files", "output/plots")]
 # One of them may use the other.
-MAY_USE = {("output/plots", "output/files")}
+MAY_USE = {("output/plots", "output/files"), ("input/case", "input/language")}
 LONGEST = 500
 # file → why it may be longer
 MAY_BE_LONGER = {}
@@ -66,7 +66,7 @@ def check_line(root, name, floor, line):
         generated = (root / "src" / (target + ".in")).is_file()
         if other not in ALLOWED or "/" not in target:
             yield f'"{target}" must be written "floor/file.hpp"'
-        elif other != floor and other not in ALLOWED[floor]:
+        elif other != floor and not any(target.startswith(room + "/") for room in ALLOWED[floor]):
             yield f"{floor}/ may not include {other}/"
         elif fault := find_neighbours(name, target):
             yield fault

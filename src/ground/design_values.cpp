@@ -26,12 +26,17 @@ std::vector<results::PartialFactor> list_values(const input::PartialFactorValues
 }
 
 /// Changes numbers of one soil and records each change.
-class SoilFactors {
+class SoilFactors : public material::PartialDivision {
  public:
-  SoilFactors(const std::string& name, std::vector<results::DesignValue>& told) : name_(name), told_(told) {}
+  SoilFactors(const std::string& name, const input::PartialFactorValues& v, std::vector<results::DesignValue>& told)
+      : name_(name), told_(told) {
+    cohesion = v.cohesion;
+    friction = v.friction;
+    undrained = v.undrained;
+  }
 
   void divide(double& value, double factor, const char* quantity, const char* symbol, const char* unit,
-              double unit_si) {
+              double unit_si) override {
     if (value == 0 || factor == 1) return;
     tell(quantity, symbol, unit, value / unit_si, value / factor / unit_si);
     value /= factor;
@@ -40,8 +45,7 @@ class SoilFactors {
               double unit_si) {
     if (value) divide(*value, factor, quantity, symbol, unit, unit_si);
   }
-  /// The tangent is divided, not the angle.
-  void divide_angle(double& angle, double factor, const char* quantity, const char* symbol) {
+  void divide_angle(double& angle, double factor, const char* quantity, const char* symbol) override {
     if (angle == 0 || factor == 1) return;
     const double design = std::atan(std::tan(angle) / factor);
     tell(quantity, symbol, "deg", angle / degree, design / degree);
@@ -60,34 +64,14 @@ class SoilFactors {
 
 void factor_soil(const std::string& name, input::Material& m, const input::PartialFactorValues& v,
                  std::vector<results::DesignValue>& told) {
-  switch (m.model) {
-    case input::MaterialModel::linear_elastic:
-      break;
-    case input::MaterialModel::mohr_coulomb:
-    case input::MaterialModel::rooted_mohr_coulomb:
-      break;
-    case input::MaterialModel::modified_cam_clay:
-    case input::MaterialModel::rooted_cam_clay:
-    case input::MaterialModel::external:
-      throw Error(
-          ExitCode::wrong_input,
-          fmt::format("material '{}' has no cohesion and friction angle that partial factors could divide; take "
-                      "[partial_factors] out, or give the soil the model mohr_coulomb",
-                      name));
-  }
-  SoilFactors soil(name, told);
-  const bool undrained = m.friction_angle == 0;
-  const double strength = undrained ? v.undrained : v.cohesion;
-  soil.divide(m.cohesion, strength, undrained ? "undrained shear strength" : "cohesion", undrained ? "c_u" : "c'",
-              "kPa", kilo);
-  soil.divide(m.slices.cohesion_gradient, strength, "growth of the cohesion with depth", "dc/dz", "kPa/m", kilo);
-  soil.divide(m.tensile_strength, strength, "tensile strength", "σ_t", "kPa", kilo);
-  soil.divide(m.roots.cohesion, v.cohesion, "cohesion of roots", "c_r", "kPa", kilo);
-  soil.divide_angle(m.friction_angle, v.friction, "friction angle", "φ'");
+  if (!m.traits().serves_slices)
+    throw Error(ExitCode::wrong_input,
+                fmt::format("material '{}' has no cohesion and friction angle that partial factors could divide; take "
+                            "[partial_factors] out, or give the soil the model {}",
+                            name, material::list_sliceable()));
+  SoilFactors soil(name, v, told);
+  material::divide_strength(m.model, m, soil);
   soil.divide_angle(m.slices.phi_b, v.friction, "friction angle of suction", "φ_b");
-  if (m.dilatancy_angle > m.friction_angle)  // a soil dilates by no more than its friction angle
-    soil.divide_angle(m.dilatancy_angle, std::tan(m.dilatancy_angle) / std::tan(m.friction_angle), "dilatancy angle",
-                      "ψ");
   soil.divide(m.slices.unit_weight, v.weight, "unit weight", "γ", "kN/m3", kilo);
   soil.divide(m.slices.saturated_unit_weight, v.weight, "unit weight below the water table", "γ_sat", "kN/m3", kilo);
   soil.divide(m.grain_density, v.weight, "density of the grains", "ρ_s", "kg/m3", 1);

@@ -77,10 +77,8 @@ std::optional<double> find_ground_cohesion(const input::Roots& roots) {
 template <int D>
 std::vector<RootsAt> find_roots(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<Vec<D>>& places,
                                 const std::vector<const input::Material*>& soils) {
-  const auto takes_content = [&](std::size_t i) { return soils[i]->model == input::MaterialModel::rooted_cam_clay; };
-  const auto takes_cohesion = [&](std::size_t i) {
-    return soils[i]->model == input::MaterialModel::rooted_mohr_coulomb;
-  };
+  const auto takes_content = [&](std::size_t i) { return soils[i]->traits().roots == material::RootEffect::content; };
+  const auto takes_cohesion = [&](std::size_t i) { return soils[i]->traits().roots == material::RootEffect::cohesion; };
   std::vector<std::size_t> rooted;  // the places that may have roots
   for (std::size_t i = 0; i < places.size(); ++i)
     if (takes_content(i) || takes_cohesion(i)) rooted.push_back(i);
@@ -107,9 +105,9 @@ std::vector<RootsAt> find_roots(const input::Case& data, const mesh::Mesh<D>& me
   for (const std::size_t i : rooted) {
     if (reached[i]) continue;
     if (takes_content(i))
-      result[i].content = soils[i]->roots.content;
+      result[i].content = soils[i]->root_content;
     else
-      result[i].cohesion = soils[i]->roots.cohesion;
+      result[i].cohesion = soils[i]->root_cohesion;
   }
   return result;
 }
@@ -126,7 +124,7 @@ std::string write_root_input(const input::Case& data) {
   };
   for (const auto& [region, material] : data.regions) {
     const input::Material& soil = data.materials.at(material);
-    text += fmt::format("{} {} {} {}\n", region, static_cast<int>(soil.model), soil.roots.content, soil.roots.cohesion);
+    text += fmt::format("{} {} {} {}\n", region, soil.traits().word, soil.root_content, soil.root_cohesion);
   }
   for (const input::Roots& block : data.roots) {
     text += fmt::format("{} {}", block.ground, static_cast<int>(block.profile));

@@ -33,7 +33,7 @@ struct RootsAt {
   double cohesion = 0;  ///< c_r [Pa]
 };
 
-/// Content of soils of the model rooted_cam_clay and cohesion of rooted_mohr_coulomb; none in others. The blocks whose
+/// Content or cohesion, as the soil's law takes roots; none in others. The blocks whose
 /// depth reaches a place add up; where none does, the material's own value holds. `soils`: the material of each place.
 template <int D>
 std::vector<RootsAt> find_roots(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<Vec<D>>& places,

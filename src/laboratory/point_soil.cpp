@@ -5,23 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "base/error.hpp"
-#include "ground/soil_laws.hpp"
 #include "input/case/soil_water_law.hpp"
 
 namespace talus::laboratory {
-namespace {
-
-double find_mean_pressure(const Voigt& stress) {
-  return -(stress[0] + stress[1] + stress[2]) / 3;
-}
-
-}  // namespace
 
 PointSoil::PointSoil(const input::Material& material, const Voigt& stress, double suction)
-    : law_(ground::make_law(material)),
+    : law_(input::make_law(material)),
       retention_(input::make_retention(material.water)),
       is_wet_(material.water.is_wet()),
       chi_air_entry_(material.water.chi == input::BishopChi::khalili_khabbaz ? material.water.chi_air_entry : 0),
@@ -51,20 +42,21 @@ PointSoil::PointSoil(const input::Material& material, const Voigt& stress, doubl
 
 void PointSoil::set_start_state(const input::Material& material) {
   const double saturation = find_saturation(start_.suction);
+  material::StateStart start{start_.stress.data(), void_ratio_, saturation};
+  start.root_content = material.root_content;
+  start.root_cohesion = material.root_cohesion;
+  material::set_initial_state(law_, material, start, start_.state.data());
   std::visit(
-      [&]<class L>(const L& law) {
-        if constexpr (material::is_cam_clay<L>) {
-          const input::CamClaySoil& soil = material.cam_clay;
-          const double p = std::max(find_mean_pressure(start_.stress), soil.smallest_pressure);
-          const double preconsolidation =
-              soil.preconsolidation ? *soil.preconsolidation : soil.preconsolidation_ratio.value_or(1) * p;
-          law.set_initial_state(start_.stress.data(), void_ratio_, material.roots.content, preconsolidation, saturation,
-                                start_.state.data());
-        } else if constexpr (std::is_same_v<L, material::RootedMohrCoulomb>) {
-          start_.state[1] = material.roots.cohesion;
-        } else if constexpr (std::is_same_v<L, material::External>) {
-          law.set_initial_state(start_.state.data());
-        }
+      [&]<class L>([[maybe_unused]] const L& law) {
+        if constexpr (material::IsPreconsolidated<L>)
+          if (!material.preconsolidation) {
+            // Without stages the ratio is that to the stress at the start.
+            input::Material known = material;
+            std::array<double, material::max_state_size> state{};
+            law.set_preconsolidation(material.preconsolidation_ratio.value_or(1), start_.stress.data(), state.data());
+            known.preconsolidation = state[1];
+            material::set_initial_state(law_, known, start, start_.state.data());
+          }
       },
       law_);
 }
@@ -76,15 +68,14 @@ PointState PointSoil::advance(const PointState& from, const Voigt& d_epsilon, do
   const int point = 0;
   const material::Surroundings<double> around{find_saturation(suction), &point, from.time, 1};
   std::visit(
-      [&]<class L>(const L& law) {
+      [&](const auto& law) {
         law.template update<6>(to.stress.data(), d_epsilon.data(), to.state.data(), true, around);
-        if constexpr (std::is_same_v<L, material::External>)
-          if (auto failure = law.take_failure()) {
-            failure_ = std::move(failure);
-            to.stress.fill(std::numeric_limits<double>::quiet_NaN());  // so that no caller goes on from here
-          }
       },
       law_);
+  if (auto failure = material::take_failure(law_)) {
+    failure_ = std::move(failure);
+    to.stress.fill(std::numeric_limits<double>::quiet_NaN());  // so that no caller goes on from here
+  }
   return to;
 }
 
@@ -106,8 +97,8 @@ double PointSoil::find_suction_stress(double suction) const {
 double PointSoil::find_preconsolidation(const PointState& at) const {
   double pressure = 0;
   std::visit(
-      [&]<class L>(const L& law) {
-        if constexpr (material::is_cam_clay<L>)
+      [&]<class L>([[maybe_unused]] const L& law) {
+        if constexpr (material::IsPreconsolidated<L>)
           pressure = law.find_preconsolidation(at.state.data(), find_saturation(at.suction));
       },
       law_);
@@ -115,9 +106,14 @@ double PointSoil::find_preconsolidation(const PointState& at) const {
 }
 
 double PointSoil::find_void_ratio(const PointState& at, double volumetric_strain) const {
-  const bool has_own =
-      std::holds_alternative<material::ModifiedCamClay>(law_) || std::holds_alternative<material::RootedCamClay>(law_);
-  return has_own ? at.state[2] : (1 + void_ratio_) * std::exp(-volumetric_strain) - 1;
+  return std::visit(
+      [&]<class L>(const L&) {
+        if constexpr (requires { L::find_void_ratio(at.state.data()); })
+          return L::find_void_ratio(at.state.data());
+        else
+          return (1 + void_ratio_) * std::exp(-volumetric_strain) - 1;
+      },
+      law_);
 }
 
 }  // namespace talus::laboratory

@@ -50,7 +50,7 @@ class PointSoil {
   double chi_air_entry_;
   double void_ratio_;
   PointState start_;
-  mutable std::optional<material::ExternalFailure> failure_;
+  mutable std::optional<material::LawFailure> failure_;
 };
 
 }  // namespace talus::laboratory

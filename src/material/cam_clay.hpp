@@ -3,10 +3,14 @@
 // saturation and root activation, associated flow, implicit return mapping.
 
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <optional>
+#include <type_traits>
+#include <vector>
 
+#include "input/language/forms.hpp"
 #include "material/cam_clay_return.hpp"
+#include "material/cam_clay_tangent.hpp"
 #include "material/linear_elastic.hpp"
 
 namespace talus::material {
@@ -21,15 +25,78 @@ struct CamClayParameters {
   double strength_factor = 1;       ///< divides tan φ of the critical state [-]
 };
 
-/// Per cent of root mass per dry mass throughout: (4.4), (4.6) and (4.10) as physics of the published runs are.
+/// What a case gives of them; Poisson's ratio stands in a block of its own.
+struct CamClayInput {
+  double compression = 0, swelling = 0, critical_state_slope = 0, suction_hardening = 0, smallest_pressure = 1e3;
+};
+template <class Visitor>
+void describe(Visitor& v, CamClayInput& in, const Users& users) {
+  v.key("lambda", in.compression, users.need(plain().above(0)).example("0.089"),
+        "λ, slope of the normal-compression line in the plane of void ratio and ln p'; the compression index over "
+        "2.303.");
+  v.key("kappa", in.swelling, users.need(plain().above(0)).example("0.022"),
+        "κ, slope of the swelling lines in that plane; less than λ. The bulk modulus is (1+e)p'/κ.");
+  v.key("critical_state_slope", in.critical_state_slope, users.need(plain().above(0).below(3)).example("1.2"),
+        "M₀, slope q/p' of the critical-state line of the soil without roots; 6 sin φ'/(3 - sin φ') in compression.");
+  v.key("suction_hardening", in.suction_hardening, users.allow(plain().at_least(0)),
+        "b: p'c is exp(b(1 - S)) times that of the saturated soil, S being the degree of saturation; 0: suction does "
+        "not harden the soil.");
+  v.key("smallest_pressure", in.smallest_pressure, users.allow(quantity("kPa").above(0)),
+        "Floor of p' in the bulk modulus (1+e)p'/κ, which would vanish at a free surface.");
+}
+
+/// The preconsolidation of a soil that hardens; one of both is given.
+struct Preconsolidation {
+  std::optional<double> preconsolidation;        ///< p'_c0 of the saturated bare soil [Pa]; or
+  std::optional<double> preconsolidation_ratio;  ///< R_0 over the mean effective stress after initial.equilibrium [-]
+
+  void check(const SoilFindings& findings, const char* title) const;
+};
+template <class Visitor>
+void describe(Visitor& v, Preconsolidation& in, const Users& users) {
+  v.key("preconsolidation", in.preconsolidation, users.allow(quantity("kPa").above(0)).example("125"),
+        "p'c₀, preconsolidation pressure of the saturated soil without roots. Where the stress at the start needs a "
+        "larger one, the soil is normally consolidated there. Either this or `preconsolidation_ratio` is needed.");
+  v.key("preconsolidation_ratio", in.preconsolidation_ratio, users.allow(plain().at_least(1)).example("3"),
+        "R₀ instead: p'c₀ over the mean effective stress at the end of the stage that initial.equilibrium names. Until "
+        "then the soil is elastic.");
+}
+
+/// What roots do to the soil. Per cent of root mass per dry mass throughout: (4.4), (4.6) and (4.10) as physics of the
+/// published runs are.
 struct RootParameters {
-  double hardening = 0;    ///< R_p of (4.6), (4.10) [1/%]
-  double strength = 0;     ///< R_a of (4.4) [1/%]
-  double activation = -1;  ///< R_p m_r of (4.10) given as one number [-]; negative: hardening × content
+  double hardening = 0;                ///< R_p of (4.6), (4.10) [1/%]
+  double strength = 0;                 ///< R_a of (4.4) [1/%]
+  std::optional<double> activation{};  ///< R_p m_r of (4.10) as one number [-]; if not given, hardening × content
   double breaking_strain = std::numeric_limits<double>::infinity();  ///< ε_r^peak, beyond which roots break [-]
   double breaking_range = 0.1;  ///< ε_r beyond the peak over which they do, linearly [-]
   double residual_share = 0;    ///< share of the roots' part that stays [-]
+  double root_content = 0;      ///< m_r^ini where no [[roots]] says otherwise [%]
+
+  void check(const SoilFindings& findings) const;
 };
+template <class Visitor>
+void describe(Visitor& v, RootParameters& in, const Users& users) {
+  input::PerCent<double> content{in.root_content};
+  v.key(
+      "root_content", content, users.allow(quantity("%").at_least(0).below(100)).example("0.88"),
+      "m_r, dry root mass over dry soil mass, where no [[roots]] says otherwise. A plain number is per cent: 0.88, not "
+      "0.0088.");
+  v.key("root_hardening", in.hardening, users.need(plain().at_least(0)).example("0.28"),
+        "R_p, per per cent of root content: at the start p'c is exp(R_p m_r) times that of the soil without roots, and "
+        "grows as the roots are activated.");
+  v.key("root_strength", in.strength, users.need(plain().at_least(0)).example("0.18"),
+        "R_a, per per cent of root content: the critical-state slope is M₀ + R_a m_r.");
+  v.key("root_activation", in.activation, users.allow(plain().at_least(0)).example("0.5"),
+        "How fast p'c grows with the activation strain, as one number in the place of R_p m_r; 0: not at all. If not "
+        "given, R_p m_r.");
+  v.key("root_breaking_strain", in.breaking_strain, users.allow(plain().above(0).or_infinite()).example("0.3"),
+        "Activation strain (volumetric and deviatoric strain, added up) at which roots begin to break; inf: never.");
+  v.key("root_breaking_range", in.breaking_range, users.allow(plain().above(0)),
+        "Further activation strain within which they break, one after the other.");
+  v.key("root_residual_share", in.residual_share, users.allow(plain().at_least(0).at_most(1)),
+        "Share of the roots that holds for ever.");
+}
 
 /// State variables: 0 deviatoric plastic strain [-]; 1 preconsolidation pressure p'_c without suction and roots [Pa],
 /// positive; 2 void ratio e [-]; and rooted: 3 root content m_r [%]; 4 exponent of the roots' part of p'_c while they
@@ -37,6 +104,24 @@ struct RootParameters {
 template <bool Rooted>
 class CamClay {
  public:
+  static constexpr Traits traits{
+      .word = Rooted ? "rooted_cam_clay" : "modified_cam_clay",
+      .meaning = Rooted ? "the same with roots that harden and strengthen the soil (Świtała et al.)"
+                        : "modified Cam-clay, hardening with plastic volume and with suction (Tamagnini)",
+      .title = Rooted ? "rooted Cam-clay" : "modified Cam-clay",
+      .changes_stiffness = true,
+      .stores_always = true,
+      .roots = Rooted ? RootEffect::content : RootEffect::none,
+      .family = "Cam-clay",
+      .family_states = 3,
+      .paragraphs = {"modified_cam_clay", Rooted ? "rooted_cam_clay" : nullptr},
+      .assumption =
+          "{}: modified Cam-clay, the same in all directions. Soil that is preconsolidated beyond the "
+          "critical state dilates and softens in bands as thick as the elements are; contraction together "
+          "with softening, as of loose or cemented soil, is not in it.",
+      .reduction =
+          "In Cam-clay soils the factor divides tan φ of the critical state. The preconsolidation stays as "
+          "it is."};
   static constexpr int state_size = Rooted ? 7 : 3;
   static constexpr bool is_plastic = true;
   /// p'_c of a point whose preconsolidation is not set yet: elastic whatever the stress [Pa].
@@ -44,12 +129,24 @@ class CamClay {
   /// Means over points that are not set and others are not set either.
   static constexpr bool is_set(double preconsolidation) { return preconsolidation < set_below; }
 
+  using Input = std::conditional_t<Rooted, Needs<PoissonInput, CamClayInput, Preconsolidation, RootParameters>,
+                                   Needs<PoissonInput, CamClayInput, Preconsolidation>>;
+  static CamClay make(const Input& in, const StrengthChange& change);
+  static void check(const Input& in, const SoilFindings& findings);
+  static Properties list_properties(const Input& in);
+  /// Those that follow from the roots, of which the soil has at most `content` [%].
+  static Properties list_root_properties(const Input& in, double content);
+
   explicit CamClay(const CamClayParameters& soil, const RootParameters& roots = {});
 
   const CamClayParameters& soil() const { return soil_; }
   const RootParameters& roots() const { return roots_; }
   /// E_c at a stress and state, for the time step [Pa].
   double constrained_modulus(const double* sigma, const double* state) const;
+  /// The elastic stiffness at a stress and state.
+  LinearElastic find_elastic(const double* sigma, const double* state) const {
+    return LinearElastic::from_constrained_modulus(constrained_modulus(sigma, state), soil_.poisson_ratio);
+  }
   /// Density of the elastic energy: that of compressing from zero along the swelling line, and q²/(6G) [J/m³].
   template <int NS>
   double elastic_energy(const double* sigma, const double* state) const {
@@ -125,16 +222,27 @@ class CamClay {
   /// roots has p'_c = max(`preconsolidation`, what p' needs) [Pa]; `preconsolidation` = not_set leaves it open.
   void set_initial_state(const double* sigma, double e, double content, double preconsolidation, double saturation,
                          double* state) const;
-  /// What results show: p'_c, e, and rooted: m_r, ε_r, intact share; `values` as listed.
-  static constexpr auto fields() {
+  void set_initial_state(const Input& in, const StateStart& start, double* state) const {
+    set_initial_state(start.stress, start.void_ratio, start.root_content,
+                      in.template get<Preconsolidation>().preconsolidation.value_or(not_set), start.saturation, state);
+  }
+  /// Takes the roots of a point out of its state.
+  static void read_roots(const double* state, StateStart& start) requires Rooted { start.root_content = state[3]; }
+  /// `ratio` times the mean effective stress [Pa].
+  void set_preconsolidation(double ratio, const double* sigma, double* state) const {
+    state[1] = ratio * std::max(find_pressure(sigma), soil_.smallest_pressure);
+  }
+  static double find_void_ratio(const double* state) { return state[2]; }
+  /// What results show: p'_c (no number while it is not set), e, and rooted: m_r, ε_r, intact share.
+  static std::vector<StateField> fields() {
     if constexpr (Rooted)
-      return std::array<StateField, 5>{{{"preconsolidation_pressure", "Pa"},
-                                        {"void_ratio", "-"},
-                                        {"root_content", "%"},
-                                        {"root_activation_strain", "-"},
-                                        {"intact_roots", "-"}}};
+      return {{"preconsolidation_pressure", "Pa"},
+              {"void_ratio", "-"},
+              {"root_content", "%", 0},
+              {"root_activation_strain", "-", 0},
+              {"intact_roots", "-", 0}};
     else
-      return std::array<StateField, 2>{{{"preconsolidation_pressure", "Pa"}, {"void_ratio", "-"}}};
+      return {{"preconsolidation_pressure", "Pa"}, {"void_ratio", "-"}};
   }
   void show(const double* state, double saturation, double* values) const;
 
@@ -169,7 +277,7 @@ class CamClay {
   template <class T>
   TALUS_KERNEL void activate_roots(T d_activation, T e, MaskOf<T> set, T* state) const {
     const T d = select(set, d_activation, T(0.0));
-    const T rate = roots_.activation < 0 ? state[3] * roots_.hardening : T(roots_.activation);
+    const T rate = activation_ < 0 ? state[3] * roots_.hardening : T(activation_);
     state[4] += rate * e * d;
     state[5] += d;
     if (breaks_) {
@@ -207,6 +315,7 @@ class CamClay {
 
   CamClayParameters soil_;
   RootParameters roots_;
+  double activation_;                          ///< negative: not given
   double over_swelling_, over_plastic_slope_;  ///< 1/κ, 1/(λ-κ)
   double shear_ratio_;                         ///< G/K
   double slope_square_;                        ///< M² without roots, reduced

@@ -59,7 +59,7 @@ std::string find_reason(const std::string& path) {
 
 }  // namespace
 
-std::string ExternalFailure::describe(const std::string& place) const {
+std::string LawFailure::describe(const std::string& place) const {
   const std::string where = point < 0 ? "a point" : fmt::format("point {}", point);
   return fmt::format("{} failed in {}{}: {}", model, where, place, answer);
 }
@@ -77,7 +77,7 @@ class ExternalLibrary {
     if (p.initial_states.size() > static_cast<std::size_t>(p.states))
       fail(fmt::format("has {} initial values for {} state variables", p.initial_states.size(), p.states));
     // Absolute: without a slash dlopen() would look through the system's folders instead.
-    const std::string path = std::filesystem::absolute(p.library).lexically_normal().string();
+    const std::string path = std::filesystem::absolute(p.find_library()).lexically_normal().string();
     if (!std::filesystem::is_regular_file(path))
       fail(fmt::format("needs the shared library '{}', which does not exist", path));
     void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -101,7 +101,7 @@ class ExternalLibrary {
     if (failure_ && failure_->point <= point) return;
     failure_ = {point, name_, answer};
   }
-  std::optional<ExternalFailure> take() {
+  std::optional<LawFailure> take() {
     const std::lock_guard lock(get_umat_mutex());
     return std::exchange(failure_, std::nullopt);
   }
@@ -114,8 +114,55 @@ class ExternalLibrary {
     blank.fill(' ');
     return blank;
   }();
-  std::optional<ExternalFailure> failure_;
+  std::optional<LawFailure> failure_;
 };
+
+External External::make(const Input& in, const StrengthChange& change) {
+  const ExternalParameters& p = in.get<ExternalParameters>();
+  if (change.factor != 1)
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the strength of the external model '{}' cannot be divided by {:g}: only the library "
+                            "knows it; give its reduced constants instead",
+                            p.library, change.factor));
+  return External(p);
+}
+
+void External::check(const Input& in, const SoilFindings& findings) {
+  const ExternalParameters& p = in.get<ExternalParameters>();
+  if (findings.is_sound("library") && !std::filesystem::is_regular_file(p.library_file))
+    findings.add("library",
+                 fmt::format("there is no library '{}'; its path is relative to the case file", p.library_file));
+  if (findings.is_sound("states") && findings.is_sound("initial_states") &&
+      p.initial_states.size() > static_cast<std::size_t>(p.states))
+    findings.add("initial_states",
+                 fmt::format("'initial_states' has {} numbers, but 'states' is {}", p.initial_states.size(), p.states));
+}
+
+Properties External::list_properties(const Input& in) {
+  const ExternalParameters& p = in.get<ExternalParameters>();
+  Properties list;
+  for (std::size_t i = 0; i < p.constants.size(); ++i) {
+    const std::string number = std::to_string(i + 1);
+    list.push_back({"constants_" + number,
+                    "constant " + number + " of the UMAT",
+                    "PROPS(" + number + ")",
+                    ShownAs::si,
+                    p.constants[i],
+                    {}});
+  }
+  list.push_back({"constrained_modulus",
+                  "largest constrained modulus, for the time step",
+                  "Ec",
+                  ShownAs::stiffness,
+                  p.constrained_modulus,
+                  {}});
+  return list;
+}
+
+std::string External::tell_model(const Input& in) {
+  const ExternalParameters& p = in.get<ExternalParameters>();
+  return fmt::format("external: UMAT '{}' of {}", p.symbol, p.library);
+}
 
 External::External(ExternalParameters parameters)
     : parameters_(std::make_shared<const ExternalParameters>(std::move(parameters))),
@@ -205,7 +252,7 @@ std::vector<StateField> External::fields() const {
   return list;
 }
 
-std::optional<ExternalFailure> External::take_failure() const {
+std::optional<LawFailure> External::take_failure() const {
   return library_->take();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A compiled Abaqus UMAT as a constitutive model. One call per point and step: slow, and the same for every lane type.
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -13,17 +14,35 @@
 namespace talus::material {
 
 struct ExternalParameters {
-  std::string library;            ///< path of the shared library
-  std::string symbol = "umat_";   ///< name of the subroutine in it
-  std::string material;           ///< CMNAME
-  std::vector<double> constants;  ///< PROPS
-  int states = 0;                 ///< NSTATV, at most External::most_states
-  std::vector<double> initial_states;
-  double constrained_modulus = 0;  ///< for the time step [Pa]
+  std::string library;                 ///< path of the shared library, as given
+  std::string symbol = "umat_";        ///< name of the subroutine in it
+  std::string material;                ///< CMNAME
+  std::vector<double> constants;       ///< PROPS
+  int states = 0;                      ///< NSTATV, at most External::most_states
+  std::vector<double> initial_states;  ///< zero where not given
+  double constrained_modulus = 0;      ///< for the time step [Pa]
+  std::string library_file;            ///< the library as it is found from here; empty: as given
+
+  const std::string& find_library() const { return library_file.empty() ? library : library_file; }
 };
+template <class Visitor>
+void describe(Visitor& v, ExternalParameters& in, const Users& users) {
+  v.key("library", in.library, users.need(plain()).example(R"("model.so")"),
+        "The shared library that holds the UMAT; its path is relative to the case file.");
+  v.key("symbol", in.symbol, users.allow(plain()),
+        "Name of the subroutine in it; Fortran compilers call UMAT \"umat_\".");
+  v.key("constants", in.constants, users.allow(plain()).example("[45e6, 0.3]"),
+        "PROPS, the constants that the UMAT expects, in SI units (stress in Pa).");
+  v.key("states", in.states, users.allow(plain().at_least(0).at_most(20)),
+        "NSTATV, how many state variables each point has.");
+  v.key("initial_states", in.initial_states, users.allow(plain()).example("[125e3]"),
+        "STATEV at the start; zero where not given.");
+  v.key("constrained_modulus", in.constrained_modulus, users.need(quantity("kPa").above(0)).example("60000"),
+        "The largest stiffness in one-dimensional compression that the UMAT can have; it sets the time step.");
+}
 
 /// A call of a UMAT that led to nothing.
-struct ExternalFailure {
+struct LawFailure {
   int point = -1;      ///< -1: not known
   std::string model;   ///< "the external model 'clay' (umat_ in libclay.so)"
   std::string answer;  ///< what was answered to which inputs
@@ -37,6 +56,18 @@ class ExternalLibrary;  // the opened library and the first failure
 /// State variables: 0 deviatoric plastic strain, which a UMAT does not tell: 0; 1… STATEV; behind them STRAN.
 class External {
  public:
+  static constexpr Traits traits{
+      .word = "external",
+      .meaning = "a compiled UMAT of Abaqus",
+      .title = "external",
+      .strength = Strength::hidden,
+      .stores_always = true,
+      .is_opaque = true,
+      .paragraphs = {"external_model"},
+      .assumption =
+          "{}: stress follows strain as a compiled UMAT says, which Talus can neither see nor check. It is "
+          "told strain increments, not deformation gradients; its state variables are carried with the "
+          "soil, and not rotated."};
   static constexpr int most_states = 20;
   static constexpr int first_strain = 1 + most_states;
   static constexpr int state_size = first_strain + 6;
@@ -46,14 +77,35 @@ class External {
   explicit External(ExternalParameters parameters);
 
   const ExternalParameters& parameters() const { return *parameters_; }
-  double constrained_modulus() const { return parameters_->constrained_modulus; }
+  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
+    return parameters_->constrained_modulus;
+  }
+  LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const {
+    return LinearElastic::from_constrained_modulus(constrained_modulus(), 0.3);
+  }
   template <int NS>
-  double elastic_energy(const double*) const {
+  double elastic_energy(const double*, const double* = nullptr) const {
     return 0;  // a UMAT's is not known
+  }
+
+  using Input = Needs<ExternalParameters>;
+  /// Throws Error (wrong_input) when the strength is to be reduced: only the library knows it.
+  static External make(const Input& in, const StrengthChange& change);
+  static void check(const Input& in, const SoilFindings& findings);
+  static Properties list_properties(const Input& in);
+  static std::string tell_model(const Input& in);
+  static double find_oedometric_modulus(const Input& in) { return in.get<ExternalParameters>().constrained_modulus; }
+  /// Names the material to the UMAT, and finds its library from the folder of the case.
+  template <class FindFile>
+  static void complete(const Input::Changeable& in, const std::string& name, const FindFile& find_file) {
+    auto& parameters = in.get<ExternalParameters>();
+    parameters.material = name;
+    if (!parameters.library.empty()) parameters.library_file = find_file(parameters.library);
   }
 
   /// Writes state_size numbers; initial_states that are not given are 0.
   void set_initial_state(double* state) const;
+  void set_initial_state(const Input&, const StateStart&, double* state) const { set_initial_state(state); }
 
   /// A point whose UMAT fails (no number, or PNEWDT < 1) keeps its stress and state; the failure with the lowest point
   /// number is kept for throw_failure(). States are stored always, so `any_plastic` is true. The dissipation is what
@@ -83,9 +135,12 @@ class External {
 
   /// What results show: STATEV, as state_1, state_2 …
   std::vector<StateField> fields() const;
+  void show(const double* state, double /*saturation*/, double* values) const {
+    std::copy_n(state + 1, parameters_->states, values);
+  }
 
   /// The failure with the lowest point number since the last look, if there was one.
-  std::optional<ExternalFailure> take_failure() const;
+  std::optional<LawFailure> take_failure() const;
   /// Throws Error (unstable) with it. Called between steps.
   void throw_failure() const;
 

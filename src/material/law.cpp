@@ -2,53 +2,149 @@
 
 namespace talus::material {
 
-double constrained_modulus(const Law& law, const double* sigma, const double* state) {
-  return std::visit(
+std::string list_words(bool (*holds)(const Traits&), const char* last) {
+  std::vector<std::string> words;
+  for (const Traits& t : Laws::traits)
+    if (holds(t)) words.push_back('"' + std::string(t.word) + '"');
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : i + 1 < words.size() ? ", " : last) + words[i];
+  return text;
+}
+
+Law make_law(Model model, const SoilNumbers& in, const StrengthChange& change) {
+  std::optional<Law> law;
+  Laws::visit(model, [&]<class L>() { law.emplace(L::make(in, change)); });
+  return std::move(*law);
+}
+
+void check_soil(Model model, const SoilNumbers& in, const SoilFindings& findings) {
+  Laws::visit(model, [&]<class L>() {
+    if constexpr (requires { L::check(in, findings); }) L::check(in, findings);
+  });
+}
+
+Properties list_properties(Model model, const SoilNumbers& in) {
+  Properties list;
+  Laws::visit(model, [&]<class L>() {
+    if constexpr (requires { L::list_properties(in); }) list = L::list_properties(in);
+  });
+  return list;
+}
+
+Properties list_root_properties(Model model, const SoilNumbers& in, double content) {
+  Properties list;
+  Laws::visit(model, [&]<class L>() {
+    if constexpr (requires { L::list_root_properties(in, content); }) list = L::list_root_properties(in, content);
+  });
+  return list;
+}
+
+std::string tell_model(Model model, const SoilNumbers& in) {
+  std::string title = get_traits(model).title;
+  Laws::visit(model, [&]<class L>() {
+    if constexpr (requires { L::tell_model(in); }) title = L::tell_model(in);
+  });
+  return title;
+}
+
+std::optional<SliceStrength> find_slice_strength(Model model, const SoilNumbers& in) {
+  std::optional<SliceStrength> strength;
+  Laws::visit(model, [&]<class L>() {
+    if constexpr (requires { L::find_slice_strength(in); }) strength = L::find_slice_strength(in);
+  });
+  return strength;
+}
+
+void divide_strength(Model model, SoilNumbers& in, PartialDivision& division) {
+  Laws::visit(model, [&]<class L>() {
+    using Changeable = typename L::Input::Changeable;
+    if constexpr (requires { L::divide(Changeable(in), division); }) L::divide(Changeable(in), division);
+  });
+}
+
+bool is_total_stress(Model model, const SoilNumbers& in) {
+  bool answer = false;
+  Laws::visit(model, [&]<class L>() {
+    if constexpr (requires { L::is_total_stress(in); }) answer = L::is_total_stress(in);
+  });
+  return answer;
+}
+
+std::optional<Model> find_local_model(Model model, const SoilNumbers& in) {
+  std::optional<Model> local;
+  Laws::visit(model, [&]<class L>() {
+    if constexpr (requires { L::varies(in); })
+      if (L::varies(in)) local = model_of<typename L::Local>;
+  });
+  return local;
+}
+
+std::optional<double> find_oedometric_modulus(Model model, const SoilNumbers& in) {
+  std::optional<double> modulus;
+  Laws::visit(model, [&]<class L>() {
+    if constexpr (requires { L::find_oedometric_modulus(in); })
+      modulus = L::find_oedometric_modulus(in);
+    else if constexpr (L::Input::template has<YoungInput>)
+      if (in.young_modulus > 0) modulus = LinearElastic::make(in).constrained_modulus();
+  });
+  return modulus;
+}
+
+void set_initial_state(const Law& law, const SoilNumbers& in, const StateStart& start, double* state) {
+  std::visit(
       [&]<class L>(const L& l) {
-        if constexpr (is_cam_clay<L>)
-          return l.constrained_modulus(sigma, state);
-        else
-          return l.constrained_modulus();
+        if constexpr (requires { l.set_initial_state(in, start, state); }) l.set_initial_state(in, start, state);
       },
       law);
 }
 
-bool has_changing_stiffness(const Law& law) {
-  return std::visit([]<class L>(const L&) { return is_cam_clay<L>; }, law);
+void read_roots(const Law& law, const double* state, StateStart& start) {
+  std::visit(
+      [&]<class L>(const L&) {
+        if constexpr (requires { L::read_roots(state, start); }) L::read_roots(state, start);
+      },
+      law);
+}
+
+double constrained_modulus(const Law& law, const double* sigma, const double* state) {
+  return std::visit([&](const auto& l) { return l.constrained_modulus(sigma, state); }, law);
 }
 
 template <int NS>
 double elastic_energy(const Law& law, const double* sigma, const double* state) {
-  return std::visit(
-      [&]<class L>(const L& l) {
-        if constexpr (is_cam_clay<L>)
-          return l.template elastic_energy<NS>(sigma, state);
-        else
-          return l.template elastic_energy<NS>(sigma);
-      },
-      law);
+  return std::visit([&](const auto& l) { return l.template elastic_energy<NS>(sigma, state); }, law);
 }
 template double elastic_energy<4>(const Law&, const double*, const double*);
 template double elastic_energy<6>(const Law&, const double*, const double*);
 
 std::vector<StateField> list_state_fields(const Law& law) {
   return std::visit(
-      []<class L>([[maybe_unused]] const L& l) {
-        std::vector<StateField> list;
-        if constexpr (is_cam_clay<L> || std::is_same_v<L, RootedMohrCoulomb>) {
-          for (const StateField& field : L::fields()) list.push_back(field);
-        }
-        if constexpr (std::is_same_v<L, External>) list = l.fields();
-        return list;
+      []([[maybe_unused]] const auto& l) -> std::vector<StateField> {
+        if constexpr (requires { l.fields(); })
+          return l.fields();
+        else
+          return {};
       },
       law);
 }
 
 void show_state(const Law& law, const double* state, double saturation, double* values) {
-  if (const auto* soil = std::get_if<ModifiedCamClay>(&law)) soil->show(state, saturation, values);
-  if (const auto* soil = std::get_if<RootedCamClay>(&law)) soil->show(state, saturation, values);
-  if (std::holds_alternative<RootedMohrCoulomb>(law)) values[0] = state[1];
-  if (const auto* model = std::get_if<External>(&law)) std::copy_n(state + 1, model->parameters().states, values);
+  std::visit(
+      [&]([[maybe_unused]] const auto& l) {
+        if constexpr (requires { l.show(state, saturation, values); }) l.show(state, saturation, values);
+      },
+      law);
+}
+
+std::optional<LawFailure> take_failure(const Law& law) {
+  return std::visit(
+      []([[maybe_unused]] const auto& l) -> std::optional<LawFailure> {
+        if constexpr (requires { l.take_failure(); })
+          return l.take_failure();
+        else
+          return std::nullopt;
+      },
+      law);
 }
 
 }  // namespace talus::material

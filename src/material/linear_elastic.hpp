@@ -1,9 +1,14 @@
 #pragma once
 // Isotropic linear elasticity: the predictor of every other model.
 
+#include "material/blocks.hpp"
+#include "material/properties.hpp"
 #include "material/surroundings.hpp"
 
 namespace talus::material {
+
+using input::plain;
+using input::quantity;
 
 /// Number of stress components: xx yy zz xy (plane strain), and yz zx in three dimensions. Shear strains are
 /// engineering strains (2ε_xy), stresses positive in tension.
@@ -18,9 +23,38 @@ struct Response {
   T dissipation;          ///< plastic work σ:Δε^p [J/m³]
 };
 
+struct YoungInput {
+  double young_modulus = 0;  ///< E [Pa]
+};
+template <class Visitor>
+void describe(Visitor& v, YoungInput& in, const Users& users) {
+  v.key("young_modulus", in.young_modulus,
+        users.need(quantity("kPa").above(0)).by_methods({"fem", "mpm"}).example("45000"), "Young's modulus.");
+}
+
+struct PoissonInput {
+  double poisson_ratio = 0;  ///< ν [-]
+};
+template <class Visitor>
+void describe(Visitor& v, PoissonInput& in, const Users& users) {
+  v.key("poisson_ratio", in.poisson_ratio,
+        users.need(plain().above(-1).below(0.5)).by_methods({"fem", "mpm"}).example("0.3"), "Poisson's ratio.");
+}
+
 struct LinearElastic {
+  static constexpr Traits traits{.word = "linear_elastic",
+                                 .meaning = "linear elastic, without any strength limit",
+                                 .title = "linear elastic",
+                                 .strength = Strength::none,
+                                 .serves_slices = true,
+                                 .paragraphs = {"linear_elastic"}};
   static constexpr int state_size = 0;
   static constexpr bool is_plastic = false;
+
+  using Input = Needs<YoungInput, PoissonInput>;
+  static LinearElastic make(const Input& in, const StrengthChange& = {}) {
+    return from_young(in.get<YoungInput>().young_modulus, in.get<PoissonInput>().poisson_ratio);
+  }
 
   double lambda = 0;  ///< Lamé's λ [Pa]
   double mu = 0;      ///< shear modulus [Pa]
@@ -28,6 +62,12 @@ struct LinearElastic {
   static LinearElastic from_young(double young_modulus, double poisson_ratio) {
     return {young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)),
             young_modulus / (2 * (1 + poisson_ratio))};
+  }
+
+  static LinearElastic from_constrained_modulus(double modulus, double poisson_ratio) {
+    const LinearElastic unit = from_young(1, poisson_ratio);
+    const double ratio = modulus / unit.constrained_modulus();
+    return {unit.lambda * ratio, unit.mu * ratio};
   }
 
   /// Adds C:Δε to the stress. `d_epsilon` has NS components.
@@ -48,11 +88,13 @@ struct LinearElastic {
   }
 
   /// E_c = λ + 2μ of (2.84) [Pa].
-  double constrained_modulus() const { return lambda + 2 * mu; }
+  double constrained_modulus(const double* = nullptr, const double* = nullptr) const { return lambda + 2 * mu; }
+  /// The elastic stiffness at a stress and state.
+  LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return *this; }
 
   /// Elastic energy density ½ σ:C⁻¹:σ [J/m³].
   template <int NS>
-  double elastic_energy(const double* sigma) const {
+  double elastic_energy(const double* sigma, const double* = nullptr) const {
     const double trace = sigma[0] + sigma[1] + sigma[2];
     double squares = sigma[0] * sigma[0] + sigma[1] * sigma[1] + sigma[2] * sigma[2];
     for (int i = 3; i < NS; ++i) squares += 2 * sigma[i] * sigma[i];

@@ -1,9 +1,13 @@
 #include "material/mohr_coulomb.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "base/units.hpp"
 
 namespace talus::material {
 namespace {
@@ -24,6 +28,76 @@ std::array<double, 4> invert(double a11, double a12, double a21, double a22) {
 MohrCoulombStrength MohrCoulombStrength::reduced(double factor) const {
   const double phi = std::atan(std::tan(friction_angle) / factor);
   return {cohesion / factor, phi, std::min(dilatancy_angle, phi), tensile_strength / factor};
+}
+
+MohrCoulombStrength MohrCoulombStrength::changed(const StrengthChange& change) const {
+  MohrCoulombStrength strength = *this;
+  if (change.cohesion) strength.cohesion = *change.cohesion;
+  return change.factor == 1 ? strength : strength.reduced(change.factor);
+}
+
+MohrCoulomb MohrCoulomb::make(const Input& in, const StrengthChange& change) {
+  return {LinearElastic::make(in), in.get<MohrCoulombStrength>().changed(change)};
+}
+
+void MohrCoulomb::check(const Input& in, const SoilFindings& findings) {
+  const MohrCoulombStrength& s = in.get<MohrCoulombStrength>();
+  const double degree = units::get_si_factor("deg");
+  const bool has_angle = findings.is_sound("friction_angle");
+  if (has_angle && findings.is_sound("dilatancy_angle") && s.dilatancy_angle > s.friction_angle)
+    findings.add(
+        "dilatancy_angle",
+        fmt::format("'dilatancy_angle' is {:.6g} deg; it must not be greater than the friction angle, {:.6g} deg",
+                    s.dilatancy_angle / degree, s.friction_angle / degree));
+  // Without friction the yield surface has no apex, and tension is limited by nothing else.
+  if (!has_angle || !findings.is_sound("cohesion") || !findings.is_sound("tensile_strength") || s.friction_angle <= 0)
+    return;
+  const double apex = s.cohesion / std::tan(s.friction_angle);
+  if (s.tensile_strength > apex * (1 + 1e-12))
+    findings.add("tensile_strength",
+                 fmt::format("'tensile_strength' is {:.6g} kPa; it must not be above the apex of the yield surface, "
+                             "cohesion/tan(friction_angle) = {:.6g} kPa",
+                             s.tensile_strength / 1e3, apex / 1e3));
+}
+
+Properties MohrCoulomb::list_properties(const Input& in) {
+  const MohrCoulombStrength& given = in.get<MohrCoulombStrength>();
+  Properties list;
+  const auto add = [&](const char* key, const char* title, const char* symbol, ShownAs shown_as,
+                       double MohrCoulombStrength::*value) {
+    list.push_back({key, title, symbol, shown_as, given.*value,
+                    [given, value](double factor) { return given.reduced(factor).*value; }});
+  };
+  add("cohesion", "cohesion", "c", ShownAs::stress, &MohrCoulombStrength::cohesion);
+  add("friction_angle", "angle of internal friction", "φ", ShownAs::angle, &MohrCoulombStrength::friction_angle);
+  add("dilatancy_angle", "angle of dilatancy", "ψ", ShownAs::angle, &MohrCoulombStrength::dilatancy_angle);
+  add("tensile_strength", "tensile strength", "σt", ShownAs::stress, &MohrCoulombStrength::tensile_strength);
+  if (const double gradient = in.get<CohesionGradient>().cohesion_gradient; gradient != 0)
+    list.push_back(
+        {"cohesion_gradient", "growth of the cohesion with depth", "dc/dz", ShownAs::stress_per_length, gradient, {}});
+  return list;
+}
+
+SliceStrength MohrCoulomb::find_slice_strength(const Input& in) {
+  const MohrCoulombStrength& s = in.get<MohrCoulombStrength>();
+  const CohesionGradient& g = in.get<CohesionGradient>();
+  return {s.cohesion, s.friction_angle, g.cohesion_gradient, g.cohesion_level};
+}
+
+void MohrCoulomb::divide(const Input::Changeable& in, PartialDivision& division) {
+  MohrCoulombStrength& s = in.get<MohrCoulombStrength>();
+  constexpr double kilo = 1e3;
+  const bool undrained = s.friction_angle == 0;
+  const double factor = undrained ? division.undrained : division.cohesion;
+  division.divide(s.cohesion, factor, undrained ? "undrained shear strength" : "cohesion", undrained ? "c_u" : "c'",
+                  "kPa", kilo);
+  division.divide(in.get<CohesionGradient>().cohesion_gradient, factor, "growth of the cohesion with depth", "dc/dz",
+                  "kPa/m", kilo);
+  division.divide(s.tensile_strength, factor, "tensile strength", "σ_t", "kPa", kilo);
+  division.divide_angle(s.friction_angle, division.friction, "friction angle", "φ'");
+  if (s.dilatancy_angle > s.friction_angle)  // a soil dilates by no more than its friction angle
+    division.divide_angle(s.dilatancy_angle, std::tan(s.dilatancy_angle) / std::tan(s.friction_angle),
+                          "dilatancy angle", "ψ");
 }
 
 MohrCoulomb::MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength& strength)

@@ -11,11 +11,14 @@
 //
 // Cohesion enters through Bounds alone: one for all points here, one per point in rooted soil, by the same code.
 
+#include <algorithm>
+
 #include "material/linear_elastic.hpp"
 #include "material/principal_stress.hpp"
 
 namespace talus::material {
 
+/// Block of input and strength of a law alike.
 struct MohrCoulombStrength {
   double cohesion = 0;          ///< c [Pa]
   double friction_angle = 0;    ///< φ [rad]
@@ -25,7 +28,38 @@ struct MohrCoulombStrength {
   /// c/F, arctan(tanφ/F), (3.14-3.15). The dilatancy angle is kept but never above the reduced friction angle, and
   /// the tensile strength is divided like the cohesion, so that the cut-off keeps its place on the cone.
   MohrCoulombStrength reduced(double factor) const;
+  /// With the cohesion of a stage, and reduced.
+  MohrCoulombStrength changed(const StrengthChange& change) const;
 };
+template <class Visitor>
+void describe(Visitor& v, MohrCoulombStrength& in, const Users& users) {
+  v.key("cohesion", in.cohesion, users.need(quantity("kPa").at_least(0)).example("10"),
+        "Cohesion c of the soil itself.");
+  v.key("friction_angle", in.friction_angle, users.need(quantity("deg").at_least(0).below(90)).example("20"),
+        "Angle of internal friction φ.");
+  v.key("dilatancy_angle", in.dilatancy_angle,
+        users.need(quantity("deg").at_least(0).below(90)).by_methods({"fem", "mpm"}).example("0"),
+        "Angle of dilatancy ψ of the plastic flow; at most the friction angle.");
+  v.key("tensile_strength", in.tensile_strength,
+        users.need(quantity("kPa").at_least(0)).by_methods({"fem", "mpm"}).example("0"),
+        "Largest tensile stress; at most c/tan φ, the apex of the yield surface.");
+}
+
+/// What slices and finite elements alone know: a cohesion that grows with depth.
+struct CohesionGradient {
+  double cohesion_gradient = 0;  ///< growth of c below `cohesion_level` [Pa/m]
+  double cohesion_level = 0;     ///< [m]
+
+  /// What is added to the cohesion at a level [Pa].
+  double find_extra(double level) const { return cohesion_gradient * std::max(0.0, cohesion_level - level); }
+};
+template <class Visitor>
+void describe(Visitor& v, CohesionGradient& in, const Users& users) {
+  v.key("cohesion_gradient", in.cohesion_gradient, users.allow(quantity("kPa/m")).example("1.5"),
+        "The cohesion grows by this per metre below `cohesion_level`; slices and finite elements only.");
+  v.key("cohesion_level", in.cohesion_level, users.allow(quantity("m")).example("15"),
+        "Level y at which that growth begins; `cohesion_gradient` needs it.");
+}
 
 /// What follows from the cohesion; T: double where it is the same for all points.
 template <class T>
@@ -36,18 +70,40 @@ struct MohrCoulombBounds {
   T cone_offset;    ///< √J2 <= offset - slope·p is inside the pyramid [Pa]
 };
 
+class RootedMohrCoulomb;
+
 class MohrCoulomb {
  public:
+  static constexpr Traits traits{.word = "mohr_coulomb",
+                                 .meaning = "linear elastic, perfectly plastic with Mohr–Coulomb's strength",
+                                 .title = "Mohr–Coulomb",
+                                 .serves_slices = true,
+                                 .has_friction = true,
+                                 .paragraphs = {"mohr_coulomb"}};
   static constexpr int state_size = 1;  ///< state[0]: ∫√(⅔ ė^p:ė^p) dt, the deviatoric plastic strain [-]
   static constexpr bool is_plastic = true;
+
+  using Input = Needs<YoungInput, PoissonInput, MohrCoulombStrength, CohesionGradient>;
+  static MohrCoulomb make(const Input& in, const StrengthChange& change);
+  static void check(const Input& in, const SoilFindings& findings);
+  static Properties list_properties(const Input& in);
+  static SliceStrength find_slice_strength(const Input& in);
+  static void divide(const Input::Changeable& in, PartialDivision& division);
+  static bool is_total_stress(const Input& in) { return in.get<MohrCoulombStrength>().friction_angle == 0; }
+  /// The law of the same soil whose cohesion is a state variable, and whether finite elements need it.
+  using Local = RootedMohrCoulomb;
+  static bool varies(const Input& in) { return in.get<CohesionGradient>().cohesion_gradient != 0; }
 
   MohrCoulomb(const LinearElastic& elastic, const MohrCoulombStrength& strength);
 
   const LinearElastic& elastic() const { return elastic_; }
   const MohrCoulombStrength& strength() const { return strength_; }
-  double constrained_modulus() const { return elastic_.constrained_modulus(); }
+  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
+    return elastic_.constrained_modulus();
+  }
+  LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return elastic_; }
   template <int NS>
-  double elastic_energy(const double* sigma) const {
+  double elastic_energy(const double* sigma, const double* = nullptr) const {
     return elastic_.elastic_energy<NS>(sigma);
   }
 

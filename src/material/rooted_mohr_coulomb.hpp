@@ -2,17 +2,52 @@
 // Mohr–Coulomb with a root cohesion of each point's own: c + c_r, as Wu and Waldron or a fibre bundle give it
 // (root_bundle.hpp). Only the cohesion differs from point to point: the code is Mohr–Coulomb's, with other bounds.
 
-#include <array>
+#include <vector>
 
 #include "material/mohr_coulomb.hpp"
 
 namespace talus::material {
 
-/// State variables: 0 as Mohr–Coulomb's; 1 root cohesion c_r [Pa].
+struct RootCohesionInput {
+  double root_cohesion = 0;  ///< c_r where no [[roots]] says otherwise [Pa]
+};
+template <class Visitor>
+void describe(Visitor& v, RootCohesionInput& in, const Users& users) {
+  v.key("root_cohesion", in.root_cohesion, users.allow(quantity("kPa").at_least(0)).example("5"),
+        "c_r, added to the cohesion, where no [[roots]] says otherwise.");
+}
+
+/// State variables: 0 as Mohr–Coulomb's; 1 root cohesion c_r, and what the cohesion has grown with depth [Pa].
 class RootedMohrCoulomb {
  public:
+  static constexpr Traits traits{.word = "rooted_mohr_coulomb",
+                                 .meaning = "the same with the cohesion of roots added",
+                                 .title = "Mohr–Coulomb with the cohesion of roots",
+                                 .serves_slices = true,
+                                 .has_friction = true,
+                                 .roots = RootEffect::cohesion,
+                                 .paragraphs = {"mohr_coulomb", "root_cohesion"}};
   static constexpr int state_size = 2;
   static constexpr bool is_plastic = true;
+
+  using Input = Needs<YoungInput, PoissonInput, MohrCoulombStrength, CohesionGradient, RootCohesionInput>;
+  static RootedMohrCoulomb make(const Input& in, const StrengthChange& change) {
+    return {LinearElastic::make(in), in.get<MohrCoulombStrength>().changed(change), change.factor};
+  }
+  static void check(const Input& in, const SoilFindings& findings) { MohrCoulomb::check(in, findings); }
+  static Properties list_properties(const Input& in) { return MohrCoulomb::list_properties(in); }
+  static SliceStrength find_slice_strength(const Input& in) { return MohrCoulomb::find_slice_strength(in); }
+  static void divide(const Input::Changeable& in, PartialDivision& division) {
+    MohrCoulomb::divide(MohrCoulomb::Input::Changeable(in), division);
+    division.divide(in.get<RootCohesionInput>().root_cohesion, division.cohesion, "cohesion of roots", "c_r", "kPa",
+                    1e3);
+  }
+  static bool is_total_stress(const Input& in) { return MohrCoulomb::is_total_stress(in); }
+  using Local = RootedMohrCoulomb;
+  static bool varies(const Input&) { return true; }
+  void set_initial_state(const Input& in, const StateStart& start, double* state) const {
+    state[1] = in.get<CohesionGradient>().find_extra(start.level) + start.root_cohesion;
+  }
 
   /// `strength` as it acts, reduced already; `root_factor` divides c_r (strength reduction). The tensile strength stays
   /// as given; its limit is the apex (c + c_r)/tanφ.
@@ -20,9 +55,12 @@ class RootedMohrCoulomb {
       : soil_(elastic, strength), root_share_(1 / root_factor) {}
 
   const MohrCoulomb& soil() const { return soil_; }
-  double constrained_modulus() const { return soil_.constrained_modulus(); }
+  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
+    return soil_.constrained_modulus();
+  }
+  LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return soil_.elastic(); }
   template <int NS>
-  double elastic_energy(const double* sigma) const {
+  double elastic_energy(const double* sigma, const double* = nullptr) const {
     return soil_.elastic_energy<NS>(sigma);
   }
   template <int NS, class T>
@@ -31,7 +69,9 @@ class RootedMohrCoulomb {
     return soil_.update_within<NS>(sigma, d_epsilon, state, active, soil_.widen_bounds<T>(state[1] * root_share_));
   }
 
-  static constexpr std::array<StateField, 1> fields() { return {{{"root_cohesion", "Pa"}}}; }
+  static void read_roots(const double* state, StateStart& start) { start.root_cohesion = state[1]; }
+  static std::vector<StateField> fields() { return {{"root_cohesion", "Pa", 0}}; }
+  static void show(const double* state, double /*saturation*/, double* values) { values[0] = state[1]; }
 
  private:
   MohrCoulomb soil_;

@@ -1,6 +1,9 @@
 #pragma once
 // What a law may know of a point beside its stress and state.
 
+#include <limits>
+#include <string>
+
 #include "base/lane.hpp"
 
 namespace talus::material {
@@ -15,8 +18,11 @@ struct Surroundings {
 
 /// A quantity that a law has beside stress, for results.
 struct StateField {
-  const char* name;  ///< as stored, e.g. `void_ratio`
-  const char* unit;  ///< SI
+  std::string name;  ///< as stored, e.g. `void_ratio`
+  std::string unit;  ///< SI
+  /// What soil of laws without it shows: roots are absent from soil without roots; other quantities are no number
+  /// there.
+  double elsewhere = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace talus::material

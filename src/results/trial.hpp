@@ -15,7 +15,7 @@ template <>
 inline constexpr auto words<StageEnd> =
     std::array{Word{StageEnd::time, "time"}, Word{StageEnd::rest, "rest"}, Word{StageEnd::failed, "failed"}};
 
-/// The outcome of setting the preconsolidation of Cam-clay soils after a stage.
+/// The outcome of setting the preconsolidation of soils after a stage.
 struct Preconsolidation {
   int points = 0;                    ///< that were given one
   double smallest = 0, largest = 0;  ///< p'_c of these, with suction and roots [Pa]

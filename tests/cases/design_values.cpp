@@ -99,7 +99,7 @@ set = ")";
     EXPECT_NEAR(sand.cohesion, 1600, 1e-9);
     EXPECT_NEAR(std::tan(sand.friction_angle), tan_30 / 1.25, 1e-12);
     EXPECT_NEAR(clay.cohesion, 30e3, 1e-9);
-    EXPECT_NEAR(clay.slices.cohesion_gradient, 1000, 1e-9);
+    EXPECT_NEAR(clay.cohesion_gradient, 1000, 1e-9);
     EXPECT_NEAR(*clay.slices.unit_weight, 19e3, 1e-9);
     EXPECT_NEAR(d.data.surcharges[0].load[0], 20e3, 1e-9);
     EXPECT_NEAR(d.data.surcharges[1].load[0], 13e3, 1e-9);
@@ -141,7 +141,7 @@ TEST(DesignValues, StatementSaysWhatWasChanged) {
 
 TEST(DesignValues, ASoilWithoutFrictionAngleIsRefusedByName) {
   input::Case data = read("[partial_factors]\nset = \"DA3\"\n");
-  data.materials.at("sand").model = input::MaterialModel::modified_cam_clay;
+  data.materials.at("sand").model = material::model_of<material::ModifiedCamClay>;
   try {
     apply_partial_factors(data);
     FAIL() << "was taken";

@@ -123,7 +123,7 @@ TEST_F(ExternalSoil, IsFoundBesideTheCase) {
       "library = \"talus_umat_test.so\"\nconstrained_modulus = 6e4\nconstants = [45e6, 0.3]\nstates = 2\n"
       "initial_states = [1e5]\n");
   const std::string file = (fs::path(testing::TempDir()) / "case.toml").string();
-  const ExternalModel external = read_case_text(text, file).data.materials.at("sand").external;
+  const material::ExternalParameters external = read_case_text(text, file).data.materials.at("sand");
   EXPECT_EQ(external.library_file, library_.string());
   EXPECT_EQ(external.library, "talus_umat_test.so");
   EXPECT_EQ(external.symbol, "umat_");
@@ -154,8 +154,9 @@ TEST_F(ExternalSoil, NeedsK0ForGeostaticStress) {
 }
 
 TEST_F(ExternalSoil, HasNoStrengthToReduce) {
-  expect_fault(good() + "\n[analysis]\nkind = @@\"strength_reduction\"\n",
-               "strength reduction needs a material with a strength: Mohr–Coulomb or Cam-clay, bare or rooted");
+  expect_fault(
+      good() + "\n[analysis]\nkind = @@\"strength_reduction\"\n",
+      "strength reduction needs a material with a strength: model = \"mohr_coulomb\", \"rooted_mohr_coulomb\", ");
   const std::string sand =
       slope.substr(slope.find("model = \"mohr"), slope.find("[regions]") - slope.find("model = \"mohr"));
   const std::string both = change(

@@ -18,21 +18,21 @@ Case read(const std::string& text) {
 TEST(RootedSlope, IsReadAsTable42HasIt) {
   const Case data = read(rooted_slope);
   const Material& loess = data.materials.at("loess");
-  EXPECT_EQ(loess.model, MaterialModel::rooted_cam_clay);
+  EXPECT_EQ(loess.model, material::model_of<material::RootedCamClay>);
   EXPECT_NEAR(loess.porosity, 0.375, 1e-15) << "e/(1+e)";
   EXPECT_NEAR(loess.density(), 2710 / 1.6, 1e-9);
   EXPECT_NEAR(loess.void_ratio(), 0.6, 1e-15);
-  EXPECT_EQ(loess.cam_clay.compression, 0.155);
-  EXPECT_EQ(loess.cam_clay.swelling, 0.04);
-  EXPECT_EQ(loess.cam_clay.critical_state_slope, 0.827);
-  EXPECT_EQ(loess.cam_clay.suction_hardening, 10);
-  EXPECT_EQ(loess.cam_clay.preconsolidation_ratio, 3.0);
-  EXPECT_FALSE(loess.cam_clay.preconsolidation);
-  EXPECT_EQ(loess.cam_clay.smallest_pressure, 1000) << "1 kPa unless the case says otherwise";
-  EXPECT_EQ(loess.roots.hardening, 0.4);
-  EXPECT_EQ(loess.roots.strength, 0.18);
-  EXPECT_FALSE(loess.roots.activation);
-  EXPECT_TRUE(std::isinf(loess.roots.breaking_strain)) << "roots never break unless the case says so";
+  EXPECT_EQ(loess.compression, 0.155);
+  EXPECT_EQ(loess.swelling, 0.04);
+  EXPECT_EQ(loess.critical_state_slope, 0.827);
+  EXPECT_EQ(loess.suction_hardening, 10);
+  EXPECT_EQ(loess.preconsolidation_ratio, 3.0);
+  EXPECT_FALSE(loess.preconsolidation);
+  EXPECT_EQ(loess.smallest_pressure, 1000) << "1 kPa unless the case says otherwise";
+  EXPECT_EQ(loess.hardening, 0.4);
+  EXPECT_EQ(loess.strength, 0.18);
+  EXPECT_FALSE(loess.activation);
+  EXPECT_TRUE(std::isinf(loess.breaking_strain)) << "roots never break unless the case says so";
   EXPECT_EQ(loess.water.lambda, 0.288) << "not the λ of Cam-clay";
   ASSERT_EQ(data.roots.size(), 1u);
   EXPECT_EQ(data.roots[0].ground, "face");
@@ -45,7 +45,7 @@ TEST(RootContent, IsPerCentHoweverItIsWritten) {
     EXPECT_EQ(read(change(rooted_slope, "content = 0.94", "content = " + std::string(text))).roots[0].content, 0.88)
         << text;
     const std::string soil = "root_strength = 0.18\nroot_content = " + std::string(text);
-    EXPECT_EQ(read(change(rooted_slope, "root_strength = 0.18", soil)).materials.at("loess").roots.content, 0.88);
+    EXPECT_EQ(read(change(rooted_slope, "root_strength = 0.18", soil)).materials.at("loess").root_content, 0.88);
   }
   const LoadedCase loaded = read_case_text(rooted_slope, "slope.toml");
   EXPECT_EQ(loaded.echo.get()["roots"][0]["content"],

@@ -20,16 +20,16 @@ using material::RootedCamClay;
 using run::set_preconsolidation;
 
 /// Dry soil of 3/5 · 2650 kg/m³ with K0 = 0.5.
-input::Material make_clay(MaterialModel kind = MaterialModel::modified_cam_clay) {
+input::Material make_clay(MaterialModel kind = material::model_of<material::ModifiedCamClay>) {
   input::Material soil = support::make_elastic(1, 1.0 / 3, 2650);
   soil.model = kind;
   soil.porosity = 0.4;
-  soil.cam_clay.compression = 0.089;
-  soil.cam_clay.swelling = 0.022;
-  soil.cam_clay.critical_state_slope = 1.2;
-  soil.cam_clay.smallest_pressure = 5e3;
-  soil.roots.hardening = 0.28;
-  soil.roots.strength = 0.18;
+  soil.compression = 0.089;
+  soil.swelling = 0.022;
+  soil.critical_state_slope = 1.2;
+  soil.smallest_pressure = 5e3;
+  soil.hardening = 0.28;
+  soil.strength = 0.18;
   return soil;
 }
 
@@ -56,7 +56,7 @@ void expect_the_ratio_of_the_weight() {
   input::Case data = support::make_box_case<D>(make_clay());
   data.initial.stress = input::InitialStress::k0;
   data.stages.resize(2);
-  data.materials.at("soil").cam_clay.preconsolidation_ratio = 2.5;
+  data.materials.at("soil").preconsolidation_ratio = 2.5;
   mpm::Body<D> body = fill<D>(data);
   for (int id = 0; id < body.points.size(); ++id) {
     const auto state = mpm::view_point(body, id).state;
@@ -93,7 +93,7 @@ TEST(Preconsolidation, SaysHowManyStressesLieBeyondTheYieldSurface) {
   data.stages.resize(1);
   // q²/M² = (0.75/1.2)² p'² = 0.39 p'² and p'(R_0 - 1)p': the border is at R_0 = 1.39.
   for (const double ratio : {1.38, 1.40}) {
-    data.materials.at("soil").cam_clay.preconsolidation_ratio = ratio;
+    data.materials.at("soil").preconsolidation_ratio = ratio;
     mpm::Body<2> body = fill<2>(data);
     int deep = 0;
     for (int id = 0; id < body.points.size(); ++id) {
@@ -107,9 +107,9 @@ TEST(Preconsolidation, SaysHowManyStressesLieBeyondTheYieldSurface) {
 
 /// Unsaturated rooted soil above a water table at the foot of the column.
 input::Case make_suction_case() {
-  input::Material soil = make_clay(MaterialModel::rooted_cam_clay);
-  soil.cam_clay.suction_hardening = 2;
-  soil.roots.content = 0.88;
+  input::Material soil = make_clay(material::model_of<material::RootedCamClay>);
+  soil.suction_hardening = 2;
+  soil.root_content = 0.88;
   soil.water.retention = input::RetentionCurve::van_genuchten;
   soil.water.minimum_saturation = 0.2;
   soil.water.reference_pressure = 10e3;
@@ -125,7 +125,7 @@ input::Case make_suction_case() {
 
 TEST(Preconsolidation, HardensWithTheSuctionAndTheRootsOfTheStart) {
   input::Case data = make_suction_case();
-  data.materials.at("soil").cam_clay.preconsolidation = 12e3;
+  data.materials.at("soil").preconsolidation = 12e3;
   const mpm::Body<2> body = fill<2>(data);
   const auto& law = std::get<RootedCamClay>(body.laws[0]);
   double least_saturation = 1;
@@ -146,7 +146,7 @@ TEST(Preconsolidation, HardensWithTheSuctionAndTheRootsOfTheStart) {
 
 TEST(Preconsolidation, OfTheRatioIsThatOfTheSaturatedSoilWithoutRoots) {
   input::Case data = make_suction_case();
-  data.materials.at("soil").cam_clay.preconsolidation_ratio = 2;
+  data.materials.at("soil").preconsolidation_ratio = 2;
   mpm::Body<2> body = fill<2>(data);
   const auto done = set_preconsolidation(body, data);
   double smallest = 1e30;
@@ -199,15 +199,15 @@ mpm::Body<2> adopt(const input::Case& data, const mpm::Body<2>& old, MaterialMod
 }
 
 TEST(InitialState, KeepsTheStateOfTheSameSoilAndRenewsOtherRoots) {
-  input::Case data = support::make_box_case<2>(make_clay(MaterialModel::rooted_cam_clay));
+  input::Case data = support::make_box_case<2>(make_clay(material::model_of<material::RootedCamClay>));
   data.initial.stress = input::InitialStress::k0;
   data.stages.resize(1);
-  data.materials.at("soil").cam_clay.preconsolidation_ratio = 2;
-  data.materials.at("soil").roots.content = 0.44;
+  data.materials.at("soil").preconsolidation_ratio = 2;
+  data.materials.at("soil").root_content = 0.44;
   const mpm::Body<2> old = leave(data);
-  const mpm::Body<2> same = adopt(data, old, MaterialModel::rooted_cam_clay, true);
-  data.materials.at("soil").roots.content = 0.88;
-  mpm::Body<2> other = adopt(data, old, MaterialModel::rooted_cam_clay, false);
+  const mpm::Body<2> same = adopt(data, old, material::model_of<material::RootedCamClay>, true);
+  data.materials.at("soil").root_content = 0.88;
+  mpm::Body<2> other = adopt(data, old, material::model_of<material::RootedCamClay>, false);
   for (int id = 0; id < same.points.size(); ++id) {
     const auto before = mpm::view_point(old, id).state, kept = mpm::view_point(same, id).state,
                renewed = mpm::view_point(other, id).state;
@@ -225,11 +225,11 @@ TEST(InitialState, TakesAGivenPreconsolidationWhereTheOtherRunHadNotSetOne) {
   input::Case data = support::make_box_case<2>(make_clay());
   data.initial.stress = input::InitialStress::k0;
   data.stages.resize(1);
-  data.materials.at("soil").cam_clay.preconsolidation_ratio = 2;
+  data.materials.at("soil").preconsolidation_ratio = 2;
   const mpm::Body<2> old = fill<2>(data);
-  data.materials.at("soil").cam_clay.preconsolidation_ratio.reset();
-  data.materials.at("soil").cam_clay.preconsolidation = 12e3;
-  const mpm::Body<2> body = adopt(data, old, MaterialModel::modified_cam_clay, true);
+  data.materials.at("soil").preconsolidation_ratio.reset();
+  data.materials.at("soil").preconsolidation = 12e3;
+  const mpm::Body<2> body = adopt(data, old, material::model_of<material::ModifiedCamClay>, true);
   for (int id = 0; id < body.points.size(); ++id) {
     const auto point = mpm::view_point(body, id);
     const double p = -(point.stress[0] + point.stress[1] + point.stress[2]) / 3;
@@ -238,20 +238,21 @@ TEST(InitialState, TakesAGivenPreconsolidationWhereTheOtherRunHadNotSetOne) {
 }
 
 TEST(InitialState, OfSoilThatWasMohrCoulombStartsFromItsStress) {
-  input::Case before = support::make_box_case<2>(make_clay(MaterialModel::mohr_coulomb));
+  input::Case before = support::make_box_case<2>(make_clay(material::model_of<material::MohrCoulomb>));
   before.initial.stress = input::InitialStress::k0;
   before.materials.at("soil").cohesion = 5e3;
   input::Case data = before;
   data.stages.resize(1);
-  data.materials.at("soil").model = MaterialModel::modified_cam_clay;
-  data.materials.at("soil").cam_clay.preconsolidation_ratio = 2;
+  data.materials.at("soil").model = material::model_of<material::ModifiedCamClay>;
+  data.materials.at("soil").preconsolidation_ratio = 2;
   // A body of Cam-clay holds what the Mohr–Coulomb body left: its plastic strain in front, nothing behind.
   const mpm::Body<2> fresh = fill<2>(data);
   mpm::Body<2> body = fresh;
   std::array<double, material::max_state_size> left{0.02};
   for (int id = 0; id < body.points.size(); ++id) mpm::write_state(body, id, left.data());
   run::adopt_state(body, data, fresh,
-                   std::vector<MaterialModel>(body.points.element.size(), MaterialModel::mohr_coulomb), true);
+                   std::vector<MaterialModel>(body.points.element.size(), material::model_of<material::MohrCoulomb>),
+                   true);
   for (int id = 0; id < body.points.size(); ++id) {
     const auto state = mpm::view_point(body, id).state;
     ASSERT_EQ(state[0], 0.02);
@@ -263,7 +264,7 @@ TEST(InitialState, OfSoilThatWasMohrCoulombStartsFromItsStress) {
 
 TEST(InitialState, GivesEachPointTheRootCohesionOfItsPlace) {
   input::Material soil = support::make_elastic(10e6, 0.3, 2000);
-  soil.model = MaterialModel::rooted_mohr_coulomb;
+  soil.model = material::model_of<material::RootedMohrCoulomb>;
   soil.cohesion = 2e3;
   input::Case data = support::make_box_case<3>(soil);
   input::Roots roots;

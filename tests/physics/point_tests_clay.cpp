@@ -71,7 +71,7 @@ TEST(PointClay, WettingCollapsesBySaturationAlone) {
   // Isotropic, on the normal line: p'_c = p_b exp(b(1 - S)) = p' all the way, so
   // Δe = -λ Δln p' - (λ - κ)(b ΔS) with p' = p_net + S s.
   input::Material soil = make_clay(50e3);
-  soil.cam_clay.suction_hardening = 1.5;
+  soil.suction_hardening = 1.5;
   soil.water.retention = input::RetentionCurve::van_genuchten;
   soil.water.reference_pressure = 30e3;
   soil.water.lambda = 0.4;
@@ -91,7 +91,7 @@ TEST(PointClay, WettingCollapsesBySaturationAlone) {
   EXPECT_NEAR(wet.preconsolidation, wet.p, 1e-3 * wet.p);
 
   // Inside the yield surface the soil only swells, as the effective stress falls.
-  soil.cam_clay.preconsolidation = 900e3;
+  soil.preconsolidation = 900e3;
   const PointCurve stiff = run_point_test(soil, test);
   EXPECT_NEAR(stiff.rows.front().void_ratio - stiff.rows.back().void_ratio,
               kappa * std::log(stiff.rows.back().p / stiff.rows.front().p), 2e-5);

@@ -124,7 +124,7 @@ TEST(ExternalLaw, InitialStatesStandBehindTheFirst) {
   // Results show them under their numbers.
   const auto fields = material::list_state_fields(law);
   ASSERT_EQ(fields.size(), 3u);
-  EXPECT_STREQ(fields[2].name, "state_3");
+  EXPECT_EQ(fields[2].name, "state_3");
   double shown[3] = {-1, -1, -1};
   material::show_state(law, q, 1, shown);
   EXPECT_EQ(shown[0], 8);

@@ -21,7 +21,7 @@ inline input::Material make_elastic(double young_modulus, double poisson_ratio) 
 /// Angles [rad]; tension is cut off at the apex.
 inline input::Material make_frictional(double cohesion, double friction, double dilatancy) {
   input::Material soil = make_elastic(20e6, 0.3);
-  soil.model = input::MaterialModel::mohr_coulomb;
+  soil.model = material::model_of<material::MohrCoulomb>;
   soil.cohesion = cohesion;
   soil.friction_angle = friction;
   soil.dilatancy_angle = dilatancy;
@@ -32,12 +32,12 @@ inline input::Material make_frictional(double cohesion, double friction, double 
 /// Loess of Table 4.1 of the source without roots, with a preconsolidation pressure [Pa].
 inline input::Material make_clay(double preconsolidation) {
   input::Material soil = make_elastic(0, 0.3);
-  soil.model = input::MaterialModel::modified_cam_clay;
+  soil.model = material::model_of<material::ModifiedCamClay>;
   soil.porosity = 0.86 / 1.86;
-  soil.cam_clay.compression = 0.089;
-  soil.cam_clay.swelling = 0.022;
-  soil.cam_clay.critical_state_slope = 1.42;
-  soil.cam_clay.preconsolidation = preconsolidation;
+  soil.compression = 0.089;
+  soil.swelling = 0.022;
+  soil.critical_state_slope = 1.42;
+  soil.preconsolidation = preconsolidation;
   return soil;
 }
 

@@ -152,8 +152,8 @@ TEST(RootCohesion, OfTheGroundIsGivenOrFromTheBundle) {
 input::Material make_soil(input::MaterialModel kind, double content = 0, double cohesion = 0) {
   input::Material soil;
   soil.model = kind;
-  soil.roots.content = content;
-  soil.roots.cohesion = cohesion;
+  soil.root_content = content;
+  soil.root_cohesion = cohesion;
   return soil;
 }
 
@@ -172,10 +172,10 @@ TEST(RootsAtPlaces, AddUpWhereBlocksReachAndAreTheMaterialsElsewhere) {
   cuttings.depth = 0.6;
   cuttings.cohesion = 4e3;
   data.roots = {grass, shrubs, cuttings};
-  const auto clay = make_soil(input::MaterialModel::rooted_cam_clay, 0.05),
-             sand = make_soil(input::MaterialModel::rooted_mohr_coulomb, 0, 700),
-             bare = make_soil(input::MaterialModel::modified_cam_clay, 0.3),
-             plain = make_soil(input::MaterialModel::mohr_coulomb, 0, 900);
+  const auto clay = make_soil(material::model_of<material::RootedCamClay>, 0.05),
+             sand = make_soil(material::model_of<material::RootedMohrCoulomb>, 0, 700),
+             bare = make_soil(material::model_of<material::ModifiedCamClay>, 0.3),
+             plain = make_soil(material::model_of<material::MohrCoulomb>, 0, 900);
   const std::vector<Vec<2>> places{{1, 4.8}, {1, 4.5}, {1, 3.5}, {1, 4.8}, {1, 4.3}, {1, 4.8}, {1, 4.8}, {1, 4.5}};
   const std::vector<const input::Material*> soils{&clay, &clay, &clay, &sand, &sand, &bare, &plain, &sand};
   const auto roots = find_roots<2>(data, make_ground(), places, soils);
@@ -197,7 +197,7 @@ TEST(RootsAtPlaces, LeaveABlockThatOnlyDrinksAside) {
   thirst.depth = 1;
   thirst.transpiration = input::Transpiration{};
   data.roots = {thirst};
-  const auto clay = make_soil(input::MaterialModel::rooted_cam_clay, 0.4);
+  const auto clay = make_soil(material::model_of<material::RootedCamClay>, 0.4);
   EXPECT_EQ(find_roots<2>(data, make_ground(), {{1, 4.8}}, {&clay})[0].content, 0.4);
 }
 

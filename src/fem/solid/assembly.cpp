@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "fem/solid/point.hpp"
 
@@ -229,7 +230,7 @@ void SolidAssembly<D>::find_elastic_matrix(const SolidState<D>& at, std::vector<
 template <int D>
 void SolidAssembly<D>::throw_failure() const {
   for (const auto& law : laws_)
-    if (const auto* model = std::get_if<material::External>(&law)) model->throw_failure();
+    if (const auto failure = material::take_failure(law)) throw Error(ExitCode::unstable, failure->describe(""));
 }
 
 template class SolidAssembly<2>;

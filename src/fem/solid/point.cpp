@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 #include <variant>
 
 #include "base/dual.hpp"
-#include "material/cam_clay_tangent.hpp"
 
 namespace talus::fem {
 namespace {
@@ -18,16 +16,6 @@ using material::LinearElastic;
 using material::Surroundings;
 
 constexpr double symmetry_tolerance = 1e-9;  ///< of a tangent, over its largest entry
-
-const LinearElastic& find_elastic(const LinearElastic& law) {
-  return law;
-}
-const LinearElastic& find_elastic(const material::MohrCoulomb& law) {
-  return law.elastic();
-}
-const LinearElastic& find_elastic(const material::RootedMohrCoulomb& law) {
-  return law.soil().elastic();
-}
 
 template <int NS>
 void fill_elastic(const LinearElastic& elastic, double* c) {
@@ -53,8 +41,8 @@ bool is_symmetric(const double* c) {
 
 template <class L>
 bool has_yielded(const material::Response<double>& response) {
-  if constexpr (material::is_cam_clay<L> || std::is_same_v<L, material::External>)
-    return response.dissipation != 0;  // these store their state in every step
+  if constexpr (L::traits.stores_always)
+    return response.dissipation != 0;
   else
     return response.any_plastic;
 }
@@ -93,7 +81,7 @@ void differentiate(const L& law, double saturation, const double* d_epsilon, con
 template <int NS, class L>
 PointAnswer update_with_tangent(const L& law, double saturation, const double* d_epsilon, double* sigma, double* state,
                                 double* tangent) {
-  if constexpr (std::is_same_v<L, material::External>) {
+  if constexpr (L::traits.is_opaque) {
     differentiate<NS>(law, saturation, d_epsilon, sigma, state, tangent);
     auto answer = update_plain<NS>(law, saturation, d_epsilon, sigma, state);
     answer.symmetric = is_symmetric<NS>(tangent);
@@ -104,9 +92,9 @@ PointAnswer update_with_tangent(const L& law, double saturation, const double* d
     std::copy_n(sigma, NS, old_sigma.begin());
     std::copy_n(state, L::state_size, old_state.begin());
     auto answer = update_plain<NS>(law, saturation, d_epsilon, sigma, state);
-    if constexpr (!material::is_cam_clay<L>) {
+    if constexpr (!L::traits.changes_stiffness) {
       if (!answer.yields) {
-        fill_elastic<NS>(find_elastic(law), tangent);
+        fill_elastic<NS>(law.find_elastic(), tangent);
         return answer;
       }
     }
@@ -144,22 +132,7 @@ PointAnswer update_point(const material::Law& law, double saturation, const doub
 
 template <int NS>
 void find_elastic_stiffness(const material::Law& law, const double* sigma, const double* state, double* stiffness) {
-  std::visit(
-      [&]<class L>(const L& l) {
-        if constexpr (material::is_cam_clay<L>) {
-          const double modulus = l.constrained_modulus(sigma, state);
-          fill_elastic<NS>(LinearElastic::from_young(1, l.soil().poisson_ratio), stiffness);
-          const double ratio = modulus / stiffness[0];
-          for (int i = 0; i < NS * NS; ++i) stiffness[i] *= ratio;
-        } else if constexpr (std::is_same_v<L, material::External>) {
-          fill_elastic<NS>(LinearElastic::from_young(1, 0.3), stiffness);
-          const double ratio = l.constrained_modulus() / stiffness[0];
-          for (int i = 0; i < NS * NS; ++i) stiffness[i] *= ratio;
-        } else {
-          fill_elastic<NS>(find_elastic(l), stiffness);
-        }
-      },
-      law);
+  std::visit([&](const auto& l) { fill_elastic<NS>(l.find_elastic(sigma, state), stiffness); }, law);
 }
 
 template PointAnswer update_point<4>(const material::Law&, double, const double*, double*, double*, double*);

@@ -25,17 +25,24 @@ bool some_material(const Case& data, Holds holds) {
                      [&](const auto& entry) { return holds(entry.second); });
 }
 
-const std::string soils_of_strength = "Mohr–Coulomb or Cam-clay, bare or rooted";
+/// The models with a strength that a factor can divide.
+std::string list_strong() {
+  return material::list_words([](const material::Traits& t) { return t.strength == material::Strength::known; });
+}
+
+bool has_cohesion(const Material& m) {
+  return m.traits().has_friction;
+}
 
 /// Whether a strength can be divided by a factor.
 bool has_strength(const Case& data) {
-  return some_material(data, [](const Material& m) { return is_mohr_coulomb(m) || is_cam_clay(m); });
+  return some_material(data, [](const Material& m) { return m.traits().strength == material::Strength::known; });
 }
 
 /// It is unknown which of the constants of a UMAT are its strength.
 void check_no_external(const Case& data, const std::string& path, const std::string& what, Findings& findings) {
   for (const auto& [name, material] : data.materials)
-    if (material.model == MaterialModel::external)
+    if (material.traits().strength == material::Strength::hidden)
       return findings.add(path, fmt::format("{} is not possible with material '{}': which of the constants of an "
                                             "external model are its strength is not known",
                                             what, name));
@@ -55,13 +62,14 @@ void check_stages(const Case& data, Findings& findings) {
                    fmt::format("'gravity_ramp' is {:.6g} s; it must not be longer than the stage, {:.6g} s",
                                stage.gravity_ramp, stage.duration));
     if (!findings.is_sound("materials")) continue;
-    if (stage.cohesion && !some_material(data, is_mohr_coulomb))
+    if (stage.cohesion && !some_material(data, has_cohesion))
       findings.add(path + ".cohesion",
-                   "'cohesion' needs a material with model = \"mohr_coulomb\" or \"rooted_mohr_coulomb\"");
+                   "'cohesion' needs a material with model = " +
+                       material::list_words([](const material::Traits& t) { return t.has_friction; }));
     if (!stage.strength_factor) continue;
     if (!has_strength(data))
       findings.add(path + ".strength_factor",
-                   "'strength_factor' needs a material with a strength: " + soils_of_strength);
+                   "'strength_factor' needs a material with a strength: model = " + list_strong());
     else
       check_no_external(data, path + ".strength_factor", "'strength_factor'", findings);
   }
@@ -97,7 +105,7 @@ void check_strength_reduction(const Case& data, Findings& findings) {
   if (!findings.is_sound("analysis.kind")) return;
   if (findings.is_sound("materials")) {
     if (!has_strength(data))
-      findings.add("analysis.kind", "strength reduction needs a material with a strength: " + soils_of_strength);
+      findings.add("analysis.kind", "strength reduction needs a material with a strength: model = " + list_strong());
     else
       check_no_external(data, "analysis.kind", "strength reduction", findings);
   }

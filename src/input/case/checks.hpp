@@ -51,9 +51,6 @@ void complete_calibration(Case& data, const std::string& file, Findings& finding
 
 /// Whether any material has pore water.
 bool is_wet(const Case& data);
-/// Whether a material is one of Mohr and Coulomb's, bare or rooted; whether it is Cam-clay, bare or rooted.
-bool is_mohr_coulomb(const Material& material);
-bool is_cam_clay(const Material& material);
 /// Reports boundaries, tractions, hydraulic conditions and roots on sides that are not in `sides`.
 void check_sides(const Case& data, const std::set<std::string>& sides, Findings& findings);
 /// Reports regions without material, and materials and velocities for regions that do not exist.

@@ -67,8 +67,7 @@ void complete(Case& data, const std::string& file, const Places& places) {
   complete_porosities(data);
   for (auto& [name, material] : data.materials) {
     complete_density(material, data.gravity, "materials." + name, places);
-    material.external.material = name;
-    if (!material.external.library.empty()) material.external.library_file = find_file(material.external.library);
+    material::complete_soil(material, name, find_file);
   }
   complete_without_points(data, places);
   if (data.initial.result.empty()) return;

@@ -84,7 +84,7 @@ void check_partial_factors(const Case& data, Findings& findings) {
     findings.add("partial_factors.set", "set = \"by_hand\" needs at least one factor, for example friction = 1.25");
   if (p.set == DesignApproach::none || !findings.is_sound("materials")) return;
   for (const auto& [name, m] : data.materials)
-    if (!is_mohr_coulomb(m) && m.model != MaterialModel::linear_elastic)
+    if (!m.traits().serves_slices)
       findings.add("partial_factors.set",
                    fmt::format("partial factors divide cohesion and friction angle, which material "
                                "'{}' does not have",

@@ -1,74 +1,47 @@
 #pragma once
 // [materials.NAME]: the soils. No strength has a default here: a forgotten one must not become a number.
 
+#include <array>
 #include <optional>
 
-#include "input/case/cam_clay.hpp"
-#include "input/case/external.hpp"
 #include "input/case/slice_soil.hpp"
 #include "input/case/water.hpp"
 #include "input/language/spec.hpp"
+#include "material/law.hpp"
 
 namespace talus::input {
 
-struct Material {
-  MaterialModel model = MaterialModel::linear_elastic;
+using MaterialModel = material::Model;
+
+/// The words of the laws, in their order.
+template <>
+inline constexpr auto choices<MaterialModel> = [] {
+  std::array<Choice<MaterialModel>, material::Laws::traits.size()> list{};
+  for (std::size_t i = 0; i < list.size(); ++i)
+    list[i] = {MaterialModel(i), material::Laws::traits[i].word, material::Laws::traits[i].meaning};
+  return list;
+}();
+
+/// What every soil has, and the numbers of all laws, of which a case gives those of its model.
+struct Material : material::SoilNumbers {
+  MaterialModel model = material::model_of<material::LinearElastic>;
   double grain_density = 0;                ///< ρ_s [kg/m³]
   double porosity = 0;                     ///< n [-]
   std::optional<double> given_void_ratio;  ///< e_0 where the case gives it; the porosity follows from it [-]
-  double young_modulus = 0;                ///< E [Pa]
-  double poisson_ratio = 0;                ///< ν [-]
-  double cohesion = 0;                     ///< c [Pa], Mohr–Coulomb
-  double friction_angle = 0;               ///< φ [rad], Mohr–Coulomb
-  double dilatancy_angle = 0;              ///< ψ [rad], Mohr–Coulomb
-  double tensile_strength = 0;             ///< σ_t [Pa], Mohr–Coulomb; at most the apex c/tanφ
-  CamClaySoil cam_clay;
-  RootedSoil roots;
-  ExternalModel external;
-  PoreWater water;  ///< by default none
+  PoreWater water;                         ///< by default none
   SliceSoil slices;
 
+  const material::Traits& traits() const { return material::get_traits(model); }
   /// e_0 = n/(1-n) [-].
   double void_ratio() const { return porosity / (1 - porosity); }
   /// Bulk density of the dry soil (1-n)ρ_s [kg/m³].
   double density() const { return (1 - porosity) * grain_density; }
-  /// E_c of (2.84) of a soil with a Young's modulus [Pa].
-  double constrained_modulus() const;
 };
 
-template <class Visitor>
-void describe_stiffness(Visitor& v, Material& m) {
-  using M = MaterialModel;
-  const auto linear = {M::mohr_coulomb, M::rooted_mohr_coulomb, M::linear_elastic};
-  const auto built_in = {M::mohr_coulomb, M::rooted_mohr_coulomb, M::modified_cam_clay, M::rooted_cam_clay,
-                         M::linear_elastic};
-  v.key("young_modulus", m.young_modulus,
-        quantity("kPa").above(0).needed_with("model", m.model, linear).by_methods({"fem", "mpm"}).example("45000"),
-        "Young's modulus.");
-  v.key("poisson_ratio", m.poisson_ratio,
-        plain().above(-1).below(0.5).needed_with("model", m.model, built_in).by_methods({"fem", "mpm"}).example("0.3"),
-        "Poisson's ratio.");
-}
-
-template <class Visitor>
-void describe_strength(Visitor& v, Material& m) {
-  const auto strength = {MaterialModel::mohr_coulomb, MaterialModel::rooted_mohr_coulomb};
-  v.key("cohesion", m.cohesion, quantity("kPa").at_least(0).needed_with("model", m.model, strength).example("10"),
-        "Cohesion c of the soil itself.");
-  v.key("friction_angle", m.friction_angle,
-        quantity("deg").at_least(0).below(90).needed_with("model", m.model, strength).example("20"),
-        "Angle of internal friction φ.");
-  v.key("dilatancy_angle", m.dilatancy_angle,
-        quantity("deg")
-            .at_least(0)
-            .below(90)
-            .needed_with("model", m.model, strength)
-            .by_methods({"fem", "mpm"})
-            .example("0"),
-        "Angle of dilatancy ψ of the plastic flow; at most the friction angle.");
-  v.key("tensile_strength", m.tensile_strength,
-        quantity("kPa").at_least(0).needed_with("model", m.model, strength).by_methods({"fem", "mpm"}).example("0"),
-        "Largest tensile stress; at most c/tan φ, the apex of the yield surface.");
+/// The law of a material, its strength with another cohesion [Pa] and reduced by `factor`. Throws what
+/// material::make_law() throws.
+inline material::Law make_law(const Material& m, std::optional<double> cohesion = {}, double factor = 1) {
+  return material::make_law(m.model, m, {factor, cohesion});
 }
 
 template <class Visitor>
@@ -91,12 +64,10 @@ void describe(Visitor& v, Material& m) {
             .unless_given("unit_weight", is_weighed)
             .example("0.2"),
         "Share of the pores in the volume, e₀/(1+e₀).");
-  describe_stiffness(v, m);
-  describe_strength(v, m);
-  describe_cam_clay(v, m.cam_clay, m.model);
-  describe_rooted_soil(v, m.roots, m.model);
-  describe_external(v, m.external, m.model);
-  describe_slice_soil(v, m.slices, m.model);
+  m.for_each_block([&]<class Block>(Block& block) {
+    describe(v, block, material::Laws::list_users<Block>(m.model));
+  });
+  describe_slice_soil(v, m.slices);
   v.table("water", m.water, "The pore water of this soil. Without this block the soil is dry.");
 }
 

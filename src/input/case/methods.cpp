@@ -48,11 +48,13 @@ void check_slices_need(const Case& data, Findings& findings) {
                  "[[geometry.polygon]], or take \"lem\" out of 'methods' in [analysis]");
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
-    if (findings.is_sound(path) && !is_mohr_coulomb(material) && material.model != MaterialModel::linear_elastic)
-      findings.add(path, fmt::format("material '{}' has no cohesion and friction angle for slices; they take "
-                                     "\"mohr_coulomb\", \"rooted_mohr_coulomb\" and, as rock that no surface passes "
-                                     "through, \"linear_elastic\"",
-                                     name));
+    if (findings.is_sound(path) && !material.traits().serves_slices)
+      findings.add(path,
+                   fmt::format("material '{}' has no cohesion and friction angle for slices; they take {} and, "
+                               "as rock that no surface passes through, {}",
+                               name, material::list_sliceable(), material::list_words([](const material::Traits& t) {
+                                 return t.strength == material::Strength::none;
+                               })));
   }
 }
 
@@ -66,7 +68,7 @@ void check_elements_need(const Case& data, Findings& findings) {
         fmt::format("'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", data.fem.from, data.fem.to));
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
-    if (material.model == MaterialModel::external && findings.is_sound(path))
+    if (material.traits().strength == material::Strength::hidden && findings.is_sound(path))
       findings.add(path, fmt::format("finite elements reduce the strength, which is not possible with material '{}': "
                                      "which of the constants of an external model are its strength is not known",
                                      name));
@@ -87,7 +89,7 @@ void check_elements_need(const Case& data, Findings& findings) {
 void check_has_strength(const Case& data, Findings& findings) {
   if (!findings.is_sound("materials") || data.materials.empty()) return;
   if (std::none_of(data.materials.begin(), data.materials.end(),
-                   [](const auto& entry) { return is_mohr_coulomb(entry.second) || is_cam_clay(entry.second); }))
+                   [](const auto& entry) { return entry.second.traits().strength == material::Strength::known; }))
     findings.add("analysis.methods", "a factor of safety needs a material with a strength");
 }
 
@@ -108,7 +110,7 @@ void check_points_can(const Case& data, Findings& findings) {
     if (material.slices.pore_pressure_ratio != 0)
       report(path + ".pore_pressure_ratio", "pore pressure ratio",
              "give the pore water in [materials.NAME.water] and [initial]");
-    if (material.slices.cohesion_gradient != 0)
+    if (material.cohesion_gradient != 0)
       report(path + ".cohesion_gradient", "cohesion that grows with depth",
              "write layers of constant cohesion as polygons of their own");
   }
@@ -127,7 +129,7 @@ double find_bottom(const Case& data, const std::string& material) {
 
 void check_cohesion_gradient(const Case& data, const Material& m, const std::string& name, Findings& findings) {
   const std::string path = "materials." + name;
-  const SliceSoil& s = m.slices;
+  const material::CohesionGradient& s = m;
   if (findings.places.is_given(path + ".cohesion_gradient") != findings.places.is_given(path + ".cohesion_level"))
     return findings.add(
         findings.places.is_given(path + ".cohesion_level") ? path + ".cohesion_level" : path + ".cohesion_gradient",
@@ -137,7 +139,7 @@ void check_cohesion_gradient(const Case& data, const Material& m, const std::str
   if (s.cohesion_gradient >= 0 || data.mesh.polygons.empty() || !findings.is_sound("geometry.polygon")) return;
   const double bottom = find_bottom(data, name);
   if (!std::isfinite(bottom)) return;
-  const double least = m.cohesion + s.cohesion_gradient * std::max(0.0, s.cohesion_level - bottom);
+  const double least = m.cohesion + s.find_extra(bottom);
   if (least < 0 && findings.is_sound(path + ".cohesion"))
     findings.add(path + ".cohesion_gradient",
                  fmt::format("the cohesion of material '{}' would be negative, {:.6g} kPa at y = {:.6g} m", name,
@@ -179,7 +181,7 @@ void check_suction(const Material& m, const std::string& name, Findings& finding
     findings.add(path, fmt::format("suction_strength = \"saturation\" needs the retention curve of material '{}', in "
                                    "[materials.{}.water]",
                                    name, name));
-  if (m.slices.suction_strength == SuctionStrength::phi_b && is_mohr_coulomb(m) && m.friction_angle > 0 &&
+  if (m.slices.suction_strength == SuctionStrength::phi_b && m.friction_angle > 0 &&
       m.slices.phi_b > m.friction_angle && findings.is_sound("materials." + name + ".phi_b") &&
       findings.is_sound("materials." + name + ".friction_angle"))
     findings.add(

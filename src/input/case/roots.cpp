@@ -10,9 +10,17 @@
 namespace talus::input {
 namespace {
 
-bool has_model(const Case& data, MaterialModel model) {
+using material::RootEffect;
+
+bool has_soil(const Case& data, RootEffect effect) {
   return std::any_of(data.materials.begin(), data.materials.end(),
-                     [&](const auto& entry) { return entry.second.model == model; });
+                     [&](const auto& entry) { return entry.second.traits().roots == effect; });
+}
+
+/// The first model that takes roots in this way.
+const char* find_word(RootEffect effect) {
+  const auto& all = material::Laws::traits;
+  return std::find_if(all.begin(), all.end(), [&](const material::Traits& t) { return t.roots == effect; })->word;
 }
 
 bool gives_cohesion(const Roots& roots) {
@@ -44,8 +52,9 @@ class Block {
         int(roots_.content.has_value()) + int(roots_.cohesion.has_value()) + int(roots_.bundle.has_value());
     if (kinds == 0 && !roots_.transpiration && is_sound("transpiration"))
       findings_.add(path_,
-                    "[[roots]] does not say what roots there are: give 'content' for rooted_cam_clay, or "
-                    "'cohesion' or [roots.bundle] for rooted_mohr_coulomb");
+                    fmt::format("[[roots]] does not say what roots there are: give 'content' for {}, or 'cohesion' or "
+                                "[roots.bundle] for {}",
+                                find_word(RootEffect::content), find_word(RootEffect::cohesion)));
     if (kinds > 1)
       findings_.add(path_,
                     "[[roots]] has more than one of 'content', 'cohesion' and [roots.bundle]; give one of them, "
@@ -54,13 +63,13 @@ class Block {
 
   void check_soil() const {
     if (!findings_.is_sound("materials")) return;
-    const auto need = [&](const char* key, MaterialModel model, const char* word) {
-      if (is_sound(key) && !has_model(data_, model))
-        report(key, fmt::format("'{}' of [[roots]] needs a material with model = \"{}\"", key, word));
+    const auto need = [&](const char* key, RootEffect effect) {
+      if (is_sound(key) && !has_soil(data_, effect))
+        report(key, fmt::format("'{}' of [[roots]] needs a material with model = \"{}\"", key, find_word(effect)));
     };
-    if (roots_.content) need("content", MaterialModel::rooted_cam_clay, "rooted_cam_clay");
-    if (roots_.cohesion) need("cohesion", MaterialModel::rooted_mohr_coulomb, "rooted_mohr_coulomb");
-    if (roots_.bundle) need("bundle", MaterialModel::rooted_mohr_coulomb, "rooted_mohr_coulomb");
+    if (roots_.content) need("content", RootEffect::content);
+    if (roots_.cohesion) need("cohesion", RootEffect::cohesion);
+    if (roots_.bundle) need("bundle", RootEffect::cohesion);
   }
 
   void check_bundle() const {
@@ -108,8 +117,9 @@ class Block {
 
 /// A rooted soil must state its roots, even if there are none.
 void check_rooted_soil(const Case& data, const std::string& name, const Material& material, Findings& findings) {
-  const bool takes_content = material.model == MaterialModel::rooted_cam_clay;
-  if (!takes_content && material.model != MaterialModel::rooted_mohr_coulomb) return;
+  const RootEffect effect = material.traits().roots;
+  const bool takes_content = effect == RootEffect::content;
+  if (effect == RootEffect::none) return;
   const std::string path = "materials." + name, key = takes_content ? "root_content" : "root_cohesion";
   if (!findings.is_sound(path) || !findings.is_sound("roots") || findings.places.is_given(path + "." + key)) return;
   if (std::any_of(data.roots.begin(), data.roots.end(),
@@ -129,7 +139,7 @@ void check_equilibrium(const Case& data, Findings& findings) {
     return findings.add(path, fmt::format("there is no stage '{}'", stage));
   if (findings.is_sound("materials") &&
       std::none_of(data.materials.begin(), data.materials.end(), [](const auto& entry) {
-        return is_cam_clay(entry.second) && entry.second.cam_clay.preconsolidation_ratio;
+        return material::needs<material::Preconsolidation>(entry.second.model) && entry.second.preconsolidation_ratio;
       }))
     findings.add(path, "'equilibrium' has no meaning: no material has a 'preconsolidation_ratio'");
 }

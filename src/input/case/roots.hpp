@@ -41,8 +41,8 @@ struct Roots {
   double decay_depth = 0;                          ///< exponential: share exp(-z/this) [m]
   std::vector<std::array<double, 2>> depth_table;  ///< table: depth [m], share [-]
   std::vector<std::array<double, 2>> along;        ///< x [m], share [-]; empty: 1
-  std::optional<double> content;                   ///< m_r at the ground [%], for rooted_cam_clay
-  std::optional<double> cohesion;                  ///< c_r at the ground [Pa], for rooted_mohr_coulomb; or
+  std::optional<double> content;                   ///< m_r at the ground [%], or
+  std::optional<double> cohesion;                  ///< c_r at the ground [Pa]; or
   std::optional<RootBundle> bundle;                ///< what c_r follows from
   // Age: shares of the content and of the cohesion that are there now.
   std::optional<double> age;                  ///< since planting [s]

@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 
-#include "input/case/material_model.hpp"
 #include "input/language/spec.hpp"
 
 namespace talus::input {
@@ -20,8 +19,6 @@ struct SliceSoil {
   SuctionStrength suction_strength = SuctionStrength::from_water;  ///< from_water: χ = S_w where the soil has a
                                                                    ///< retention curve, else none
   double phi_b = 0;                                                ///< [rad]
-  double cohesion_gradient = 0;                                    ///< growth of c below `cohesion_level` [Pa/m]
-  double cohesion_level = 0;                                       ///< [m]
 };
 
 template <>
@@ -35,8 +32,7 @@ inline constexpr auto choices<SuctionStrength> = std::array{
 
 /// What slices and finite elements need of a soil beside its strength; `unit_weight` stands further up.
 template <class Visitor>
-void describe_slice_soil(Visitor& v, SliceSoil& s, const MaterialModel& model) {
-  const auto strength = {MaterialModel::mohr_coulomb, MaterialModel::rooted_mohr_coulomb};
+void describe_slice_soil(Visitor& v, SliceSoil& s) {
   v.key(
       "saturated_unit_weight", s.saturated_unit_weight, quantity("kN/m3").above(0).example("20"),
       "Weight of the soil with its water below the water table, for slices and finite elements; if not given, that of "
@@ -55,11 +51,6 @@ void describe_slice_soil(Visitor& v, SliceSoil& s, const MaterialModel& model) {
             .needed_with("suction_strength", s.suction_strength, SuctionStrength::phi_b)
             .example("15"),
         "φᵇ of that.");
-  v.key("cohesion_gradient", s.cohesion_gradient,
-        quantity("kPa/m").allowed_with("model", model, strength).example("1.5"),
-        "The cohesion grows by this per metre below `cohesion_level`; slices and finite elements only.");
-  v.key("cohesion_level", s.cohesion_level, quantity("m").allowed_with("model", model, strength).example("15"),
-        "Level y at which that growth begins; `cohesion_gradient` needs it.");
 }
 
 }  // namespace talus::input

@@ -11,33 +11,15 @@
 
 namespace talus::report {
 
-using input::MaterialModel;
 using nlohmann::json;
 
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-std::string name_model(const input::Material& soil) {
-  switch (soil.model) {
-    case MaterialModel::mohr_coulomb:
-      return "Mohr–Coulomb";
-    case MaterialModel::rooted_mohr_coulomb:
-      return "Mohr–Coulomb with the cohesion of roots";
-    case MaterialModel::modified_cam_clay:
-      return "modified Cam-clay";
-    case MaterialModel::rooted_cam_clay:
-      return "rooted Cam-clay";
-    case MaterialModel::linear_elastic:
-      return "linear elastic";
-    default:
-      return fmt::format("external: UMAT '{}' of {}", soil.external.symbol, soil.external.library);
-  }
-}
-
 /// Whether Poisson's ratio is known: slices alone do not ask for it.
 bool has_poisson_ratio(const input::Case& data, const input::Material& soil) {
-  if (soil.model == MaterialModel::external) return false;
+  if (!material::needs<material::PoissonInput>(soil.model)) return false;
   return soil.poisson_ratio != 0 || input::uses(data, input::Method::fem) || input::uses(data, input::Method::mpm) ||
          !data.tests.empty();
 }
@@ -53,7 +35,7 @@ void add_weights(const ResultFolder& folder, const input::Material& soil, Proper
       properties.add("grain_density", "density of the grains", "ρs", {"kg/m³", 1}, soil.grain_density);
     properties.add("porosity", "porosity", "n", {"-", 1}, porosity);
   }
-  if (porosity && (soil.given_void_ratio || is_cam_clay(soil)))
+  if (porosity && (soil.given_void_ratio || material::needs<material::Preconsolidation>(soil.model)))
     properties.add("void_ratio", "void ratio at the start", "e₀", {"-", 1},
                    soil.given_void_ratio.value_or(soil.void_ratio()));
   if (unit_weight) {
@@ -73,16 +55,12 @@ Properties list_properties(const ResultFolder& folder, const input::Material& so
   if (soil.young_modulus > 0) properties.add("young_modulus", "Young's modulus", "E", {"MPa", 1e6}, soil.young_modulus);
   if (has_poisson_ratio(folder.data, soil))
     properties.add("poisson_ratio", "Poisson's ratio", "ν", {"-", 1}, soil.poisson_ratio);
-  if (is_mohr_coulomb(soil)) properties.add_mohr_coulomb(soil);
-  if (is_cam_clay(soil)) properties.add_cam_clay(soil.cam_clay);
+  properties.add(material::list_properties(soil.model, soil));
   if (const double ratio = soil.slices.pore_pressure_ratio; ratio > 0)
     properties.add("pore_pressure_ratio", "pore pressure over the weight above", "r_u", {"-", 1}, ratio);
   if (soil.slices.suction_strength == input::SuctionStrength::phi_b)
     properties.add("phi_b", "angle of the strength from suction", "φ_b", {"°", degree}, soil.slices.phi_b);
-  if (const double gradient = soil.slices.cohesion_gradient; gradient != 0)
-    properties.add("cohesion_gradient", "growth of the cohesion with depth", "dc/dz", {"kPa/m", 1000}, gradient);
   properties.add_roots(folder.data.roots, soil);
-  if (soil.model == MaterialModel::external) properties.add_external(soil.external);
   return properties;
 }
 
@@ -101,7 +79,7 @@ json list_materials(const ResultFolder& folder, std::optional<double> factor_of_
       if (material == name) regions.push_back(region);
     json row{{"name", name},
              {"index", index++},
-             {"model", name_model(soil)},
+             {"model", material::tell_model(soil.model, soil)},
              {"regions", regions},
              {"properties", list_properties(folder, soil, stage_factor, factor_of_safety).list()}};
     if (json water = describe_soil_water(folder, soil.water); !water.is_null()) row["water"] = std::move(water);

@@ -12,14 +12,8 @@
 
 namespace talus::report {
 
-/// The kind of a material, bare or rooted.
-bool is_mohr_coulomb(const input::Material& soil);
-bool is_cam_clay(const input::Material& soil);
 /// n [-]; nothing where a unit weight stands for grains and pores.
 std::optional<double> find_porosity(const input::Material& soil);
-
-/// M of a critical state whose tan φ is divided by a factor [-].
-double reduce_slope(double slope, double factor);
 
 /// Rows of one material (`properties` of MaterialRow in web/src/contract/).
 class Properties {
@@ -30,12 +24,9 @@ class Properties {
 
   void add(const std::string& key, const std::string& title, const std::string& symbol, const ShownUnit& unit,
            std::optional<double> value, std::optional<double> design = {}, std::optional<double> at_failure = {});
-  void add_mohr_coulomb(const input::Material& soil);
-  void add_cam_clay(const input::CamClaySoil& clay);
+  void add(const material::Properties& list);
   /// The effect of roots in this soil; `blocks`: of the whole case.
   void add_roots(const std::vector<input::Roots>& blocks, const input::Material& soil);
-  /// The inputs of a UMAT. Only the UMAT knows names and units of its constants.
-  void add_external(const input::ExternalModel& external);
   /// With all fillable pores full of water, and as light as the driest soil of the model.
   void add_wet_weights(const ResultFolder& folder, const input::Material& soil);
 
@@ -48,9 +39,7 @@ class Properties {
     std::optional<double> characteristic, design, at_failure;
   };
 
-  void add_slope(const std::string& key, const std::string& title, const std::string& symbol, double slope);
-  void add_cohesion(const std::string& key, const std::string& title, double cohesion);
-  void add_rooted_clay(const input::Material& soil, double content);
+  ShownUnit find_unit(material::ShownAs shown_as) const;
 
   ShownUnit stress_;
   std::optional<double> design_, failure_;

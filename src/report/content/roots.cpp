@@ -61,9 +61,9 @@ std::vector<std::string> list_root_assumptions(const ResultFolder& folder) {
   }
   std::vector<std::string> clay, cohesive, breaking;
   for (const auto& [name, soil] : folder.data.materials) {
-    if (soil.model == input::MaterialModel::rooted_cam_clay)
-      (std::isfinite(soil.roots.breaking_strain) ? breaking : clay).push_back(name);
-    if (soil.model == input::MaterialModel::rooted_mohr_coulomb) cohesive.push_back(name);
+    if (soil.traits().roots == material::RootEffect::content)
+      (std::isfinite(soil.breaking_strain) ? breaking : clay).push_back(name);
+    if (soil.traits().roots == material::RootEffect::cohesion) cohesive.push_back(name);
   }
   if (!clay.empty())
     sentences.push_back(

@@ -110,18 +110,17 @@ class Assumptions {
   }
 
   void add_soils() {
-    std::vector<std::string> elastic, tensile, external, clay;
+    std::vector<std::string> elastic, tensile;
     std::size_t with_strength = 0;
     for (const auto& [name, soil] : data_.materials) {
-      if (soil.model == input::MaterialModel::linear_elastic) elastic.push_back(name);
-      if (soil.model == input::MaterialModel::external) external.push_back(name);
-      if (is_cam_clay(soil)) clay.push_back(name);
-      if (!is_mohr_coulomb(soil)) continue;
+      const material::Traits& traits = soil.traits();
+      if (traits.strength == material::Strength::none) elastic.push_back(name);
+      is_plastic_ = is_plastic_ || traits.strength == material::Strength::known;
+      if (!soil.traits().has_friction) continue;
       ++with_strength;
       if (soil.tensile_strength > 0) tensile.push_back(name);
       add_dilatancy(name, soil);
     }
-    is_plastic_ = with_strength + clay.size() > 0;
     if (with_strength > 0)
       add("The strength is perfectly plastic: no softening, no rate effect, the same in all directions. With peak "
           "strength a slide stops too early, with residual strength it starts too early.");
@@ -131,22 +130,23 @@ class Assumptions {
     if (tensile.size() < with_strength)
       add("{} no tensile strength: it opens freely, and separated soil swells a little.",
           tensile.empty() ? "The soil has" : "The other soil has");
-    if (!external.empty())
-      add("{}: stress follows strain as a compiled UMAT says, which Talus can neither see nor check. It is told strain "
-          "increments, not deformation gradients; its state variables are carried with the soil, and not rotated.",
-          join_words(external));
-    if (!clay.empty()) add_clay(clay);
+    add_models();
     for (std::string& sentence : list_root_assumptions(folder_)) sentences_.push_back(std::move(sentence));
     if (!elastic.empty()) add("Without any limit of strength (linear elastic): {}.", join_words(elastic));
   }
 
-  void add_clay(const std::vector<std::string>& names) {
-    add("{}: modified Cam-clay, the same in all directions. Soil that is preconsolidated beyond the critical state "
-        "dilates and softens in bands as thick as the elements are; contraction together with softening, as of loose "
-        "or cemented soil, is not in it.",
-        join_words(names));
-    if (choices_.is_reduction)
-      add("In Cam-clay soils the factor divides tan φ of the critical state. The preconsolidation stays as it is.");
+  /// What the laws themselves assume, once for all materials of a family.
+  void add_models() {
+    for (std::size_t i = 0; i < material::Laws::traits.size(); ++i) {
+      const material::Traits& law = material::Laws::traits[i];
+      if (!law.assumption || (i > 0 && law.assumption == material::Laws::traits[i - 1].assumption)) continue;
+      std::vector<std::string> names;
+      for (const auto& [name, soil] : data_.materials)
+        if (soil.traits().assumption == law.assumption) names.push_back(name);
+      if (names.empty()) continue;
+      sentences_.push_back(fmt::format(fmt::runtime(law.assumption), join_words(names)));
+      if (choices_.is_reduction && law.reduction) sentences_.push_back(law.reduction);
+    }
   }
 
   void add_dilatancy(const std::string& name, const input::Material& soil) {

@@ -15,20 +15,14 @@ using nlohmann::json;
 namespace {
 
 void add_soil_methods(const input::Case& data, json& methods) {
-  using M = input::MaterialModel;
-  const auto some = [&](auto... models) {
-    return std::any_of(data.materials.begin(), data.materials.end(),
-                       [&](const auto& named) { return ((named.second.model == models) || ...); });
-  };
-  const auto add_if = [&](bool applies, const char* name) {
-    if (applies) methods.push_back(name);
-  };
-  add_if(some(M::mohr_coulomb, M::rooted_mohr_coulomb), "mohr_coulomb");
-  add_if(some(M::rooted_mohr_coulomb), "root_cohesion");
-  add_if(some(M::modified_cam_clay, M::rooted_cam_clay), "modified_cam_clay");
-  add_if(some(M::rooted_cam_clay), "rooted_cam_clay");
-  add_if(some(M::linear_elastic), "linear_elastic");
-  add_if(some(M::external), "external_model");
+  for (const material::Traits& law : material::Laws::traits) {
+    if (std::none_of(data.materials.begin(), data.materials.end(),
+                     [&](const auto& named) { return named.second.traits().word == law.word; }))
+      continue;
+    for (const char* paragraph : law.paragraphs)
+      if (paragraph && std::find(methods.begin(), methods.end(), paragraph) == methods.end())
+        methods.push_back(paragraph);
+  }
 }
 
 /// Of a wet case.

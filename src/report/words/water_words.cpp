@@ -87,8 +87,7 @@ class WaterAssumptions {
 
   /// E_c of the soil [Pa]; nothing where it changes with the stress.
   static std::optional<double> find_oedometric(const input::Material& soil) {
-    if (soil.model == input::MaterialModel::external) return soil.external.constrained_modulus;
-    return soil.young_modulus > 0 ? std::optional(soil.constrained_modulus()) : std::nullopt;
+    return material::find_oedometric_modulus(soil.model, soil);
   }
 
   /// The share of an undrained load that the water takes: 1/(1 + n E_c/K_w), in one dimension.

@@ -12,7 +12,6 @@
 #include "ground/pore_water.hpp"
 #include "ground/root_content.hpp"
 #include "ground/side_normals.hpp"
-#include "ground/soil_laws.hpp"
 #include "ground/soil_weight.hpp"
 #include "mesh/column.hpp"
 #include "mesh/generate.hpp"
@@ -36,23 +35,14 @@ RegionSoil make_region_soil(const input::Case& data, const std::string& region) 
   if (given == data.regions.end())
     throw Error(ExitCode::wrong_input, fmt::format("region '{}' has no material; add it to [regions]", region));
   RegionSoil soil{data.materials.at(given->second)};
-  switch (soil.material.model) {
-    case input::MaterialModel::linear_elastic:
-      break;
-    case input::MaterialModel::mohr_coulomb:
-      soil.varies = soil.material.slices.cohesion_gradient != 0;
-      if (soil.varies) soil.material.model = input::MaterialModel::rooted_mohr_coulomb;
-      break;
-    case input::MaterialModel::rooted_mohr_coulomb:
-      soil.varies = true;
-      break;
-    case input::MaterialModel::modified_cam_clay:
-    case input::MaterialModel::rooted_cam_clay:
-    case input::MaterialModel::external:
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("finite elements cannot reduce the strength of material '{}': they take the models "
-                              "linear_elastic, mohr_coulomb and rooted_mohr_coulomb",
-                              given->second));
+  if (!soil.material.traits().serves_slices)
+    throw Error(ExitCode::wrong_input,
+                fmt::format("finite elements cannot reduce the strength of material '{}': they take the models {}",
+                            given->second,
+                            material::list_words([](const material::Traits& t) { return t.serves_slices; }, " and ")));
+  if (const auto local = material::find_local_model(soil.material.model, soil.material)) {
+    soil.varies = true;
+    soil.material.model = *local;
   }
   return soil;
 }
@@ -166,7 +156,7 @@ class SolidBuilder {
       const bool is_dry = !m.water.is_wet() && !(wet && has_pressure);
       model.unit_weight[e] = is_dry ? ground::find_unit_weight(data_, m, 1)
                                     : find_mean<D>(p, [&](double q) { return ground::find_unit_weight(data_, m, q); });
-      if (m.friction_angle == 0 && m.model != input::MaterialModel::linear_elastic) continue;  // total stress
+      if (material::is_total_stress(m.model, m)) continue;
       for (std::size_t c = 0; c <= D; ++c) {
         pore_[e][c] = p[c] > 0 ? ground::find_suction_stress(m, p[c]) : p[c];
         acts = acts || pore_[e][c] != 0;
@@ -255,15 +245,18 @@ class SolidBuilder {
   /// Cohesion that varies from place to place is a state variable of the points.
   void set_start() {
     if (std::none_of(soils_.begin(), soils_.end(), [](const RegionSoil& s) { return s.varies; })) return;
-    solid_.model.set_state = [data = data_, mesh = solid_.mesh, soils = soils_](int region, const Vec<D>& x,
-                                                                                double* state) {
+    std::vector<material::Law> laws;
+    for (const RegionSoil& soil : soils_) laws.push_back(input::make_law(soil.material));
+    solid_.model.set_state = [data = data_, mesh = solid_.mesh, soils = soils_, laws = std::move(laws)](
+                                 int region, const Vec<D>& x, double* state) {
       const RegionSoil& soil = soils[region];
       if (!soil.varies) return;
-      const input::SliceSoil& slices = soil.material.slices;
-      double cohesion = slices.cohesion_gradient * std::max(0.0, slices.cohesion_level - x[1]);
       const input::Material& given = data.materials.at(data.regions.at(mesh->region_names[region]));
-      cohesion += ground::find_roots<D>(data, *mesh, {x}, {&given}).front().cohesion;
-      state[1] = cohesion;
+      const material::StateStart start{
+          .stress = nullptr,
+          .root_cohesion = ground::find_roots<D>(data, *mesh, {x}, {&given}).front().cohesion,
+          .level = x[1]};
+      material::set_initial_state(laws[region], soil.material, start, state);
     };
   }
 
@@ -282,7 +275,7 @@ void set_laws(const input::Case& data, SolidOfCase<D>& solid, bool associated) {
   if (associated)
     for (RegionSoil& soil : soils) soil.material.dilatancy_angle = soil.material.friction_angle;
   solid.model.make_law = [soils = std::move(soils)](int region, double factor) {
-    return ground::make_law(soils[static_cast<std::size_t>(region)].material, {}, factor);
+    return input::make_law(soils[static_cast<std::size_t>(region)].material, {}, factor);
   };
 }
 

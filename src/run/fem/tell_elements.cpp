@@ -28,7 +28,7 @@ std::array<double, 2> find_dilatancy(const input::Case& data, bool associated) {
   double low = 1e9, high = -1e9;
   for (const auto& [region, name] : data.regions) {
     const input::Material& m = data.materials.at(name);
-    if (m.model == input::MaterialModel::linear_elastic) continue;
+    if (m.traits().strength == material::Strength::none) continue;
     const double psi = associated ? m.friction_angle : m.dilatancy_angle;
     low = std::min(low, psi);
     high = std::max(high, psi);

@@ -33,26 +33,19 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
   soil.name = name;
   soil.saturated_unit_weight = ground::find_saturated_weight(data, m);
   soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
-  soil.cohesion_gradient = m.slices.cohesion_gradient;
-  soil.cohesion_level = m.slices.cohesion_level;
   soil.pore_pressure_ratio = m.slices.pore_pressure_ratio;
-  switch (m.model) {
-    case input::MaterialModel::mohr_coulomb:
-    case input::MaterialModel::rooted_mohr_coulomb:
-      soil.cohesion = m.cohesion;
-      soil.friction_angle = m.friction_angle;
-      break;
-    case input::MaterialModel::linear_elastic:
-      soil.cohesion = unyielding;
-      notes.push_back(fmt::format("material '{}' is elastic: no slip surface passes through it", name));
-      break;
-    case input::MaterialModel::modified_cam_clay:
-    case input::MaterialModel::rooted_cam_clay:
-    case input::MaterialModel::external:
-      throw Error(ExitCode::wrong_input,
-                  fmt::format("material '{}' has no cohesion and friction angle: methods of slices need the model "
-                              "mohr_coulomb or rooted_mohr_coulomb",
-                              name));
+  if (!m.traits().serves_slices)
+    throw Error(ExitCode::wrong_input,
+                fmt::format("material '{}' has no cohesion and friction angle: methods of slices need the model {}",
+                            name, material::list_sliceable()));
+  if (const auto strength = material::find_slice_strength(m.model, m)) {
+    soil.cohesion = strength->cohesion;
+    soil.friction_angle = strength->friction_angle;
+    soil.cohesion_gradient = strength->cohesion_gradient;
+    soil.cohesion_level = strength->cohesion_level;
+  } else {
+    soil.cohesion = unyielding;
+    notes.push_back(fmt::format("material '{}' is elastic: no slip surface passes through it", name));
   }
   soil.undrained = soil.friction_angle == 0;
   switch (m.slices.suction_strength) {
@@ -232,9 +225,9 @@ void add_roots(const input::Case& data, lem::Section& section, std::vector<std::
   }
   for (lem::Soil& soil : section.soils) {
     const input::Material& m = data.materials.at(soil.name);
-    if (m.model != input::MaterialModel::rooted_mohr_coulomb || m.roots.cohesion == 0) continue;
+    if (m.traits().roots != material::RootEffect::cohesion || m.root_cohesion == 0) continue;
     if (!has_blocks)
-      soil.cohesion += m.roots.cohesion;
+      soil.cohesion += m.root_cohesion;
     else
       notes.push_back(fmt::format("slices take the root cohesion of material '{}' from [[roots]] alone", soil.name));
   }

@@ -64,7 +64,9 @@ template <int D>
 int find_step_interval(const mpm::Body<D>& body) {
   constexpr int changing = 4;
   static_assert(look_interval % changing == 0, "a checkpoint, which is made at a look, has the step that follows it");
-  const bool follows = std::any_of(body.laws.begin(), body.laws.end(), material::has_changing_stiffness);
+  const bool follows = std::any_of(body.laws.begin(), body.laws.end(), [](const material::Law& law) {
+    return material::get_traits(law).changes_stiffness;
+  });
   return follows ? changing : look_interval;
 }
 
@@ -128,9 +130,7 @@ template <int D>
 void watch_external_models(const mpm::Body<D>& body, const StagePlan<D>& plan,
                            const std::function<std::string()>& save) {
   for (const material::Law& law : body.laws) {
-    const auto* model = std::get_if<material::External>(&law);
-    if (!model) continue;
-    const auto failure = model->take_failure();
+    const auto failure = material::take_failure(law);
     if (!failure) continue;
     std::string place;
     if (failure->point >= 0 && mpm::is_present(body, failure->point))

@@ -1,25 +1,15 @@
 #include "run/mpm/record/state_fields.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 namespace talus::run {
-namespace {
-
-/// Soil without roots has none of them; it has no preconsolidation pressure that could be zero.
-bool is_of_roots(std::string_view name) {
-  return name.starts_with("root_") || name == "intact_roots";
-}
-
-}  // namespace
 
 StateFields::StateFields(const std::vector<material::Law>& laws) {
   for (const material::Law& law : laws) {
     std::vector<std::size_t>& places = places_.emplace_back();
     for (const material::StateField& field : material::list_state_fields(law)) {
-      const auto known = std::find_if(fields_.begin(), fields_.end(), [&](const material::StateField& f) {
-        return std::string_view(f.name) == field.name;
-      });
+      const auto known = std::find_if(fields_.begin(), fields_.end(),
+                                      [&](const material::StateField& f) { return f.name == field.name; });
       places.push_back(static_cast<std::size_t>(known - fields_.begin()));
       if (known == fields_.end()) fields_.push_back(field);
     }
@@ -29,13 +19,10 @@ StateFields::StateFields(const std::vector<material::Law>& laws) {
 std::vector<double> StateFields::arrange(const material::Law& law, std::size_t number, const double* state,
                                          double saturation) const {
   std::vector<double> values(fields_.size()), shown(places_[number].size());
-  for (std::size_t k = 0; k < fields_.size(); ++k)
-    values[k] = is_of_roots(fields_[k].name) ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < fields_.size(); ++k) values[k] = fields_[k].elsewhere;
   if (shown.empty()) return values;
   material::show_state(law, state, saturation, shown.data());
-  for (std::size_t i = 0; i < shown.size(); ++i)
-    values[places_[number][i]] =
-        material::ModifiedCamClay::is_set(shown[i]) ? shown[i] : std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < shown.size(); ++i) values[places_[number][i]] = shown[i];
   return values;
 }
 

@@ -23,7 +23,7 @@ constexpr double elastic_share = 1e-3;
 std::pair<double, double> find_dilatancy_range(const input::Case& data) {
   double low = 1e9, high = -1e9;
   for (const auto& [name, m] : data.materials) {
-    if (m.model != input::MaterialModel::mohr_coulomb && m.model != input::MaterialModel::rooted_mohr_coulomb) continue;
+    if (!m.traits().has_friction) continue;
     low = std::min(low, m.dilatancy_angle * 180 / std::numbers::pi);
     high = std::max(high, m.dilatancy_angle * 180 / std::numbers::pi);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 #include "ground/root_content.hpp"
 #include "mpm/body/observe.hpp"
@@ -12,40 +13,10 @@ namespace {
 
 using State = std::array<double, material::max_state_size>;
 
-/// Where Cam-clay's state variables begin that roots alone have.
-constexpr std::size_t first_root_variable = material::ModifiedCamClay::state_size;
-
-/// What a law's state starts from.
-struct Start {
-  const double* stress;
-  double void_ratio, saturation;
-  ground::RootsAt roots;
-};
-
-bool is_cam_clay(input::MaterialModel model) {
-  return model == input::MaterialModel::modified_cam_clay || model == input::MaterialModel::rooted_cam_clay;
-}
-
-bool is_rooted(input::MaterialModel model) {
-  return model == input::MaterialModel::rooted_mohr_coulomb || model == input::MaterialModel::rooted_cam_clay;
-}
-
-State make_state(const material::Law& law, const input::Material& soil, const Start& start) {
+State make_state(const material::Law& law, const input::Material& soil, const material::StateStart& start) {
   State state{};
-  const auto set_cam_clay = [&](const auto& cam_clay) {
-    cam_clay.set_initial_state(start.stress, start.void_ratio, start.roots.content,
-                               soil.cam_clay.preconsolidation.value_or(material::ModifiedCamClay::not_set),
-                               start.saturation, state.data());
-  };
-  if (const auto* bare = std::get_if<material::ModifiedCamClay>(&law)) set_cam_clay(*bare);
-  if (const auto* rooted = std::get_if<material::RootedCamClay>(&law)) set_cam_clay(*rooted);
-  if (std::holds_alternative<material::RootedMohrCoulomb>(law)) state[1] = start.roots.cohesion;
-  if (const auto* external = std::get_if<material::External>(&law)) external->set_initial_state(state.data());
+  material::set_initial_state(law, soil, start, state.data());
   return state;
-}
-
-double find_mean_pressure(const double* stress) {
-  return -(stress[0] + stress[1] + stress[2]) / 3;
 }
 
 /// Saturation that the laws see: 1 in soil without pore water.
@@ -60,34 +31,45 @@ double find_void_ratio(const mpm::PointView<D>& point, const input::Material& so
   return std::max(0.0, point.volume * soil.grain_density / point.mass - 1);
 }
 
+/// Whether a point's preconsolidation is open.
+bool lacks_preconsolidation(const material::Law& law, const double* state) {
+  return std::visit(
+      [&]<class L>([[maybe_unused]] const L& l) {
+        if constexpr (material::IsPreconsolidated<L>) return !L::is_set(l.find_preconsolidation(state, 1));
+        return false;
+      },
+      law);
+}
+
 /// The state of a point after a change of its material.
 template <int D>
 State adopt(const mpm::PointView<D>& point, const State& fresh, const material::Law& law, const input::Material& soil,
             input::MaterialModel before, bool same_roots) {
-  const auto now = soil.model;
-  const bool stays_cam_clay = is_cam_clay(now) && is_cam_clay(before);
+  const material::Traits &now = soil.traits(), &then = material::get_traits(before);
+  const bool stays_in_family = *now.family && std::string_view(now.family) == then.family;
   // If a run ended before its preconsolidation was set, the next case that gives one sets it.
   const bool lacks_one =
-      stays_cam_clay && !material::ModifiedCamClay::is_set(point.state[1]) && soil.cam_clay.preconsolidation;
-  if (now == before && !lacks_one && (same_roots || !is_rooted(now))) return point.state;
-  ground::RootsAt roots;
-  if (now == input::MaterialModel::rooted_cam_clay) roots.content = fresh[first_root_variable];
-  if (now == input::MaterialModel::rooted_mohr_coulomb) roots.cohesion = fresh[1];
-  State renewed =
-      make_state(law, soil, {point.stress.data(), find_void_ratio(point, soil), find_saturation(point), roots});
+      stays_in_family && lacks_preconsolidation(law, point.state.data()) && soil.preconsolidation.has_value();
+  if (soil.model == before && !lacks_one && (same_roots || now.roots == material::RootEffect::none)) return point.state;
+  // The law itself puts a content or a cohesion where it keeps them: the fresh state has them.
+  const auto kept = static_cast<std::size_t>(stays_in_family ? now.family_states : material::common_state_size);
+  material::StateStart start{point.stress.data(), find_void_ratio(point, soil), find_saturation(point)};
+  start.level = point.position[1];
+  material::read_roots(law, fresh.data(), start);
+  State renewed = make_state(law, soil, start);
   const double preconsolidation = renewed[1];
-  std::copy_n(point.state.begin(), stays_cam_clay ? first_root_variable : 1, renewed.begin());
+  std::copy_n(point.state.begin(), kept, renewed.begin());
   if (lacks_one) renewed[1] = preconsolidation;
   return renewed;
 }
 
-/// Sets the preconsolidation of a Cam-clay point, unless it has one, and counts it.
-template <class CamClay, int D>
-bool set_point(const CamClay& law, double ratio, const mpm::PointView<D>& point, State& state,
+/// Sets the preconsolidation of a point, unless it has one, and counts it.
+template <class L, int D>
+bool set_point(const L& law, double ratio, const mpm::PointView<D>& point, State& state,
                results::Preconsolidation& done) {
   const double saturation = find_saturation(point);
-  if (law.find_preconsolidation(state.data(), saturation) != CamClay::not_set) return false;
-  state[1] = ratio * std::max(find_mean_pressure(point.stress.data()), law.soil().smallest_pressure);
+  if (L::is_set(law.find_preconsolidation(state.data(), saturation))) return false;
+  law.set_preconsolidation(ratio, point.stress.data(), state.data());
   const double pressure = law.find_preconsolidation(state.data(), saturation);
   ++done.points;
   done.smallest = std::min(done.smallest, pressure);
@@ -122,7 +104,9 @@ void set_initial_state(const input::Case& data, const mesh::Mesh<D>& mesh, const
     const auto number = static_cast<std::size_t>(p.material);
     const double saturation =
         soils[i]->water.is_wet() && !water.empty() ? material::saturation(water[number].retention, p.pressure) : 1.0;
-    p.state = make_state(laws[number], *soils[i], {p.stress.data(), soils[i]->void_ratio(), saturation, roots[i]});
+    p.state = make_state(
+        laws[number], *soils[i],
+        {p.stress.data(), soils[i]->void_ratio(), saturation, roots[i].content, roots[i].cohesion, places[i][1]});
   }
 }
 
@@ -150,15 +134,17 @@ results::Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::
   for (int id = 0; id < body.points.size(); ++id) {
     const std::size_t number = body.points.material[static_cast<std::size_t>(id)];
     const input::Material& soil = data.materials.at(body.material_names[number]);
-    if (!mpm::is_present(body, id) || !is_cam_clay(soil.model) || !soil.cam_clay.preconsolidation_ratio) continue;
+    if (!mpm::is_present(body, id) || !soil.preconsolidation_ratio) continue;
     const mpm::PointView<D> point = mpm::view_point(body, id);
     State state = point.state;
-    const double ratio = *soil.cam_clay.preconsolidation_ratio;
-    const material::Law& law = body.laws[number];
-    if (soil.model == input::MaterialModel::rooted_cam_clay
-            ? set_point(std::get<material::RootedCamClay>(law), ratio, point, state, done)
-            : set_point(std::get<material::ModifiedCamClay>(law), ratio, point, state, done))
-      mpm::write_state(body, id, state.data());
+    const bool is_changed = std::visit(
+        [&]<class L>([[maybe_unused]] const L& law) {
+          if constexpr (material::IsPreconsolidated<L>)
+            return set_point(law, *soil.preconsolidation_ratio, point, state, done);
+          return false;
+        },
+        body.laws[number]);
+    if (is_changed) mpm::write_state(body, id, state.data());
   }
   if (done.points == 0) done.smallest = 0;
   return done;

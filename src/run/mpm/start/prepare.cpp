@@ -125,7 +125,7 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   if (data.initial.stress == input::InitialStress::k0) set_k0_stress<D>(data, mesh, names, water_laws, water, points);
 
   std::vector<material::Law> laws;
-  for (const std::string& name : names) laws.push_back(ground::make_law(data.materials.at(name)));
+  for (const std::string& name : names) laws.push_back(input::make_law(data.materials.at(name)));
   set_initial_state<D>(data, mesh, laws, names, water_laws, points);
   auto layout = mpm::make_layout<D>(std::move(mesh), in_element, chunks);
   mpm::Body<D> body = mpm::make_body<D>(std::move(layout), std::move(laws), names, points, water_laws);
@@ -149,7 +149,7 @@ template <int D>
 void set_strength(mpm::Body<D>& body, const input::Case& data, std::optional<double> cohesion, double factor) {
   body.laws.clear();
   for (const std::string& name : body.material_names)
-    body.laws.push_back(ground::make_law(data.materials.at(name), cohesion, factor));
+    body.laws.push_back(input::make_law(data.materials.at(name), cohesion, factor));
 }
 
 template <int D>
@@ -168,7 +168,7 @@ mpm::Body<D> prepare(const input::Case& data, mesh::Mesh<D> mesh, int chunks,
   const EndState end(data.initial);
   mpm::Body<D> body = fill_mesh(data, end.get_mesh<D>(), end.points_per_element(), chunks, seepage, season);
   const bool has_state = std::any_of(body.laws.begin(), body.laws.end(), [](const material::Law& law) {
-    return material::state_size(law) > material::MohrCoulomb::state_size;
+    return material::state_size(law) > material::common_state_size;
   });
   const mpm::Body<D> fresh = has_state ? body : mpm::Body<D>();
   end.take_over(body);

@@ -6,7 +6,6 @@
 
 #include "fem/seepage/seepage.hpp"
 #include "ground/season.hpp"
-#include "ground/soil_laws.hpp"
 #include "input/case/case.hpp"
 #include "mpm/body/build.hpp"
 
