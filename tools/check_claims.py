@@ -81,7 +81,7 @@ class Tree:
 
     @cached_property
     def keys(self):
-        return set(re.findall(r'"([a-z]\w*)"', self.join("src/input/")))
+        return set(re.findall(r'"([a-z]\w*)"', self.join("src/input/") + self.join("src/material/")))
 
     @cached_property
     def named(self):

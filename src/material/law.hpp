@@ -11,10 +11,12 @@
 #include "material/linear_elastic.hpp"
 #include "material/mohr_coulomb.hpp"
 #include "material/rooted_mohr_coulomb.hpp"
+#include "material/tresca.hpp"
 
 namespace talus::material {
 
-using Law = std::variant<MohrCoulomb, RootedMohrCoulomb, ModifiedCamClay, RootedCamClay, LinearElastic, External>;
+using Law =
+    std::variant<MohrCoulomb, RootedMohrCoulomb, Tresca, ModifiedCamClay, RootedCamClay, LinearElastic, External>;
 
 template <class Laws>
 struct OfLaws;

@@ -25,6 +25,7 @@ struct Traits {
   bool serves_slices =
       false;  ///< has a cohesion and a friction angle: slices, finite elements and partial factors take it
   bool has_friction = false;       ///< has cohesion, friction, dilatancy and tensile strength of Mohr and Coulomb
+  bool takes_water = true;         ///< false: its stresses are total ones
   bool changes_stiffness = false;  ///< with stress and state, so that the critical step must be looked at often
   bool stores_always = false;      ///< its state changes in elastic steps too
   bool is_opaque = false;          ///< its inside is not known: tangents are differences

@@ -146,6 +146,13 @@ void check_water(const Case& data, Findings& findings) {
   for (const auto& [name, material] : data.materials) {
     const Soil soil{name, material, "materials." + name + ".water", findings};
     if (!material.water.is_wet() || !soil.is_sound("retention")) continue;
+    if (!material.traits().takes_water) {
+      findings.add(soil.path,
+                   fmt::format("material '{}' is described in total stresses, model = \"{}\": it has no pore "
+                               "water of its own; take [{}] out",
+                               name, material.traits().word, soil.path));
+      continue;
+    }
     check_limits(soil);
     check_curves(soil);
     check_conductivity(soil);

@@ -1,0 +1,108 @@
+#pragma once
+// Tresca: undrained soil in total stresses, whose strength s_u may grow with depth. It is Mohr–Coulomb with φ = 0 and
+// c = s_u, each point with what its strength has grown by, and without a limit of tension of its own.
+
+#include <limits>
+#include <vector>
+
+#include "material/mohr_coulomb.hpp"
+
+namespace talus::material {
+
+struct TrescaInput {
+  double undrained_strength = 0;  ///< s_u at `undrained_level` and above [Pa]
+  double undrained_gradient = 0;  ///< growth of s_u below that level [Pa/m]
+  double undrained_level = 0;     ///< [m]
+
+  /// What s_u has grown by at a level [Pa].
+  double find_growth(double level) const { return undrained_gradient * std::max(0.0, undrained_level - level); }
+};
+template <class Visitor>
+void describe(Visitor& v, TrescaInput& in, const Users& users) {
+  v.key("undrained_strength", in.undrained_strength, users.need(quantity("kPa").above(0)).example("25"),
+        "Undrained shear strength s_u, at `undrained_level` and above it.");
+  v.key("undrained_gradient", in.undrained_gradient, users.allow(quantity("kPa/m").at_least(0)).example("1.5"),
+        "s_u grows by this per metre below `undrained_level`.");
+  v.key("undrained_level", in.undrained_level, users.allow(quantity("m")).example("15"),
+        "Level y at which that growth begins.");
+}
+
+/// State variables: 0 as Mohr–Coulomb's; 1 what s_u has grown by with depth at the start [Pa], which moves with the
+/// soil.
+class Tresca {
+ public:
+  static constexpr Traits traits{
+      .word = "tresca",
+      .meaning = "undrained soil in total stresses: linear elastic, perfectly plastic with Tresca's strength",
+      .title = "Tresca (undrained, total stress)",
+      .serves_slices = true,
+      .takes_water = false,
+      .paragraphs = {"mohr_coulomb"},
+      .assumption =
+          "{}: undrained soil in total stresses (Tresca, φ = 0, c = s_u), perfectly plastic and without "
+          "softening. Pore pressures do not act on it, and tension is limited by s_u alone."};
+  static constexpr int state_size = 2;
+  static constexpr bool is_plastic = true;
+
+  using Input = Needs<YoungInput, PoissonInput, TrescaInput>;
+  static Tresca make(const Input& in, const StrengthChange& change) {
+    return {LinearElastic::make(in), in.get<TrescaInput>().undrained_strength, change.factor};
+  }
+  static Properties list_properties(const Input& in) {
+    const TrescaInput& s = in.get<TrescaInput>();
+    Properties list{
+        make_divided("undrained_strength", "undrained shear strength", "su", ShownAs::stress, s.undrained_strength)};
+    if (s.undrained_gradient > 0)
+      list.push_back(make_divided("undrained_gradient", "growth of the undrained strength with depth", "dsu/dz",
+                                  ShownAs::stress_per_length, s.undrained_gradient));
+    return list;
+  }
+  static SliceStrength find_slice_strength(const Input& in) {
+    const TrescaInput& s = in.get<TrescaInput>();
+    return {s.undrained_strength, 0, s.undrained_gradient, s.undrained_level};
+  }
+  static void divide(const Input::Changeable& in, PartialDivision& division) {
+    TrescaInput& s = in.get<TrescaInput>();
+    division.divide(s.undrained_strength, division.undrained, "undrained shear strength", "s_u", "kPa", 1e3);
+    division.divide(s.undrained_gradient, division.undrained, "growth of the undrained strength", "ds_u/dz", "kPa/m",
+                    1e3);
+  }
+  static bool is_total_stress(const Input&) { return true; }
+  using Local = Tresca;
+  static bool varies(const Input& in) { return in.get<TrescaInput>().undrained_gradient != 0; }
+  void set_initial_state(const Input& in, const StateStart& start, double* state) const {
+    state[1] = in.get<TrescaInput>().find_growth(start.level);
+  }
+
+  /// `undrained_strength` of the case [Pa]; `factor` divides it and its growth.
+  Tresca(const LinearElastic& elastic, double undrained_strength, double factor = 1)
+      : soil_(elastic, {undrained_strength / factor, 0, 0, unlimited_tension}),
+        undrained_strength_(undrained_strength),
+        share_(1 / factor) {}
+
+  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
+    return soil_.constrained_modulus();
+  }
+  LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return soil_.elastic(); }
+  template <int NS>
+  double elastic_energy(const double* sigma, const double* = nullptr) const {
+    return soil_.elastic_energy<NS>(sigma);
+  }
+  template <int NS, class T>
+  TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
+                                  const Surroundings<T>& = {}) const {
+    return soil_.update_within<NS>(sigma, d_epsilon, state, active, soil_.widen_bounds<T>(state[1] * share_));
+  }
+
+  static std::vector<StateField> fields() { return {{"undrained_strength", "Pa"}}; }
+  void show(const double* state, double /*saturation*/, double* values) const {
+    values[0] = undrained_strength_ + state[1];
+  }
+
+ private:
+  static constexpr double unlimited_tension = 1e15;  ///< [Pa]
+  MohrCoulomb soil_;
+  double undrained_strength_, share_;
+};
+
+}  // namespace talus::material
