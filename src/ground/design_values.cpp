@@ -108,13 +108,13 @@ DesignValues apply_partial_factors(const input::Case& data) {
   }
   if (given.permanent_load != 1)
     told.notes.push_back(
-        fmt::format("γ_G = {:g} multiplies the weight of soil and water and the permanent loads alike, one "
-                    "source with one factor. The same factor of safety follows when strengths in kPa are "
-                    "divided by it and variable loads are multiplied by γ_Q/γ_G = {:g}: so it is calculated.",
+        fmt::format("γ_G = {:g} multiplies the weight of soil and water and the permanent loads alike (single source). "
+                    "The calculation divides strengths in kPa by γ_G and multiplies variable loads by γ_Q/γ_G = {:g}, "
+                    "which gives the same factor of safety.",
                     given.permanent_load, v.variable_load));
   if (!data.surcharges.empty())
     told.notes.push_back(
-        "All surcharges are taken as unfavourable. Leave out of the case a variable one that holds the slope.");
+        "All surcharges are taken as unfavourable. Remove variable surcharges that stabilise the slope from the case.");
   told.set = given.set;
   told.values = list_values(given);
   told.text = fmt::format("Partial factors {}: {}.", given.set, list_words(told.values));

@@ -66,8 +66,8 @@ std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Po
     if (x <= ground.front()[0] || x >= ground.back()[0] || find_standing_level(ponds, {}, ground, x)) return;
     if (level - find_level(ground, x) < noticeable * find_width(ground)) return;
     notes.push_back(
-        fmt::format("the water that stands on the ground up to y = {:.4g} m ends in the open at x = {:.4g} m, "
-                    "where the ground is at {:.4g} m: let its line go on to the shore",
+        fmt::format("the standing water with its level at y = {:.4g} m has no bank at x = {:.4g} m, where the ground "
+                    "is at {:.4g} m: extend its line to the bank",
                     level, end[0], find_level(ground, x)));
   };
   for (const Pond& p : ponds) {

@@ -219,7 +219,7 @@ WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const input::Case& dat
     const WaterCondition c = data.hydraulics[h].condition;
     if (is_met[h + 1] || c == WaterCondition::no_flow || c == WaterCondition::seepage_face) continue;
     throw Error(ExitCode::wrong_input,
-                fmt::format("the hydraulic condition on '{}' meets no water: no side of '{}' is a surface of soil with "
+                fmt::format("the hydraulic condition on '{}' has no effect: no side of '{}' is a surface of soil with "
                             "pore water at the start",
                             data.hydraulics[h].on, data.hydraulics[h].on));
   }

@@ -27,9 +27,8 @@ void add_limits(const input::Calibration& calibration, const results::Calibratio
   for (std::size_t i = 0; i < result.parameters.size(); ++i)
     if (const results::CalibratedParameter& p = result.parameters[i]; p.limit != AtLimit::no)
       list.push_back(fmt::format(
-          "'{}' ended at its {} value, {:.5g}{}{}: the curves ask for {}. Widen the range, or ask what the model "
-          "lacks; it has "
-          "no standard error, and those of the others count it as known.",
+          "'{}' ended at its {} value, {:.5g}{}{}: the curves require {}. Widen the range, or check the model. It has "
+          "no standard error; those of the others treat it as known.",
           p.key, p.limit == AtLimit::low ? "smallest" : "largest", p.value / calibration.parameters[i].factor,
           p.unit.empty() ? "" : " ", p.unit, p.limit == AtLimit::low ? "less" : "more"));
 }
@@ -40,14 +39,15 @@ void add_unfixed(const results::Calibration& result, const std::vector<std::vect
     std::vector<std::string> names;
     for (std::size_t i = 0; i < direction.size(); ++i)
       if (std::abs(direction[i]) > share_of_direction) names.push_back("'" + result.parameters[i].key + "'");
-    list.push_back(names.size() == 1
-                       ? fmt::format("The curves do not depend on {}: its value is that of the start. Leave it out, or "
-                                     "add a test that feels it; there are no standard errors.",
-                                     names[0])
-                       : fmt::format("The curves do not fix {} one by one: they can be changed together without any "
-                                     "difference. Give one of them its value, or add a test that tells them apart; "
-                                     "there are no standard errors.",
-                                     join(names)));
+    list.push_back(
+        names.size() == 1
+            ? fmt::format("The curves do not depend on {}: its value is that of the start. Leave it out, or "
+                          "add a test that depends on it; there are no standard errors.",
+                          names[0])
+            : fmt::format(
+                  "The curves determine only a combination of {}. Fix one of them, or add a test that separates them; "
+                  "there are no standard errors.",
+                  join(names)));
   }
 }
 
@@ -56,8 +56,8 @@ void add_correlations(const results::Calibration& result, std::vector<std::strin
     for (std::size_t j = 0; j < i; ++j)
       if (const auto c = result.correlation[i][j]; c && std::abs(*c) > strong_correlation)
         list.push_back(
-            fmt::format("'{}' and '{}' are hardly told apart by these curves (correlation {:.3f}): a "
-                        "{} of one makes up for a {} of the other.",
+            fmt::format("These curves hardly separate '{}' and '{}' (correlation {:.3f}): a {} of one compensates for "
+                        "a {} of the other.",
                         result.parameters[j].key, result.parameters[i].key, *c, "larger value",
                         *c > 0 ? "larger value" : "smaller value"));
 }
@@ -78,12 +78,10 @@ void add_rivals(const results::Calibration& result, std::vector<std::string>& li
     ++(distance > apart ? rivals : agree);
   }
   if (rivals > 0)
-    list.push_back(
-        fmt::format("{} of {} searches ended as near to the curves with other values: the answer is not "
-                    "unique.",
-                    rivals, result.starts.size()));
+    list.push_back(fmt::format("{} of {} searches reached the same misfit with other values: the fit is not unique.",
+                               rivals, result.starts.size()));
   if (result.starts.size() > 2 && agree == 1 && rivals == 0)
-    list.push_back("Only one search came as far as this: there may be a better answer yet. Try more 'starts'.");
+    list.push_back("Only one search reached this misfit, so a better fit may exist. Use more 'starts'.");
 }
 
 }  // namespace
@@ -106,8 +104,8 @@ std::vector<std::string> list_findings(const input::Calibration& calibration, co
   add_rivals(result, list);
   if (freedom <= 0)
     list.push_back(
-        "There are no more measured values than parameters: the curves are met whatever the errors, and "
-        "nothing can be said of these.");
+        "There are no more measured values than parameters: the fit is exact for any errors, so no standard errors can "
+        "be given.");
   if (static_cast<int>(result.starts.size()) < calibration.starts)
     list.push_back(fmt::format("Only {} of {} searches could begin: the case refuses most values within the limits.",
                                result.starts.size(), calibration.starts));

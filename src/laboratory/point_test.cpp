@@ -65,7 +65,7 @@ std::string describe_stop(const PointTest& test, const PointRow& row, double goa
     return fmt::format("the soil does not carry the net stress below a suction of {:.4g} kPa ({})", row.suction / 1e3,
                        at);
   if (test.control == PointControl::strain)
-    return fmt::format("the soil does not follow beyond {}: no stress of it keeps what the apparatus holds constant",
+    return fmt::format("the test ends at {}: no stress state of the soil satisfies the constraints of the apparatus",
                        at.substr(3));
   if (test.kind == PointTestKind::simple_shear)
     return fmt::format("the soil carries a shear stress of {:.4g} kPa and no more ({}); {:.4g} kPa were asked for",
@@ -103,13 +103,13 @@ PointCurve run_point_test(const input::Material& material, const PointTest& test
     const PointRow row =
         make_row(test, soil, state, strain, static_cast<double>(i) / static_cast<double>(values.size() - 1));
     if (!std::isfinite(row.p) || !std::isfinite(row.q))
-      throw Error(ExitCode::unstable, fmt::format("the model yields no number at step {} of {}", i, values.size() - 1));
+      throw Error(ExitCode::unstable, fmt::format("the model gives no number at step {} of {}", i, values.size() - 1));
     // A step that was followed in part has taken the soil to where it gives way.
     if (follows || increment != Voigt{}) curve.rows.push_back(row);
     if (!follows || (step.free_count > 0 && largest > most_strain)) {
       if (!follows && controller.has_model_failed()) {
         soil.throw_failure();
-        throw Error(ExitCode::unstable, fmt::format("the model of '{}' yields no number {}, however small the step",
+        throw Error(ExitCode::unstable, fmt::format("the model of '{}' gives no number {}, however small the step",
                                                     test.material, describe_place(test, curve.rows.back())));
       }
       curve.stopped = describe_stop(test, curve.rows.back(), test.goals().back());

@@ -65,8 +65,8 @@ class External {
       .is_opaque = true,
       .paragraphs = {"external_model"},
       .assumption =
-          "{}: stress follows strain as a compiled UMAT says, which Talus can neither see nor check. It is "
-          "told strain increments, not deformation gradients; its state variables are carried with the "
+          "{}: a compiled UMAT gives the stress, and Talus cannot check it. It receives strain increments, not "
+          "deformation gradients; its state variables are carried with the "
           "soil, and not rotated."};
   static constexpr int most_states = 20;
   static constexpr int first_strain = 1 + most_states;

@@ -181,7 +181,7 @@ void describe(V& v, R& r) {
   v.maybe("seepage", r.seepage, {"", "steady seepage"});
   v.maybe("season", r.season, {"", "rain and transpiration before the run"});
   v.maybe("methods", r.methods, {"", "the methods beside one another"});
-  v.told("main_factor", find_main_factor(r), {"", "factor of safety that stands for the run"});
+  v.told("main_factor", find_main_factor(r), {"", "main factor of safety"});
   v.key("results", r.results, {"", "results by name"});
   v.key("comparisons", r.comparisons, {"", "results beside what the case expects"});
   v.maybe("timing", r.timing, {"", "seconds"});

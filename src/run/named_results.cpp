@@ -36,7 +36,7 @@ results::Comparison compare_with(const input::Case& data, const input::Compare& 
   told.tolerance = input::find_tolerance(compare);
   told.tolerance_text = compare.tolerance.text;
   told.source = compare.source;
-  told.note = found.value || !result ? found.note : "the run did not come to this result";
+  told.note = found.value || !result ? found.note : "the run did not reach this result";
   // A difference that equals the tolerance passes, whatever the last digit of the subtraction says.
   told.passes = found.value && std::abs(*found.value - told.published) <= told.tolerance * (1 + 1e-12);
   return told;

@@ -35,11 +35,10 @@ void check_folder(const input::Initial& initial, const RunOptions& options) {
     throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; results need a folder", options.folder.string()));
   }
   if (fs::is_empty(options.folder) || options.overwrite) return;
-  throw Error(
-      ExitCode::folder_exists,
-      fmt::format("the folder '{}' holds something already; give another one with -o, replace it with --overwrite, "
-                  "or go on with --resume",
-                  options.folder.string()));
+  throw Error(ExitCode::folder_exists,
+              fmt::format("the folder '{}' is not empty; give another one with -o, replace it with --overwrite, "
+                          "or go on with --resume",
+                          options.folder.string()));
 }
 
 void clear_folder(const RunOptions& options) {

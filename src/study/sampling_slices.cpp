@@ -153,7 +153,7 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
   for (const std::string& note : slices.numbers().notes()) told.notes.push_back(note);
   if (!slices.numbers().idle_keys().empty())
     told.notes.push_back(
-        fmt::format("Slices do not know {}: it has no influence here.", list_keys(slices.numbers().idle_keys())));
+        fmt::format("Slices do not use {}: it has no effect here.", list_keys(slices.numbers().idle_keys())));
   if (slices.is_full()) {
     told.notes.push_back(fmt::format("{} changes the section or its water: every sample was searched for itself.",
                                      list_keys(slices.numbers().section_keys())));
@@ -173,8 +173,7 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
         "Within one deviation of the means some values have no factor: there is no first-order estimate and "
         "no tornado.");
   if (told.design_point && !told.design_point->converged)
-    told.notes.push_back(
-        "The search for the most probable failure did not come to rest: take its index as a hint only.");
+    told.notes.push_back("The search for the most probable failure did not converge: its index is only an indication.");
   told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -79,11 +79,10 @@ results::FailureProbability describe_failure(const input::Sampling& asked, const
   failure.interval =
       set.plan.latin
           ? "Clopper and Pearson's interval of as many independent samples. Those of a Latin hypercube scatter less or "
-            "about as much (Owen 1997), so it holds the probability at least as often as it says; the standard error "
-            "is "
-            "the scatter between hypercubes drawn for themselves."
-          : "Clopper and Pearson's interval of independent samples: it holds the probability at least as often as it "
-            "says.";
+            "about as much (Owen 1997), so it contains the probability at least as often as stated; the standard error "
+            "is the scatter between independent hypercubes."
+          : "Clopper and Pearson's interval of independent samples: it contains the probability at least as often as "
+            "stated.";
   long so_far = 0;
   std::size_t next = 1;
   for (std::size_t i = 0; i < failed.size(); ++i) {

@@ -166,7 +166,7 @@ void check_folder(const StudyOptions& options, const std::string& ways) {
   if (!fs::is_directory(options.folder))
     throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; a study needs a folder", folder));
   if (!fs::is_empty(options.folder) && !options.overwrite && !options.resume)
-    throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' holds something already; {}", folder, ways));
+    throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' is not empty; {}", folder, ways));
 }
 
 std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options) {

@@ -282,7 +282,7 @@ results::StudyResult describe_study(const StudyPlan& plan, const std::vector<Stu
 }
 
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder) {
-  const std::string safe = "the results of the variants are whole";
+  const std::string safe = "the results of the variants are complete";
   const results::StudyResult study = describe_study(plan, rows);
   write_atomically(folder / "study.csv", write_study_csv(study.columns), safe);
   results::write_file(folder / "study.json", study, 2, safe);

@@ -107,7 +107,8 @@ TEST(Sampling, IsCalculatedByAMethodOfTheCase) {
 }
 
 TEST(Sampling, IsOfTheSoilAsItIs) {
-  expect_fault(sample + friction + "[partial_factors]\nset = @@\"DA1-2\"\n", "not of its design values");
+  expect_fault(sample + friction + "[partial_factors]\nset = @@\"DA1-2\"\n",
+               "samples use the soil without partial factors");
 }
 
 TEST(Study, ExtrapolatesAKeyThatItVaries) {

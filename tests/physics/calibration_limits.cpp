@@ -72,8 +72,8 @@ TEST(CalibrationLimits, NearCellPressuresHardlyTellCohesionFromFriction) {
   lab.fit("sand.friction_angle", 0.4, 0.2, 0.8);
   const results::Calibration result = lab.calibrate();
   EXPECT_LT(result.correlation[0][1].value(), -0.95) << "cohesion makes up for friction";
-  EXPECT_NE(join_findings(result).find("'materials.sand.cohesion' and 'materials.sand.friction_angle' are hardly told "
-                                       "apart by these curves (correlation -0.99"),
+  EXPECT_NE(join_findings(result).find("These curves hardly separate 'materials.sand.cohesion' and "
+                                       "'materials.sand.friction_angle' (correlation -0.99"),
             std::string::npos)
       << join_findings(result);
   EXPECT_NEAR(result.parameters[0].value, 5e3, 10);

@@ -132,7 +132,7 @@ TEST(WaterConditions, RainThatMeetsNoWaterIsAFault) {
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::wrong_input);
-    EXPECT_NE(std::string(error.what()).find("'inside' meets no water"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("'inside' has no effect"), std::string::npos) << error.what();
   }
 }
 

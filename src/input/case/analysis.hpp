@@ -69,7 +69,8 @@ struct AnalysisBlock {
 template <class Visitor>
 void describe(Visitor& v, AnalysisBlock& a) {
   v.key("methods", a.methods, plain(),
-        "What answers, in one report. Where \"mpm\" is not named, a case needs no box, no stage, no boundary and, with "
+        "The methods of the calculation, in one report. Without \"mpm\" a case needs no box, no stage, no boundary "
+        "and, with "
         "slices alone, no mesh and no stiffness; where such keys are given, they are not used.");
   v.key("kind", a.kind, plain(), "What the material point method calculates.");
 }

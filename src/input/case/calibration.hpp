@@ -85,7 +85,7 @@ void describe(Visitor& v, MeasuredCurve& c) {
         "Unit of y in `data`, in the same way.");
   v.key("error", c.error, plain().above(0).example(R"("3 kPa")"),
         "Standard error of the measured y: in per cent of the largest measured value, or an amount. If not given, 1 %. "
-        "Differences count in parts of it.");
+        "Differences are divided by it.");
   v.key("weight", c.weight, plain().at_least(0),
         "Factor of the differences of this curve; 0: the curve is shown and not fitted.");
 }

@@ -80,23 +80,23 @@ void describe(Visitor& v, Case& c) {
   v.tables("boundary", c.boundaries, 3, "What holds or moves a side or a line. Sides without one are free.");
   v.tables("traction", c.tractions, 0, "A load on a side or a line.");
   v.table("water", c.water, "The pore water, for soils that have any.");
-  v.tables(
-      "hydraulic", c.hydraulics, 0,
-      "What pore water meets on a side or a line. Without one, sides that a [[boundary]] holds let no water pass, and "
-      "the rest of the surface is a seepage face.");
+  v.tables("hydraulic", c.hydraulics, 0,
+           "The hydraulic condition on a side or a line. Without one, sides that a [[boundary]] holds let no water "
+           "pass, and "
+           "the rest of the surface is a seepage face.");
   v.tables("roots", c.roots, 0,
            "Roots under a named line of the ground, as a function of depth. Several blocks add up. Where none reaches, "
            "the content or cohesion of the material counts.");
   v.table("gravity", c.gravity, "Gravity.");
   v.table("initial", c.initial, "The state at the start.");
-  v.tables("stage", c.stages, 1, "A stretch of time. Stages follow one another; at least one is needed.");
+  v.tables("stage", c.stages, 1, "A period of time. Stages follow one another; at least one is needed.");
   v.table("rest", c.rest, "When the soil counts as being at rest, for stages with until = \"rest\".");
   v.table("analysis", AnalysisBlock{c.analysis, c.methods}, "What is calculated.");
   v.table("strength_reduction", c.strength_reduction, "How the material point method finds the factor of safety.");
   v.table("lem", c.lem, "Limit equilibrium: the methods of slices, and the search for the critical slip surface.");
   v.table("fem", c.fem,
           "Strength reduction by quadratic finite elements at small strain. Where there is no [[boundary]] (and no "
-          "\"mpm\" among the methods), the bottom of the section is held, and its other sides slide along themselves.");
+          "\"mpm\" among the methods), the bottom of the section is fixed, and its other sides are on rollers.");
   v.tables("surcharge", c.surcharges, 0,
            "A vertical load on the ground, for slices and finite elements. A vertical [[traction]] on a line of the "
            "ground is taken by all methods.");
@@ -105,7 +105,7 @@ void describe(Visitor& v, Case& c) {
           "Partial factors of Eurocode 7: the factor of safety becomes the degree of over-design, which is to be at "
           "least 1.");
   v.table("output", c.output, "What is stored, and the units of tables and plots.");
-  v.tables("compare", c.compare, 0, "A published or measured value that a result is held against in the report.");
+  v.tables("compare", c.compare, 0, "A published or measured value with which the report compares a result.");
   v.tables("test", c.tests, 0, "An element test: one point of soil without a mesh, for `talus point`.");
   v.optional_table("calibration", c.calibration,
                    "What `talus calibrate` fits: numbers of the materials, and the measured curves that the element "

@@ -33,8 +33,8 @@ void check_no_partial_factors(const Case& data, Findings& findings) {
   if (data.study.mode == StudyMode::sample && data.partial_factors.set != DesignApproach::none &&
       findings.is_sound("study.mode") && findings.is_sound("partial_factors"))
     findings.add("partial_factors.set",
-                 "partial factors have no meaning with mode = \"sample\" in [study]: samples are of the soil as it is, "
-                 "not of its design values");
+                 "partial factors have no meaning with mode = \"sample\" in [study]: samples use the soil without "
+                 "partial factors");
 }
 
 void check_method(const Case& data, Findings& findings) {

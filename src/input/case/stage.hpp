@@ -107,7 +107,7 @@ void describe(Visitor& v, StepSettings& s) {
   v.key("water", s.water, plain(), "Whether pore water moves.");
   v.key("drag", s.drag, plain(), "How the drag between water and grains is integrated.");
   v.key("water_damping", s.water_damping, plain().at_least(0).below(1), "Local damping of the water.");
-  v.key("damped_force", s.damped_force, plain(), "What the damping of the water takes its share of.");
+  v.key("damped_force", s.damped_force, plain(), "The force on which the damping of the water acts.");
   v.key("pressure_smoothing", s.pressure_smoothing, plain(), "Average pore pressures over the nodes.");
   v.key("water_exchange", s.water_exchange, plain(),
         "Let neighbouring elements exchange water where their pressures differ by more than the flow explains.");

@@ -47,7 +47,7 @@ void describe_sampling(Visitor& v, Study& s) {
   v.key("plan", a.plan, plain().allowed_with("mode", s.mode, sample), "How samples are drawn.");
   v.key("method", a.method, plain().allowed_with("mode", s.mode, sample), "What calculates each sample.");
   v.key("confidence", a.confidence, plain().above(0).below(1).allowed_with("mode", s.mode, sample),
-        "Probability that the interval given for the probability of failure holds it.");
+        "Confidence level of the interval of the probability of failure.");
   v.key("runout", a.runout, quantity("m").at_least(0).allowed_with("mode", s.mode, sample).example("[2, 5, 10]"),
         "With material points: distances whose probability of being exceeded is told; empty: chosen from the samples.");
 }

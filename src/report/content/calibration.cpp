@@ -52,7 +52,7 @@ void add_calibration(const ResultFolder& folder, json& document) {
   document["assumptions"].push_back(
       "Fitted parameters are those with the least sum of squares of the differences to the measured values, in parts "
       "of their stated errors. Standard errors come from the slopes of the curves there: they hold for small errors "
-      "that are independent of each other, and say nothing of what the soil model itself lacks.");
+      "that are independent of each other, and do not include the error of the soil model.");
 }
 
 }  // namespace talus::report

@@ -55,8 +55,8 @@ std::vector<std::string> list_root_assumptions(const ResultFolder& folder) {
           age_share == 1 ? "" : fmt::format(" {} % of that holds at their age.", show_number(100 * age_share))));
     if (roots.transpiration)
       sentences.push_back(
-          fmt::format("Plants on '{}' transpire at the given rate, less by Feddes' reduction; rain that "
-                      "their leaves keep and what roots do to the conductivity are not calculated.",
+          fmt::format("Plants on '{}' transpire at the given rate, reduced after Feddes; interception and the effect "
+                      "of roots on the conductivity are not modelled.",
                       roots.ground));
   }
   std::vector<std::string> clay, cohesive, breaking;
@@ -77,9 +77,8 @@ std::vector<std::string> list_root_assumptions(const ResultFolder& folder) {
                     join_words(breaking)));
   if (!cohesive.empty())
     sentences.push_back(
-        fmt::format("The roots of {} are a cohesion that is there from the first strain on and does not "
-                    "fade: it raises the strength at failure, and says nothing of how the soil gets "
-                    "there or of broken roots after it.",
+        fmt::format("The roots of {} are modelled as a constant cohesion: it raises the strength at failure, and "
+                    "describes neither the mobilisation of the roots nor their breakage.",
                     join_words(cohesive)));
   return sentences;
 }

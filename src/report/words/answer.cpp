@@ -190,12 +190,12 @@ bool has_lost_all(const results::RunResult& run) {
 bool say_lost(const results::RunResult& run, json& sentences) {
   if (!run.budgets || run.budgets->lost.points == 0) return true;
   if (has_lost_all(run)) {
-    sentences.push_back("All soil has left the grid: nothing is there to be measured.");
+    sentences.push_back("All soil has left the grid, so there is no runout to measure.");
     return false;
   }
   const results::LostPoints& lost = run.budgets->lost;
   sentences.push_back(fmt::format(
-      "{} of {} points, {} % of the mass, left the grid: what is said of the soil holds for the rest of it.",
+      "{} of {} points, {} % of the mass, left the grid; the statements on the soil apply to the remaining points.",
       lost.points, lost.points + static_cast<std::size_t>(run.budgets->points),
       show_number(100 * lost.mass / (lost.mass + run.budgets->mass), 2)));
   return true;

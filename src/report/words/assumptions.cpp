@@ -53,8 +53,8 @@ class Assumptions {
 
   void add_slices() {
     add("Slices: the mass above a slip surface slides as one body in a plane, and the strength is reached along all of "
-        "that surface at once. Deformation, the stress before failure and the dilatancy angle play no part; sides of a "
-        "slide, which hold, are left out.");
+        "that surface at once. Deformation, the stress before failure and the dilatancy angle play no part. The "
+        "resistance at the sides of a slide is neglected.");
     if (run_.slices && run_.slices->search)
       add("The critical surface is the weakest of those that were tried and then improved; a weaker one of another "
           "shape is possible.");
@@ -66,8 +66,8 @@ class Assumptions {
           "and counted.",
           lem.smallest_m_alpha, 100 * lem.most_tension, 100 * lem.most_thrust_outside);
     if (data_.earthquake.horizontal != 0 || data_.earthquake.vertical != 0)
-      add("The earthquake is a constant acceleration (pseudo-static): neither its duration nor pore pressures that it "
-          "causes are seen.");
+      add("The earthquake is a constant acceleration (pseudo-static): its duration and the pore pressures that it "
+          "causes are neglected.");
   }
 
   void add_elements() {
@@ -79,7 +79,7 @@ class Assumptions {
     for (const results::ElementRun& run : run_.elements->runs)
       if (run.flow == results::Flow::associated)
         add("With associated flow (ψ = φ) the factor can be compared with slices and limit analysis; with ψ as given "
-            "it is what material points should come to.");
+            "it should agree with that of material points.");
   }
 
   void add_ground() {
@@ -204,9 +204,9 @@ class Assumptions {
     if (run_.factor_of_safety && run_.factor_of_safety->frozen) {
       const results::FrozenFactor& frozen = *run_.factor_of_safety->frozen;
       add("The factor of safety is decided at frozen geometry (small strains): a trial comes to rest or runs away. "
-          "What moves and changes its shape before it fails is not seen by it.");
+          "It does not include deformation before failure.");
       if (frozen.extrapolated)
-        add("It is extrapolated in a straight line from {} meshes to elements of no size. Its bracket is that of the "
+        add("It is extrapolated linearly from {} meshes to element size zero. Its bracket is that of the "
             "search on these meshes; the individual mesh moves the factor by about 2 %, which a variation of mesh.size "
             "by some percent shows.",
             frozen.meshes.size());
@@ -232,8 +232,8 @@ class Assumptions {
   void add_motion() {
     if (has_moved())
       add("Runout: moved volume and largest displacement are robust to about ±15 to 20 % from H/10 on, the position of "
-          "the front is not. A second mesh belongs to every number that is used. Kinetic energy is lost in the mapping "
-          "at impacts, so that pressures on walls are no result.");
+          "the front is not. Check every number with a second mesh. Kinetic energy is lost in the mapping "
+          "at impacts, so that pressures on walls are not valid.");
     if (choices_.largest_damping > 0.1 && !choices_.is_reduction)
       add("Local damping of up to {:g} is used, for coming to rest. In a stage that runs out it would stop the soil "
           "too early.",

@@ -108,15 +108,16 @@ class WaterAssumptions {
         real = find_share(soil, *oedometric, real_modulus);
       }
     }
-    const std::string effect =
-        lowest == 1 ? "Of a load that is brought on undrained, water carries less than it would, the less the stiffer "
-                      "the soil is under its stress"
-                    : fmt::format(
-                          "Of a load that is brought on undrained, water carries {:.0f} % instead of {:.0f} % in "
-                          "the stiffest of the wet soils",
-                          100 * lowest, 100 * real);
-    add("The bulk modulus of the water is {} MPa, {} times less than that of water (2200 MPa), for a longer time step. "
-        "{}: pore pressures that shearing raises come out too small, and steady flow is the same.",
+    const std::string effect = lowest == 1
+                                   ? "Of an undrained load, water carries less than it would, the less the stiffer "
+                                     "the soil is under its stress"
+                                   : fmt::format(
+                                         "Of an undrained load, water carries {:.0f} % instead of {:.0f} % in "
+                                         "the stiffest of the wet soils",
+                                         100 * lowest, 100 * real);
+    add("The bulk modulus of the water is {} MPa, {} times less than that of real water (2200 MPa), for a longer time "
+        "step. "
+        "{}: excess pore pressures from shearing are too small; steady flow is unaffected.",
         show_number(modulus / 1e6, 4), show_number(ratio, ratio < 10 ? 2 : 3), effect);
   }
 
@@ -158,9 +159,8 @@ class WaterAssumptions {
   void add_steps() {
     if (const auto scaled = join_parts(parts_, [](const auto& p) { return p.flows() && p.step.mass_scaling > 1; });
         !scaled.empty())
-      add("Mass scaling in {} multiplies the inertia of the water too: a water hammer, where water is stopped, grows "
-          "with "
-          "its root.",
+      add("Mass scaling in {} multiplies the inertia of the water too: a water hammer grows with the square root of "
+          "the mass scaling.",
           scaled);
     if (const auto pressed =
             join_parts(parts_, [](const auto& p) { return p.flows() && p.step.geometry == input::Geometry::frozen; });
@@ -191,7 +191,7 @@ class WaterAssumptions {
         "that a "
         "surface under water is known to about one element.");
     if (const int undecided = run_.seepage ? run_.seepage->undecided : 0; undecided > 0)
-      add("In the steady seepage {} {} a surface did not settle between taking and giving water.", undecided,
+      add("In the steady seepage {} {} a surface did not converge between inflow and outflow.", undecided,
           undecided == 1 ? "node of" : "nodes of");
   }
 
@@ -199,7 +199,7 @@ class WaterAssumptions {
     if (!run_.water || !(run_.water->stored > 0)) return;
     const results::WaterBudget& water = *run_.water;
     if (const double error = std::abs(water.error); error > noticeable)
-      add("The water budget does not close: {} of the water is not explained.", show_number(error, 2));
+      add("The water budget has an error of {} of the water.", show_number(error, 2));
     if (const double between = std::abs(water.lost_between) / water.stored; between > noticeable)
       add("Between elements that are integrated differently {} of the water came or went.", show_number(between, 2));
     if (water.left_grid > 0) add("{} kg of water left the grid with its soil.", show_number(water.left_grid));

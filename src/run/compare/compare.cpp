@@ -177,7 +177,7 @@ class Comparison {
       for (const SliceMethod method : list_takers(data_.lem)) {
         const std::string name = to_word(method), title = fmt::format("{} on: {}", get_title(method), s.title);
         if (!surface) {
-          told_.handed.push_back({s.name, name, title, {}, "the line does not part a mass from the ground"});
+          told_.handed.push_back({s.name, name, title, {}, "the line does not separate a mass from the ground"});
           continue;
         }
         const lem::Critical found = solve_surface(*slope_, *surface, method, options);

@@ -139,8 +139,8 @@ class Reading {
             "here.",
             *bishop, *spencer, format_share(*bishop / *spencer - 1));
       else
-        say("Bishop ({:.3f}) lies {} Spencer ({:.3f}): it satisfies no horizontal equilibrium of the slices, which "
-            "matters in this slope.",
+        say("Bishop ({:.3f}) lies {} Spencer ({:.3f}): it does not satisfy the horizontal equilibrium of the slices, "
+            "which matters in this slope.",
             *bishop, compare(*bishop, *spencer), *spencer);
     }
     if (janbu && spencer && *janbu / *spencer < 1 - noticeable) {
@@ -159,8 +159,8 @@ class Reading {
       say("The best polyline ({}, {:.3f}) lies {} the best circle ({:.3f}): the weakest surface is no circle.",
           circle_name_, *polyline, compare(*polyline, *circle_), *circle_);
     else
-      say("The best polyline ({}, {:.3f}) is no more than {} from the best circle: a circle is a fair shape of the "
-          "mechanism here.",
+      say("The best polyline ({}, {:.3f}) is no more than {} from the best circle: a circle describes the mechanism "
+          "well here.",
           circle_name_, *polyline, format_share(*polyline / *circle_ - 1));
   }
 
@@ -197,15 +197,14 @@ class Reading {
         say("The flow rule hardly matters: finite elements give {:.3f} with {} and {:.3f} with ψ = φ.", a,
             describe_flow(*given_), b);
       else
-        say("The flow rule matters: finite elements give {:.3f} with ψ = φ and {:.3f}, {} it, with {}. Slices know no "
-            "flow rule; their answer belongs to ψ = φ.",
+        say("The flow rule matters: finite elements give {:.3f} with ψ = φ and {:.3f}, {} it, with {}. Slices have no "
+            "flow rule; compare them with ψ = φ.",
             b, a, compare(a, b), describe_flow(*given_));
     } else if (given_ && circle_ && is_nonassociated()) {
       const double f = given_->factor;
       if (f / *circle_ < 1 - same)
-        say("The finite elements flow with {} < φ, slices know no flow rule: [fem] flow = \"both\" shows how much of "
-            "the "
-            "difference ({} {}) that is.",
+        say("The finite elements flow with {} < φ, slices have no flow rule: [fem] flow = \"both\" shows its share of "
+            "the difference ({} {}).",
             describe_flow(*given_), compare(f, *circle_), circle_name_);
     }
   }
@@ -254,8 +253,8 @@ class Reading {
           "{:.3f}).",
           coarse, fine);
     else
-      say("Material points: {:.3f} on elements of {:g} m and {:.3f} on {:g} m, {:.3f} at size zero; {} is the share of "
-          "the mesh in the factor on the coarse one.",
+      say("Material points: {:.3f} on elements of {:g} m and {:.3f} on {:g} m, {:.3f} at size zero; the mesh "
+          "contributes {} to the factor on the coarse mesh.",
           coarse, meshes[0].size, fine, meshes[1].size, *frozen_, format_share(coarse / *frozen_ - 1));
   }
 
@@ -267,8 +266,7 @@ class Reading {
       if (!frozen_) {
         if (circle_ && std::abs(*f / *circle_ - 1) > noticeable)
           say("The bilinear construction on the displacement curve of the material points gives {:.3f}, {} {}: it "
-              "reads "
-              "failure off the growth of displacements, not off equilibrium.",
+              "derives failure from the growth of displacements, not from equilibrium.",
               *f, compare(*f, *circle_), circle_name_);
         return;
       }
