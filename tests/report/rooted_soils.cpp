@@ -142,7 +142,7 @@ TEST(RootedAssumptions, OfACohesionNameItsBundle) {
 
 TEST(RootedAssumptions, DoNotSayOfSoftWaterWhatTheStressDecides) {
   const std::string text = tell(input::rooted_slope);
-  EXPECT_SAYS(text, "times less than that of water");
+  EXPECT_SAYS(text, "times less than that of real water");
   EXPECT_SILENT(text, "instead of");
   EXPECT_SAYS(tell(input::with_cohesion("cohesion = 5\n")), " % instead of ");
 }

@@ -194,7 +194,7 @@ TEST_F(WetReport, TheAssumptionsAreThoseOfThisWater) {
   const std::string text = join_all(document().at("assumptions"));
   EXPECT_SILENT(text, "Dry soil in one phase");
   EXPECT_SAYS(text, "Without pore water: basalt.");
-  EXPECT_SAYS(text, "80 MPa, 27.5 times less than that of water");
+  EXPECT_SAYS(text, "80 MPa, 27.5 times less than that of real water");
   // 1/(1 + n E_c/K_w) with E_c = 20 MPa · 0.7/(1.3 · 0.4), that is 88.1 and 99.5 %.
   EXPECT_SAYS(text, "water carries 88 % instead of 100 %");
   EXPECT_SAYS(text, "Conductivities are multiplied by 10 in stage 'rain'");
