@@ -2,6 +2,7 @@
 """Speed of the engine beside the yardstick, in one run.
 
     bench/compare.py BUILD_FOLDER [--yardstick FOLDER] [--rounds N] [--only dry|wet|threads]
+    bench/compare.py BUILD_FOLDER --against OTHER_BUILD_FOLDER [--rounds N]    this build beside another
 
 Both step the same slope (bench/yardstick_case.hpp, bench/wet_yardstick.hpp); they alternate, because the machine's
 speed drifts, and each round has its own ratio. Without the yardstick's sources only Talus is measured, and the script
@@ -21,6 +22,12 @@ CASES = [(2, "small", 200, 1000, 5, 0), (2, "mid", 50, 100, 3, 1), (2, "large", 
          (3, "small", 200, 300, 3, 0), (3, "mid", 20, 40, 3, 3), (3, "large", 5, 10, 2, 3)]
 WET_CASES = [(2, "small", 200, 1000, 5, 0), (2, "mid", 50, 100, 3, 1), (2, "large", 5, 10, 3, 1),
              (3, "small", 200, 300, 3, 0), (3, "large", 5, 10, 2, 1)]
+# dimension, case, warm steps, steps, repetitions, flags: what one build is held against another by
+AGAINST = [(2, "small", 200, 500, 3, ()), (2, "small", 200, 500, 3, ("mixed",)), (2, "small", 200, 500, 3, ("mixed", "smooth", "objective")),
+           (3, "small", 100, 150, 3, ()), (3, "small", 100, 150, 3, ("mixed",)), (2, "small", 200, 300, 3, ("wet",)),
+           (2, "small", 200, 300, 3, ("wet", "mixed")), (2, "small", 200, 300, 3, ("saturated", "mixed")),
+           (3, "small", 50, 80, 3, ("wet",)), (3, "small", 50, 80, 3, ("wet", "mixed")),
+           (2, "small", 200, 300, 3, ("rooted", "mixed", "objective")), (2, "mid", 20, 40, 3, ()), (2, "mid", 10, 20, 3, ("wet",))]
 # As the program sets them for itself: waiting threads sleep after a short spin, because the machine may be shared.
 ENVIRONMENT = dict(os.environ, OMP_WAIT_POLICY="passive", GOMP_SPINCOUNT="20000")
 for name in ("MIXED", "SAT"):  # the yardstick's switches
@@ -116,6 +123,23 @@ def compare_rooted(talus, rounds):
             print(f"| {dimension}D {name} | {wet} | {statistics.median(rooted):.1f} | {statistics.median(plain):.1f} | {ratio:.2f} |", flush=True)
 
 
+def compare_builds(ours, other, rounds):
+    """The median of the ratios of the turns with its quartiles; who goes first changes from turn to turn."""
+    print("\n| case | flags | this [M/s] | other [M/s] | ratio | quartiles |\n|---|---|---|---|---|---|")
+    medians = []
+    for dimension, name, warm, steps, repeats, flags in AGAINST:
+        speeds = {ours: [], other: []}
+        for turn in range(rounds):
+            for build in (ours, other)[::1 if turn % 2 else -1]:
+                speeds[build].append(build.measure(dimension, name, 1, warm, steps, repeats, *flags)[0])
+        ratios = [a / b for a, b in zip(speeds[ours], speeds[other])]
+        low, middle, high = statistics.quantiles(ratios, n=4)
+        medians.append(middle)
+        print(f"| {dimension}D {name} | {' '.join(flags) or 'points'} | {statistics.median(speeds[ours]):.1f} | "
+              f"{statistics.median(speeds[other]):.1f} | {middle:.3f} | {low:.3f} to {high:.3f} |", flush=True)
+    print(f"\nGeometric mean of the ratios: {statistics.geometric_mean(medians):.3f}")
+
+
 def measure_threads(talus, rounds):
     print("\n| case | threads | Talus [M/s] | speed-up |\n|---|---|---|---|")
     threads = os.cpu_count()
@@ -133,22 +157,26 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--yardstick", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2] / "shared" / "ceiling")
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--against", type=pathlib.Path, help="another build folder, instead of the yardstick")
+    parser.add_argument("--rounds", type=int, default=None, help="turns, 3 of each; 9 with --against")
     parser.add_argument("--only", choices=["dry", "wet", "rooted", "threads"])
     arguments = parser.parse_args()
-    talus = Talus(arguments.build)
+    talus, rounds = Talus(arguments.build), arguments.rounds or (9 if arguments.against else 3)
     print(describe_machine())
+    if arguments.against:
+        compare_builds(talus, Talus(arguments.against), rounds)
+        return
     for part, name, function in (("dry", "runW", compare_dry), ("wet", "runT", compare_wet)):
         if arguments.only not in (None, part):
             continue
         yardstick = Yardstick(arguments.yardstick, arguments.build, name)
         if not yardstick.exists():
             print(f"SKIP: the yardstick's {name}.cpp is not here; no {part} ratio is measured (--yardstick FOLDER)", file=sys.stderr)
-        function(talus, yardstick, arguments.rounds)
+        function(talus, yardstick, rounds)
     if arguments.only in (None, "rooted"):
-        compare_rooted(talus, arguments.rounds)
+        compare_rooted(talus, rounds)
     if arguments.only in (None, "threads"):
-        measure_threads(talus, arguments.rounds)
+        measure_threads(talus, rounds)
 
 
 if __name__ == "__main__":
