@@ -106,6 +106,31 @@ void check_study(const input::LoadedCase& base) {
   }
 }
 
+/// A variant's name and label, and what it changes in the case.
+Variant name_variant(const input::Study& study, const std::vector<std::string>& keys, const Choice& choice,
+                     std::vector<input::Override>& changes) {
+  Variant variant;
+  changes.push_back({"study", "{}"});
+  for (std::size_t k = 0; k < study.vary.size(); ++k) {
+    if (!choice[k]) continue;
+    const std::string& value = study.vary[k].values[*choice[k]];
+    const std::vector<std::string>& titles = study.vary[k].names;
+    changes.push_back({study.vary[k].key, value});
+    if (is_unnamed(study, k)) continue;
+    const std::string title =
+        titles.empty() ? fmt::format("{} = {}", keys[k], strip_quotes(value)) : strip_quotes(titles[*choice[k]]);
+    const std::string name =
+        titles.empty() ? make_name(keys[k]) + "_" + make_name(strip_quotes(value)) : make_name(title);
+    variant.name += (variant.name.empty() ? "" : "__") + name;
+    variant.label += (variant.label.empty() ? "" : ", ") + title;
+  }
+  if (variant.label.empty()) {
+    variant.name = "base";
+    variant.label = study.base_name;
+  }
+  return variant;
+}
+
 }  // namespace
 
 results::StudyResult begin_study(const input::LoadedCase& base) {
@@ -139,26 +164,8 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
   std::map<std::string, std::string> known_cases;  // what a case calculates → label
   std::map<std::string, std::size_t> numbers;      // label or folder → number of the variant
   for (const Choice& choice : list_choices(study)) {
-    Variant variant;
     std::vector<input::Override> changes = overrides;
-    changes.push_back({"study", "{}"});
-    for (std::size_t k = 0; k < study.vary.size(); ++k) {
-      if (!choice[k]) continue;
-      const std::string& value = study.vary[k].values[*choice[k]];
-      const std::vector<std::string>& titles = study.vary[k].names;
-      changes.push_back({study.vary[k].key, value});
-      if (is_unnamed(study, k)) continue;
-      const std::string title = titles.empty() ? fmt::format("{} = {}", plan.names[k], strip_quotes(value))
-                                               : strip_quotes(titles[*choice[k]]);
-      const std::string name =
-          titles.empty() ? make_name(plan.names[k]) + "_" + make_name(strip_quotes(value)) : make_name(title);
-      variant.name += (variant.name.empty() ? "" : "__") + name;
-      variant.label += (variant.label.empty() ? "" : ", ") + title;
-    }
-    if (variant.label.empty()) {
-      variant.name = "base";
-      variant.label = study.base_name;
-    }
+    Variant variant = name_variant(study, plan.names, choice, changes);
     try {
       variant.loaded = input::read_case_text(base.text, base.file, changes);
     } catch (const InputError& error) {

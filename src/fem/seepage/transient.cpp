@@ -65,6 +65,15 @@ void add_uptakes(std::vector<Uptake>& volumes, const std::vector<Uptake>& rates,
   }
 }
 
+/// How far the heads after a step are from what their rates in the last one, of `last` seconds, had predicted [m].
+double find_error(const SeepageState& after, const SeepageState& before, const std::vector<double>& rate, double step,
+                  double last) {
+  double error = 0;
+  for (std::size_t u = 0; u < rate.size(); ++u)
+    error = std::max(error, std::abs(after.head[u] - before.head[u] - rate[u] * step) * step / (step + last));
+  return error;
+}
+
 double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
@@ -107,11 +116,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     input.sink_rates = find_sink_rates(model, at);
     SeepageState trial = state;
     const bool solved = newton.solve(trial, conditions, input);
-    double error = 0;
-    if (solved && !rate.empty()) {
-      for (std::size_t u = 0; u < rate.size(); ++u)
-        error = std::max(error, std::abs(trial.head[u] - state.head[u] - rate[u] * step) * step / (step + last_dt));
-    }
+    const double error = solved ? find_error(trial, state, rate, step, last_dt) : 0;
     if (!solved || (error > 2 * schedule.head_tolerance && step > 4 * smallest)) {
       ++history.rejected;
       dt = step * (solved ? std::clamp(0.9 * std::sqrt(schedule.head_tolerance / error), 0.2, 0.7) : 0.25);

@@ -64,29 +64,30 @@ double SolidNewton<D>::find_lack(const Place& at, const std::vector<double>& q, 
   return find_norm(lack_);
 }
 
-/// One implicit step of creep from `now`: f_int(q) + β K_el q = target, to a share of the fault.
+/// One implicit step of creep from `now`: f_int(q) + β K_el q = target, to a share of the fault. Whether it came there,
+/// and the systems that it solved.
 template <int D>
-bool SolidNewton<D>::creep(const SolidAssembly<D>& assembly, const std::vector<double>& target, const Place& now,
-                           double viscosity, Place& next, std::vector<double>& q, NewtonOutcome& out, int& solves) {
+std::pair<bool, int> SolidNewton<D>::creep(const SolidAssembly<D>& assembly, const std::vector<double>& target,
+                                           const Place& now, double viscosity, Place& next, std::vector<double>& q) {
   q.assign(target.size(), 0);
   lack_ = now.residual;
   double lack = now.fault;
   std::vector<double> more;
   const SolidSums* tangent = &now.sums;
-  for (solves = 0; solves < most_solves;) {
-    if (!factorise(*tangent, viscosity) || !solver_.solve(lack_, more)) return false;
+  int solves = 0;
+  while (solves < most_solves) {
+    if (!factorise(*tangent, viscosity) || !solver_.solve(lack_, more)) return {false, solves};
     ++solves;
-    ++out.iterations;
     for (std::size_t i = 0; i < q.size(); ++i) q[i] += more[i];
     look(assembly, now.state, q, target, next);
     tangent = &next.sums;
     const double last = lack;
     lack = find_lack(next, q, viscosity);
-    if (lack <= good_share * now.fault) return true;
-    if (!(lack < hopeless * now.fault)) return false;
+    if (lack <= good_share * now.fault) return {true, solves};
+    if (!(lack < hopeless * now.fault)) return {false, solves};
     if (solves >= 3 && lack > least_gain * last) break;
   }
-  return viscosity >= most_viscosity && lack < now.fault;
+  return {viscosity >= most_viscosity && lack < now.fault, solves};
 }
 
 /// Whether the soil flows on: the displacement has doubled and the residual has stayed.
@@ -131,8 +132,9 @@ NewtonOutcome SolidNewton<D>::solve(const SolidAssembly<D>& assembly, const Soli
     out.converged =
         out.force_residual <= options_.force_tolerance && out.displacement_residual <= options_.displacement_tolerance;
     if (out.converged || out.flows || out.iterations >= options_.most_iterations) break;
-    int solves = 0;
-    if (!creep(assembly, target, now, viscosity, next, q, out, solves)) {
+    const auto [arrived, solves] = creep(assembly, target, now, viscosity, next, q);
+    out.iterations += solves;
+    if (!arrived) {
       if (viscosity >= most_viscosity) break;
       viscosity = std::min(went ? 4 * viscosity : std::max(4 * viscosity, first_viscosity), most_viscosity);
       continue;

@@ -42,8 +42,8 @@ class SolidNewton {
   };
   void look(const SolidAssembly<D>& assembly, const SolidState<D>& from, const std::vector<double>& q,
             const std::vector<double>& target, Place& to);
-  bool creep(const SolidAssembly<D>& assembly, const std::vector<double>& target, const Place& now, double viscosity,
-             Place& next, std::vector<double>& q, NewtonOutcome& out, int& solves);
+  std::pair<bool, int> creep(const SolidAssembly<D>& assembly, const std::vector<double>& target, const Place& now,
+                             double viscosity, Place& next, std::vector<double>& q);
   bool factorise(const SolidSums& sums, double viscosity);
   double find_lack(const Place& at, const std::vector<double>& q, double viscosity);
   bool is_steady(double moved, double fault);

@@ -95,8 +95,12 @@ SolidSystem<D>::SolidSystem(const SolidModel<D>& m) : model(m), mesh(make_quadra
     }
   }
   to_unknowns(find_loads(model, mesh), load);
+  make_pattern();
+}
 
-  // The pattern: every unknown of an element meets every other.
+/// Every unknown of an element meets every other.
+template <int D>
+void SolidSystem<D>::make_pattern() {
   const auto list_unknowns = [&](std::size_t k) {
     std::array<int, locals> list;
     for (std::size_t i = 0; i < Q::nodes; ++i)

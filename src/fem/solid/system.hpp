@@ -41,6 +41,9 @@ struct SolidSystem {
   /// Displacements per node from the unknowns, and the unknowns' part of nodal vectors.
   void to_nodes(const std::vector<double>& q, std::vector<Vec<D>>& u) const;
   void to_unknowns(const std::vector<Vec<D>>& f, std::vector<double>& q) const;
+
+ private:
+  void make_pattern();
 };
 
 /// Per node of the quadratic mesh the directions that supports hold, orthonormal.
