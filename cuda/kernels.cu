@@ -1,4 +1,4 @@
-// One thread per element: the point pass of src/mpm/step/advance_points.cpp with T = double in place of a pack. Compiled only.
+// One thread per element: the point pass of src/mpm/step/block_pass.hpp with T = double in place of a pack. Compiled only.
 
 #include "mpm/step/kernels.hpp"
 

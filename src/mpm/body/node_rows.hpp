@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "mpm/body/body.hpp"
 
 namespace talus::mpm {
@@ -67,11 +68,25 @@ struct PieceSums {
   double external_work = 0, damped = 0;
   double out_of_balance2 = 0, external2 = 0, kinetic = 0, speed2 = 0;
   int fastest = -1;
+
+  /// A NaN must win, or an unstable run would look calm.
+  void note_speed(double of_node2, int node) {
+    if (of_node2 <= speed2) return;
+    speed2 = of_node2;
+    fastest = node;
+  }
 };
 
-/// Adds the pieces up, in their order.
-template <int D>
-void collect_pieces(Body<D>& body, const std::vector<PieceSums>& pieces, bool monitor) {
+/// Calls solve(begin, end, sums) for the pieces of the nodes, and adds their sums up in their order.
+template <int D, class Solve>
+void solve_pieces(Body<D>& body, int threads, bool monitor, Solve&& solve) {
+  body.conditions.pressed.resize(body.conditions.constraints.size());
+  std::vector<PieceSums> pieces(static_cast<std::size_t>(body.layout->chunks));
+  parallel_for(body.layout->chunks, threads, [&](int c) {
+    PieceSums mine;  // on the stack: neighbouring pieces must not share a cache line
+    solve(first_node(body, c), first_node(body, c + 1), mine);
+    pieces[static_cast<std::size_t>(c)] = mine;
+  });
   PieceSums all;
   for (const PieceSums& s : pieces) {
     body.work.external += s.external_work;
@@ -79,10 +94,7 @@ void collect_pieces(Body<D>& body, const std::vector<PieceSums>& pieces, bool mo
     all.out_of_balance2 += s.out_of_balance2;
     all.external2 += s.external2;
     all.kinetic += s.kinetic;
-    if (!(s.speed2 <= all.speed2)) {
-      all.speed2 = s.speed2;
-      all.fastest = s.fastest;
-    }
+    all.note_speed(s.speed2, s.fastest);
   }
   if (!monitor) return;
   body.monitor = {std::sqrt(all.out_of_balance2), std::sqrt(all.external2), all.kinetic, std::sqrt(all.speed2),

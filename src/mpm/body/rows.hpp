@@ -130,4 +130,16 @@ inline __attribute__((always_inline)) void add_rows(double* base, const int* row
   }
 }
 
+/// Mean over the nodes of an element of D dimensions of a column of rows that are Stride doubles long.
+template <int D, int Stride>
+TALUS_KERNEL Pack find_node_mean(const double* column, const int* rows) {
+  Pack mean(0.0);
+  for (int l = 0; l < lane_width; ++l) {
+    double s = 0;
+    for (int k = 0; k <= D; ++k) s += column[static_cast<std::int64_t>(rows[k * lane_width + l]) * Stride];
+    mean.value[l] = s / (D + 1);
+  }
+  return mean;
+}
+
 }  // namespace talus::mpm

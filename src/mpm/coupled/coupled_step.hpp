@@ -1,14 +1,10 @@
 #pragma once
-// The coupled step of soil and pore water (docs/theory/14-two-phase.md): a second list of lines over the points,
-// elements and kernels of one phase. step() of step.hpp runs it for bodies with water.
+// The lines of the step of soil and pore water (docs/theory/14-two-phase.md), over the points, elements and kernels of
+// one phase. step() of step.hpp runs them for bodies with water.
 
 #include "mpm/step/step.hpp"
 
 namespace talus::mpm {
-
-/// Advances the body by one step. Reads water.sums of the last pass, leaves those of this one.
-template <int D>
-void step_coupled(Body<D>& body, const StepOptions<D>& options);
 
 // The lines of the step, in order.
 
@@ -18,15 +14,15 @@ void load_surface(Body<D>& body, const StepOptions<D>& options);
 
 /// Accelerations of both phases (2.66, 2.67, 2.89-2.91), with inflow limited. Reads sums; writes motion, work, monitor.
 template <int D>
-void solve_coupled_momentum(Body<D>& body, const StepOptions<D>& options);
+void solve_momentum(Wet, Body<D>& body, const StepOptions<D>& options);
 
 /// Velocities of both phases (2.78, 2.79), the flux between them, and the budget of the water. Zeroes sums.
 template <int D>
-void remap_coupled_momentum(Body<D>& body, const StepOptions<D>& options);
+void remap_momentum(Wet, Body<D>& body, const StepOptions<D>& options);
 
 /// Nodal averages of the strain increment and of the divergence (2.94), and the surplus of pressure smoothing (2.96).
 template <int D>
-void smooth_coupled_increments(Body<D>& body, const StepOptions<D>& options);
+void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& options);
 
 /// Water is exchanged, and drawn by roots, in every so many steps.
 inline constexpr int exchange_interval = 4;
@@ -44,7 +40,7 @@ void exchange_water(Body<D>& body, const StepOptions<D>& options);
 
 /// Everything that happens to the points (2.76, 2.77, 2.80-2.83, 3.4), and the nodal sums of the next step.
 template <int D>
-MoverLists advance_coupled_points(Body<D>& body, const StepOptions<D>& options);
+MoverLists advance_points(Wet, Body<D>& body, const StepOptions<D>& options);
 
 // Single elements, for the few that relocation touches and for a fresh start.
 

@@ -52,8 +52,9 @@ void add_wet_element(Body<D>& body, int e, const StepOptions<D>& o, double sign)
       if (i < D) stress[i] += pore.bishop;
     }
     sums.add(p[P::mass * lane_width], volume, xi, u, stress);
-    water_sums.add(w[W::mass * lane_width], law.wet ? volume : 0.0, xi, uw, pore.pressure, pore.saturation, resistance,
-                   pore.relative);
+    water_sums.add(
+        {w[W::mass * lane_width], law.wet ? volume : 0.0, pore.pressure, pore.saturation, resistance, pore.relative},
+        xi, uw);
   }
   const std::size_t block = static_cast<std::size_t>(e / lane_width), lane = static_cast<std::size_t>(e % lane_width);
   double g[D * D], solid[D + 1][1 + 2 * D], out[D + 1][C::count];

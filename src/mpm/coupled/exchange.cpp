@@ -43,10 +43,12 @@ ExchangeElement<D> read_element(const Body<D>& body, int e, double compressibili
   return r;
 }
 
-/// Volume of water [m³] that passes from `e` to its neighbour across the side opposite local node `k` in the time `dt`.
+/// Volume of water [m³] that passes from `e` to its neighbour across the side opposite local node `k` until the next
+/// exchange.
 template <int D>
 double find_exchange(const Body<D>& body, const StepOptions<D>& o, int e, int k, const ExchangeElement<D>& from,
-                     const ExchangeElement<D>& to, double density, double dt) {
+                     const ExchangeElement<D>& to) {
+  const double density = body.water.density, dt = exchange_interval * o.dt;
   const mesh::Mesh<D>& mesh = body.mesh();
   Vec<D> middle{}, flux{};
   for (int i = 0; i <= D; ++i) {
@@ -83,7 +85,7 @@ void exchange_water(Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
   const mesh::Mesh<D>& mesh = body.mesh();
   const Layout<D>& layout = *body.layout;
-  const double density = water.density, compressibility = 1 / (water.density * water.bulk_modulus);
+  const double compressibility = 1 / (water.density * water.bulk_modulus);
   if (!o.smooth_pressure) std::fill(water.surplus.begin(), water.surplus.end(), 0.0);
   // Each element looks at all its sides itself, so that a side gives both of its elements the same, in any order.
   parallel_for(layout.chunks, o.threads, [&](int c) {
@@ -95,8 +97,7 @@ void exchange_water(Body<D>& body, const StepOptions<D>& o) {
       for (int k = 0; k <= D; ++k) {
         const int n = mesh.neighbours[e][k];
         if (!takes_part(body, n)) continue;
-        lost += find_exchange(body, o, e, k, mine, read_element(body, n, compressibility), density,
-                              exchange_interval * o.dt);
+        lost += find_exchange(body, o, e, k, mine, read_element(body, n, compressibility));
       }
       water.surplus[e] += lost / water.volume[e];
     }

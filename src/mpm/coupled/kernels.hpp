@@ -59,6 +59,14 @@ struct WaterMotion {
   }
 };
 
+/// What a point gives to the sums of the water; a dry one has V = m = 0.
+template <class T>
+struct WaterPoint {
+  T mass, volume, pressure, saturation;
+  T resistance;  ///< ρ_w g/k_sat [N s/m⁴]
+  T relative;    ///< k_r [-]
+};
+
 /// Sums over the wet points of an element.
 template <int D, class T>
 struct WaterSums {
@@ -81,10 +89,9 @@ struct WaterSums {
     pressure = saturation = T(0.0);
   }
 
-  /// A point with the volume `V`; a dry one has V = m = 0.
-  TALUS_KERNEL void add(T m, T V, const T* xi, const T* w, T p, T s, T point_resistance, T point_relative) {
+  TALUS_KERNEL void add(const WaterPoint<T>& point, const T* xi, const T* w) {
     T m_xi[D];
-    const T r = V * point_resistance, k_r = V * point_relative;
+    const T m = point.mass, V = point.volume, r = V * point.resistance, k_r = V * point.relative;
     moments[0] += m;
     volume[0] += V;
     resistance[0] += r;
@@ -109,8 +116,8 @@ struct WaterSums {
       TALUS_UNROLL
       for (int k = 0; k < D; ++k) momentum[k + 1][d] += m_xi[k] * w[d];
     }
-    pressure += V * p;
-    saturation += V * s;
+    pressure += V * point.pressure;
+    saturation += V * point.saturation;
   }
 
   /// The columns of the water of each node's row. `stretch` is V̄/V.

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "base/parallel.hpp"
 #include "mpm/body/node_rows.hpp"
 #include "mpm/body/rows.hpp"
 #include "mpm/coupled/coupled_step.hpp"
@@ -171,13 +170,10 @@ void monitor_node(const Body<D>& body, int i, const CoupledNode<D>& node, PieceS
   }
   sums.out_of_balance2 += dot(f, f);
   sums.external2 += dot(f_ext, f_ext);
-  // Water that seeps steadily is at rest as far as the soil goes. A NaN must win, or an unstable run would look calm.
+  // Water that seeps steadily is at rest as far as the soil goes.
   const double water2 = dot(node.now.water, node.now.water), speed2 = dot(v, v) + (std::isfinite(water2) ? 0 : water2);
   sums.kinetic += 0.5 * (node.solid_mass * dot(v, v) + node.water_mass * water2);
-  if (!(speed2 <= sums.speed2)) {
-    sums.speed2 = speed2;
-    sums.fastest = i;
-  }
+  sums.note_speed(speed2, i);
 }
 
 /// Whether a surface with water outside takes less of it than there is. It is wet then, and conducts like saturated
@@ -319,22 +315,15 @@ void find_held_axes(Body<D>& body) {
 }
 
 template <int D>
-void solve_coupled_momentum(Body<D>& body, const StepOptions<D>& o) {
-  const int pieces = body.layout->chunks;
-  body.conditions.pressed.resize(body.conditions.constraints.size());
+void solve_momentum(Wet, Body<D>& body, const StepOptions<D>& o) {
   const NodePass<D> pass(body, o);
-  std::vector<PieceSums> sums(static_cast<std::size_t>(pieces));
-  parallel_for(pieces, o.threads, [&](int c) {
-    PieceSums mine;  // on the stack: neighbouring pieces must not share a cache line
-    solve_nodes(pass, first_node(body, c), first_node(body, c + 1), mine);
-    sums[static_cast<std::size_t>(c)] = mine;
-  });
-  collect_pieces(body, sums, o.monitor);
+  solve_pieces(body, o.threads, o.monitor,
+               [&](int begin, int end, PieceSums& sums) { solve_nodes(pass, begin, end, sums); });
 }
 
 template void find_held_axes<2>(Body<2>&);
 template void find_held_axes<3>(Body<3>&);
-template void solve_coupled_momentum<2>(Body<2>&, const StepOptions<2>&);
-template void solve_coupled_momentum<3>(Body<3>&, const StepOptions<3>&);
+template void solve_momentum<2>(Wet, Body<2>&, const StepOptions<2>&);
+template void solve_momentum<3>(Wet, Body<3>&, const StepOptions<3>&);
 
 }  // namespace talus::mpm

@@ -17,6 +17,13 @@ struct PoreState {
   T capacity;    ///< d content/dp, negative [1/Pa]
 };
 
+using talus::select;
+template <class T>
+TALUS_KERNEL PoreState<T> select(MaskOf<T> c, const PoreState<T>& a, const PoreState<T>& b) {
+  return {select(c, a.pressure, b.pressure), select(c, a.saturation, b.saturation), select(c, a.bishop, b.bishop),
+          select(c, a.relative, b.relative), select(c, a.capacity, b.capacity)};
+}
+
 /// The pressure at which pores hold `content` = m_w/(ρ_w V_pores) [-]: S(p) e^(-p/K_w) = content (T14.7), from `guess`
 /// [Pa]. A guess that follows the last state by its capacity is right to second order, and one look at the retention
 /// curve is enough then. Lanes that are not active are left without meaning.

@@ -80,10 +80,22 @@ PhaseVectors<D> remap_node(const NodePass<D>& pass, int i, const double* t, std:
   return out;
 }
 
+/// Adds the budgets of the pieces up, in their order.
+void collect_budgets(const std::vector<std::vector<SurfaceBudget>>& pieces, std::vector<SurfaceBudget>& all) {
+  for (const auto& piece : pieces) {
+    for (std::size_t s = 0; s < all.size(); ++s) {
+      all[s].entered += piece[s].entered;
+      all[s].left += piece[s].left;
+      all[s].supplied += piece[s].supplied;
+      all[s].runoff += piece[s].runoff;
+    }
+  }
+}
+
 }  // namespace
 
 template <int D>
-void remap_coupled_momentum(Body<D>& body, const StepOptions<D>& o) {
+void remap_momentum(Wet, Body<D>& body, const StepOptions<D>& o) {
   using C = WetColumns<D>;
   const Layout<D>& layout = *body.layout;
   Water<D>& water = body.water;
@@ -158,18 +170,11 @@ void remap_coupled_momentum(Body<D>& body, const StepOptions<D>& o) {
     }
     lost[static_cast<std::size_t>(c)] = lost_between;
   });
-  for (std::size_t c = 0; c < pieces; ++c) {
-    water.lost_between += lost[c];
-    for (std::size_t s = 0; s < water.surfaces.size(); ++s) {
-      water.budgets[s].entered += budgets[c][s].entered;
-      water.budgets[s].left += budgets[c][s].left;
-      water.budgets[s].supplied += budgets[c][s].supplied;
-      water.budgets[s].runoff += budgets[c][s].runoff;
-    }
-  }
+  for (const double mass : lost) water.lost_between += mass;
+  collect_budgets(budgets, water.budgets);
 }
 
-template void remap_coupled_momentum<2>(Body<2>&, const StepOptions<2>&);
-template void remap_coupled_momentum<3>(Body<3>&, const StepOptions<3>&);
+template void remap_momentum<2>(Wet, Body<2>&, const StepOptions<2>&);
+template void remap_momentum<3>(Wet, Body<3>&, const StepOptions<3>&);
 
 }  // namespace talus::mpm

@@ -59,12 +59,7 @@ struct ManyWaters {
     visit(material, [&](const WaterLaw& law, Mask mine) {
       mine = mine && active;
       if (!any(mine)) return;
-      const PoreState<Pack> s = find_pore_state<Pack>(law, content, guess, mine);
-      all.pressure = select(mine, s.pressure, all.pressure);
-      all.saturation = select(mine, s.saturation, all.saturation);
-      all.bishop = select(mine, s.bishop, all.bishop);
-      all.relative = select(mine, s.relative, all.relative);
-      all.capacity = select(mine, s.capacity, all.capacity);
+      all = select(mine, find_pore_state<Pack>(law, content, guess, mine), all);
     });
     return all;
   }
@@ -77,9 +72,13 @@ struct ManyWaters {
   }
 };
 
-/// The water laws of block `b` for the constitutive law `Law` (OneLaw or ManyLaws) that its lanes follow.
+/// The water laws that go with the constitutive law `Law` (OneLaw or ManyLaws) of a block's lanes.
+template <class Law>
+using WaterLanes = std::conditional_t<Law::is_single, OneWater, ManyWaters>;
+
+/// Those of block `b`.
 template <class Law, int D>
-auto get_block_water(const Body<D>& body, int b, double conductivity_factor) {
+WaterLanes<Law> get_block_water(const Body<D>& body, int b, double conductivity_factor) {
   const std::uint32_t present = body.laws.size() == 1 ? 1u : body.points.block_materials[static_cast<std::size_t>(b)];
   if constexpr (Law::is_single) {
     const auto m = present == 0 ? 0u : static_cast<unsigned>(__builtin_ctz(present));

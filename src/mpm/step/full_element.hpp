@@ -19,8 +19,8 @@ struct FullElement {
 /// What a step does to the stress of an element's points.
 template <int D>
 struct StressIncrement {
-  const Rotation<D, Pack>& rotation;
-  const Pack* d_epsilon;
+  Rotation<D, Pack> rotation;
+  Pack d_epsilon[material::stress_size<D>];
   Pack pending;  ///< of the last plastic return (stable smoothing) [Pa]
   double time;   ///< at the start of the step [s]
 };
@@ -74,22 +74,33 @@ TALUS_KERNEL void update_full_elements(const Body<D>& body, const StepOptions<D>
                                                            {saturation, first_points, increment.time, options.dt});
 }
 
-/// Stress `s` and state `q` of the points in the slot at `p`: those of their element where it is full, else from their
-/// own. `none_partial`: no lane has points in an element that is not full. `ids`: point numbers of the lanes.
-template <bool Mixed, int D, class Law>
-TALUS_KERNEL material::Response<Pack> update_point_stress(const StepOptions<D>& options, const Law& law,
-                                                          const FullElement<D, Law>& element,
-                                                          const StressIncrement<D>& increment, const double* p,
-                                                          const int* ids, bool none_partial, Mask active, Pack material,
-                                                          Pack saturation, Pack* s, Pack* q) {
+/// Where the points of a block take their new stress from: their element where it is full, else their own.
+template <bool Mixed, int D, class L>
+struct StressUpdate {
+  using Law = L;
+  static constexpr bool mixed = Mixed;
+  const StepOptions<D>& options;
+  const Law& law;
+  const StressIncrement<D>& increment;
+  const FullElement<D, Law>& element;
+  bool none_partial;  ///< no lane has points in an element that is not full
+};
+
+/// Stress and state of the points of a slot at the end of the step. `saturation`: of their pore water then.
+template <class Slot, bool Mixed, int D, class Law>
+TALUS_KERNEL material::Response<Pack> update_point_stress(const StressUpdate<Mixed, D, Law>& update, Pack saturation,
+                                                          Slot& points) {
   using P = Points<D>;
   constexpr int NS = P::stress_size;
+  const auto& [options, law, increment, element, none_partial] = update;
+  Pack *s = points.s, *q = points.q;
   if (none_partial) {
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) s[i] = element.stress[i];
     for (int i = 0; i < law.state_size; ++i) q[i] = element.state[i];
     return element.response;
   }
+  const double* p = points.p;
   TALUS_UNROLL
   for (int i = 0; i < NS; ++i) s[i] = load<Pack>(p + (P::stress + i) * lane_width);
   for (int i = 0; i < law.state_size; ++i) q[i] = load<Pack>(p + (P::state + i) * lane_width);
@@ -98,9 +109,9 @@ TALUS_KERNEL material::Response<Pack> update_point_stress(const StepOptions<D>& 
     for (int i = 0; i < 3; ++i) s[i] += increment.pending;
   }
   if (options.objective) increment.rotation.apply(s);
-  material::Response<Pack> response =
-      law.template update<NS>(s, increment.d_epsilon, q, Mixed ? active && !element.full : active, material,
-                              {saturation, ids, increment.time, options.dt});
+  const Mask own = Mixed ? points.active && !element.full : points.active;
+  material::Response<Pack> response = law.template update<NS>(s, increment.d_epsilon, q, own, points.material,
+                                                              {saturation, points.ids, increment.time, options.dt});
   if constexpr (Mixed) {
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) s[i] = select(element.full, element.stress[i], s[i]);

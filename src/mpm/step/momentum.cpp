@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.hpp"
 #include "mpm/body/node_rows.hpp"
 #include "mpm/body/rows.hpp"
 #include "mpm/step/kernels.hpp"
@@ -12,6 +11,7 @@
 namespace talus::mpm {
 namespace {
 
+// long: its parts, in functions of their own, are contracted to other fused operations: other bits
 template <int D>
 void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, PieceSums& sums) {
   const Layout<D>& layout = *body.layout;
@@ -113,20 +113,13 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
 }  // namespace
 
 template <int D>
-void solve_momentum(Body<D>& body, const StepOptions<D>& o) {
-  const int pieces = body.layout->chunks;
-  body.conditions.pressed.resize(body.conditions.constraints.size());
-  std::vector<PieceSums> sums(static_cast<std::size_t>(pieces));
-  parallel_for(pieces, o.threads, [&](int c) {
-    PieceSums mine;  // on the stack: neighbouring pieces must not share a cache line
-    solve_nodes(body, o, first_node(body, c), first_node(body, c + 1), mine);
-    sums[static_cast<std::size_t>(c)] = mine;
-  });
-  collect_pieces(body, sums, o.monitor);
+void solve_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
+  solve_pieces(body, o.threads, o.monitor,
+               [&](int begin, int end, PieceSums& sums) { solve_nodes(body, o, begin, end, sums); });
 }
 
 template <int D>
-void remap_momentum(Body<D>& body, const StepOptions<D>& o) {
+void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
   const Layout<D>& layout = *body.layout;
   const bool far = body.points.size() > 50000;  // beyond the second-level cache
   parallel_for(layout.chunks, o.threads, [&](int c) {
@@ -185,9 +178,9 @@ void remap_momentum(Body<D>& body, const StepOptions<D>& o) {
   });
 }
 
-template void solve_momentum<2>(Body<2>&, const StepOptions<2>&);
-template void solve_momentum<3>(Body<3>&, const StepOptions<3>&);
-template void remap_momentum<2>(Body<2>&, const StepOptions<2>&);
-template void remap_momentum<3>(Body<3>&, const StepOptions<3>&);
+template void solve_momentum<2>(Dry, Body<2>&, const StepOptions<2>&);
+template void solve_momentum<3>(Dry, Body<3>&, const StepOptions<3>&);
+template void remap_momentum<2>(Dry, Body<2>&, const StepOptions<2>&);
+template void remap_momentum<3>(Dry, Body<3>&, const StepOptions<3>&);
 
 }  // namespace talus::mpm

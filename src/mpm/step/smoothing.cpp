@@ -1,7 +1,7 @@
 // Nodal averages of element values, weighted by element volume (2.94): of the volumetric strain increment, and of the
 // plastic return's change of mean stress.
 
-#include "base/parallel.hpp"
+#include "mpm/body/node_average.hpp"
 #include "mpm/body/rows.hpp"
 #include "mpm/step/kernels.hpp"
 #include "mpm/step/step.hpp"
@@ -13,47 +13,19 @@ namespace {
 /// gives the values of a block.
 template <int D, class Value>
 void average_at_nodes(Body<D>& body, int threads, Value&& value) {
-  const Layout<D>& layout = *body.layout;
-  parallel_for(layout.chunks, threads, [&](int c) {
-    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
-      if (body.points.block_used[b] == 0) continue;
-      const std::size_t first = static_cast<std::size_t>(b) * lane_width;
-      const int* rows = &layout.connectivity[first * (D + 1)];
-      const Mask active = load<Pack>(&body.points.count[first]) > Pack(0.0);
-      const Pack V_e = select(active, load<Pack>(&layout.volumes[first]), Pack(0.0));
-      const Pack weighted = V_e * select(active, value(b, rows), Pack(0.0));
-      for (int k = 0; k <= D; ++k) {
-        for (int l = 0; l < lane_width; ++l) {
-          double* row = &body.nodes.average[static_cast<std::size_t>(rows[k * lane_width + l]) * 2];
-          row[0] += weighted.value[l];
-          row[1] += V_e.value[l];
-        }
-      }
-    }
+  for_blocks(body, threads, [&](int b, const int* rows) {
+    const std::size_t first = static_cast<std::size_t>(b) * lane_width;
+    const Mask active = load<Pack>(&body.points.count[first]) > Pack(0.0);
+    const Pack V_e = select(active, load<Pack>(&body.layout->volumes[first]), Pack(0.0));
+    add_average<D>(body.nodes.average, rows, {V_e * select(active, value(b, rows), Pack(0.0)), V_e});
   });
-  const int nodes = body.mesh().node_count();
-  parallel_for(layout.chunks, threads, [&](int c) {
-    const int begin = static_cast<int>(static_cast<std::int64_t>(nodes) * c / layout.chunks);
-    const int end = static_cast<int>(static_cast<std::int64_t>(nodes) * (c + 1) / layout.chunks);
-    for (int i = begin; i < end; ++i) {
-      double sum = 0, weight = 0;
-      for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) {
-        double* row = &body.nodes.average[static_cast<std::size_t>(layout.node_rows[r]) * 2];
-        sum += row[0];
-        weight += row[1];
-        row[0] = row[1] = 0;
-      }
-      const double mean = weight > 0 ? sum / weight : 0;
-      for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r)
-        body.nodes.smoothed[layout.node_rows[r]] = mean;
-    }
-  });
+  divide_averages<2, 1>(body, threads, body.nodes.average, body.nodes.smoothed.data());
 }
 
 }  // namespace
 
 template <int D>
-void smooth_volumetric_strain(Body<D>& body, const StepOptions<D>& o) {
+void smooth_increments(Dry, Body<D>& body, const StepOptions<D>& o) {
   average_at_nodes(body, o.threads, [&](int b, const int* rows) {
     Pack v[D + 1][2 * D];
     TALUS_UNROLL
@@ -77,45 +49,36 @@ void smooth_plastic_return(Body<D>& body, const StepOptions<D>& o) {
   average_at_nodes(body, o.threads, [&](int b, const int*) {
     return load<Pack>(&body.elements.plastic_mean[static_cast<std::size_t>(b) * lane_width]);
   });
-  parallel_for(layout.chunks, o.threads, [&](int c) {
-    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
-      if (body.points.block_used[b] == 0) continue;
-      const std::size_t first = static_cast<std::size_t>(b) * lane_width;
-      const int* rows = &layout.connectivity[first * (D + 1)];
-      Pack mean(0.0);
-      for (int l = 0; l < lane_width; ++l) {
-        double s = 0;
-        for (int k = 0; k <= D; ++k) s += body.nodes.smoothed[static_cast<std::size_t>(rows[k * lane_width + l])];
-        mean.value[l] = s / (D + 1);
-      }
-      const Mask active = load<Pack>(&body.points.count[first]) > Pack(0.0);
-      const Pack change = select(active, mean - load<Pack>(&body.elements.plastic_mean[first]), Pack(0.0));
-      store(&body.elements.return_pressure[first], change);
-      // the internal force that the changed mean stress makes
-      Pack stress[force_size<D>], g[D * D], out[D + 1][1 + 2 * D];
-      TALUS_UNROLL
-      for (int i = 0; i < force_size<D>; ++i) stress[i] = Pack(0.0);
-      const Pack force = change * load<Pack>(&body.elements.force_volume[first]);
-      TALUS_UNROLL
-      for (int i = 0; i < D; ++i) stress[i] = force;
-      TALUS_UNROLL
-      for (int i = 0; i < D * D; ++i)
-        g[i] = load<Pack>(&layout.gradients[(static_cast<std::size_t>(b) * D * D + i) * lane_width]);
-      ElementSums<D, Pack>::force_to_nodes(stress, g, out);
-      // the force's columns are the same in both kinds of rows
-      TALUS_UNROLL
-      for (int k = 0; k <= D; ++k) {
-        if (body.water.is_wet())
-          add_rows<D, 1 + D, wet_sums_stride<D>>(body.water.sums.data(), rows + k * lane_width, &out[k][1 + D]);
-        else
-          add_rows<D, 1 + D>(body.nodes.sums.data(), rows + k * lane_width, &out[k][1 + D]);
-      }
+  for_blocks(body, o.threads, [&](int b, const int* rows) {
+    const std::size_t first = static_cast<std::size_t>(b) * lane_width;
+    const Pack mean = find_node_mean<D, 1>(body.nodes.smoothed.data(), rows);
+    const Mask active = load<Pack>(&body.points.count[first]) > Pack(0.0);
+    const Pack change = select(active, mean - load<Pack>(&body.elements.plastic_mean[first]), Pack(0.0));
+    store(&body.elements.return_pressure[first], change);
+    // the internal force that the changed mean stress makes
+    Pack stress[force_size<D>], g[D * D], out[D + 1][1 + 2 * D];
+    TALUS_UNROLL
+    for (int i = 0; i < force_size<D>; ++i) stress[i] = Pack(0.0);
+    const Pack force = change * load<Pack>(&body.elements.force_volume[first]);
+    TALUS_UNROLL
+    for (int i = 0; i < D; ++i) stress[i] = force;
+    TALUS_UNROLL
+    for (int i = 0; i < D * D; ++i)
+      g[i] = load<Pack>(&layout.gradients[(static_cast<std::size_t>(b) * D * D + i) * lane_width]);
+    ElementSums<D, Pack>::force_to_nodes(stress, g, out);
+    // the force's columns are the same in both kinds of rows
+    TALUS_UNROLL
+    for (int k = 0; k <= D; ++k) {
+      if (body.water.is_wet())
+        add_rows<D, 1 + D, wet_sums_stride<D>>(body.water.sums.data(), rows + k * lane_width, &out[k][1 + D]);
+      else
+        add_rows<D, 1 + D>(body.nodes.sums.data(), rows + k * lane_width, &out[k][1 + D]);
     }
   });
 }
 
-template void smooth_volumetric_strain<2>(Body<2>&, const StepOptions<2>&);
-template void smooth_volumetric_strain<3>(Body<3>&, const StepOptions<3>&);
+template void smooth_increments<2>(Dry, Body<2>&, const StepOptions<2>&);
+template void smooth_increments<3>(Dry, Body<3>&, const StepOptions<3>&);
 template void smooth_plastic_return<2>(Body<2>&, const StepOptions<2>&);
 template void smooth_plastic_return<3>(Body<3>&, const StepOptions<3>&);
 

@@ -1,95 +1,45 @@
 #include "mpm/step/step.hpp"
 
-#include <chrono>
-
 #include "mpm/coupled/coupled_step.hpp"
+#include "mpm/step/stopwatch.hpp"
 
 namespace talus::mpm {
 namespace {
 
-/// Adds the time since the last call, or since its making, to a part of the step.
-class Stopwatch {
- public:
-  void add_to(double& part) {
-    const auto now = std::chrono::steady_clock::now();
-    part += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
+/// The lines of the step, each timed as a part of it.
+template <class Phase, int D>
+void run_lines(Phase phase, Body<D>& body, const StepOptions<D>& o, Stopwatch timed) {
+  using input::Smoothing;
+  constexpr bool wet = Phase::has_water;
+  const bool exchanges = wet && body.step_count % exchange_interval == 0;
+  Timing& t = body.timing;
+  MoverLists movers;
+  if (wet) timed(t.solve_momentum, [&] { load_surface(body, o); });
+  timed(t.solve_momentum, [&] { solve_momentum(phase, body, o); });
+  timed(t.remap_momentum, [&] { remap_momentum(phase, body, o); });
+  if (o.smoothing != Smoothing::none || (wet && o.smooth_pressure))
+    timed(t.smooth_strain, [&] { smooth_increments(phase, body, o); });
+  if (exchanges && o.exchange_water) timed(t.smooth_strain, [&] { exchange_water(body, o); });
+  if (exchanges && !body.water.uptakes.empty()) timed(t.smooth_strain, [&] { draw_root_water(body, o); });
+  timed(t.advance_points, [&] { movers = advance_points(phase, body, o); });
+  if (o.smoothing == Smoothing::stable) timed(t.smooth_return, [&] { smooth_plastic_return(body, o); });
+  body.time += o.dt;
+  ++body.step_count;
+  timed(t.relocate, [&] { relocate(body, o, movers); });
+  timed(t.relocate, [&] { gather_loads(body); });
+}
 
 }  // namespace
 
 template <int D>
-void step_coupled(Body<D>& body, const StepOptions<D>& options) {
-  using input::Smoothing;
-  Timing& timing = body.timing;
-  Stopwatch watch;
-  load_surface(body, options);
-  solve_coupled_momentum(body, options);
-  watch.add_to(timing.solve_momentum);
-  remap_coupled_momentum(body, options);
-  watch.add_to(timing.remap_momentum);
-  if (options.smoothing != Smoothing::none || options.smooth_pressure) {
-    smooth_coupled_increments(body, options);
-    watch.add_to(timing.smooth_strain);
-  }
-  if (options.exchange_water && body.step_count % exchange_interval == 0) {
-    exchange_water(body, options);
-    watch.add_to(timing.smooth_strain);
-  }
-  if (!body.water.uptakes.empty() && body.step_count % exchange_interval == 0) {
-    draw_root_water(body, options);
-    watch.add_to(timing.smooth_strain);
-  }
-  const MoverLists movers = advance_coupled_points(body, options);
-  watch.add_to(timing.advance_points);
-  if (options.smoothing == Smoothing::stable) {
-    smooth_plastic_return(body, options);
-    watch.add_to(timing.smooth_return);
-  }
-  body.time += options.dt;
-  ++body.step_count;
-  relocate(body, options, movers);
-  gather_loads(body);
-  watch.add_to(timing.relocate);
-}
-
-template <int D>
 void step(Body<D>& body, const StepOptions<D>& options) {
-  using input::Smoothing;
-  if (body.water.is_wet()) {
-    step_coupled(body, options);
-    return;
-  }
-  Timing& timing = body.timing;
-  Stopwatch watch;
-  solve_momentum(body, options);
-  watch.add_to(timing.solve_momentum);
-  remap_momentum(body, options);
-  watch.add_to(timing.remap_momentum);
-  if (options.smoothing != Smoothing::none) {
-    smooth_volumetric_strain(body, options);
-    watch.add_to(timing.smooth_strain);
-  }
-  const MoverLists movers = advance_points(body, options);
-  watch.add_to(timing.advance_points);
-  if (options.smoothing == Smoothing::stable) {
-    smooth_plastic_return(body, options);
-    watch.add_to(timing.smooth_return);
-  }
-  body.time += options.dt;
-  ++body.step_count;
-  relocate(body, options, movers);
-  gather_loads(body);
-  watch.add_to(timing.relocate);
+  if (body.water.is_wet())
+    run_lines(Wet{}, body, options, {});
+  else
+    run_lines(Dry{}, body, options, {});
 }
 
 template void step<2>(Body<2>&, const StepOptions<2>&);
 template void step<3>(Body<3>&, const StepOptions<3>&);
-template void step_coupled<2>(Body<2>&, const StepOptions<2>&);
-template void step_coupled<3>(Body<3>&, const StepOptions<3>&);
 
 }  // namespace talus::mpm

@@ -31,23 +31,31 @@ struct StepOptions {
   double conductivity_factor = 1;  ///< multiplies k
 };
 
-/// Advances the body by one step. Reads nodes.sums of the last pass, leaves those of this one.
+/// Advances the body by one step. Reads the nodes' sums of the last pass, leaves those of this one.
 template <int D>
 void step(Body<D>& body, const StepOptions<D>& options);
+
+/// Which lines a body goes through: those of soil alone, or those of soil and pore water (coupled_step.hpp).
+struct Dry {
+  static constexpr bool has_water = false;
+};
+struct Wet {
+  static constexpr bool has_water = true;
+};
 
 // The lines of the step, in order.
 
 /// a_i = (f_ext - f_int + f_damp)_i / (β m_i), constraints (2.39, 2.89). Reads sums; writes motion (a), work, monitor.
 template <int D>
-void solve_momentum(Body<D>& body, const StepOptions<D>& options);
+void solve_momentum(Dry, Body<D>& body, const StepOptions<D>& options);
 
 /// v_i = (p_i + Δt Σ_j M_ij a_j) / m_i, constraints (2.41). Reads motion (a), moments; writes motion (v), zeroes sums.
 template <int D>
-void remap_momentum(Body<D>& body, const StepOptions<D>& options);
+void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& options);
 
 /// Nodal averages of the volumetric strain increment (2.94). Reads motion (v); writes smoothed.
 template <int D>
-void smooth_volumetric_strain(Body<D>& body, const StepOptions<D>& options);
+void smooth_increments(Dry, Body<D>& body, const StepOptions<D>& options);
 
 /// What advance_points leaves for relocate: the points that are now outside their element.
 struct Mover {
@@ -58,7 +66,7 @@ using MoverLists = std::vector<std::vector<Mover>>;  ///< by chunk
 
 /// v_p, ξ_p, Δε_p, σ_p, V_p (2.40, 2.42-2.45) and the nodal sums of the next step (2.35, 2.38), in one pass.
 template <int D>
-MoverLists advance_points(Body<D>& body, const StepOptions<D>& options);
+MoverLists advance_points(Dry, Body<D>& body, const StepOptions<D>& options);
 
 /// Averages the plastic return's mean stress like (2.94-2.95) and corrects the internal forces; the points receive it
 /// at the start of the next pass (return_pressure). Reads plastic_mean, force_volume.

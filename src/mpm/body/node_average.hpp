@@ -1,0 +1,60 @@
+#pragma once
+// Nodal averages of element values (2.94). Rows hold pairs: Σ value·weight, and Σ weight.
+
+#include "base/parallel.hpp"
+#include "mpm/body/node_rows.hpp"
+
+namespace talus::mpm {
+
+/// Calls work(b, rows) for all blocks that hold points.
+template <int D, class Work>
+void for_blocks(const Body<D>& body, int threads, Work&& work) {
+  const Layout<D>& layout = *body.layout;
+  parallel_for(layout.chunks, threads, [&](int c) {
+    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
+      if (body.points.block_used[b] > 0)
+        work(b, &layout.connectivity[static_cast<std::size_t>(b) * lane_width * (D + 1)]);
+    }
+  });
+}
+
+/// Adds packs to the rows of a block's nodes.
+template <int D, int Columns>
+TALUS_KERNEL void add_average(AlignedVector<double>& average, const int* rows, const Pack (&values)[Columns]) {
+  for (int k = 0; k <= D; ++k) {
+    for (int l = 0; l < lane_width; ++l) {
+      double* row = &average[static_cast<std::size_t>(rows[k * lane_width + l]) * Columns];
+      TALUS_UNROLL
+      for (int c = 0; c < Columns; ++c) row[c] += values[c].value[l];
+    }
+  }
+}
+
+/// Divides the averages of all nodes by their weights, into rows of Stride doubles, and empties them.
+template <int Columns, int Stride, int D>
+void divide_averages(const Body<D>& body, int threads, AlignedVector<double>& average, double* smoothed) {
+  const Layout<D>& layout = *body.layout;
+  parallel_for(layout.chunks, threads, [&](int c) {
+    const int begin = first_node(body, c), end = first_node(body, c + 1);
+    for (int i = begin; i < end; ++i) {
+      double sum[Columns] = {};
+      for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) {
+        double* row = &average[static_cast<std::size_t>(layout.node_rows[r]) * Columns];
+        TALUS_UNROLL
+        for (int q = 0; q < Columns; ++q) {
+          sum[q] += row[q];
+          row[q] = 0;
+        }
+      }
+      TALUS_UNROLL
+      for (int q = 0; q < Columns; q += 2) sum[q] = sum[q + 1] > 0 ? sum[q] / sum[q + 1] : 0;
+      for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) {
+        double* row = smoothed + static_cast<std::size_t>(layout.node_rows[r]) * Stride;
+        TALUS_UNROLL
+        for (int q = 0; q < Columns; q += 2) row[q / 2] = sum[q];
+      }
+    }
+  });
+}
+
+}  // namespace talus::mpm
