@@ -8,6 +8,7 @@ shift || true
 status=0
 
 tools/check_floors.py || status=1
+tools/check_functions.py || status=1
 tools/check_claims.py || status=1
 tools/format.sh --check || { echo "lint: make format mends the formatting."; status=1; }
 

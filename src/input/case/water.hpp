@@ -87,7 +87,7 @@ void describe(Visitor& v, Water& w) {
         "were measured at rest.");
 }
 
-template <class Visitor>
+template <class Visitor>  // long: a list of keys, one after the other
 void describe(Visitor& v, PoreWater& w) {
   using R = RetentionCurve;
   using K = ConductivityCurve;
