@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The everyday commands. Each is thin: what it does stands in tools/, in CMakePresets.json or in the program itself.
 #   make demo    install what is missing, build the program, run the dry slope, say where its results are
 #   make test    install what is missing, build everything, run every test

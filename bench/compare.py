@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Speed of the engine beside the yardstick, in one run.
 
     bench/compare.py BUILD_FOLDER [--yardstick FOLDER] [--rounds N] [--only dry|wet|threads]

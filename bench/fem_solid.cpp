@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cost of strength reduction by finite elements as the mesh is refined: linear systems, factorisations and seconds on
 // one thread, for the slope of Griffiths and Lane with and without dilatancy.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Million updates per second of each constitutive law alone, in packs of lanes in plane strain: all lanes elastic, all
 // plastic, and one in four plastic, as in a slope that slides. Printed beside it: the time as a multiple of that of
 // Mohr-Coulomb's.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Circles per second of the search for the critical slip surface, and how its cost grows with circles and slices.
 //   lem_search [THREADS]
 // Prints wall time, circles per second and microseconds per circle and method: the trial circles alone, then with the

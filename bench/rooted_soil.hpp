@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The rooted-soil model on the yardstick's slope: as stiff as its Mohr–Coulomb soil where the stress is greatest, and
 // weak enough for the slope to fail, so that the points' mix of elastic, hardening and softening is that of a slide.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Million point-steps per second of the engine on the yardstick's slope.
 //   step_speed D CASE THREADS [WARM STEPS REPEATS] [FLAG...]
 // CASE is small, mid or large. Flags: mixed, smooth, stable, objective; rooted (the rooted-soil model); wet (pore

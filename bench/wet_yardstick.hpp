@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The slope of yardstick_case.hpp with pore water, as the yardstick's two-phase program has it: hydrostatic below a
 // level in the slope and under suction above it, surfaces through which nothing is asked of the water, walls that hold

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The slope on which speed is stated: a box filled up to a slope's profile, that really fails and runs out. The same
 // case, number by number, as the throw-away yardstick that docs/performance.md compares with.

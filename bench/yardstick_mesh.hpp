@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The mesh of the yardstick's slope, number by number the same: a box of jittered squares or cubes, cut into simplices.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The libraries, each a Debian package named in tools/apt-packages.txt; docs/decisions/0003 says why each was chosen.
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(tomlplusplus REQUIRED)

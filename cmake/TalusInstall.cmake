@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What is installed: program, library, headers, and the files by which other projects find them.
 
 include(CMakePackageConfigHelpers)

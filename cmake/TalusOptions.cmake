@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Compiler flags shared by every target of the project, as the interface target talus_options.
 add_library(talus_options INTERFACE)
 target_compile_options(talus_options INTERFACE

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The page that `talus report` fills, as bytes inside the library. It is built from web/ with Node where there is one;
 # Node is needed by this build only, never by the program.
 #

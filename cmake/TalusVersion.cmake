@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The commit as a part of the version, for every summary.json: a result must say which source made it.
 find_package(Git QUIET)
 set(TALUS_COMMIT "unknown")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Builds the page in WEB into PAGE_DIR with NPM: `cmake -DWEB=... -DPAGE_DIR=... -DNPM=... -P build_report_page.cmake`.
 # npm keeps a copy of the lock file in node_modules: when that is not older, the packages are the right ones.
 set(installed ${WEB}/node_modules/.package-lock.json)

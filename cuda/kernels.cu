@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One thread per element: the point pass of src/mpm/step/block_pass.hpp with T = double in place of a pack. Compiled only.
 
 #include "mpm/step/kernels.hpp"

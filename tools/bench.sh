@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # The speed tables of docs/performance.md. Only ratios measured in one run mean anything; the machine stands above them.
 set -euo pipefail
 cd "$(dirname "$0")/.."

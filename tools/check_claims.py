@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Holds what documents name in backticks against the tree: files and folders, commands and their options, targets of make,
 tests, keys of a case, names of the sources, messages of the program. Exits with 1 and one line per claim that is not true.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Checks the rules of the source that a compiler does not know (docs/architecture.md): who may include whom, where the
 preprocessor and threads may be used, and how long a file may be. Exits with 1 and one line per fault.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Checks that no function of src/ is longer than 80 lines or has more than seven parameters without a reason written
 beside it: "// long: why" or "// many: why" above the function. Exits with 1 and one line per fault.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Counts what the upper floors must not do: read results by string keys, look things up, include JSON in headers, search
 our own sentences. Results are structs that describe themselves (src/results/); JSON is read and written there only.
 

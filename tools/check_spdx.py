@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Every source file says its licence in its first line (after #!), as https://spdx.dev asks: SPDX-License-Identifier, and the
 name of the licence in LICENSE. Exits with 1 and one line per file that does not.
 

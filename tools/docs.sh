@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Builds the manual as a static site: docs.sh [PROGRAM] [FOLDER]. The pages are docs/, the reference is what the program says
 # about itself. The first time npm fetches what docs/site/package-lock.json names; after that no network is needed.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Formats every C++ file in place and brings docs/where-is.md up to date; with --check only says what is not so.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # The rules a machine can check: floors and file lengths, names in documents, formatting, and clang-tidy with .clang-tidy.
 # Usage: tools/lint.sh [build folder with compile_commands.json] [files …]; without files: every .cpp of src.
 set -uo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Says what lies in a result folder: its files, and how much is in the folders of trials.
 set -euo pipefail
 folder=$1

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Writes the mesh of a box of soil, each cell split once into two triangles, in Gmsh's format 4.1.
 
 Usage: tools/make_box_mesh.py CELLS_X CELLS_Y WIDTH HEIGHT FILE

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pictures that the documentation keeps: small ones."""
 from PIL import Image
 

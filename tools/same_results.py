@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What a restructuring must not change: everything that the examples and the published problems print and write.
 
 Usage: same_results.py store PROGRAM FOLDER [--only NAME …] [--jobs N]

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Installs the Debian packages of the given lists (default: tools/apt-packages.txt) that are missing.
 # When nothing is missing it only asks dpkg: no network, no rights, well under a second.
 set -euo pipefail

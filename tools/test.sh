@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Runs every test of a preset (default: release) and names the ten slowest, and the skipped ones with their reasons: a skipped
 # test proves nothing, so it must be seen.
 set -uo pipefail

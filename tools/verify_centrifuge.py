@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Runs the centrifuge slope (examples/centrifuge_slope), fallow and rooted, and compares it with section 4.5.
 
 Usage: tools/verify_centrifuge.py PROGRAM FOLDER [--runs FOLDER] [--threads N] [--variants]

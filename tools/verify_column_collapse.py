@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Runs examples/column_collapse for several aspect ratios and compares runout and height with Lube et al. (2005).
 
 Usage: tools/verify_column_collapse.py PROGRAM FOLDER [--size H] [ASPECT ...] [-- KEY=VALUE ...]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Compares Talus with published problems of slope stability and seepage, in one table.
 
 Usage: tools/verify_published.py PROGRAM [--file problems.json] [--only ID|KIND …] [--out FOLDER] [--jobs N] [--fem]

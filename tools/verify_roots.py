@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Runs the vegetated slope (examples/vegetated_slope) and compares it with section 4.4 of the source, statement by
 statement.
 

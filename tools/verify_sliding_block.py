@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Runs examples/sliding_block for several friction coefficients and compares the acceleration with Coulomb's.
 
 Usage: tools/verify_sliding_block.py PROGRAM FOLDER

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Factors of safety of examples/slope_3d over the width between the end walls, beside an upper bound for clay.
 
 Usage: tools/verify_slope_3d.py PROGRAM FOLDER [--size H] [--quick]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Runs the verification problems of coupled water (examples/verification) and compares them with their closed forms.
 
 Usage: tools/verify_water.py PROGRAM FOLDER [--only NAME,...] [--runs FOLDER] [--threads N]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Makes docs/where-is.md, one line a file: the first sentence of each source file, by floor and room. A header and a source of
 one name are one row, with what the header says.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 import preact from "@preact/preset-vite";
 import { defineConfig } from "vite";
 import { viteSingleFile } from "vite-plugin-singlefile";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests of the page: plain Node, no browser (browser/check.mjs has the browser).
 import { defineConfig } from "vitest/config";
 

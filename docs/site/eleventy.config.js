@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Builds the manual: every Markdown page of docs/, and the reference that `talus manual` prints. Run by tools/docs.sh
 // from the root of the repository; TALUS names the program, TALUS_SITE the folder of the site.
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How Markdown becomes HTML: formulas by KaTeX at build time, anchors as GitHub makes them, links to pages of the site,
 // names of keys linked to the reference, and the records of the search.
 import { tex } from "@mdit/plugin-tex";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The order of the pages. A page of docs/ that is not named here is still built, and found by the search.
 import { existsSync, readdirSync } from "node:fs";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where a file of the repository lies in the site. Markdown becomes HTML; other files that a page links to are copied.
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";

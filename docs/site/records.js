@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The records of the search: one for each section of a page, with the plain text in it.
 import { findPage } from "./pages.js";
 

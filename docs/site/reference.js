@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reference of every key and of every command, made of what the program prints about itself: `talus manual` and
 // `talus COMMAND --help`. Nothing is typed here.
 import { execFileSync } from "node:child_process";

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Prints the tables of table_3_3.md: the study of the dry slope beside table 3.3 of the source, and the range of the
 results over meshes of nearly one size.
 

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: MIT
 C     Undrained clay that loses strength with plastic shear: von Mises,
 C       s_u = s_r + (s_p - s_r) exp(-g/g_s),
 C     where g is the plastic shear strain that has been summed up.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reading and checking a case, and the declarations of all keys.
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "drive.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Work of the library in a thread of its own, while the calling thread sees to signals and the callback.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the library's errors to the exceptions of talus/errors.py.
 
 #include "bind.hpp"

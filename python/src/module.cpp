@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The extension module talus._core: what the Python layer needs of the library, and nothing that users call.
 
 #include <hdf5.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames and histories, their arrays where the library put them.
 
 #include "output/files/frames_reader.hpp"

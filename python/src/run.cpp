@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs and studies for Python.
 
 #include <pybind11/stl/filesystem.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Talus: slope stability and runout by the material point method.
 
     case = talus.Case.read("case.toml")        # or talus.Case(geometry=dict(...), materials=dict(...), ...)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Types of the extension module; its functions are for this package only.
 
 from pathlib import Path

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Axes, colours and labels of the plots."""
 
 from __future__ import annotations

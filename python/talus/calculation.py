@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Runs a case or a study, with progress, stop and resumption."""
 
 from __future__ import annotations

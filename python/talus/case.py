@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A case: read from a file or built in code, with the names of `talus manual`, checked by the library itself."""
 
 from __future__ import annotations

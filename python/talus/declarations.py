@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Every key of a case as the library declares it, and the text about it. Nothing is declared a second time here."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What can go wrong, with the sentences of the command line and its exit codes."""
 
 from __future__ import annotations

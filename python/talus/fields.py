@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Arrays by name, with their units."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """All material points of a run at one time, and the mesh below them."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The methods of a run beside one another: their factors, their slip surfaces, and the one factor of the run."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The numbers of a run under the names of the manual, and what the case compares them with."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pictures with matplotlib: curves, histories, and sections coloured by a field, also as animations."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The results of a run as NumPy arrays, read by the library itself."""
 
 from __future__ import annotations

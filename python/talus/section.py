@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The material points of a frame as a picture, or of all frames as an animation."""
 
 from __future__ import annotations

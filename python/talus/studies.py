@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The folder of a study: its table, and the results of every variant."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The section of a run with the slip surfaces of its methods."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Attribute and item access to the tables of a case. The classes are made from the library's declarations."""
 
 from __future__ import annotations

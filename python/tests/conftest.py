@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A slope so coarse that all of it takes a second, and the program to compare with."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A case in code equals a file, and its faults are reported in the words of the command line."""
 
 import pickle

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Runs side by side in processes, results sent between them, and memory that does not grow."""
 
 import gc

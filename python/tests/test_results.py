@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The arrays are what lies in the files, as h5py and the csv module read them, and no copies."""
 
 import csv

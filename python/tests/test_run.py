@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A run from Python is the command line's run; it can be stopped and goes on to the same bits."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A study from Python is the command line's study, and its table is what the runs give."""
 
 import csv

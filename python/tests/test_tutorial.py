@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The tutorial of the manual runs as it stands, and its statements are true."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The package keeps to its types, which editors show."""
 
 import subprocess

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus calibrate CASE`: parameters of soils from measured curves.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/case_options.hpp"
 
 namespace talus::app {

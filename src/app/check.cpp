@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus check CASE`: every fault of a case file, or what the case would calculate.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/closing_report.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus collect DIR`: makes result files of the frames that a killed run left behind.
 
 #include <fmt/format.h>

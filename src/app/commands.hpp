@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The commands of the program, one file each. Every function adds its command to the command line.
 

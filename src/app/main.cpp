@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The program `talus`: reads the command line, runs one command, and turns every error into a sentence and an exit
 // code.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus manual`: the reference of every key of a case file, or of the results.
 
 #include <fmt/format.h>

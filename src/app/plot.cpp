@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus plot`: pictures of a run's results, or of the soil-water curves of a case.
 
 #include <fmt/format.h>

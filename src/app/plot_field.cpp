@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The fields of a run on its material points, as `talus plot` draws them.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What `talus plot` is asked for, and its pictures of fields.
 

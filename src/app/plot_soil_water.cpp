@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/plot_soil_water.hpp"
 
 #include <fmt/format.h>

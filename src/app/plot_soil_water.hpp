@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // `talus plot CASE`: the soil-water curves of a case.
 

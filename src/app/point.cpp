@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus point CASE`: element tests of the soils of a case, without a mesh.
 
 #include <fmt/format.h>

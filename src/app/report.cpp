@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus report DIR`: one HTML file that shows what a folder of results holds.
 
 #include "report/report.hpp"

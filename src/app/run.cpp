@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus run CASE`: calculates a case into its folder.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus schema`: the JSON Schema of case files, or of the results.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus study CASE`: calculates a case for every value that its [study] lists.
 
 #include "study/study.hpp"

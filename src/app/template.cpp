@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus template`: a commented case file that can be run as it is.
 
 #include <fmt/format.h>

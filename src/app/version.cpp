@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus version`: the version, its source, and how it was built.
 
 #include "base/version.hpp"

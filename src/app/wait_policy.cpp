@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/wait_policy.hpp"
 
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Threads of OpenMP that wait for others sleep instead of spinning.
 

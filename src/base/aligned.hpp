@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Arrays that start on a cache line, so that packs and node rows can be loaded and stored whole.
 

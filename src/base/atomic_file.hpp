@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Files that are whole or absent: written under a temporary name, flushed to the disk, then renamed.
 

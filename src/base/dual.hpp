@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Automatic differentiation forwards: a number and its derivatives by N variables, used like a double. A law that is
 // written for lanes gives its consistent tangent when it runs on these numbers; comparisons look at the value only.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What can go wrong, as one sentence for the person at the keyboard and one exit code for the shell.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/interrupt.hpp"
 
 #include <csignal>

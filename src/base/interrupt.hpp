@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // SIGINT and SIGTERM ask for an orderly end: the calculation looks here between steps, saves itself and stops.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/json_tree.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A JSON tree that is carried along and written out, such as the echo of a case. Code that reads it includes json.hpp.
 

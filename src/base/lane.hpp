@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One kernel source for the CPU's vectors and for a GPU's threads: kernels are templates on T, which is either
 // Pack (TALUS_WIDTH doubles, one element of the mesh per lane) or a plain double. This file is the only place that

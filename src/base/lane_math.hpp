@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Logarithm, exponential and power for a double and for a Pack: the laws of soil water need them in every lane. Both
 // are the same arithmetic, so a lane gives what a double gives. Errors: 2 units in the last place of log and exp; a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The three methods, and the methods of slices. Each has one word, from the case to the page.
 

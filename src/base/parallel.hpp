@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The only place that knows threads. Work is cut into pieces that do not depend on the number of threads, each piece
 // writes to its own memory, and sums over pieces are taken in the order of the pieces: results are bitwise the same

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One line on the terminal that is written over as work goes on; nothing when standard error is no terminal. A program
 // that embeds this one receives the progress instead.

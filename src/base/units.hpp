@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Quantities with units, through UDUNITS-2. UDUNITS is not thread safe, so every call takes one lock.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Direct solution of sparse linear systems with one pattern and many values; the only place that knows the libraries.
 

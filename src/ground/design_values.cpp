@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/design_values.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Design values after Eurocode 7: the case that every method calculates, with its strengths and loads factored.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The upper limit of polygons, interval by interval between all places where an edge begins, ends or crosses another.
 
 #include "ground/ground_line.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The ground of a plane section: the upper limit of all soil polygons, from left to right.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/ground_load.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Loads on the ground for finite elements: surcharges, standing water, tractions on named sides.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/initial_water.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Pore water at the start: pressures by [initial], from a water table or from steady seepage on the same mesh, and the
 // weather that followed.

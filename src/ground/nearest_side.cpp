@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/nearest_side.hpp"
 
 #include <algorithm>

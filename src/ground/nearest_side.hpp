@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How far a place is from a side of an element: a segment in 2D, a triangle in 3D.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/plane_water.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Pore water at the start as slices and finite elements take it: pressures at the nodes of a mesh, or a water table,
 // and the water that stands on the ground.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/pore_water.hpp"
 
 #include <fmt/format.h>

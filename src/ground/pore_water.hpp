@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Pore water of a case as the engine takes it: the laws of each soil, and the water in the pores.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/root_content.hpp"
 
 #include <fmt/format.h>

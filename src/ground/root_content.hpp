@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Where roots are: from the blocks of [[roots]] to the root content and the root cohesion of places in the soil.
 

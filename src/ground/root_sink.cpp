@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/root_sink.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Where the plants of [[roots]] draw water: the distribution β of T16.1, for the seepage solver and for the engine.
 

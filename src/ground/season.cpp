@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/season.hpp"
 
 #include <fmt/format.h>

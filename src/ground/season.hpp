@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The weather before the run: transient seepage with rain and transpiration in soil at rest, docs/theory/16-season.md.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Steady seepage as the case describes it.
 
 #include <algorithm>

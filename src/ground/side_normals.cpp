@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/side_normals.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Named sides and lines of a mesh: the elements beside them, their normals, and those of their nodes.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/soil_weight.hpp"
 
 #include <cmath>

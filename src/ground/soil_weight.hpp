@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Unit weights of soil for slices and finite elements, with the water in its pores.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/tell_seepage.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "ground/water_sides.hpp"
 
 #include <fmt/format.h>

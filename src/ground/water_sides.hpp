@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The hydraulic condition of each side of the wet soil at the start: a wall, a surface with a condition, or an
 // impervious line. Numbers of conditions: 0 surfaces without a name, then one for each [[hydraulic]], then one for

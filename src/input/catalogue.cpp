@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/catalogue.hpp"
 
 #include <algorithm>

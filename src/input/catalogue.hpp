@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // All declared keys as data: the source of the manual, the template and the JSON Schema.
 

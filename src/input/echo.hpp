@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The echo of a case: every value that a calculation used, with its unit, and whether it was given or is a default.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Questions to an echo without reading it into a case: whether two agree, and what they are called.
 
 #include <fmt/format.h>

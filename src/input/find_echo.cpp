@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Keys of a case by their paths, from its echo.
 
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus manual`: every key in a table of its block, and an example of each block.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/read.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A case from its echo, for readers that have the results of a run but not its file.
 
 #include <toml++/toml.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus schema`: JSON Schema of case files, for the completion and checks of editors.
 
 #include <nlohmann/json.hpp>

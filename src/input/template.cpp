@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus template`: a case file that can be calculated as it is, in which every key stands with its default.
 // A line "#key = value" is a default that can be uncommented without changing anything; "# ..." is prose.
 

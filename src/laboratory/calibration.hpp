@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // `talus calibrate`: parameters of soils from measured curves, by least squares between bounds.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Differences between the element tests of a case and what was measured, as a function of its parameters.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "laboratory/calibration_search.hpp"
 
 #include <ceres/cost_function.h>

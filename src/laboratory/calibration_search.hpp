@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One search for the parameters that fit best, by Ceres; and what the curves say of them there.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "laboratory/measured_match.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Where measured points lie on the calculated curve of an element test.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Mixed control of a point of soil: some strains are prescribed, others follow from stresses that are.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How element tests are shown: which belong into one picture, over what, and with which line.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "laboratory/point_path.hpp"
 
 #include <algorithm>

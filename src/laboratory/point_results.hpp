@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What is kept of element tests: tables, charts, and what point.json says of each.
 

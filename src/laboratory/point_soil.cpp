@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "laboratory/point_soil.hpp"
 
 #include <fmt/format.h>

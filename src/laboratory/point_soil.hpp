@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One point of soil: its law, stress, state variables and pore water, without a mesh.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Element tests: one point of soil without a mesh, driven by strains and stresses.
 

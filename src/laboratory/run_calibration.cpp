@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "laboratory/run_calibration.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // `talus calibrate`: the calibration of a case, and the files of its results.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "laboratory/run_point_tests.hpp"
 
 #include <fmt/format.h>

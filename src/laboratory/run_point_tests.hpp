@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // `talus point`: the element tests of a case, and the files of their results.
 

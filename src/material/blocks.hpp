@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The input of a soil in blocks: a law names those that it needs, and laws share them. Each block is a plain struct
 // with its keys, beside the law that brings it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "material/cam_clay.hpp"
 
 #include <fmt/format.h>

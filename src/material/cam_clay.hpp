@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Modified Cam-clay, and the rooted-soil model of Świtała et al. over it (4.1-4.15): hardening by plastic volume,
 // saturation and root activation, associated flow, implicit return mapping.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "material/cam_clay_return.hpp"
 
 #include <algorithm>

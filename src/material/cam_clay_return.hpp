@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The return of modified Cam-clay to its ellipse (4.12-4.15), in numbers without dimension: pressures over the trial
 // p'_c, the multiplier times it. Unknowns are d = Δλ p'_c and y = ln of the growth of p'_c; p' and q follow:

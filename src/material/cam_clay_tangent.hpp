@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The derivatives of modified Cam-clay's return: the root is found in plain numbers, and one step of Newton's method
 // in dual numbers from there moves nothing but carries the derivatives (implicit function theorem).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "material/external.hpp"
 
 #include <dlfcn.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A compiled Abaqus UMAT as a constitutive model. One call per point and step: slow, and the same for every lane type.
 

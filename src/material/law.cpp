@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "material/law.hpp"
 
 namespace talus::material {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The list of constitutive laws. A soil is its header and one word here; everything else asks its traits.
 

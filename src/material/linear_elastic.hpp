@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Isotropic linear elasticity: the predictor of every other model.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "material/mohr_coulomb.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Mohr–Coulomb with tension cut-off, perfectly plastic, non-associated, by closed-form return in principal space.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "material/principal_stress.hpp"
 
 #include <numbers>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Principal stresses in closed form and the return to the tensor, without eigenvectors, trigonometry or branches.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "material/root_bundle.hpp"
 
 #include <algorithm>

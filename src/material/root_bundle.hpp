@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The cohesion that roots across a shear plane give to the soil: Wu and Waldron's sum and a fibre bundle.
 // Symbols and sources: docs/theory/17-root-cohesion.md.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Mohr–Coulomb with a root cohesion of each point's own: c + c_r, as Wu and Waldron or a fibre bundle give it
 // (root_bundle.hpp). Only the cohesion differs from point to point: the code is Mohr–Coulomb's, with other bounds.

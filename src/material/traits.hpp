@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What the house asks of a soil beside its equations. Each law answers in its header, as `L::traits`.
 

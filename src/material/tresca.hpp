@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Tresca: undrained soil in total stresses, whose strength s_u may grow with depth. It is Mohr–Coulomb with φ = 0 and
 // c = s_u, each point with what its strength has grown by, and without a limit of tension of its own.

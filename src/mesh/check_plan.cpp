@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh/check_plan.hpp"
 
 #include <fmt/format.h>

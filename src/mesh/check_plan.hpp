@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Checks a plan before the mesh generator sees it, whose own messages would tell a user little.
 

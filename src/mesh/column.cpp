@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh/column.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The column of soil above a point: the integral behind the initial vertical stress of a K0 state.
 

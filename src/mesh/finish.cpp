@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every element needs once: orientation, volume, gradients of its local coordinates, smallest altitude.
 
 #include <fmt/format.h>

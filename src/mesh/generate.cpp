@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh/generate.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // From a plan to a finished mesh, through the Gmsh library.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Gmsh's nodes, elements and named sides as a mesh, and how its nodes may move.
 
 #include <fmt/format.h>

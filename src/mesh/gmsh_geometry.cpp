@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The polygons, lines and element sizes of a plan as Gmsh's geometry, and the mesh that Gmsh makes of it.
 
 #include <gmsh.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The steps between a plan and a mesh that happen inside Gmsh. All need a GmshSession.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh/gmsh_session.hpp"
 
 #include <gmsh.h>

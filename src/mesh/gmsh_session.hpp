@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The lock, the start and the end of Gmsh, which keeps one global state per process.
 

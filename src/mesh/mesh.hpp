@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The background mesh: linear triangles (D = 2) or tetrahedra (D = 3), as plain arrays.
 

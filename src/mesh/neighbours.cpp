@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh/neighbours.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What the mesh generator is asked for: the geometry of a case as plain data, in metres.
 

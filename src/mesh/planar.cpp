@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh/planar.hpp"
 
 #include <algorithm>

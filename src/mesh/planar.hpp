@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Plane geometry of polygons and polylines, with one tolerance for all that coincides.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh/points.hpp"
 
 #include <fmt/format.h>

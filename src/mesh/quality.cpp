@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh/quality.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How well shaped a mesh is, in the few numbers that a user needs.
 

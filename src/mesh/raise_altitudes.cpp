@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh/raise_altitudes.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The flattest element sets the time step of the whole calculation, so the flattest ones are worked on.
 

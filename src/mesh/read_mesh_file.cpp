@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ready mesh in Gmsh's format: its header is looked at, its physical groups are regions and sides.
 
 #include <fmt/format.h>

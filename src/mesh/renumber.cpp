@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh/renumber.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Space-filling order: elements that are near each other in space are near each other in memory.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The gradient of a linear shape function: minus the normal of the side opposite its node, over the altitude.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/folder.hpp"
 
 #include <fmt/format.h>

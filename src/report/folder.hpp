@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What a results folder holds: of a finished run, of one that was interrupted or killed, of a study, or
 // of element tests.

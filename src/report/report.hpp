@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The report of a results folder: one HTML file that needs nothing else (docs/manual/report.md).
 

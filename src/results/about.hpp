@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How a result describes itself. Each struct of results/ has one function
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The methods beside one another, design values, and results by name beside what the case expects.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "results/documents.hpp"
 
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The descriptions of results for people and editors: a JSON Schema, and a table for the manual.
 

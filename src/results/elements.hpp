@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Strength reduction by finite elements: factors, trials, slip line, and the fields at failure.
 

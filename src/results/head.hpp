@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Where a number comes from: title block, program, machine, units of display, seconds.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "results/json.hpp"
 
 #include <fstream>

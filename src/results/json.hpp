@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Results as JSON. This is the only place that knows how; the description of a struct says what it holds.
 

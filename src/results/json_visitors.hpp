@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The visitors that turn described structs into JSON and back. Only results/json*.cpp includes this.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Element tests and calibration: point/point.json and calibration/calibration.json.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // When and in which order monitored places began to move, and the lines along which fields were taken.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "results/named.hpp"
 
 #include <fmt/format.h>

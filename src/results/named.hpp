@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Results by the names that [[compare]], studies and Python call them by: "runout[1.75].front_advance".
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Uncertain numbers: the samples, the factors, the probability of failure, and the sensitivities.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Limit equilibrium: critical surfaces with their slices, what the search did, and its trials.
 

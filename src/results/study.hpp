@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A study: its table, how each variant went, the extrapolated factors, and the statistics of samples. study.json.
 

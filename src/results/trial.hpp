@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Stages and trials of the material points, the displacement curve, and the factors of safety from them.
 

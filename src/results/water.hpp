@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Pore water: the budget of a run, steady seepage, and the season before it.
 

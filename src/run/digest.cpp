@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/digest.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/head.hpp"
 
 #include <fmt/format.h>

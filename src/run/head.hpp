@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The head of the results of every run: title block, program, machine, units, input.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/named_results.hpp"
 
 #include <cmath>

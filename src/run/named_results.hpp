@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Results under the names of input/case/result_names.hpp, and how they compare with what the case expects.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A whole case by all the methods that [analysis] names: the one entry behind `talus run` and `talus study`.
 

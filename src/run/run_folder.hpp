@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The results folder of a run before it begins: whether it may be used, and what is there already.
 

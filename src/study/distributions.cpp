@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/distributions.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Distributions of uncertain numbers: normal, lognormal, triangular and uniform, the first two cut where asked.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Richardson extrapolation: from the factors of several mesh sizes to that of size zero, with what is known of its
 // error. docs/theory/factor-of-safety.md has the equations.

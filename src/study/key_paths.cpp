@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/key_paths.hpp"
 
 #include <algorithm>

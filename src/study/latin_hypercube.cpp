@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/latin_hypercube.hpp"
 
 #include <Eigen/Cholesky>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Samples of correlated standard normal scores, by Latin hypercube or at random.
 

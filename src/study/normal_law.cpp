@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/normal_law.hpp"
 
 #include <cmath>

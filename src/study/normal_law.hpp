@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The standard normal distribution, and the exact interval of a counted share.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/random_stream.hpp"
 
 namespace talus::study {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Random numbers from a counter: the same on every machine, for any number of threads, and independent between streams.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Reliability index without sampling: from the derivatives at the means, and from the nearest point of failure.
 

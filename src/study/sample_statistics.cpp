@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/sample_statistics.hpp"
 
 #include <algorithm>

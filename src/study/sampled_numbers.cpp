@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/sampled_numbers.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The uncertain numbers of a case: their keys, units and distributions, and how they are correlated.
 

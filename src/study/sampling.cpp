@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/sampling.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // `talus study` with mode = "sample": uncertain numbers are drawn, every sample is calculated, and the statistics
 // are reported.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Samples calculated by runs of the case: finite elements, or material points with their runout.
 
 #include <fmt/format.h>

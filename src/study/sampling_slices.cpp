@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Samples calculated by slices.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Statistics of samples: shares, moments and correlations of their results.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // study.md and samples.csv of sampling.
 
 #include <fmt/format.h>

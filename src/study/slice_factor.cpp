@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/slice_factor.hpp"
 
 #include <algorithm>

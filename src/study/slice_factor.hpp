@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The factor of safety by slices as a function of the sampled numbers: quick, over a fixed set of surfaces, or by a
 // search of its own.

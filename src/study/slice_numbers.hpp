@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The effect of an uncertain number on slices: a soil, the earthquake, nothing, or the whole section.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Many variants of a case, each in a folder of its own, side by side on the threads: the work behind `talus study`.
 

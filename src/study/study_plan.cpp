@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/study_plan.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What a study calculates: the base case and its variants, each read and checked as a case of its own.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The curves of all variants of a study, and the displacement of each monitor over time, as pictures.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "study/study_table.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What a study shows: one table as CSV and as Markdown, and the curves of all variants in one picture.
 

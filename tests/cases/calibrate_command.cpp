@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus calibrate` from the outside: exit codes, tables, the example and the report.
 
 #include <gtest/gtest.h>

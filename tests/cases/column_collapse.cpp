@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The example column_collapse, coarse: a column of sand spreads as far as columns of sand do, and nothing gets lost.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Partial factors: exact answers where there are some, and what is divided and what is not.
 
 #include "ground/design_values.hpp"

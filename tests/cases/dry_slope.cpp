@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The dry slope of section 3.4.1 against an independent code on the identical mesh, and its factor against slices and
 // finite elements at reduced size. The full figures are in docs/verification.md.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cases with a compiled UMAT as a soil: the built-in model's results, states that are carried along, threads, and the
 // message of a run that fails.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A disk that fills up while a case runs: one sentence, its exit code, and nothing truncated under a final name.
 
 #include <gtest/gtest.h>

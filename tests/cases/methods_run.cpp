@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Slices and finite elements from one file: the source's slope, what is handed over, what is kept, what is refused.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A case as slices and finite elements see it, against closed forms and against equivalent cases.
 
 #include <fmt/format.h>

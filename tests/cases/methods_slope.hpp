@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A small slope for slices and finite elements, and runs of it in a folder of their own.
 

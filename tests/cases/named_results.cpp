@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Results under the names of [[compare]]: values from the summary, what passes, and the time of failure.
 
 #include <gtest/gtest.h>

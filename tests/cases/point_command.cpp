@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus point` from the outside: exit codes, tables, pictures and the report.
 
 #include <gtest/gtest.h>

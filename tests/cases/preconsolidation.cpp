@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A bank of Cam-clay from its file: preconsolidation follows from the stage of equilibrium once and for all, whether
 // the run is interrupted, goes on from another one's result, or reduces the strength.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The factor of safety of a bank whose soil has roots: a uniform root cohesion over all soil is a cohesion, whatever
 // way it is given, and a layer of it gives a factor between none and that.
 

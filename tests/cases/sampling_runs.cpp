@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Samples by runs of the case: runout of a collapsing column, factors by finite elements, resumption.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sections of samples that are made without reading the case again are those of the case read again.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Samples by slices: a published first-order estimate, the same bits for any threads, and quick factors against
 // searches.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Li and Lumb's slope with uncertain numbers, and an empty folder for its results.
 

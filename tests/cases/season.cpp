@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The example of a season through `talus run`'s own path: the sums of the month's weather, the start of the run at
 // its end, and no trace of it in a run without a season.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The example slope_3d, very coarse: a slab between smooth walls is as safe as its section, rough walls make it safer.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `talus study` and `talus collect` from the outside: exit codes, and what stands on the disk.
 
 #include <sys/wait.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study of runs: onset and displacement of the monitors, over those of the reference, and sections.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which cases a study calculates, and that it refuses what cannot be calculated.
 
 #include "study_slope.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Studies of a coarse slope: rows, resuming, and variants that fail.
 
 #include <cmath>

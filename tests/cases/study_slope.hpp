@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A slope so coarse that a whole study of it takes a second, and folders for its results.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A Tresca soil in the point, in slices, in finite elements and in material points: against Mohr–Coulomb without
 // friction, which it is where its strength does not grow, and method against method where it does.
 

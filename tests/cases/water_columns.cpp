@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Columns of examples/verification through `talus run`'s own path: the undrained wave, consolidation, water at rest and
 // Darcy's flow. tools/verify_water.py runs them in full.
 

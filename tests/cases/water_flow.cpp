@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Infiltration, drainage, flow round a corner and a dam of examples/verification through `talus run`'s own path, at a
 // larger step and for a shorter time than tools/verify_water.py runs them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Runs a verification problem of examples/verification with some keys changed, as a user does, and reads its results.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A bank of 2 m with steady seepage and rain, from its file to its results: the flow stays as it was found, the budget
 // closes, and held pressures carry their share of the weight.
 

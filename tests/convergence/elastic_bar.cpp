@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Orders of convergence on closed-form solutions of a bar in uniaxial strain. With linear simplices, small
 // displacements and points that fill their elements the scheme is a linear finite element method: second order in
 // displacement, first order in stress. The order in time is held by the energy tests (physics/engine_waves.cpp): first

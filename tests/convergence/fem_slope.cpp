@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The factor of safety by finite elements as the mesh is refined, in the plane and extruded.
 
 #include <gtest/gtest.h>

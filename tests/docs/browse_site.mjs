@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Opens the built manual from file:// in a browser that is refused the network: browse_site.mjs SITE [PICTURES].
 // No request may leave the disk, no page may complain, formulas must have a size, the search must find a key.
 // Skipped (77) where there is no Chromium or no playwright-core.

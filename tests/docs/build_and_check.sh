@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Builds the manual into a folder of its own and tests it, in a browser too: build_and_check.sh PROGRAM FOLDER.
 # Skipped (77) where npm is missing, or where `make docs` has not yet fetched what it needs: a test asks no network.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Links, anchors and numbers of equations in the Markdown pages hold together, as GitHub shows them.
 
 check_markdown.py             checks the repository

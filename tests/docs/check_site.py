@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The built manual is whole: check_site.py PROGRAM SITE.
 
 Every link and anchor leads somewhere, nothing is loaded from elsewhere, ids are unique, every key of `talus schema` and

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Reads Markdown as GitHub does: its links, its anchors, its blocks of code, its equations."""
 
 import re

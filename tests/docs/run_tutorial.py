@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The tutorial and the how-to pages stay correct: run_tutorial.py PROGRAM.
 
 The blocks of docs/manual/tutorial.md are put together to the case files that a reader writes. `talus check` must print

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The fast coupled step is the plain one rearranged: point by point and kilogram by kilogram the same to round-off, for
 // every option, condition and dimension, in wet slopes that fail, slide, dry at the crest and are flooded at the toe.
 // Damping is off but where everything moves, because Cundall's sign(v) turns round-off of a node at rest into a finite

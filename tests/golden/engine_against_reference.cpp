@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The fast step is the textbook step rearranged: point by point the same to round-off, for every option and dimension.
 // Damping is off, because Cundall's sign(v) turns round-off of a node at rest into a finite force.
 

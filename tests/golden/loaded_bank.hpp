@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A bank on a softer base, loaded at its crest, dry or wet: a case file in which points soon change their elements.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A run that was interrupted, by a signal or by kill -9, and resumed gives the same bits as one that was not.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A case that starts from the result of another goes on as if both were one: bit for bit, but for the round-off of
 // time.
 

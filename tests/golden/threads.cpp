@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The same bits for any number of threads: a hash over all point fields of failing slopes.
 
 #include <gtest/gtest.h>

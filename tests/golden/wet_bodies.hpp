@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Wet slopes for the comparison of the coupled step with its reference: in motion, and under every kind of condition.
 

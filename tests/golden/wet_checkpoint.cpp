@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A wet body that is saved, read back and carried on gives the same bits as one that was not, with rain, standing water
 // and pore pressures that flow or are held.
 

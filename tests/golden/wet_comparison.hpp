@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How far a body of the engine is from the same body of the plain coupled step, field by field.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Runs the fast and the plain coupled step side by side and compares them after every step.
 

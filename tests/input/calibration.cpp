@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [calibration]: what `talus calibrate` fits, to which curves, and its faults.
 
 #include <unistd.h>

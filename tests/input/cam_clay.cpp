@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cam-clay and external models: what is refused, and the sentence that says so.
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What must hold between the keys of a case.
 
 #include "slope.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [[compare]]: names, units and tolerances of the values that results are compared with.
 
 #include "input/case/result_names.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Manual, template, schema and echo come from the declarations that read the file, and must agree with it.
 
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [analysis] methods: what a case must hold for slices, finite elements and material points, and what it may not.
 
 #include "methods_slope.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A slope for slices alone, with no key more than they need, and ways to say what is wrong with another.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [output] and [study]: sections, the clock, names of variants.
 
 #include "slope.hpp"

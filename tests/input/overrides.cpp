@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "slope.hpp"
 
 namespace talus::input {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [[test]]: element tests in a case, alone in a file, and what is wrong with them.
 
 #include <fstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The program itself: what it prints where, and its exit codes.
 
 #include <sys/wait.h>

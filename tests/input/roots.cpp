@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rooted soils and [[roots]] as they are read: units, per cent, ages, and what follows from other keys.
 
 #include <cmath>

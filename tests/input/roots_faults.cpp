@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The refusals of [[roots]] and of rooted soils, and their sentences.
 
 #include "rooted_slope.hpp"

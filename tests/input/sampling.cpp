@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [study] with mode = "sample": uncertain numbers and their correlations; and the key that is extrapolated.
 
 #include "methods_slope.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [lem], its surfaces, [[surcharge]] and [partial_factors].
 
 #include "methods_slope.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A small case, and a way to break it in one place and say where the fault must be reported.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [initial] result: what is refused before anything is calculated.
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Unknown and missing keys, tables of the wrong kind, files that are no case.
 
 #include "slope.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The case of a correct file, and the refusals of single values.
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The meaning of the keys of pore water: units, series in time, laws of the soil.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The refusals of pore water, and their sentences.
 
 #include "wet_slope.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The unsaturated slope of chapter 3 of the source as a case file, Table 3.4.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads a case with the installed library and prints its title.
 
 #include <cstdio>

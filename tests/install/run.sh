@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Installs the build into an empty folder, builds a foreign project against it, and runs that: find_package works.
 set -euo pipefail
 build=$1

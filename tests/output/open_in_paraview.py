@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Opens results.xdmf (and mesh.xdmf) in ParaView and compares what it shows with what h5py reads from the HDF5 file.
 
 Usage: open_in_paraview.py FOLDER

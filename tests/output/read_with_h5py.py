@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Checks the layout of a VTKHDF time series against the specification, with nothing of this program's own.
 
 Usage: read_with_h5py.py FILE

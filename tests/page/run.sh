@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # The code of web/ after the rules of its linter (web/.oxlintrc.jsonc). Then the reports of the dry slope, of a small wet
 # bank, of a slope by three methods, and of two studies, as the program writes them: checked against their contract and
 # their results by the tests of web/, then opened and used in a headless Chromium. The second argument is a folder for

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Draws docs/manual/paraview/figure_3_4.py's panels of a small run in ParaView and compares them with the HDF5 files.
 
 Usage: figure_3_4.py TALUS_PROGRAM SOURCE_DIR

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The findings of a calibration on parameters that the curves do not fix, and its behaviour at limits and refused
 // soils.
 

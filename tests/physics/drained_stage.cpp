@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Stages with held pore pressures: the soil comes to rest under its buoyant weight, and stays at rest when the water is
 // released.
 

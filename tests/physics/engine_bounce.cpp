@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frictionless wall gives and takes no energy. Found by this test: a node that the wall had stopped could receive a
 // velocity away from it in MUSL's remap. It strained the soil without work and doubled the energy of a bounce.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // States of rest: uniform stress on any mesh, columns under their weight, loads, layers; and their invariances.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An explosion that throws every point out of the grid between two looks is an error, not a finished run.
 
 #include <gtest/gtest.h>

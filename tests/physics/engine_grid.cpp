@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The grid: points that leave it, the free surface as it moves, the critical step, and instability.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies without supports: free fall, momentum, and the turning of stressed blocks.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Walls: sliding with Coulomb friction, rollers on an inclined plane, and boundaries that move.
 
 #include <gtest/gtest.h>

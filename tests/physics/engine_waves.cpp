@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Elastic waves and vibrations, and where the energy of a body goes.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A strip footing on weightless clay: Prandtl's N_c = 2 + π by quadratic triangles, and how it comes closer with the
 // mesh.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A thick cylinder under internal pressure in plane strain: Lamé's elastic solution, and Hill's with a plastic zone of
 // Tresca's material, to which Mohr–Coulomb without friction comes down.
 

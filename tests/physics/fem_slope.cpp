@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strength reduction of slopes against limit equilibrium and published finite elements, and the invariances of its
 // answer.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The state that points start with: Cam-clay's preconsolidation against the weight of a column, with suction and roots,
 // given or from the stress of equilibrium, exactly once; and after a start from another run.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Slip surfaces whose factor is known in closed form.
 
 #include "physics/lem_sections.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Invariances of the factor: mirror image, position, units, the level of a pool over everything, absent items.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Factors of given slip surfaces against published ones and an independent recomputation with 400 slices.
 
 #include <ostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Searched minima against an independent recomputation of published problems (smallest factors of 100 slices).
 
 #include "lem/search/search.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Sections of limit equilibrium for tests, and the factors of one surface by all methods.
 

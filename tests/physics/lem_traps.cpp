@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Known traps of the methods of slices, each with a test.
 
 #include "physics/lem_sections.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Water: ponds, submerged slopes, vertical faces, pressure grids, suction.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Element tests of Cam-clay against its closed solutions: compression lines, undrained strength, critical state,
 // collapse.
 

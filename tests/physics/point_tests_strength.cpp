@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Element tests against the strength that Mohr–Coulomb soil has in closed form, and the moduli of elastic soil.
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The plain Mohr–Coulomb return against closed forms, and against the principle of maximum plastic work.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pieces of the plain step against hand values, on two triangles.
 
 #include <gtest/gtest.h>

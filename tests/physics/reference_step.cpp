@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The plain step against exact solutions and conservation laws. What the engine is compared with must itself be right.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Transpiration as a sink of seepage: columns that dry against sums and an ordinary differential equation, water
 // budgets of seasons, and what the mesh changes.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Roots that draw water while the engine runs: against the same sink in seepage, budgets, threads, checkpoints; and
 // where
 // [[roots]] of a case draw it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Soil boxes and columns for the tests of seepage: meshes without a mesh generator, with named sides.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Steady seepage in columns against closed solutions: Darcy's flow, layers, and Gardner's infiltration.
 
 #include <gtest/gtest.h>

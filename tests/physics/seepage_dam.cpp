@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Free surfaces: the rectangular dam against Dupuit's discharge and a variational solution, and an earth dam against
 // published pressures.
 

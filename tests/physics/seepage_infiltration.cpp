@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Seepage in time against closed solutions: Srivastava and Yeh's infiltration, consolidation, drainage; and budgets.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The unsaturated slope of section 3.4.2: its steady seepage, the suction at the crest and the saturation there.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Budgets of the plain coupled step: momentum and water close to round-off, and the work of the pressures on both
 // phases equals that on the water's storage.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Conditions and options of the plain coupled step that have closed answers: evaporation that suction limits, given
 // inflow and pressure, the water that a full element shares, Khalili and Khabbaz's effective stress.
 

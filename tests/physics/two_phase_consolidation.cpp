@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Terzaghi's consolidation (2.6.2) in the plain coupled step, and the two limits that enclose it: drained and undrained
 // compression.
 

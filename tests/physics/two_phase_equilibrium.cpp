@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Water at rest in the plain coupled step: a saturated body stays still in every mode, and suction above the water
 // table stands under a surface that no water enters.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Steady flow in the plain coupled step: Darcy's discharge through layers, and the effect of damping on it.
 
 #include <gtest/gtest.h>

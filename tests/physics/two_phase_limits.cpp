@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Critical steps of the coupled step against the values that the source prints, and against the plain step itself: just
 // below the exact limit it is stable, just above it is not.
 

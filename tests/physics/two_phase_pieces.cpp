@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Single pieces of the plain coupled step by hand: drag at a node, held phases, damping, smoothing, rain and seepage.
 
 #include <gtest/gtest.h>

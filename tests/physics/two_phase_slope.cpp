@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The plain coupled step on a wet slope that fails, with everything on: it stays finite, keeps grains and water, and
 // no node is faster than free fall.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Unsaturated soil in the plain coupled step: sealed compression against the closed form, pressure from the water that
 // is there, and infiltration against a fine finite-difference solution of Richards' equation.
 

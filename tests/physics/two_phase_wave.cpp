@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The undrained wave of 2.6.1 in the plain coupled step: height and time of the front, its reflection, both drags, and
 // the limits of the step found by trying.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Isotropic and one-dimensional compression, undrained shear and wetting against closed forms of critical state theory.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Packs against doubles, plane strain against space, turned axes, and the plastic strain of an update.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The law against plain integrations that share nothing with it: small explicit steps along random paths, and nested
 // bisection for single large steps; and how fast its error falls with the step.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whatever the state and the increment: numbers, admissible stresses, no energy from nothing.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Effects of roots: larger p'_c and M, hardening with the activation strain, breakage, and the mechanics of the
 // source's Figure 4.2, each against a closed form or a limit.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Drained triaxial compression of the source's loess (Table 4.1, Figure 4.3) against a table computed independently,
 // and the ends that critical state theory gives in closed form.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Laws of relative conductivity against closed values, differences, their limits, and packs against doubles.
 
 #include "material/water/conductivity.hpp"

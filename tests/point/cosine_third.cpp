@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The polynomial behind the principal stresses is as exact as its header says.
 
 #include <gtest/gtest.h>

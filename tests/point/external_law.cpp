@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A compiled UMAT: that every argument arrives where it belongs, that elasticity in C is the built-in one, and the
 // message of a UMAT that fails or is missing.
 

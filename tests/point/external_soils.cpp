@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // UMATs in Fortran on strain paths: modified Cam-clay against the built-in model, and the softening clay of the example
 // against its law.
 

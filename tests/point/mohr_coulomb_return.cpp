@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The closed-form return against the plain one that tries every set of planes, and the properties of any return.
 
 #include <gtest/gtest.h>

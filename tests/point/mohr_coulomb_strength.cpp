@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strengths and flow of the Mohr–Coulomb point in the tests of a soil laboratory, against their closed forms.
 
 #include <gtest/gtest.h>

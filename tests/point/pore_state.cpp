@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pressure of pore water from its mass: found from any guess, in every lane what a double gives, for all curves.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Principal stresses without an eigenvalue solver, against one; and elasticity against Hooke's law written out.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Retention curves against closed values, differences, their limits, and packs against doubles.
 
 #include "material/water/retention.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The two root bundles: numbers worked by hand, a bundle that is pulled root by root, and the bound between the two.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rooted Mohr–Coulomb against Mohr–Coulomb whose cohesion is the sum, for everything that the sum decides: planes,
 // edges, apex, tension cut-off, reduced strength, one point or a pack of points that all differ.
 

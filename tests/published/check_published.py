@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The command that verifies published problems reads them correctly and finds faults.
 
 check_published.py                 geometry, units, bands and reasons by themselves

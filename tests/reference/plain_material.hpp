@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One point of soil, written for reading: linear elasticity and Mohr–Coulomb with a tension cut-off by trying every
 // set of yield planes. Slow, and independent of the engine's closed-form return, which is tested against it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Exchange of water between neighbouring elements of the plain coupled step (T14.9).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The first half of the plain coupled step: which elements are full, where water may pass, and the sums at the nodes.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Critical time steps of the coupled step (2.84–2.88): the source's sufficient bound, and the exact limit of the
 // one-dimensional scheme for explicit and implicit drag.

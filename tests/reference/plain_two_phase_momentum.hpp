@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Accelerations of both phases at the nodes: drag implicit or explicit, damping, held nodes (2.66, 2.67, 2.89–2.91).
 

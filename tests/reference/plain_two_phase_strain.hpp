@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The second half of the plain coupled step: strains and the divergence of the seepage (2.80, 2.81), their smoothing
 // (2.94–2.97), the water of every point and its pressure (3.4), effective stresses (2.82), volumes and porosity (2.50).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Water at the free surface: which sides are open, the pressure of standing water, rain and seepage faces, and the
 // count of what passes (docs of the conditions: docs/theory/14-two-phase.md).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The water of points and elements: the pressure that holds it (3.4), what the points of a full element share, and what
 // it adds to the stress (3.12).

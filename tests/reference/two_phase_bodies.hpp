@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Bodies for the plain coupled step and for the comparison of the engine with it: filled boxes and columns on rollers
 // with pore water. Component 1 is upwards.

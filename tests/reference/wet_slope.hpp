@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A wet slope that uses every part of the coupled step at once: unsaturated soil over a tighter one of another
 // porosity, a dry berm, standing water before the toe, rain, a head behind, plastic failure through many elements.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sides of a mesh become the lines that are drawn.
 
 #include "report/content/boundary_lines.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Folders of runs that did not finish, of studies, and of nothing.
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reports of slices and finite elements, with and without material points, against the results that they come from.
 
 #include "report/report.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arrays survive the way into the page and back.
 
 #include "report/pack/pack.hpp"

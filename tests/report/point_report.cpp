@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The report of element tests: it keeps the contract with the page, alone and beside a run.
 
 #include <fstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Reads a report back as its page does: the document out of the HTML, the arrays out of base64, zlib, planes and rows.
 

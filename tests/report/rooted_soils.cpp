@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a report says of Cam-clay and rooted soils: the table of materials, the assumptions and the methods.
 
 #include <algorithm>

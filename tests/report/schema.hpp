@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The contract with the page: what a report may hold (web/contract/report.schema.json).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames in the page are the frames of the results file: every value, the points that left, components, colour scales.
 
 #include "report/content/sequence.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A slope so coarse that a whole strength reduction of it takes a second, with everything that a report shows.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A bank so coarse that it runs in a moment, with everything about pore water that a report shows: wet and dry soil,
 // standing water that rises, rain in steps, runoff, a drained and a coupled stage.

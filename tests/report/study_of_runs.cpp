@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The report of a study of runs: movement of the monitors, sections and pictures of each variant.
 
 #include <cmath>

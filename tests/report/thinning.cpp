@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rule of which frames and points a report shows.
 
 #include "report/content/thinning.hpp"

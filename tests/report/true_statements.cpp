@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The statements of a report must be true of its case: only those that apply, with numbers in the units of the case.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The report of a wet run: its water is that of the run's own files, its laws are those of the engine, and what it says
 // of drained and coupled, soft water and factors on conductivity is true of the case.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A real run becomes a page: the contract is kept, and the numbers are those of the run's own files.
 
 #include "report/report.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Cases on a box, without a mesh generator: named sides, regions by height or by any other rule, rollers.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Random Cam-clay soils, points of them and strain increments, over every range that a slope may reach.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One point of Cam-clay soil driven through element tests: by strain, or by strain and some stresses.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Random numbers that are the same with every compiler: the standard distributions are not.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A laboratory for the tests of calibration: measured curves that known parameters give, with errors on demand.
 

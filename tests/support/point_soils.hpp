@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Soils and element tests for the tests, from memory as calibration makes them.
 

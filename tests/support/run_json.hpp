@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Runs whose results tests read as JSON, as readers of summary.json do.
 

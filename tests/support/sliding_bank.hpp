@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A bank so coarse that it slides in a second of computing: three monitors, a vertical section, frames.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Slopes that several tests share: the case files of tests/support/slopes, and what a test changes in them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Bodies for the engine's tests: a mesh of a box, points in the elements that a function chooses, and rollers.
 

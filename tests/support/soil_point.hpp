@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One point of Mohr–Coulomb soil, driven as the engine drives it, and the same soil for the plain return.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Models for the finite elements of stress: meshes of polygons, sides by their place, Mohr–Coulomb soil.
 

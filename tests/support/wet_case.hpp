@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Cases with pore water on a box, without a mesh generator: one soil, its water, and ground with a step.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* A UMAT that answers with what it was told, so that a test sees every argument in its place. */
 #include <math.h>
 #include <stddef.h>

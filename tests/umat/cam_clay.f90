@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: MIT
 ! Modified Cam-clay as a UMAT: associated flow, implicit return (Borja and Lee 1990) with the elastic stiffness of the
 ! start of the increment. Written for the test alone, by another way than the program's own model.
 !

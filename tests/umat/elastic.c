@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Linear elasticity as a UMAT in C. PROPS: Young's modulus [Pa], Poisson's ratio [-]. */
 #include <stddef.h>
 

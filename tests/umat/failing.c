@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* UMATs that fail. PROPS(1): the number of the point that does (NOEL), and all above it. */
 #include <math.h>
 #include <stddef.h>

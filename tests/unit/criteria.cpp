@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Factors of safety read off curves whose answer is known.
 
 #include "run/mpm/reduction/criteria.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Feddes' reduction against its definition, point by point and in lanes, and its slope against differences.
 
 #include <gtest/gtest.h>

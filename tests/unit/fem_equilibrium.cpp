@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Equilibrium by quadratic elements where the answer is known to the last digit: they hold every stress that is linear
 // in space, on any mesh; and the messages on invalid meshes.
 

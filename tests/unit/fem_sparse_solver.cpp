@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sparse solver against dense elimination, with values that change on one pattern.
 
 #include "fem/sparse_solver.hpp"

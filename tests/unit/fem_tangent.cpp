@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Consistent tangents by dual numbers against central differences of the update itself, in random states of every law:
 // elastic, on planes, edges, the apex and the tension cut-off, on the ellipse of Cam-clay, with roots.
 

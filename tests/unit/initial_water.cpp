@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pore pressure and stress at the start, against those from a level of water and the weight above a point.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The parts of the search: arcs, minimiser, local minima, findings, candidates; threads and mirrors.
 
 #include "lem/search/search.hpp"

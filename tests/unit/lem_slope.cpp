@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A section made ready: soil and water above x, faults by name, surfaces on the ground.
 
 #include "lem/section/slope.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <gmsh.h>
 #include <gtest/gtest.h>
 

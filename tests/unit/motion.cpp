@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Onset of movement: when a curve passes the threshold, in which order points began, and the sentence about it.
 
 #include <gtest/gtest.h>

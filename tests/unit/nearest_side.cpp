@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Distances from segments and triangles against a dense grid of their points, and the nearest of many against all.
 
 #include <gtest/gtest.h>

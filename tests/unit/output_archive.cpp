@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A checkpoint comes back bit for bit, or not at all with a reason.
 
 #include <gtest/gtest.h>

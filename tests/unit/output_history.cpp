@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The history of a run: every row is in the file, every number comes back exactly, a resumed run leaves no seam.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures: labels never lie on each other, lengths are true, the kept script draws the same picture again.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The results of a run: nothing written is lost, the files hold to VTKHDF and XDMF, a full disk is one sentence.
 
 #include <gtest/gtest.h>

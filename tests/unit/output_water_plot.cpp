@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Soil-water curves: drawn and tabulated values are those of closed formulas, and the axes show the whole range
 // of change.
 

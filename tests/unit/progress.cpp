@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Progress told to a program instead of a terminal: every report arrives whole, one at a time, and not too often.
 
 #include "base/progress.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Results as JSON: what is written is read back, what is missing keeps its default, what is wrong is named with its
 // place.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Richardson extrapolation of a study: exact laws come back, scatter is told.
 
 #include <gtest/gtest.h>

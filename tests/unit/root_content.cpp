@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where roots are: depth normal to inclined ground and round its corners, profiles, planting along the slope, age and
 // felling, blocks that add up, and which soils take part.
 

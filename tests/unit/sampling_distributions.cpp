@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Random numbers against published answers, distributions against their closed forms.
 
 #include "study/distributions.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Latin hypercubes: classes, correlations, and their gain over random samples.
 
 #include "study/latin_hypercube.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Probability of failure and reliability index against closed forms, and how often the intervals contain the
 // true value.
 

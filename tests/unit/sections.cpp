@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sections: means of the points beside a line.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The laws' quantities as fields over a body with several soils.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where water is held, and its condition at each node: walls, skins, lines inside the soil, and ground that moves.
 
 #include <gtest/gtest.h>

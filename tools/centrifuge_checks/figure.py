@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The figure: three moments of three slides, displacement, how far up the slope has gone, and the transducers."""
 import matplotlib.pyplot as plt
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Bishop's simplified method on the slope with the pressures of the transducers: what equilibrium says of each stage.
 
 The base pressure is joined by straight lines between A to D and the inlet; above a point of the base it falls

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Reads a run of the centrifuge slope: transducers, the monitored point, and how far up the face the soil has moved."""
 import csv
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The tables: computed against published, and what each choice changes."""
 import csv
 import dataclasses

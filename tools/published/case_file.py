@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Writes a published problem as a Talus case file that an engineer can read."""
 from __future__ import annotations
 

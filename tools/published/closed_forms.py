@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Problems with a closed form, and identities: planes, an infinite slope, partial factors, k_y, FOSM."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Slopes whose pore pressures follow from steady seepage on the same section, then slices."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Strength reduction by quadratic elements, with ψ = 0 and ψ = φ, on two meshes."""
 from __future__ import annotations
 

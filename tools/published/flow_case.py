@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Case files of plane steady seepage: soil, curves and hydraulic conditions, without motion."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Soil polygons from lines that each say where a soil begins: exact pieces of straight lines, no rasters."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """First-order reliability, limit analysis, and what the file holds that other commands or tests verify."""
 from __future__ import annotations
 

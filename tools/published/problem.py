@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A published problem of the limit-equilibrium kind, read from its JSON entry into metres, newtons and degrees."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Runs of the program, each in its own folder."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Steady seepage: rectangular dams, a ring, a block under recharge, earth dams; heads and discharges."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Limit equilibrium: given surfaces, the circular search and the search of polylines, each against its band."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Rows of the table, their verdicts, and how they are printed."""
 from __future__ import annotations
 

@@ -1,1 +1,2 @@
+# SPDX-License-Identifier: MIT
 """Checks of the vegetated slope, for verify_roots.py."""

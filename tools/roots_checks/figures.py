@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The figures: displacements (4.7), preconsolidation (4.6), deviatoric strain (4.8 to 4.11), and softer water
 with mass scaling."""
 import matplotlib.pyplot as plt

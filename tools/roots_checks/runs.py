@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Runs the vegetated slope with settings and reads what is asked of it: onsets, displacements, sections, frames."""
 import pathlib
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The statements of the source about the slope, beside the results: agrees, in part, or differs, and why."""
 import dataclasses
 

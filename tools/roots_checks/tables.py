@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The tables of the vegetated slope, as Markdown and CSV."""
 import csv
 

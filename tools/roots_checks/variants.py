@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What is calculated: the four slopes of the source, and each choice that could have been made otherwise."""
 import dataclasses
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Confined flow round a corner against conformal mapping; shows how flow locks without exchange of water between elements."""
 import numpy as np
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A rectangular dam: Dupuit's discharge from the seepage solver and from the coupled step run to its steady state."""
 import numpy as np
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Free drainage of a column against Richards' equation, solved here by finite volumes with implicit steps."""
 import numpy as np
 

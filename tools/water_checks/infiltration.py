@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Infiltration against the closed solution of Srivastava and Yeh (1991) for the exponential laws."""
 import numpy as np
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Runs a case with the program and reads what it left: histories, frames, summary."""
 import csv
 import dataclasses

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Water at rest, saturated and with suction, and Darcy's discharge through two layers."""
 import numpy as np
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Terzaghi's consolidation of 2.6.2: isochrones (2.104), degree of consolidation (2.105), final settlement."""
 import numpy as np
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The undrained wave of 2.6.1: plateau, arrival and doubling against (2.98)-(2.100)."""
 import numpy as np
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Accessibility: names of controls, order of headings, and what axe-core finds (contrast among it).
 import { createRequire } from "node:module";
 

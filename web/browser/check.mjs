@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Uses a report as a reader would, in headless Chromium: node check.mjs REPORT.html RESULTS_DIR OUT_DIR
 import { existsSync, mkdirSync, statSync } from "node:fs";
 import { resolve } from "node:path";

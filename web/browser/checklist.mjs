@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Collects what holds and what does not: one line each, all checks run even when an early one fails.
 
 export class Checklist {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The curve's CSV, as it is downloaded from the page, is the curve.csv of the results.
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";

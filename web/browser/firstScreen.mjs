@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the page says: the factor of safety without scrolling; criteria, runout, warnings and comparisons anywhere.
 import { showsNumber } from "./results.mjs";
 import { scrollThrough } from "./session.mjs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the page looks: dark and light, on a phone, on paper. Screenshots are for people to look at.
 import { join } from "node:path";
 

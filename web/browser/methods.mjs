@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Slices and finite elements: the pictures are drawn, the pointer reads them, surfaces can be chosen and switched.
 import { join } from "node:path";
 

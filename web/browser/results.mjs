@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the results folder and the page's packed arrays say, read without any code of the page.
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";

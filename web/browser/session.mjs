@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Opens a report in headless Chromium as a reader would from a disk, without a network, and watches what it does.
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";

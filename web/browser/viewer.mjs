@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The viewer, used as a reader uses it: playing, scrubbing, fields, sequences, picking a point, turning in space.
 import { join } from "node:path";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // No value that is missing shows as a word of the programming language: a reader must see a dash, or a sentence.
 
 const words = ["NaN", "undefined", "null", "Infinity", "[object Object]"];

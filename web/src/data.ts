@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Reads the document and its packed arrays from the page. */
 import type { PackedArray, Report } from "./contract";
 

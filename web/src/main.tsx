@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Starts the page: reads the report that was filled in and draws it.
 import { render } from "preact";
 

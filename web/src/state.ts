@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What the parts of the page share: the frame that is shown, the field, the point that was picked. */
 import { computed, signal } from "@preact/signals";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Decoding of packed arrays against arrays packed by hand, byte by byte. */
 import { deflateSync } from "node:zlib";
 import { describe, expect, it } from "vitest";

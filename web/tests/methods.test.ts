@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Slices and finite elements of a real report (TALUS_REPORT) against its results folder (TALUS_RESULTS). */
 import { describe, expect, it } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A real report (TALUS_REPORT=report.html) against the contract: schema, arrays, and what the numbers must obey. */
 import Ajv from "ajv";
 import { readFileSync } from "node:fs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Reads a report.html and the results folder beside it, as the tests need them. */
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A real report (TALUS_REPORT) against the results folder that it was made from (TALUS_RESULTS). */
 import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";

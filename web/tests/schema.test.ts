@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** contract/report.schema.json is what src/contract/ says: the C++ tests hold what they write against that file. */
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";

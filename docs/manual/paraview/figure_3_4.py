@@ -1,4 +1,5 @@
 #!/usr/bin/env pvpython
+# SPDX-License-Identifier: MIT
 """Draws displacement at four levels of strength reduction in ParaView, as Figure 3.4 of the source.
 
 Usage: pvpython figure_3_4.py RESULTS_DIR OUT_DIR [--srf A B C D] [--after SECONDS] [--width PIXELS] [--shared]

@@ -1,4 +1,5 @@
 #!/usr/bin/env pvpython
+# SPDX-License-Identifier: MIT
 """Shows one trial in ParaView: the band of large strain, a movie, and the way of one point over time.
 
 Usage: pvpython runout.py RESULTS_DIR OUT_DIR [--srf 1.75] [--strain 0.1] [--point ID] [--width PIXELS]

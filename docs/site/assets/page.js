@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a page does: the search, the list of pages on a phone, light and dark. Works from file://, without a server.
 (() => {
   const root = document.currentScript.dataset.root;

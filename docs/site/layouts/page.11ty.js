@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The frame of every page: header with search, navigation, the page, its contents, and the ways on.
 import { findPage } from "../pages.js";
 import { findTitle } from "../markdown.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The border of the soil: areas of the nodes on it, and their conditions in time.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Faults of a seepage model.
 
 #include "fem/seepage/check.hpp"

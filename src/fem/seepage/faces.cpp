@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The states of face nodes: open, wet or dry, as a mixed complementarity problem.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Values of boundary conditions in time.
 
 #include "fem/seepage/hydraulic_boundary.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Hydraulic conditions at the boundary of the soil.
 

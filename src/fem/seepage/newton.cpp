@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Newton's method with a line search.
 
 #include "fem/seepage/newton.hpp"

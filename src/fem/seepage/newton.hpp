@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Newton's method for the nodal equations of seepage, with the states of face nodes found on the way.
 // Internal to fem/.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pressures, velocities, discharges and wet faces of a solution.
 
 #include "fem/seepage/results.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // From the heads of a solution to what users read. Internal to fem/.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Water that roots draw from the soil: a sink in the nodal equations of seepage (T16.1).
 

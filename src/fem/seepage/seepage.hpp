@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Flow of water through saturated and unsaturated soil that does not move: Richards' equation on the project's linear
 // triangles and tetrahedra, steady or in time. docs/theory/13-seepage.md has the equations, decision 0016 the reasons.

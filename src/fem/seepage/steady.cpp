@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The steady state: from saturated flow to the soil's own law of conductivity, in as few stages as possible.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sums over elements: Darcy's flow with the mean conductivity of an element, and the water that nodes store and
 // lose to roots.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbering, pattern and stores of the nodal equations of seepage.
 
 #include "fem/seepage/system.hpp"

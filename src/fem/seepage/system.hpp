@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The nodal equations of seepage: numbering, pattern, conditions at the nodes, and the sums over elements.
 // Internal to fem/; the interface is seepage.hpp.

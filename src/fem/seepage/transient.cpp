@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Seepage in time: implicit Euler with steps that follow the error.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Elements are computed in parallel, a batch at a time, and added in their order: the same bits for any number of
 // threads.
 

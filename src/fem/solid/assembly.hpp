@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Sums over the elements: internal forces and tangents. Internal to fem/.
 

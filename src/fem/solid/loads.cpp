@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Nodal forces of weight and of tractions on sides; the integrals are exact.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The quadratic mesh on a linear one.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Plain Newton iterations do not find the equilibrium of soil whose flow is not associated: near collapse the tangent
 // is no longer positive, and a return over one long increment has no history. So the step is a creep: K_el q̇ = residual
 // is what an elastic viscosity would do, and its implicit Euler steps are positive definite when short and Newton's own

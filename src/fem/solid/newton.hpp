@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One step of the equations of equilibrium: implicit creep towards rest, each of its steps by Newton's method (T19.6).
 // Internal to fem/.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tangents of the laws by dual numbers.
 
 #include "fem/solid/point.hpp"

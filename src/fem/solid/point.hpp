@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One integration point: stress, state and consistent tangent after a strain increment. Internal to fem/.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Quadratic shape functions of straight-sided triangles and tetrahedra, and their integration points. Internal to fem/.
 

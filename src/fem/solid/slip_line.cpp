@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The slip line of a failed trial: the cheapest way through the mesh between the two places where the moving ground
 // ends, where length costs less the more the soil is sheared; then drawn onto the ridge and smoothed.
 

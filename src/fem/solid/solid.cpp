@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Equilibrium in load steps.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Quasi-static equilibrium of elastic-plastic soil by finite elements at small strain: quadratic triangles (6 nodes, 3
 // points) and tetrahedra (10 nodes, 4 points) on the project's linear meshes, Newton's method with the tangents of the

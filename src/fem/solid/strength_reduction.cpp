@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strength reduction by bracketing. Every trial starts from the equilibrium at full strength, so that its answer does
 // not depend on which others were tried before it.
 

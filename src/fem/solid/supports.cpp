@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which directions the supports hold at which nodes, and the edges of the quadratic mesh by their corners.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Unknowns and pattern of the equations of equilibrium.
 
 #include "fem/solid/system.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The equations of equilibrium of a model: unknowns, loads, and the pattern of the matrix. Internal to fem/.
 

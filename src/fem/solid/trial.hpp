@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Steps that equilibrium and strength reduction share. Internal to fem/.
 

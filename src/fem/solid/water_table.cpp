@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Marching through the triangles that the water table crosses.
 
 #include "fem/solid/water_table.hpp"

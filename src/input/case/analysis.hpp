@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [analysis] and [strength_reduction]: what is asked of the case, and how the factor of safety is found.
 

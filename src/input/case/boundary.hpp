@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [[boundary]] and [[traction]]: what acts on named sides and lines.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [calibration]: which numbers of the soils `talus calibrate` fits, and to what.
 

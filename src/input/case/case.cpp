@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/case/case.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The case as plain data, in SI units and radians, and the case file: its blocks in the order of the manual. Each block
 // has a header, with its struct and what each key means to a user, and a .cpp with what must hold between its keys.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What must hold between the keys of a case. A check is silent about keys that are already known to be wrong.
 

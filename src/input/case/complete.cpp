@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/case/complete.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [fem]: the factor of safety by quadratic finite elements.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [geometry]: the soil polygons in the background box, and lines that the mesh conforms to.
 

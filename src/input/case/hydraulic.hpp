@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [[hydraulic]]: hydraulic conditions at the boundary of the soil.
 

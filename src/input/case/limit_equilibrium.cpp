@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [lem], [[lem.surface]], [[surcharge]] and [partial_factors]: surfaces and ranges that lie on the soil.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [lem]: slip surfaces, slices and the search for the critical surface.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [[surcharge]] and [earthquake]: loads of slices and finite elements.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [materials.NAME]: the soils. No strength has a default here: a forgotten one must not become a number.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/case/measured_table.hpp"
 
 #include <fmt/format.h>

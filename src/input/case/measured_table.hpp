@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Tables of measurements: comma-separated text whose header names columns and units.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [mesh]: the background mesh and the material points in it.
 

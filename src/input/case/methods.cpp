@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [analysis] methods: what each of them needs, and what it cannot take.
 
 #include <fmt/format.h>

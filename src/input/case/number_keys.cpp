@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/case/number_keys.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The numbers of a material by their keys, as the case file names them: "kappa", "water.conductivity".
 

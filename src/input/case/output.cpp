@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [output]: the stage that the clock starts from, and sections.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/case/partial_factors.hpp"
 
 namespace talus::input {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [partial_factors]: those of Eurocode 7 for the stability of slopes: the named sets, and what is divided or
 // multiplied.

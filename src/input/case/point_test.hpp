@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [[test]]: element tests of `talus point` and `talus calibrate`.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/case/result_names.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Names of the numbers that a case yields: what [[compare]] may name, and how `results` of summary.json is labelled.
 

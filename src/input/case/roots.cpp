@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [[roots]]: what is given of each block, whether there are soils for it, and what rooted soils require.
 
 #include <fmt/format.h>

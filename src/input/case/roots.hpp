@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [[roots]]: where roots are, their content or cohesion, their age, and their water uptake.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [study] with mode = "sample": the checks that do not depend on the numbers of the case. Those are in read.cpp.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [[study.random]] and [[study.correlation]]: uncertain numbers, for `talus study` with mode = "sample".
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [materials.NAME]: what slices and finite elements need of a soil beside its strength.
 

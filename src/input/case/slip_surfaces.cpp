@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [[lem.surface]]: circles that cut the ground, and polylines that run from ground to ground through the soil.
 
 #include <fmt/format.h>

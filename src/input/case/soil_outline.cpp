@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/case/soil_outline.hpp"
 
 #include <fmt/format.h>

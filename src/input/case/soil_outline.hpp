@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The outline of the soil in a plane section: how far it reaches, and the level of its ground.
 

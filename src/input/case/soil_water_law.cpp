@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/case/soil_water_law.hpp"
 
 namespace talus::input {

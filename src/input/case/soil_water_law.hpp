@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // From the keys of a soil's water to the laws that the engine and the seepage solver evaluate.
 

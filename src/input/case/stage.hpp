@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [[stage]] and [rest]: periods of time, how they are calculated, and when the soil is at rest.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [initial] result: whether there is a result to start from, what has no meaning with one, and whether it fits the
 // case.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [gravity] and [initial]: the weight of the soil and its state at the start.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [study]: which keys are varied, and how uncertain numbers are sampled.
 

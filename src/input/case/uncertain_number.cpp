@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/case/uncertain_number.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The uncertain numbers of a study in figures: a [[study.random]] evaluated for its case.
 

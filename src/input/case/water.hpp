@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // [water] and [materials.NAME.water]: pore water, and the laws of soils for it.
 

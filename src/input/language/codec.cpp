@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/language/codec.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How each C++ type of a key is written in TOML, JSON and JSON Schema. One specialisation of Codec for each type:
 //   decode  reads a TOML node into the value (SI units, radians); false and a finding when it cannot

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How lists of words and of texts, a point, a large whole number and a single value of any unit are written in TOML.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How series in time and curves over suction are written in TOML: pairs whose two numbers have different units.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How contents in per cent, shares over depth or age, and the four suctions of Feddes are written in TOML.
 

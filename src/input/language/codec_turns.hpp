@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How the path of an element test and its changes of a material are written in TOML.
 

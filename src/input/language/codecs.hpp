@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How every type of a key is written: for visitors of the whole case.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/language/findings.hpp"
 
 #include <algorithm>

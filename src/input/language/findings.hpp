@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Where in the file each key stands, and what is wrong with it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How a value is written where its C++ type alone does not say: a block wraps its member in one of these.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // --set key=value: changes of a case file that are made on the command line.
 

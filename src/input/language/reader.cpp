@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/language/reader.hpp"
 
 #include <fmt/format.h>

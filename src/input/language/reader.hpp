@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The visitor that reads a TOML table into the structs, and finds what is unknown, missing or wrong.
 

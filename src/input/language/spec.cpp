@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/language/spec.hpp"
 
 #include <fmt/format.h>

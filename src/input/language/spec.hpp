@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What a declaration says about a key besides its name, place and meaning.
 

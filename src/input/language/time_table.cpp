@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/language/time_table.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Candidate surfaces for many samples of soils. Weights are linear in the unit weights, so each slice keeps the areas
 // of the soils above it; strengths are read from the sample.
 

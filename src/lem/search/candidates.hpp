@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Slip surfaces whose geometry is kept while soils and earthquake change: thousands of samples in seconds.
 

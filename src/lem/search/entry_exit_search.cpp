@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Trial circles through an entry and an exit on the ground, with several depths each.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The factor of one surface after another by one method, with memory that is used again. One per thread.
 

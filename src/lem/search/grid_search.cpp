@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Trial circles about a grid of centres, with radii between two elevations of their deepest points.
 
 #include <algorithm>

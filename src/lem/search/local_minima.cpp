@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Local minima in the lattice of trial circles.
 
 #include "lem/search/local_minima.hpp"

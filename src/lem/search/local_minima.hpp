@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Separate local minima among trial surfaces, and how much two sliding masses have in common.
 

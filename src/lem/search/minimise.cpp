@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // NLopt's minimisers behind one function. docs/decisions/0022-optimiser.md says which was chosen for what.
 
 #include "lem/search/minimise.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The smallest value of a function between bounds without its derivatives, by NLopt.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Free and tied optimisation of a circle.
 
 #include "lem/search/optimise_circle.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Local optimisation of a circle: its two ends on the ground and its depth.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Optimisation of polylines: rounds of a minimiser over the vertices, with vertices inserted in between.
 
 #include "lem/search/optimise_surface.hpp"

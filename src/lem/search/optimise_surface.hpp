@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Local optimisation of a surface of any shape: the vertices of a polyline.
 

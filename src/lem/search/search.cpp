@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The search: trial circles, their factors, local minima, optimisation, findings.
 
 #include "lem/search/search.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sentences about refusals, limits and doubtful critical surfaces.
 
 #include "lem/search/search_findings.hpp"

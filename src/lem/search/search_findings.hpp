@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Sentences about a search: why surfaces were refused, and limits that were hit.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The smallest factor per centre of the trial circles.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The circles that a search tries, in an order that knows its neighbours.
 

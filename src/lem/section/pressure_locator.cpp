@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds the pore pressure at a place in a grid of triangles.
 
 #include "lem/section/pressure_locator.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Faults of the regions of a section whose ground is sound.
 
 #include "lem/section/region_faults.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Faults of a section that no surface could be calculated in: ground, soils, water and loads.
 
 #include "lem/section/section.hpp"

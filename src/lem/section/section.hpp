@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The slope as limit equilibrium sees it: ground, soils, water and loads of a section, per metre of thickness. Lengths
 // in metres, x to the right, y up. Pore pressure u and loads are positive in compression here, as in every text on

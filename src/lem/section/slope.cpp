@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A section made ready for many surfaces: questions about what stands over x.
 
 #include "lem/section/slope.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A section made ready for many surfaces: strips of constant layering, so that what stands over x is found by walking.
 // Immutable after construction; shared by threads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ponded water beside vertical steps of the ground.
 
 #include <algorithm>

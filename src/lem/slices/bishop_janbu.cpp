@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The simplified methods: Fellenius, Bishop, Janbu.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Forces on the slices of a solution, and the line of thrust.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Methods that satisfy both equilibria: X = λ f E between the slices (Spencer, Morgenstern and Price).
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pore pressure and strength at the base of a slice.
 
 #include "lem/slices/slice_strength.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Geometry, weight, loads and strength of the slices over a base.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The slices over a base, and the water that presses on vertical steps of the ground.
 

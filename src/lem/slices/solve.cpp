@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The factor of safety of one slip surface: which method, and whether its answer can be trusted.
 
 #include "lem/slices/solve.hpp"

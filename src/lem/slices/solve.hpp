@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The factor of safety of one slip surface by the methods of slices.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The layers of one strip: every line of a region or of the water table is a boundary.
 
 #include "lem/slices/strip_layers.hpp"

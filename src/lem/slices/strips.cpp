@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Builds the strips of a section: every vertex and every crossing of two of its lines is a break.
 
 #include "lem/slices/strip_layers.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What stands over each x of a section: strips between neighbouring breaks of ground, regions, water table and loads.
 // Inside a strip every line is straight and no two of them cross, so that weights are exact by their mid-ordinates.

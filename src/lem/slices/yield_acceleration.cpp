@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The horizontal acceleration that brings a surface to F = 1.
 
 #include <cmath>

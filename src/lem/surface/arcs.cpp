@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which arcs fit between two points of the ground, in closed form where there is one.
 
 #include "lem/surface/arcs.hpp"

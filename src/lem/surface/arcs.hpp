@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Arcs between two points of the ground. All arcs through the same two points are nested, so one number says which:
 // half the angle that the arc spans. It grows with depth.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The base of a sliding mass as arcs and straight pieces, and where it meets the lines of the section.
 
 #include "lem/surface/base_line.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The base of a sliding mass as arcs and straight pieces, and where it meets the lines of the section.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cuts the sliding mass over a surface: base, slices, direction of sliding, tension crack.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sliding mass as the methods see it.
 
 #include "lem/surface/mass.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The sliding mass as the methods see it: slices in the order of sliding, from the upper end to the lower one, in a
 // frame whose axis ξ points the way of sliding.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the ends of trial circles stand on the ground.
 
 #include <algorithm>

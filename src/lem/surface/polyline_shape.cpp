@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lower convex hulls and their thinning.
 
 #include "lem/surface/polyline_shape.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A slip surface: names of refusals, and where a circle meets the ground.
 
 #include "lem/surface/surface.hpp"

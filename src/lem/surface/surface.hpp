@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A slip surface: an arc or a polyline from ground to ground.
 

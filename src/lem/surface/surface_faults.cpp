@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Faults of a slip surface that the user gave.
 
 #include <fmt/format.h>

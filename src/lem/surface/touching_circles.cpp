@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The best circle that touches each region.
 
 #include "lem/surface/touching_circles.hpp"

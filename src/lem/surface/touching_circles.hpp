@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Circles that just touch a region: where a strong layer begins the factor jumps, and the smallest one stands right at
 // the jump, in a valley too narrow for a lattice of trial circles.

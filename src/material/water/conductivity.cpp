@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks the parameters of conductivity laws.
 
 #include "material/water/conductivity.hpp"

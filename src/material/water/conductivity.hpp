@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How easily water flows through unsaturated soil: k = k_s k_r, k_r over saturation or suction, at most 1.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How much of what plants ask for roots take up at a suction: the reduction of Feddes, Kowalik and Zaradny (1978).
 

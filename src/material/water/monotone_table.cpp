@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks the points of a table and computes its pieces.
 
 #include "material/water/monotone_table.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A monotone curve through given points, for retention and conductivity from the laboratory. It lives in fixed arrays,
 // so kernels may use it; the interval is found by selection, without a branch per lane.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks the parameters of retention curves.
 
 #include "material/water/retention.hpp"

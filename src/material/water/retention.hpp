@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How much water soil holds: degree of saturation over suction. Suction is the pore pressure itself, positive in
 // tension; at s <= 0 every curve has its maximum, so S and its slope are S_max and 0 there.

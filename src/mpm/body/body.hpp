@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Everything the explicit engine computes with, as plain data. Functions over it are free and stand in the files named
 // after the lines of the step (step.hpp).

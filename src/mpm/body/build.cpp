@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mpm/body/build.hpp"
 
 #include <algorithm>

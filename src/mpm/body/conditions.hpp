@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Boundary conditions as the step uses them: per constrained node and per traction, resolved from the names of the
 // case.

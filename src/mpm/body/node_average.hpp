@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Nodal averages of element values (2.94). Rows hold pairs: Σ value·weight, and Σ weight.
 

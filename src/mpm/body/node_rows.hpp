@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Node loops: pieces of nodes, sums over the rows of a node, and what a constraint leaves of a force.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mpm/body/observe.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mpm/body/point_state.hpp"
 
 namespace talus::mpm {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Writing the state variables of single points between steps; view_point() reads them.
 

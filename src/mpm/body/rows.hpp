@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Between node rows in memory and packs over elements: whole rows are moved and transposed in registers, which is
 // faster than one gather per component (docs/performance.md).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Taking single points out of the slots of a block and putting them in: the book-keeping behind relocation.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one pass over the points of soil with pore water: what the water adds to it, its velocity, mass and pressure.
 
 #include "mpm/coupled/coupled_step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The lines of the step of soil and pore water (docs/theory/14-two-phase.md), over the points, elements and kernels of
 // one phase. step() of step.hpp runs them for bodies with water.

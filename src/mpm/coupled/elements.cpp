@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Single elements of the coupled step, from their points: for those that relocation touches, and for a fresh start.
 
 #include "mpm/coupled/coupled_step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Exchange of water between neighbouring elements that removes pressures which no node feels (T14.9).
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Accelerations of nodes that nothing holds, loads or limits, a pack of nodes at once (T14.6): most nodes of a body.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What pore water adds to the mathematics of one element (mpm/step/kernels.hpp), as templates on T.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Accelerations of both phases at the nodes.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mpm/coupled/pore_state.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // From the water that pores hold to its pressure, the stress that it makes and how easily it flows.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // MUSL's nodal velocities of both phases, the flux between them, and the budget of the water.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Roots draw water from elements through the same surplus by which elements exchange it (T16.4).
 
 #include "mpm/coupled/root_uptake.hpp"

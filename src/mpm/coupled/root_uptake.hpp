@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Water that the roots of plants draw from the pores (docs/theory/16-season.md).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Nodal averages of what makes soil and water change their volume: of the strain increment with weights V_e, of the
 // divergence of the seepage with weights V̄ (2.94), and the surplus of pressure smoothing (2.96, T14.8).
 

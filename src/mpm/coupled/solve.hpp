@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The two equations of a node: water and grains with the drag between them (T14.5, T14.6).
 

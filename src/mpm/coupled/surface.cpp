@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where wet soil ends, and the pressure of the water outside.
 
 #include <algorithm>

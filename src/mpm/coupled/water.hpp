@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Pore water of the engine as plain data: what the coupled step (coupled_step.hpp) has beside the fields of one phase.
 // Symbols and formulas: docs/theory/14-two-phase.md. Pressure p is positive in tension, so suction is a positive p.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Which water law the lanes of a block follow: one for all, or one per lane under masks; the counterpart of laws.hpp.
 

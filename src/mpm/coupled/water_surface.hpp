@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Water at the surface of the wet soil: where the surface is, and how much may pass through it (page 14, "Conditions").
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one pass over the points of soil of one phase.
 
 #include "mpm/step/block_pass.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The one pass over the points, block by block: velocity, position, strain, stress and volume, and the nodal sums of
 // the next step. What pore water adds are the hooks of a block and of a slot that the phase hands in: DryPass of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mpm/step/critical_step.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mpm/step/element_force.hpp"
 
 #include "mpm/step/kernels.hpp"

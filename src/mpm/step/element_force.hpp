@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Internal force and free surface of single elements, for the few that relocation touches and for a fresh start.
 

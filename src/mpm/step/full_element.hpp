@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Mixed integration: one stress and one state for all points of an element that is full (2.92).
 

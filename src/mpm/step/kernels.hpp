@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The mathematics of one element and its points in a step, as templates on T: a Pack (one element per lane) on the CPU,
 // a double on a GPU. Symbols are those of docs/notation.md.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Which constitutive law the lanes of a block follow: one for all (the common case, visited once per block), or one per
 // lane, applied law by law under masks. Never a branch per point.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Nodal forces of the tractions on sides and on points, at the time of the body.
 
 #include "mpm/step/step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The two node loops of the step: accelerations, and MUSL's nodal velocities.
 
 #include <algorithm>

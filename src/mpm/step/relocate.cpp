@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points that left their element: found again by walking through the sides, in an order that threads cannot change.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Nodal averages of element values, weighted by element volume (2.94): of the volumetric strain increment, and of the
 // plastic return's change of mean stress.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mpm/step/step.hpp"
 
 #include "mpm/coupled/coupled_step.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The computational cycle of section 2.2.3 (MUSL), rearranged so that the points are read and written once per step.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/files/archive.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The checkpoint's container: named arrays that come back bit for bit, or a sentence that says why they cannot.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the single frames of a run to its results files.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/files/frame.hpp"
 
 #include <fmt/format.h>

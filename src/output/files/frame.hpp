@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One moment of a run as plain data: what the engine hands over and what a reader gets back.
 

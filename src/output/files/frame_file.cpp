@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/files/frame_file.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One frame in one HDF5 file, the form in which frames are kept while a run is going on.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/files/frames_reader.hpp"
 
 #include <fmt/format.h>

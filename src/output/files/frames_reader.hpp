@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The results of a run in its folder: `frames/000012.h5` while it goes on, `results.vtkhdf` and `results.xdmf`
 // (and `mesh.vtkhdf`, `mesh.xdmf` when the background mesh is stored) once it is finished.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/files/hdf5.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The only file that knows the HDF5 library: handles that close themselves, arrays in and out, errors as sentences.
 // Included by .cpp files of this floor only, so that users of the library need no HDF5 headers.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/files/history.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A table that grows while a run goes on, as comma-separated text: `time [s],kinetic_energy [J]`.
 

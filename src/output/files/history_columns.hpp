@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What the columns of histories and monitors hold. Their names are those that run/mpm/record/ writes; a CSV file has no
 // room for more.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/files/results_folder.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What stands where in a results folder: the index that the writer, the reader and the assembly share.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A time series of an unstructured grid in the VTKHDF layout, version 2.0, as ParaView 5.12 and later open it.
 // https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/vtkhdf_specifications.html

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/files/xdmf.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The XDMF 3 side-car of a series: ParaView before 5.12 cannot read a VTKHDF series, and reads this instead.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/plots/curve_plot.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Pictures of curves: the displacement–SRF curve with the constructions on it, and the curves of a study.
 

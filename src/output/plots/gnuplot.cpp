@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/plots/gnuplot.hpp"
 
 #include <fcntl.h>

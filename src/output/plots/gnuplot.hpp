@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Pictures through gnuplot: the program writes a script with its data inside, gnuplot draws it, and the script stays
 // beside the picture so that it can be restyled by hand (`gnuplot curve.gp`).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Picture of element tests: several diagrams of the same tests, with one legend.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A picture of a section: its soils, and the slip surfaces that the methods found.
 

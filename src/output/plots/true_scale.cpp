@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/plots/true_scale.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Pictures of a plane in which lengths are true: the part that is drawn, and the frame around it.
 

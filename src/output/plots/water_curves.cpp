@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/plots/water_curves.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The hydraulic laws of a soil as numbers over suction: for the picture of water_plot.hpp and for a table.
 

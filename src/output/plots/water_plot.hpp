@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Picture of soil-water curves: degree of saturation and conductivity over suction, a row of two panels per soil.
 

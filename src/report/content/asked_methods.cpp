@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/asked_methods.hpp"
 
 #include <algorithm>

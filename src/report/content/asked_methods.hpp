@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Which methods a case asks for: slices, finite elements, material points.
 

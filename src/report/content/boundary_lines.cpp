@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/boundary_lines.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A calibration of a folder (`Calibration` in web/src/contract/).
 

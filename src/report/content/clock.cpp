@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/clock.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The clock of a case ([output] count_from) and the stored frames that are shown by it.
 

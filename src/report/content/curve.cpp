@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/curve.hpp"
 
 #include <nlohmann/json.hpp>

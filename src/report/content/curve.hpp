@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The displacement curve of a run (`Curve` in web/src/contract/).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/fields.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Stored fields as the scalar quantities that a person looks at: magnitudes, components, titles, units, colour scales.
 

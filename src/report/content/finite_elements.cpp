@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/finite_elements.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Strength reduction by finite elements in a report: trials, factors, the fields at failure.
 

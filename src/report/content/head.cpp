@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/head.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/hydraulics.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The hydraulic conditions of a case as a person reads them (`HydraulicCondition` in web/src/contract/).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The soils of a case with their values: as given, divided by the stage's strength factor, and at failure.
 

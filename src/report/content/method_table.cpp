@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/method_table.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The factors of safety by slices, finite elements and material points beside each other.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The calculation model as the report shows it (`Model` in web/src/contract/).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/named_results.hpp"
 
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The results of a run by name (`NamedResult` in web/src/contract/).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/point_tests.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Element tests of a folder (`PointTests` in web/src/contract/).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/properties.hpp"
 
 #include <fmt/format.h>

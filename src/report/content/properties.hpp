@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The rows of one soil in the table of materials: values as given, divided by the stage's strength factor, and at
 // failure.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/run_sequences.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The frames of a run as sequences: its stages, the trials of the curve, each runout.
 

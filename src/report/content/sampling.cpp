@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/sampling.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A study with sampled numbers in a report: distributions, probability of failure, sensitivities, runout.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/sections.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The sections of a case and what its monitors did, as the report shows them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Frames that belong together, thinned and packed (`Sequence` in web/src/contract/).
 

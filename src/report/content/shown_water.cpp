@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/shown_water.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Pore water of a frame as an engineer asks for it, from what the results hold.
 

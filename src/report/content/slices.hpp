@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Methods of slices in a report: critical surfaces with their slices, every trial circle, the search.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/soil_water.hpp"
 
 #include <fmt/format.h>

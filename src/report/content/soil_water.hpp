@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The hydraulic laws of the soils of a run (`SoilWater` in web/src/contract/).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/step_choices.hpp"
 
 #include <algorithm>

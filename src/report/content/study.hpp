@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A study as the report shows it: its table, the curves of its variants, and how they ended.
 

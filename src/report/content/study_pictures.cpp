@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/study_pictures.hpp"
 
 #include <fmt/format.h>

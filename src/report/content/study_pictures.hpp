@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Frames of the variants of a study, packed so that they can be put side by side.
 

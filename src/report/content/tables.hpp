@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Histories and ground profiles as columns (`Table` in web/src/contract/).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/content/thinning.hpp"
 
 #include <fmt/format.h>

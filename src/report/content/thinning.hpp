@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Which frames and points of the results a report shows: a rule that needs no choice and can be said in one sentence.
 

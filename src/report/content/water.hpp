@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Pore water of a run: properties, initial state, conditions and budget (`Water` in web/src/contract/).
 

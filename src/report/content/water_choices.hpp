@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How pore water is calculated in the stages and trials of a wet case.
 

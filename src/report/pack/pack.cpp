@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/pack/pack.hpp"
 
 #include <zlib.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Arrays of a report as text: quantised, compressed, in base64 (`PackedArray` in web/src/contract/).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/pack/page.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The page that a report is filled into; it stands inside the program (cmake/TalusReportPage.cmake).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/words/answer.hpp"
 
 #include <fmt/format.h>

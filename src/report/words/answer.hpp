@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The answer of a run in plain words, and the factors of safety with their basis.
 

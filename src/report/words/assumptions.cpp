@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/words/assumptions.hpp"
 
 #include <fmt/format.h>

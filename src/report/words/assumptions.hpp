@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The assumptions of a run and their limits, as sentences derived from its case and its results.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/words/explained_methods.hpp"
 
 #include <algorithm>

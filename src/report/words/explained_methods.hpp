@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Which paragraphs of the methods section apply to a run (`Method` in web/src/contract/).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/words/numbers.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/words/water_words.hpp"
 
 #include <fmt/format.h>

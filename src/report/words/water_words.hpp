@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Sentences about pore water: for the answer of a report, and its assumptions.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/compare/compare.hpp"
 
 #include <fmt/format.h>

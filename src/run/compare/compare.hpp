@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The methods beside one another: factors, surfaces, surfaces of one method handed to another.
 

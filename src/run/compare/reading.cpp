@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/compare/reading.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/compare/slip_line.hpp"
 
 #include <fmt/format.h>

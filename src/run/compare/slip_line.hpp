@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Slip lines of finite elements and material points as surfaces for slices.
 

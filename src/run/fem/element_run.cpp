@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/fem/element_run.hpp"
 
 #include <fmt/format.h>

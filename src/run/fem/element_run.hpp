@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Strength reduction by finite elements in a run: calculated or taken from an interrupted run, and kept in the folder.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/fem/fields_vtu.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/fem/solid_of_case.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/fem/tell_elements.hpp"
 
 #include <algorithm>

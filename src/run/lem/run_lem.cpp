@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/lem/run_lem.hpp"
 
 #include <fmt/format.h>

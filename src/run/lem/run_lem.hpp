@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Limit equilibrium on a case: the search, and surfaces of the user's choice.
 

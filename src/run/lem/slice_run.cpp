@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/lem/slice_run.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/lem/tell_slices.hpp"
 
 #include <cmath>

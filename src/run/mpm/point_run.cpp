@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/point_run.hpp"
 
 #include <fmt/format.h>

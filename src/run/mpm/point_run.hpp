@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Material points on a case: from the mesh through stages and trials to how far the soil ran.
 

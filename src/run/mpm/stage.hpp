@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One period of time: the loop over steps, with the time step, the end at rest, and the check of stability.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/tell_points.hpp"
 
 #include "mesh/quality.hpp"

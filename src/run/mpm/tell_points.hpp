@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The results of a body of material points: its mesh, and the balances of energy, momentum and mass.
 

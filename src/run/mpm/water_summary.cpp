@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/water_summary.hpp"
 
 #include <algorithm>

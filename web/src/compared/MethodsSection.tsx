@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** All methods beside each other: factors by criterion with computing times, handed surfaces, how to read it. */
 import { CsvButton } from "../charts/base/Legend";
 import type { MethodRow, MethodTable } from "../contract";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The slip surfaces of all methods over one section, for a run without material points: on the strains of the finite
  * elements where there are any, else on the soils. */
 import { useMemo } from "preact/hooks";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Partial factors, design values and the over-design factor. */
 import { formatNumber } from "../charts/base/numbers";
 import type { MethodTable } from "../contract";

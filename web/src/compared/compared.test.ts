@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What the methods share: surfaces that are laid over each other, contents of the page, pictures of the elements. */
 import { describe, expect, it } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The slip surfaces that can be laid over each other, with what the legends say of them. */
 import type { MethodName, MethodSurface, SurfaceSource } from "../contract";
 import { report } from "../state";

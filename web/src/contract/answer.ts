@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What was asked for: factors of safety, other numbers, and published values beside them. */
 import type { Criterion, FactorMeasure, Flow, MethodName, SliceMethod, SurfaceSource, Unit } from "./units";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Strength reduction with quadratic finite elements. */
 import type { Flow, PackedArray } from "./units";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The head and the foot of a report: its title block, the case, where it comes from, and how long it took. */
 
 /** The title block. Empty texts are left out. */

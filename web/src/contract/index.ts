@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The data contract between the program and this page, as the page imports it: every room of this folder. */
 export type * from "./answer";
 export type * from "./elements";

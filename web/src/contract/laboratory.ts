@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Soil by itself: element tests, and the calibration on measured ones. */
 import type { Column } from "./units";
 

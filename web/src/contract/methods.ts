@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Slices, finite elements and material points beside each other, and partial factors. */
 
 import type { MethodName, SurfaceSource } from "./units";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The calculation model: geometry, supports, loads, soils, stages, mesh. */
 import type { PackedArray } from "./units";
 import type { SoilWater } from "./water";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /**
  * The data contract between the C++ side (src/report/) and this page: what a report holds.
  *

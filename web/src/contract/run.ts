@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What one run has: frames, the displacement curve, tables over time, motion, sections. */
 import type { Criterion, PackedArray, TableColumn, Unit } from "./units";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The part of the data contract that a study with sampled numbers has. */
 
 export interface Sampling {

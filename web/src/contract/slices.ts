@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Methods of slices: critical surfaces, and what was tried. */
 import type { PackedArray, SliceMethod } from "./units";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What a study has: its rows, and what is read off all of them. */
 import type { Curve, Motion, Section } from "./run";
 import type { Sampling } from "./sampling";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What all parts of the contract share: kinds of methods and factors, units, packed arrays, columns. */
 
 /** Slices, finite elements, material points. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Pore water: soils, conditions, start, weather before the run, budget. */
 import type { Unit } from "./units";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What the colours and lines of a drawing mean. */
 import type { ComponentChildren } from "preact";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A section drawn on a canvas, with rulers, a scalar bar, a reading under the pointer, zoom and print. */
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Whether the page is dark, for what is not drawn on a canvas alone. */
 import { useEffect, useState } from "preact/hooks";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The ground of a section: soils in their colours, water tables, surcharges. */
 import { report } from "../state";
 import { tabulateCategories, writeColour } from "../viewer/colours";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What a drawing of a section is made with: canvas, view, colours. */
 import { report } from "../state";
 import type { Camera } from "../viewer/camera";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Mouse, fingers and wheel over a drawing. */
 import type { Vec } from "../viewer/camera";
 import type { View } from "./view";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How slip surfaces are drawn over fields and soils: colours and dashes by number, on a light edge. */
 import { strokeLine, type Pixel } from "../viewer/lines";
 

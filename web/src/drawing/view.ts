@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The two canvases of a drawing, its view, and when they are drawn. */
 import { printing } from "../charts/base/printing";
 import { saveFile } from "../charts/base/saveFile";

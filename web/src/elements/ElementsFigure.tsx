@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The finite elements at failure: shear strain or displacement, deformed if wanted, plastic elements, slip line. */
 import { useMemo, useState } from "preact/hooks";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Strength reduction by finite elements: factors by both criteria, the picture at failure, the trials. */
 import { useState } from "preact/hooks";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Displacement over strength reduction factor of the finite elements: where equilibrium ends. */
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The trials of the strength reduction with their residuals. */
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";

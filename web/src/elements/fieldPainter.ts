@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Paints a field on a mesh of quadratic triangles pixel by pixel: colours run as the shape functions do. */
 import type { Pen } from "../drawing/pen";
 import { findColour } from "../viewer/colours";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Decodes mesh and fields of the finite elements. */
 import { useEffect, useState } from "preact/hooks";
 

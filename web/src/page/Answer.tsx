@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The answer: the factor of safety large, in words, beside other criteria; runout; warnings. */
 import { report } from "../state";
 import { FactorTable, methodNames } from "./FactorTable";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A table with a caption that scrolls inside its own box where the screen is narrow. */
 import type { ComponentChildren } from "preact";
 

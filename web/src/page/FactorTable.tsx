@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Factors of safety by method and criterion, each with its bracket, drawn on one common axis. */
 import { formatFactor } from "./format";
 import type { Factor, MethodName } from "../contract";

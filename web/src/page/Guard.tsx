@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** If one part fails, a sentence stands in its place and the rest of the report remains. */
 import { Component, type ComponentChildren } from "preact";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The whole input as it was understood: what the case file gave, and every default. */
 import { useMemo, useState } from "preact/hooks";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Parts that are drawn when they come near the screen, when the page is idle, or before it is printed. */
 import { signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";

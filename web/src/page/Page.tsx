@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The page: the answer first, then its basis. */
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";

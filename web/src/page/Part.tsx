@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A part of the report: a section with an address, a heading, and buttons beside it. */
 import type { ComponentChildren } from "preact";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Which program made this, on what, and where the time went. */
 import type { ComponentChildren } from "preact";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A box whose content scrolls sideways inside it; the keyboard stops there only when there is something to scroll. */
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";

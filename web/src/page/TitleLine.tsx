@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The first line of the page: what was computed, for whom, when, by which version, and whether it finished. */
 import { report } from "../state";
 import { formatDate, formatSentence } from "./format";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The bar at the top: contents, colours, printing. It stays while the page moves. */
 import { useEffect, useRef, useState } from "preact/hooks";
 

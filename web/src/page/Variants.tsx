@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The outcome of each variant of a study: its status, why it did not finish, its warnings. */
 import { report } from "../state";
 import { DataTable } from "./DataTable";

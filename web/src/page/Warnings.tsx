@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Warnings, counted, each a sentence: seen at once, never folded away before the third. */
 import { report } from "../state";
 import { formatCount, formatSentence } from "./format";

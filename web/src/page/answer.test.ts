@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the answer shows first where several methods were asked.
 import { describe, expect, it } from "vitest";
 

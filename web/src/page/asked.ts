@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Which methods the case asks for: slices, finite elements, material points. */
 import type { MethodName, Report } from "../contract";
 import { findSetting } from "./methods/settings";

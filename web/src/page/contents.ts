@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Which parts this report has, in the order of the page. */
 import type { Report } from "../contract";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Puts text on the clipboard, also in a page that was opened from a disk. */
 export async function copyText(text: string): Promise<boolean> {
   try {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers as engineers write them.
 import { describe, expect, it } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Writes numbers as engineers read them: few digits, real minus signs, SI names. */
 import type { Unit } from "../contract";
 

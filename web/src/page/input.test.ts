@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The echo of the input: rows, and the case file made from them.
 import { describe, expect, it } from "vitest";
 

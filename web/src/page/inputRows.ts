@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The input as rows: each value with its key, its unit, and whether the case file gave it. */
 import type { InputTable, InputValue } from "../contract";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What the viewer opens on where slip surfaces of other methods lie over the material points. */
 import { effect } from "@preact/signals";
 import { findRestLimits, judgeTrial } from "../charts/curve/rest";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What happens around printing: light colours, all parts drawn, everything folded out, a running title. */
 import { formatDate } from "./format";
 import { drawEverything } from "./Lazy";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Which factors of safety the answer shows at once; the others stand behind a fold. */
 import type { Factor } from "../contract";
 

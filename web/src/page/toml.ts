@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Writes the input back as a case file: what was given, or every value. */
 import { isValue, type InputNode } from "./inputRows";
 import type { InputTable } from "../contract";

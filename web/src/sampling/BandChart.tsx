@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A probability over something, with the band of its confidence interval. */
 import * as Plot from "@observablehq/plot";
 import { useState } from "preact/hooks";

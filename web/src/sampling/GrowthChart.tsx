@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How the estimate of the probability of failure settled as the samples grew. */
 import { formatNumber } from "../charts/base/numbers";
 import type { FailureProbability } from "../contract";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How often a sampled result falls into each class, with the limit and fitted distributions. */
 import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";

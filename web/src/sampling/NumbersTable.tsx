@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The uncertain numbers: as asked, as sampled, and how the factor follows them. */
 import { formatNumber } from "../charts/base/numbers";
 import type { Sampling } from "../contract";

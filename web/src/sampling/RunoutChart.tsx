@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How probable it is that the soil comes farther than a distance beyond the toe. */
 import { formatNumber } from "../charts/base/numbers";
 import type { Runout } from "../contract";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A study with sampled numbers: probability of failure, distribution of the factor, sensitivities, runout. */
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { FittedLaw, Sampling } from "../contract";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How far each number alone moves the factor, one deviation down and up: the longest bar first. */
 import * as Plot from "@observablehq/plot";
 

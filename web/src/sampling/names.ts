@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Names and units of sampled numbers as they are read. */
 import { formatUnit } from "../page/format";
 import { formatNumber } from "../charts/base/numbers";

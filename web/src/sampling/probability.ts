@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Probabilities as text, and the curves that are laid over a histogram. */
 import { formatNumber } from "../charts/base/numbers";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The smallest factor over the centres of the circles, above the slope. */
 import { useEffect, useMemo, useState } from "preact/hooks";
 

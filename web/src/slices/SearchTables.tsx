@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How the search went: what was tried and refused, limits that were hit, and separate local minima. */
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { LocalMinimum, SlicedSurface, Slices, SliceSearch } from "../contract";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The slice table: sortable, to be saved as CSV; symbols in its head, their meaning below. */
 import { useState } from "preact/hooks";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Methods of slices: the critical surfaces, every trial, the map of centres, the slices of the selected surface. */
 import { useState } from "preact/hooks";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The section with every trial surface coloured by its factor, the critical ones, slices and line of thrust. */
 import { useMemo, useState } from "preact/hooks";
 

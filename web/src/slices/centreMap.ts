@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The map of the smallest factor over the centres: of the search's grid, or of the trial circles binned by centre. */
 import { findBox, type Box } from "../drawing/pen";
 import type { RankedTrials } from "./sliceData";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Lines of equal value on a grid of cells with gaps: marching squares between the middles of the cells. */
 
 export type Segment = [number, number, number, number];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Row numbers in the order of a column; rows without a value stand last whichever way. */
 export function orderValues(values: readonly (number | string | null)[], down: boolean): number[] {
   const sign = down ? -1 : 1;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The ranges that a search chose exits and entries from. */
 import type { Pen } from "../drawing/pen";
 import { strokeLine } from "../viewer/lines";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Slices as the figures and tables need them: titles, columns with their units, colours of the trials. */
 import type { SlicedSurface, Slices } from "../contract";
 import { report } from "../state";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Slices: the table, the trials, the map of centres. */
 import { beforeEach, describe, expect, it } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Draws one sliced surface: the slices, the surface, the line of thrust, the circle's centre. */
 import type { SlicedSurface } from "../contract";
 import type { Pen } from "../drawing/pen";

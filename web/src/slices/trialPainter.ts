@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Draws thousands of trial arcs, the weakest last; finds the one under the pointer. */
 import type { Pen } from "../drawing/pen";
 import { findColour, writeColour } from "../viewer/colours";

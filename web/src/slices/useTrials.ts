@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The arrays of the trials, once they are decoded. */
 import { useEffect, useState } from "preact/hooks";
 

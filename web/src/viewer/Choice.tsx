@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A select with its name before it. */
 export interface ChoiceProps {
   label: string;

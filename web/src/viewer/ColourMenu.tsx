@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How values become colours: the map, its ends, bands, the logarithm. */
 import { Choice } from "./Choice";
 import { chooseColourMap, colourMapTitles, type ColourMapName } from "./colours";

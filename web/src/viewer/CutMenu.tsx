@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A model in space: from where it is seen, and the planes between which its points are shown. */
 import { report } from "../state";
 import { writeNumber } from "./format";

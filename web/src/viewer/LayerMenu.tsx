@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What is drawn besides and instead of the points. */
 import { report, sequence } from "../state";
 import { findComponents } from "./arrows";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What the lines and symbols in the section mean. */
 import type { HydraulicCondition } from "../contract";
 import { pickedPoint, report } from "../state";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The values at the picked point, and how the shown field went there over the frames. */
 import { useEffect, useState } from "preact/hooks";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The shown field at the picked point over the frames, as a small plot; a click goes to the frame. */
 import * as Plot from "@observablehq/plot";
 import { useEffect, useRef } from "preact/hooks";

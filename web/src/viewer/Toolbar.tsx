@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What is shown: sequence, field; what is needed less often stands in menus. */
 import { fieldName, report, sequenceIndex } from "../state";
 import { Choice } from "./Choice";

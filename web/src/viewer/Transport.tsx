@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** First, previous, play, next, last; the slider; the speed. */
 import { frameIndex, sequence } from "../state";
 import { countFrames, goTo, step, togglePlaying } from "./play";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The section viewer: the body of soil in every stored frame, coloured by any stored field. */
 import { effect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Arrows of displacement or velocity: which points have one, how long it is, and what its length stands for. */
 import { effect, signal } from "@preact/signals";
 

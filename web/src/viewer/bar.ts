@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The colours that are shown now, with what their key needs: scale, bands, names of materials. */
 import { computed } from "@preact/signals";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Puts together what the painter draws: points, colours, mesh. */
 import { report } from "../state";
 import { colourTable } from "./bar";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The view onto the model: parallel projection, so that lengths can be compared; metres to pixels and back. */
 
 export type Vec = [number, number, number];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The head of a picture that leaves the page: what it shows, of which run, when. */
 import { report } from "../state";
 import { fontFamily } from "./scaleBar";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The body of a section: its area, its gaps, its surface, whether every pixel of it has a point. */
 import { describe, expect, it } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The body of a section from its points: each pixel belongs to the nearest point, and it ends where soil ends. */
 import Delaunator from "delaunator";
 

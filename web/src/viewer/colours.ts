@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Colour maps that colour-blind readers can tell apart, and the tables that the drawing looks colours up in. */
 import { findShare, type Scale } from "./scale";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How far the model reaches, and how far its points stand apart. */
 import type { Sequence } from "../contract";
 import { report } from "../state";

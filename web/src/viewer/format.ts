@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Numbers and units as text. */
 import type { Unit } from "../contract";
 

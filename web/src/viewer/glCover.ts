@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What makes the cells of a section one body: its triangles become opaque, the rest of the cells is taken away. */
 import {
   AddEquation, BufferAttribute, BufferGeometry, CustomBlending, DstAlphaFactor, DynamicDrawUsage, Mesh, OneFactor,

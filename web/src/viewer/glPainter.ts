@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Draws the body with three.js: points as cells or spheres with true depth, coloured through a lookup table. */
 import {
   BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments, Matrix4, OrthographicCamera, Scene, Vector3,

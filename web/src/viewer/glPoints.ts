@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The points of the body in WebGL, as point sprites. Instances of a square would be ten times slower in software. */
 import {
   BufferAttribute, BufferGeometry, DataTexture, DynamicDrawUsage, NearestFilter, NoBlending, Points, ShaderMaterial,

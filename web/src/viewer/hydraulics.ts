@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Symbols of hydraulic conditions, in pixels: levels of standing water, arrows of rain, seepage and inflow. */
 import type { HydraulicCondition } from "../contract";
 import { drawWaterMark, strokeLine, type Pixel } from "./lines";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How the stage shares its width and height out between the body and what stands around it. */
 import { report } from "../state";
 import type { Camera, Margins } from "./camera";

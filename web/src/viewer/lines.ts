@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Lines, arrows and marks in pixels, as the overlay is made of. */
 import type { ArrowField } from "./arrows";
 import { fontFamily, uprightFrom } from "./scaleBar";

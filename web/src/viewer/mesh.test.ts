@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Edges of meshes counted by hand, and the length of the arrow of the key. */
 import { expect, it } from "vitest";
 

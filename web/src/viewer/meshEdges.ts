@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The lines of the background mesh: all of them in a section, those on the surface of a mesh in space. */
 import { effect, signal } from "@preact/signals";
 

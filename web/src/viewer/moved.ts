@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The slip surface as the lower limit of the soil that moved. */
 import { smooth } from "./smooth";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Draws over the body, in pixels: outlines, supports, water, arrows, slip surface, points of interest, rulers. */
 import type { HydraulicCondition, Model } from "../contract";
 import type { ArrowField } from "./arrows";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What the two ways of drawing the body, WebGL and the plain canvas, have in common. */
 import type { Camera } from "./camera";
 import type { Scale } from "./scale";

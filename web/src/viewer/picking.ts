@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Which point stands under a pixel, or next to another point in a direction. */
 import { pickedPoint } from "../state";
 import { inSpace } from "./settings";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Pictures of the stage for outside: a file, a sheet of paper. */
 import { saveFile } from "../charts/base/saveFile";
 import { drawCaption, captionHeight } from "./caption";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Draws the body on a plain canvas, where the browser offers no WebGL: the same picture from squares. */
 import { findColour, writeColour } from "./colours";
 import type { Body, Painter } from "./painter";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Stepping and playing through the frames. */
 import { effect } from "@preact/signals";
 

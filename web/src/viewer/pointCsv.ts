@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The history of a point as a table. */
 import { makeFileName, writeCsv, type CsvColumn } from "../charts/base/csv";
 import { report } from "../state";

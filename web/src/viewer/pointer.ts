@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Mouse, pen and fingers on the stage: pan, zoom, turn, pick. */
 import { inSpace } from "./settings";
 import { pickAt } from "./picking";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Where soil shears most: the ridge of the deviatoric strain. */
 import { smooth } from "./smooth";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What tells lengths and directions: rulers along a section, a box with lengths and the axes in space. */
 import type { Camera, Vec } from "./camera";
 import { makeTicks } from "./format";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Scales, levels and bands against numbers worked out by hand. */
 import { describe, expect, it } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The scale of the colours: which value has which place between its ends, and the levels that bands end at. */
 import { makeTicks, writeNumber } from "./format";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The scalar bar: the colours with their values in engineering units; or the key of the materials. */
 import { writeColour } from "./colours";
 import { findShare, makeLevels, type Level, type Scale } from "./scale";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What the reader has set in the viewer: colours, limits, layers, arrows, the view in space, playing. */
 import { signal } from "@preact/signals";
 

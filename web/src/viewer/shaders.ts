@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The programs that draw the points: squares of pixels, cut to cells in a section and to spheres in space. */
 
 export const pointVertices = `

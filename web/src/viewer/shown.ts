@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What is shown now: the decoded arrays of the sequence and field. */
 import { computed, effect, signal } from "@preact/signals";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How large points are drawn: each as the volume that it stands for, as cells in a section and spheres in space. */
 import { computed } from "@preact/signals";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Smoothing of a line over columns of the section. */
 
 const average = (some: number[]) => some.reduce((a, b) => a + b, 0) / some.length;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The stage: two canvases, the body below and the lines above, the camera, and when they are drawn anew. */
 import { effect } from "@preact/signals";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Symbols of boundary conditions as engineers draw them, in pixels. */
 
 type Point = [number, number];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The colours of the page as the drawing needs them. */
 
 const light = {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Lines that are found in the shown frame: slip surface, axis of the largest strain. */
 import { computed, effect, signal } from "@preact/signals";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The numbers behind the picture: slip surface, projection, colours, ticks, size of points. */
 import { describe, expect, it } from "vitest";
 

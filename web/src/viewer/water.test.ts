@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The water in the section: the line of zero pressure, values of conditions at a time, what stands under a level. */
 import { describe, expect, it } from "vitest";
 

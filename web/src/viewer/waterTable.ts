@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The water table in a section: where the pore pressure of the points passes zero. */
 import Delaunator from "delaunator";
 

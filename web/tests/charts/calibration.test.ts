@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Numbers of the charts of a calibration. */
 import { describe, expect, it } from "vitest";
 

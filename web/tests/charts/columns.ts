@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Columns of histories as the program describes them (src/output/files/history_columns.cpp). */
 import type { HistoryQuantity, TableColumn } from "../../src/contract";
 

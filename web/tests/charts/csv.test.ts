@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // CSV of the charts: what a reader after RFC 4180 gets back is what was put in, to the last digit.
 import { expect, test } from "vitest";
 

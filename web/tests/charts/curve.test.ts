@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The displacement curve: which trials rest, where the fitted lines run, and labels that cover nothing.
 import { expect, test } from "vitest";
 

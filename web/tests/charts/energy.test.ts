@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The residual of the energy balance: zero for exact mechanics, and exactly the energy that was put aside.
 import { expect, test } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Histories: which tables and frames belong together, and that no column is lost or drawn with another unit.
 import { expect, test } from "vitest";
 

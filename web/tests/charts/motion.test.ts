@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Monitors and sections of the variants of a study: what belongs onto one chart, and what a crosshair reads there.
 import { expect, test } from "vitest";
 

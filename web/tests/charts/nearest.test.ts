@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The crosshair reads the nearest value: held against a plain search over all of them.
 import { expect, test } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers and axes: what is printed reads back as the value, ticks of an axis differ from each other.
 import { expect, test } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Numbers of the charts of element tests. */
 import { describe, expect, it } from "vitest";
 

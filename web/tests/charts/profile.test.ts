@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Profiles along a vertical section: a field that is linear in height is found again, from the right points.
 import { expect, test } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The table of a study: order of its rows, groups of lines, and differences from published values.
 import { expect, test } from "vitest";
 

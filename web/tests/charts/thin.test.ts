@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A thinned history shows every peak and every gap of the whole one.
 import { expect, test } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Charts of soil water, and the water in the histories. */
 import { describe, expect, it } from "vitest";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/record/checkpoint.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A body and its stage as a checkpoint: everything that is needed to go on bit for bit.
 

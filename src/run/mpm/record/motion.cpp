@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/record/motion.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // When the monitored points of a run began to move, in which order, and how far they went.
 

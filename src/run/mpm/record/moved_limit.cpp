@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/record/moved_limit.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The slip line of material points: the lower limit of the soil that moved.
 

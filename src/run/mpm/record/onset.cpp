@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/record/onset.hpp"
 
 #include <algorithm>

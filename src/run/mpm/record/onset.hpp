@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // When a slope failed: read off the history of its largest displacement.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // What is kept while a stage or a trial runs: frames, histories, checkpoints, and the line of progress.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // How far the soil has run: front, crest, moved volume and deposit, between two states of a body.
 

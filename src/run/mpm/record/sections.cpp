@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/record/sections.hpp"
 
 #include <fmt/format.h>

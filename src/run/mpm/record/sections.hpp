@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Sections: the fields of the stored frames along a line, as tables.
 

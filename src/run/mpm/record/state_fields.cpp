@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/record/state_fields.hpp"
 
 #include <algorithm>

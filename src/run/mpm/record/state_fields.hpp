@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The quantities that the laws of a body have beside stress, as fields over all its points.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/record/water_record.hpp"
 
 #include <fmt/format.h>

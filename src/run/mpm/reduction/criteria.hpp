@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Factors of safety read off a displacement–SRF curve.
 

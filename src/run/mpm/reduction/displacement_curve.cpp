@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/reduction/displacement_curve.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The displacement–SRF curve on moving geometry, and the runout of chosen trials.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The factor of safety of Talus: at frozen geometry a trial either comes to rest or runs away, and bisection finds the
 // factor between. Evidence and definitions: docs/theory/factor-of-safety.md.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/reduction/frozen_run.hpp"
 
 #include <fmt/format.h>

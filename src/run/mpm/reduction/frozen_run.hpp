@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The frozen-geometry factor of a case: its meshes, the stages and trials on each, and what is kept of them on disk.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/reduction/leg.hpp"
 
 #include "base/atomic_file.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // A trial in a folder of its own: it keeps its result, and can be resumed while it runs.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/reduction/strength_reduction.hpp"
 
 #include <fmt/format.h>

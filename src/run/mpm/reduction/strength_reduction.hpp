@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The factor of safety of a case by every criterion that it asks for.
 

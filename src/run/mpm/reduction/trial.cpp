@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/reduction/trial.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // One trial of the strength reduction: from a saved state, with reduced strength, for a window of time.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/start/conditions.hpp"
 
 #include <algorithm>

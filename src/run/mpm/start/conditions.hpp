@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Boundary conditions and tractions of a case, resolved on a body's mesh.
 

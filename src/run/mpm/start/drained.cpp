@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/start/drained.hpp"
 
 #include <fmt/format.h>

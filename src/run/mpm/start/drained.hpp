@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Stages with held pore pressures: the wet body as one of a single phase, as heavy as soil and water together, on which
 // the pressures act as constant forces. Geometry is frozen, so neither pressures nor forces change.

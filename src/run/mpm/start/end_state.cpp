@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/start/end_state.hpp"
 
 #include <fmt/format.h>

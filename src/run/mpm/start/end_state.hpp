@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // The state at the end of the stages of a run, kept in its folder, and how another case starts from it.
 

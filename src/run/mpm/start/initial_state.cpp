@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/start/initial_state.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // State variables of the points at the start, and the preconsolidation pressure that follows from equilibrium.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/start/prepare.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/mpm/start/water_conditions.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 // Where pore water is held, and its conditions where the wet soil ends: [[hydraulic]] and [[boundary]] on a body's
 // mesh.

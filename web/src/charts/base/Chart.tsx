@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A chart: Observable Plot as wide as its box, with a crosshair for mouse, touch and keyboard. */
 import * as Plot from "@observablehq/plot";
 import { effect, type Signal, signal } from "@preact/signals";

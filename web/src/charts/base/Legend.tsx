@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The legend of a chart, whose entries switch series on and off; and the button that saves a table. */
 import { report } from "../../state";
 import { type CsvColumn, makeFileName, writeCsv } from "./csv";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Ticks of a linear axis: how many decimals they need, and which power of ten goes into the axis title. */
 import { formatNumber, isPlain } from "./numbers";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The lines that a chart moves without being drawn again: the crosshair with its marks, and the viewer's time. */
 import type { Scale } from "@observablehq/plot";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Tables as CSV (RFC 4180): header `name [unit]`, numbers with all their digits, empty where there is no value. */
 
 export interface CsvColumn {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Which of the sorted abscissas is nearest: what a crosshair reads. */
 
 /** Index of the number of ascending `sorted` nearest to `x`, the lower of two equally near; -1 when there is none. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Numbers for people: few digits, a true minus sign, powers of ten; and factors that keep axes readable. */
 
 const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";

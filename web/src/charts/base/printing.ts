@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Whether the page is being printed: charts take the width of paper, and what was put off is drawn. */
 import { signal } from "@preact/signals";
 

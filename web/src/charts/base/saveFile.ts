@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Hands a file to the browser's downloads. */
 export function saveFile(content: Blob, name: string): void {
   const link = document.createElement("a");

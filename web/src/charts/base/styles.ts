@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Colour, dashes and symbol of the nth series: told apart without colour too. Colours are variables of charts.css. */
 
 export interface SeriesStyle {

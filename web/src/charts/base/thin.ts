@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Which rows of a long history a chart of some hundred pixels has to draw. */
 
 /**

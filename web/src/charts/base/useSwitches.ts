@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What the reader switched, by name: hidden series, shown panels. */
 import { useState } from "preact/hooks";
 

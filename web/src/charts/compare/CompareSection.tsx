@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Computed beside published: the numbers, whether they agree within the tolerance, and by how much. */
 import * as Plot from "@observablehq/plot";
 

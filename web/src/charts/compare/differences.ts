@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** How far a computed value is from the published one. */
 import type { Comparison } from "../../contract";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Displacement over the strength reduction factor: the trials, the fitted lines, the factor of each criterion. */
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The displacement curve as columns, its fitted lines as points, and where the labels of the factors stand. */
 import type { Branch, Curve } from "../../contract";
 import type { CsvColumn } from "../base/csv";

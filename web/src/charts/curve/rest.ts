@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Did a trial of the displacement curve come to rest? It runs its whole window, so its last state has to be judged. */
 import type { Curve, InputTable } from "../../contract";
 import { findSetting } from "../../page/methods/settings";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** One chart of a history: the quantities of one unit over time. */
 import * as Plot from "@observablehq/plot";
 import type { Signal } from "@preact/signals";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Histories over time: the balance of energy, the approach to rest, momentum, and what the monitors saw. */
 import { signal } from "@preact/signals";
 import { useMemo, useState } from "preact/hooks";

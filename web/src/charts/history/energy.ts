@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The balance of energy of a history, see "Budgets" in the theory: what goes in, where it goes, what is left over. */
 import type { TableColumn } from "../../contract";
 

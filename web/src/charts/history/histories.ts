@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Which histories belong together: tables by run, columns by panel. */
 import type { Column, Report, Table, TableColumn } from "../../contract";
 import { findEnergyBalance, isWork, takeChange } from "./energy";

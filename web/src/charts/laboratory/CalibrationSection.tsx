@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A calibration: the fitted parameters with their errors and correlations, and measured points over fitted curves. */
 import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Element tests: diagrams of each kind of apparatus, with one legend, and what came out in a table. */
 import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";

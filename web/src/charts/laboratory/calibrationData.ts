@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Numbers of the charts of a calibration. */
 import type { CalibratedCurve, Calibration } from "../../contract";
 import type { CsvColumn } from "../base/csv";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What the diagrams of element tests and of calibrations share: margins, axes, grid. */
 import * as Plot from "@observablehq/plot";
 

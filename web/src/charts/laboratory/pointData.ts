@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Numbers of the charts of element tests. */
 import type { Column, PointGroup, PointTest, PointTests } from "../../contract";
 import { findLogTicks, findStep } from "../base/axes";

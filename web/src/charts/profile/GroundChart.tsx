@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The line of the ground before and after, true to scale where that leaves a readable height. */
 import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";

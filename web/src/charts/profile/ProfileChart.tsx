@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The lines of a profile: value across, height upwards; the crosshair runs along the height. */
 import * as Plot from "@observablehq/plot";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Profiles: a field over height along a vertical section, and the line of the ground before and after. */
 import { report } from "../../state";
 import { GroundChart } from "./GroundChart";

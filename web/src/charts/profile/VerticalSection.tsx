@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A field along a vertical section: the user places the section and chooses field and times. */
 import { useEffect, useMemo, useState } from "preact/hooks";
 

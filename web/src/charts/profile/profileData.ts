@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Values over height along a vertical section: the points within a band around it, binned by height. */
 
 export interface Section {

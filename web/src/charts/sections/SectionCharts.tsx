@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Sections that the case names: a field along a line at chosen times, of one run or of the variants of a study. */
 import * as Plot from "@observablehq/plot";
 import { type Signal, signal } from "@preact/signals";

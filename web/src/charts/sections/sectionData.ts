@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Sections of a case as lines of a chart: which field, which times, along which axis. */
 import type { Section, Study } from "../../contract";
 import type { CsvColumn } from "../base/csv";

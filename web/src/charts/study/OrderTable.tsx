@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** When the monitored points of each variant began to move, and in which order. */
 import type { Study } from "../../contract";
 import { ChartTable, numbers } from "../../page/DataTable";

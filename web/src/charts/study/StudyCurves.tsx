@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The displacement curves of all variants of a study over each other. */
 import * as Plot from "@observablehq/plot";
 import { useMemo, useState } from "preact/hooks";

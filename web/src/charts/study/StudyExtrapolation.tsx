@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Factors of safety over the size that the study extrapolates, and where their lines meet size zero. */
 import * as Plot from "@observablehq/plot";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The movement of the monitored points of all variants: displacements over time, onsets, and their order. */
 import * as Plot from "@observablehq/plot";
 import { type Signal, signal } from "@preact/signals";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Pictures of the variants of a study side by side: one row for each, one column for each time, one scale for all. */
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 

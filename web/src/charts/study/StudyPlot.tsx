@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A result of a study over one of its varied keys, one line for each combination of the others; or by variant. */
 import * as Plot from "@observablehq/plot";
 import { useState } from "preact/hooks";

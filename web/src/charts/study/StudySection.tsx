@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** A study: its table, any of its results over a varied key, and the displacement curves of all variants. */
 import { useState } from "preact/hooks";
 

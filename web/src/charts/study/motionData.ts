@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The monitors of the variants of a study: one chart for each monitor, or one for each variant. */
 import type { Study, StudyRow } from "../../contract";
 import type { CsvColumn } from "../base/csv";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Which frames of a study stand side by side, and the scale that they share. */
 import type { Sequence, SequenceField, Study, StudyRow } from "../../contract";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Soil water: retention and conductivity of each soil, and the conditions at the boundary that change with time. */
 import * as Plot from "@observablehq/plot";
 

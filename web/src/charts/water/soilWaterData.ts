@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Numbers of the charts of soil water: curves in the units of the report, and where the model stands on them. */
 import type { HydraulicCondition, SoilWater, Unit } from "../../contract";
 

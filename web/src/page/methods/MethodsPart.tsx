@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The methods section: paragraphs for an engineer's own report, with equations and references. */
 import katex from "katex";
 import { useMemo } from "preact/hooks";

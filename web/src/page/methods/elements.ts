@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Paragraphs on finite elements. */
 import { quoteNumber } from "./settings";
 import type { Writer } from "./writer";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Paragraphs on strength reduction and its criteria; rules as on the manual's page on the factor of safety. */
 import { findSetting, quoteNumber } from "./settings";
 import type { Writer } from "./writer";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The methods section: every paragraph can be drawn, numbered and copied.
 import katex from "katex";
 import { describe, expect, it } from "vitest";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Paragraphs on the material point method itself; the formulas are those of the theory pages of the manual. */
 import { isOnAnywhere, quoteEach } from "./settings";
 import type { Block, Writer } from "./writer";

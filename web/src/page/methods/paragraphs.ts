@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The paragraphs of the methods section: which there are, in which order, with equations and references numbered. */
 import { writeElementReduction, writeFiniteElements } from "./elements";
 import { writeDisplacementCurve, writeFrozenFactor, writeStrengthReduction } from "./factor";

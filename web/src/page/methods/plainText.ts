@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The methods section as text for an engineer's own report: plain characters, or LaTeX. */
 import type { Paragraph, Piece } from "./paragraphs";
 

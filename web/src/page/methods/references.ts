@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What the paragraphs of the methods section refer to. */
 export const references = {
   source:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Paragraphs on Cam-clay, bare and rooted, on the cohesion of roots and on external models; as in the theory pages. */
 import { findWords } from "./settings";
 import type { Block, Writer } from "./writer";

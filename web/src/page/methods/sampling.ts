@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Paragraph on uncertain numbers. */
 import type { Writer } from "./writer";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Settings of this calculation that the methods section quotes; looked up in the input echo. */
 import { isValue, type InputNode } from "../inputRows";
 import type { InputTable } from "../../contract";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Paragraphs on limit equilibrium: the methods of slices, the search, the yield acceleration, partial factors. */
 import { findSetting, quoteNumber } from "./settings";
 import type { Writer } from "./writer";

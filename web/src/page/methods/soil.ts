@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Paragraphs on integration, smoothing and the soil models; formulas as in the theory pages of the manual. */
 import type { Block, Writer } from "./writer";
 

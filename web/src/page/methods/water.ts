@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Paragraphs on soil and pore water moving together; formulas as on the theory page on the two-phase step. */
 import type { InputTable } from "../../contract";
 import { findWords, isOnAnywhere, quoteEach, quoteWhere } from "./settings";

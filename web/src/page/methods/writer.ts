@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What a writer of the methods section takes and gives. */
 import type { Report } from "../../contract";
 

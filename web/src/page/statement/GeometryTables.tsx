@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Geometry, mesh and water in numbers. */
 import { Fragment, type ComponentChildren } from "preact";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The materials: characteristic and design values, and values at failure. */
 import { report } from "../../state";
 import { DataTable, numbers, SymbolText, TableHead } from "../DataTable";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Factors of safety with their spread, and every other number of the results. */
 import { report } from "../../state";
 import { DataTable, numbers } from "../DataTable";

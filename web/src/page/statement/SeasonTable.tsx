@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The weather before the run: where its water went, and how dry the soil became. */
 import { report } from "../../state";
 import { DataTable, Facts, numbers } from "../DataTable";

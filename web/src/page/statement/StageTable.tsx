@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The stages of the calculation and how each ended. */
 import { report } from "../../state";
 import { DataTable, numbers } from "../DataTable";

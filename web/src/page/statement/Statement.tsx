@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The part to be signed: what was calculated, with what, how it came out, and how far to trust it. */
 import type { ComponentChildren } from "preact";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Boundary conditions, loads, and the monitored places. */
 import { report } from "../../state";
 import { asksFor } from "../asked";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** The title block of the report, as on a drawing, with lines to sign on. */
 import { report } from "../../state";
 import { formatDate } from "../format";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Pore water in numbers: conditions, start, steady seepage, and where the water of the stages went. */
 import { report } from "../../state";
 import { DataTable, Facts, SymbolText, numbers } from "../DataTable";
