@@ -32,7 +32,7 @@ export async function openReport(browser, file, options = {}) {
   const isLocal = (url) => /^(file|data|blob|about):/.test(url);
   await context.route("**/*", (route) => (isLocal(route.request().url()) ? route.continue() : route.abort()));
   const page = await context.newPage();
-  page.setDefaultTimeout(15_000);
+  page.setDefaultTimeout(120_000); // a busy machine takes its time; a part that hangs still ends the check
   page.on("request", (request) => isLocal(request.url()) || requests.push(request.url()));
   page.on("websocket", (socket) => requests.push(socket.url()));
   page.on("console", (message) => message.type() === "error" && faults.push(`console: ${message.text()}`));
@@ -47,7 +47,7 @@ export function readDocument(page) {
 }
 
 /** Milliseconds from the start of loading to the mark that the viewer sets after its first picture; null: no mark. */
-export async function measureInteractive(page, timeout = 20_000) {
+export async function measureInteractive(page, timeout = 120_000) {
   const find = () => performance.getEntriesByName("talus-interactive")[0]?.startTime ?? null;
   await page.waitForFunction(find, null, { timeout, polling: 50 }).catch(() => null);
   return page.evaluate(find);
