@@ -54,8 +54,11 @@ def list_rows(root, folder, endings):
     """{room: {name: sentence}} of a folder."""
     rooms = {}
     for path in sorted((root / folder).rglob("*"), key=lambda path: (path.parent, path.stem, path.suffix != ".hpp")):
-        text = path.read_text(encoding="utf-8") if path.suffix in endings else ""
-        if not text or ".test." in path.name or NOT_SHOWN & set(path.relative_to(root).parts):
+        # What was installed beside the sources holds folders with the names of files.
+        if path.suffix not in endings or ".test." in path.name or NOT_SHOWN & set(path.relative_to(root).parts) or not path.is_file():
+            continue
+        text = path.read_text(encoding="utf-8")
+        if not text:
             continue
         room = rooms.setdefault(path.parent.relative_to(root).as_posix(), {})
         sentence = find_sentence(text)
@@ -98,6 +101,7 @@ def run_self_test():
         "src/base/single.cpp": "// Alone\n//\n// in the room\n",
         "tools/draw.py": '#!/usr/bin/env python3\n# SPDX-License-Identifier: MIT\n"""Draws [x]. Twice."""\n',
         "web/src/look.css": "/* Colours\n * of things. */\n",
+        "docs/site/node_modules/punycode.js/index.js": "/* Installed. */\n",
     }
     expected = ["| `pair` | Two of a kind, e.g. x. |", "| `single.cpp` | Alone |", "| `draw.py` | Draws [x]. |",
                 "| `look.css` | Colours of things. |"]
