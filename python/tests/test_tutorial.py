@@ -39,7 +39,8 @@ def test_the_tutorial_runs(source, tmp_path):
 def test_the_tutorial_is_cells_of_a_notebook(source):
     text = (source / "docs/manual/tutorial.py").read_text()
     cells = re.split(r"^# %%", text, flags=re.MULTILINE)
-    assert text.startswith("# %% [markdown]\n# # ")
+    # The licence stands before the first cell.
+    assert re.match(r"(#[^\n]*\n)?# %% \[markdown\]\n# # ", text)
     for cell in cells[1:]:
         if cell.startswith(" [markdown]"):
             assert all(line.startswith("#") or not line for line in cell.splitlines()[1:]), cell
