@@ -180,10 +180,14 @@ void describe(V& v, R& r) {
 struct MeshFactor {
   double size = 0;  ///< element size h [m]
   int points = 0;
-  double lower = 0, upper = 0;  ///< largest stable and smallest failed factor
+  std::optional<double> lower;  ///< largest factor that came to rest; nothing: none did
+  std::optional<double> upper;  ///< smallest factor that did not; nothing: all came to rest
   bool undecided = false;       ///< some trial neither rested nor ran away; it counts as failed
   std::vector<Trial> trials;    ///< in the order of their factors
-  double factor() const { return 0.5 * (lower + upper); }
+  /// Between the two; nothing where one of them was not found.
+  std::optional<double> factor() const {
+    return lower && upper ? std::optional(0.5 * (*lower + *upper)) : std::nullopt;
+  }
 };
 template <class V, As<MeshFactor> R>
 void describe(V& v, R& r) {
@@ -198,15 +202,19 @@ void describe(V& v, R& r) {
 
 /// Rest or run-away at frozen geometry.
 struct FrozenFactor {
-  double factor = 0;
+  std::optional<double> factor;        ///< nothing: a mesh has none
+  std::string note;                    ///< why there is none
   double uncertainty = 0;              ///< half the width of the brackets as the extrapolation passes them on
   std::optional<double> extrapolated;  ///< linear in h to h = 0, from two meshes
   std::vector<MeshFactor> meshes;      ///< coarse to fine
   double dilatancy_angle_min = 0, dilatancy_angle_max = 0;  ///< [deg]
+  std::optional<double> lower() const { return factor ? std::optional(*factor - uncertainty) : std::nullopt; }
+  std::optional<double> upper() const { return factor ? std::optional(*factor + uncertainty) : std::nullopt; }
 };
 template <class V, As<FrozenFactor> R>
 void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "factor of safety"});
+  v.key("note", r.note, {"", "why there is none"});
   v.key("uncertainty", r.uncertainty, {"", "half the width of the brackets"});
   v.key("extrapolated", r.extrapolated, {"", "factor extrapolated to elements of no size"});
   v.key("meshes", r.meshes, {"", "factors by mesh"});

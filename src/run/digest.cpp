@@ -36,10 +36,12 @@ std::string write_factors(const results::PointFactors& factors) {
   std::string text;
   if (factors.frozen) {
     const results::FrozenFactor& f = *factors.frozen;
-    text += fmt::format("Factor of safety {:.3f}", f.factor);
-    if (f.extrapolated) {
+    text += f.factor ? fmt::format("Factor of safety {:.3f}", *f.factor) : "Factor of safety: none, " + f.note;
+    if (!f.factor) {
+      text += " (at frozen geometry)";
+    } else if (f.extrapolated) {
       text += " (";
-      for (const results::MeshFactor& m : f.meshes) text += fmt::format("{:.3f} at h = {:g} m, ", m.factor(), m.size);
+      for (const results::MeshFactor& m : f.meshes) text += fmt::format("{:.3f} at h = {:g} m, ", *m.factor(), m.size);
       text += fmt::format("extrapolated to h = 0; brackets ± {:.3f})", f.uncertainty);
     } else {
       text += fmt::format(" (one mesh, not extrapolated; bracket ± {:.3f})", f.uncertainty);

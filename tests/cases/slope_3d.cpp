@@ -33,7 +33,7 @@ double find_factor(const std::string& file, std::vector<input::Override> overrid
   }
   const results::MeshFactor factor = run::find_frozen_factor(body, data, data.strength_reduction.frozen, height, 1);
   EXPECT_FALSE(factor.undecided);
-  return factor.factor();
+  return factor.factor().value();
 }
 
 std::vector<input::Override> make_slab(double width, bool rough) {

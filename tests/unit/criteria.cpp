@@ -116,9 +116,9 @@ TEST(FrozenSearch, BracketsTheFactorToTheResolution) {
   for (const double critical : {1.0001, 1.3, 1.4444, 1.77, 1.9999}) {
     IdealSlope slope{critical};
     const results::MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
-    EXPECT_LE(found.lower, critical);
-    EXPECT_GE(found.upper, critical);
-    EXPECT_LE(found.upper - found.lower, settings.resolution * (1 + 1e-9));
+    EXPECT_LE(found.lower.value(), critical);
+    EXPECT_GE(found.upper.value(), critical);
+    EXPECT_LE(*found.upper - *found.lower, settings.resolution * (1 + 1e-9));
     EXPECT_LE(slope.trials, 14) << critical;
     EXPECT_FALSE(found.undecided);
   }
@@ -129,9 +129,9 @@ TEST(FrozenSearch, LeavesTheFirstBracketWhenTheFactorIsOutside) {
   for (const double critical : {0.4, 0.95, 2.05, 5.0}) {
     IdealSlope slope{critical};
     const results::MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
-    EXPECT_LE(found.lower, critical);
-    EXPECT_GE(found.upper, critical);
-    EXPECT_LE(found.upper - found.lower, settings.resolution * (1 + 1e-9)) << critical;
+    EXPECT_LE(found.lower.value(), critical);
+    EXPECT_GE(found.upper.value(), critical);
+    EXPECT_LE(*found.upper - *found.lower, settings.resolution * (1 + 1e-9)) << critical;
   }
 }
 
@@ -143,7 +143,22 @@ TEST(FrozenSearch, CountsAnUndecidedTrialAsFailedAndSaysSo) {
     return t;
   });
   EXPECT_TRUE(found.undecided);
-  EXPECT_NEAR(found.factor(), 1.5, 0.01);
+  EXPECT_NEAR(found.factor().value(), 1.5, 0.01);
+}
+
+TEST(FrozenSearch, HasNoFactorWhereAnEndOfTheBracketWasNotFound) {
+  input::FrozenFactor settings;
+  IdealSlope strong{1e9}, weak{0};
+  const results::MeshFactor above = search_frozen_factor(settings, 1, std::ref(strong));
+  EXPECT_TRUE(above.lower.has_value());
+  EXPECT_FALSE(above.upper.has_value()) << "nothing failed";
+  EXPECT_FALSE(above.factor().has_value());
+  const results::FrozenFactor none = join_meshes({above});
+  EXPECT_FALSE(none.factor.has_value());
+  EXPECT_EQ(none.note.rfind("above 15", 0), 0u) << none.note;
+  const results::MeshFactor below = search_frozen_factor(settings, 1, std::ref(weak));
+  EXPECT_FALSE(below.lower.has_value()) << "nothing rested";
+  EXPECT_NE(join_meshes({below}).note.find("does not depend on the strength"), std::string::npos);
 }
 
 TEST(FrozenSearch, TriesTheSameFactorsForAnyNumberOfThreads) {

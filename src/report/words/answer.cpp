@@ -37,7 +37,7 @@ std::string to_title(CriterionKind criterion) {
 std::string describe_meshes(const results::FrozenFactor& frozen, const ShownUnit& length) {
   std::vector<std::string> parts;
   for (const results::MeshFactor& m : frozen.meshes)
-    parts.push_back(fmt::format("{:.3f} at h = {}", m.factor(), show(m.size, length)));
+    if (m.factor()) parts.push_back(fmt::format("{:.3f} at h = {}", *m.factor(), show(m.size, length)));
   return join_words(parts);
 }
 
@@ -52,12 +52,14 @@ Factor make_factor(CriterionKind criterion, std::optional<double> value) {
 
 Factor make_frozen_factor(const results::FrozenFactor& frozen, const ShownUnit& length) {
   Factor factor = make_factor(CriterionKind::frozen, frozen.factor);
-  factor.lower = frozen.factor - frozen.uncertainty;
-  factor.upper = frozen.factor + frozen.uncertainty;
+  factor.lower = frozen.lower();
+  factor.upper = frozen.upper();
   factor.is_extrapolated = frozen.extrapolated.has_value();
   factor.note =
-      fmt::format("{}{}; the bracket is that of the search on these meshes only", describe_meshes(frozen, length),
-                  factor.is_extrapolated ? ", extrapolated to h = 0" : ", one mesh, not extrapolated");
+      !frozen.factor
+          ? frozen.note
+          : fmt::format("{}{}; the bracket is that of the search on these meshes only", describe_meshes(frozen, length),
+                        factor.is_extrapolated ? ", extrapolated to h = 0" : ", one mesh, not extrapolated");
   return factor;
 }
 

@@ -211,7 +211,7 @@ class Assumptions {
             "search on these meshes; the individual mesh moves the factor by about 2 %, which a variation of mesh.size "
             "by some percent shows.",
             frozen.meshes.size());
-      else
+      else if (frozen.factor)
         add("It is that of one mesh and not extrapolated: about 5 % too high at elements of H/13, 3 % at H/27 on the "
             "slopes that were compared.");
       for (const results::MeshFactor& m : frozen.meshes)

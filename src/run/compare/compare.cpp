@@ -140,10 +140,12 @@ class Comparison {
       results::MethodRow row =
           begin_row(Method::mpm, "frozen", "Material points", "rest or run-away at frozen geometry", surface, source);
       row.factor = frozen->factor;
-      row.lower = frozen->factor - frozen->uncertainty;
-      row.upper = frozen->factor + frozen->uncertainty;
+      row.lower = frozen->lower();
+      row.upper = frozen->upper();
+      row.note = frozen->note;
       for (const results::MeshFactor& m : frozen->meshes)
-        row.note += fmt::format("{}{:.3f} at h = {:g} m", row.note.empty() ? "" : ", ", m.factor(), m.size);
+        if (frozen->factor)
+          row.note += fmt::format("{}{:.3f} at h = {:g} m", row.note.empty() ? "" : ", ", *m.factor(), m.size);
       if (frozen->extrapolated) row.note += ", extrapolated to h = 0";
       told_.table.push_back(std::move(row));
     }

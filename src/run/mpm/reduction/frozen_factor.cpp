@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/mpm/reduction/frozen_factor.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,17 +21,38 @@ double extrapolate_to_zero(double coarse, double factor_coarse, double fine, dou
   return factor_fine - (factor_coarse - factor_fine) * fine / (coarse - fine);
 }
 
+namespace {
+
+/// Why a mesh has no factor; empty where it has one.
+std::string explain(const results::MeshFactor& mesh) {
+  if (mesh.factor()) return "";
+  const double first = mesh.trials.front().factor, last = mesh.trials.back().factor;
+  if (!mesh.upper)
+    return fmt::format("above {:.3g}: every trial came to rest, up to a strength divided by {:.3g}", last, last);
+  return fmt::format(
+      "no factor found: no trial came to rest, down to {:.3g}, so the motion does not depend on the strength. It may "
+      "be "
+      "settlement or flowing water: look at the state that the trials start from",
+      first);
+}
+
+}  // namespace
+
 results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes) {
-  const auto half = [](const results::MeshFactor& m) { return 0.5 * (m.upper - m.lower); };
   results::FrozenFactor frozen;
-  const results::MeshFactor &coarse = meshes.front(), &fine = meshes.back();
-  frozen.factor = fine.factor();
-  frozen.uncertainty = half(fine);
-  if (meshes.size() == 2) {
-    frozen.factor = extrapolate_to_zero(coarse.size, coarse.factor(), fine.size, fine.factor());
-    frozen.extrapolated = frozen.factor;
-    const double share = fine.size / (coarse.size - fine.size);
-    frozen.uncertainty = half(fine) * (1 + share) + half(coarse) * share;
+  for (const results::MeshFactor& mesh : meshes)
+    if (frozen.note.empty()) frozen.note = explain(mesh);
+  if (frozen.note.empty()) {
+    const auto half = [](const results::MeshFactor& m) { return 0.5 * (*m.upper - *m.lower); };
+    const results::MeshFactor &coarse = meshes.front(), &fine = meshes.back();
+    frozen.factor = fine.factor();
+    frozen.uncertainty = half(fine);
+    if (meshes.size() == 2) {
+      frozen.factor = extrapolate_to_zero(coarse.size, *coarse.factor(), fine.size, *fine.factor());
+      frozen.extrapolated = frozen.factor;
+      const double share = fine.size / (coarse.size - fine.size);
+      frozen.uncertainty = half(fine) * (1 + share) + half(coarse) * share;
+    }
   }
   frozen.meshes = std::move(meshes);
   return frozen;
@@ -86,7 +109,8 @@ results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, in
         low_holds = true;
       }
     }
-    // If the search runs into an end of the first bracket, that end must be tried and the bracket widened beyond it.
+    // If the search runs into an end of the first bracket, that end must be tried and the bracket widened beyond it. A
+    // factor needs both ends: where the last one was not tried, there is none.
     if (!low_holds && widenings < most_widenings) {
       if (is_stable({low})[0]) {
         low_holds = true;
@@ -109,8 +133,8 @@ results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, in
       break;
     }
   }
-  result.lower = low;
-  result.upper = high;
+  if (low_holds) result.lower = low;
+  if (high_fails) result.upper = high;
   std::sort(result.trials.begin(), result.trials.end(),
             [](const results::Trial& a, const results::Trial& b) { return a.factor < b.factor; });
   return result;

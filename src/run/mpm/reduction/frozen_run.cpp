@@ -224,13 +224,16 @@ results::FrozenFactor compute_frozen_factor(const mesh::Mesh<D>& base, const Tri
   }
   if (found.size() == 2) {
     const results::MeshFactor &coarse = found[0], &fine = found[1];
-    if (std::abs(coarse.factor() - fine.factor()) > far_apart * fine.factor()) {
+    const auto f = coarse.factor(), finer = fine.factor();
+    if (f && finer && std::abs(*f - *finer) > far_apart * *finer) {
       warnings.push_back(fmt::format(
           "the factors of the two meshes differ by {:.0f} %: refine the mesh before trusting the extrapolated factor",
-          100 * std::abs(coarse.factor() / fine.factor() - 1)));
+          100 * std::abs(*f / *finer - 1)));
     }
   }
-  return join_meshes(std::move(found));
+  results::FrozenFactor frozen = join_meshes(std::move(found));
+  if (!frozen.factor) warnings.push_back("Material points, rest or run-away at frozen geometry: " + frozen.note);
+  return frozen;
 }
 
 template results::FrozenFactor compute_frozen_factor<2>(const mesh::Mesh<2>&, const TrialContext&, int,

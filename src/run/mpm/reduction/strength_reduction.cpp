@@ -85,8 +85,8 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
     std::tie(frozen.dilatancy_angle_min, frozen.dilatancy_angle_max) = find_dilatancy_range(data);
     factors.value = frozen.factor;
     if (run.curve)
-      run.curve->criteria.push_back({results::CriterionKind::frozen, frozen.factor, frozen.factor - frozen.uncertainty,
-                                     frozen.factor + frozen.uncertainty, "rest or run-away at frozen geometry"});
+      run.curve->criteria.push_back({results::CriterionKind::frozen, frozen.factor, frozen.lower(), frozen.upper(),
+                                     frozen.factor ? "rest or run-away at frozen geometry" : frozen.note});
     factors.frozen = std::move(frozen);
   }
 }
