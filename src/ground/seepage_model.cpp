@@ -2,6 +2,8 @@
 // Steady seepage as the case describes it.
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "ground/initial_water.hpp"
 #include "ground/pore_water.hpp"
@@ -50,6 +52,44 @@ fem::HydraulicKind to_kind(WaterCondition c) {
   return fem::HydraulicKind::no_flow;
 }
 
+/// Which sides without a name are the ground: not the base, whose normal points down, and not the outer sides of the
+/// model, which cut through soil that goes on.
+template <int D>
+class Ground {
+ public:
+  Ground(const mesh::Mesh<D>& mesh) : mesh_(mesh) {
+    low_.fill(std::numeric_limits<double>::infinity());
+    high_.fill(-std::numeric_limits<double>::infinity());
+    for (int e = 0; e < mesh.element_count(); ++e)
+      if (mesh.element_region[e] != mesh::empty_region)
+        for (const int node : mesh.elements[e])
+          for (std::size_t d = 0; d < D; ++d) {
+            low_[d] = std::min(low_[d], mesh.nodes[node][d]);
+            high_[d] = std::max(high_[d], mesh.nodes[node][d]);
+          }
+  }
+
+  bool holds(const WaterSide<D>& side) const {
+    constexpr double level = 1e-6;
+    constexpr std::size_t up = 1;
+    if (side.normal[up] < -level) return false;
+    for (std::size_t d = 0; d < D; ++d)
+      if (d != up && std::abs(side.normal[d]) > 1 - level && (is_at(side, d, low_[d]) || is_at(side, d, high_[d])))
+        return false;
+    return true;
+  }
+
+ private:
+  bool is_at(const WaterSide<D>& side, std::size_t d, double x) const {
+    const double near = 1e-9 * (high_[d] - low_[d]);
+    return std::all_of(side.nodes.begin(), side.nodes.end(),
+                       [&](int node) { return std::abs(mesh_.nodes[node][d] - x) <= near; });
+  }
+
+  const mesh::Mesh<D>& mesh_;
+  Vec<D> low_{}, high_{};
+};
+
 }  // namespace
 
 template <int D>
@@ -64,7 +104,9 @@ fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mes
   model.mesh = &wet_mesh;
   for (const std::string& region : mesh.region_names) model.soils.push_back(make_soil<D>(data, region));
   model.unit_weight = find_water_weight(data);
-  // The same sides and the same precedence as on the moving soil; sides without a name are seepage faces.
+  // The same sides and the same precedence as on the moving soil. Sides without a name are seepage faces on the ground,
+  // and closed elsewhere.
+  const Ground<D> ground(mesh);
   const WaterSides<D> sides = find_water_sides<D>(mesh, data);
   for (std::size_t number = 0; number < sides.surfaces.size(); ++number) {
     const bool is_named = number > 0 && number <= data.hydraulics.size();
@@ -81,7 +123,7 @@ fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mes
     }
     if (boundary.kind == fem::HydraulicKind::no_flow) continue;
     for (const WaterSide<D>& s : sides.open) {
-      if (s.condition == static_cast<int>(number)) boundary.sides.push_back(s.nodes);
+      if (s.condition == static_cast<int>(number) && (number > 0 || ground.holds(s))) boundary.sides.push_back(s.nodes);
     }
     if (boundary.sides.empty()) continue;
     const input::TimeTable& values = sides.surfaces[number].value;

@@ -82,9 +82,8 @@ void describe(Visitor& v, Case& c) {
   v.tables("traction", c.tractions, 0, "A load on a side or a line.");
   v.table("water", c.water, "The pore water, for soils that have any.");
   v.tables("hydraulic", c.hydraulics, 0,
-           "The hydraulic condition on a side or a line. Without one, sides that a [[boundary]] holds let no water "
-           "pass, and "
-           "the rest of the surface is a seepage face.");
+           "The hydraulic condition on a side or a line. Without one no water passes sides that a [[boundary]] holds, "
+           "and, in seepage, the base and the outer sides of the model; the rest of the surface is a seepage face.");
   v.tables("roots", c.roots, 0,
            "Roots under a named line of the ground, as a function of depth. Several blocks add up. Where none reaches, "
            "the content or cohesion of the material counts.");
