@@ -42,6 +42,26 @@ constexpr const char* get_title(SliceMethod method) {
   return slice_methods[static_cast<std::size_t>(method)].title;
 }
 
+/// How much of the equilibrium a method leaves out: 0, none; 1, a part that hardly matters on most slopes; 2, more. The
+/// factor of a slope is taken from those with the lowest rank that a run has.
+constexpr int rank_equilibrium(SliceMethod method) {
+  switch (method) {
+    case SliceMethod::spencer:
+    case SliceMethod::morgenstern_price:
+    case SliceMethod::morgenstern_price_constant:
+      return 0;
+    case SliceMethod::bishop:
+    case SliceMethod::janbu_corrected:
+      return 1;
+    default:
+      return 2;
+  }
+}
+/// Whether it satisfies all equilibrium of forces and moments.
+constexpr bool is_rigorous(SliceMethod method) {
+  return rank_equilibrium(method) == 0;
+}
+
 /// Whether it takes non-circular surfaces.
 constexpr bool suits_polylines(SliceMethod method) {
   return method != SliceMethod::fellenius && method != SliceMethod::bishop;

@@ -181,5 +181,27 @@ TEST(LemSearch, AFreeSurfaceFollowsTheWeakLayer) {
   expect_polylines(make_weak_layer(), {{Method::janbu, 0.3928}, {Method::morgenstern_price, 0.4078}}, 0.98);
 }
 
+TEST(LemSearch, SteepCirclesOfClayAreSlipSurfacesOfEveryMethod) {
+  // A vertical cut without friction: F = 3.83 c_u / (γ H) (Taylor 1937).
+  Section section;
+  section.ground = {{0, 5}, {10, 5}, {10, 0}, {25, 0}};
+  Soil clay;
+  clay.name = "clay";
+  clay.unit_weight = clay.saturated_unit_weight = 18e3;
+  clay.cohesion = 30e3;
+  clay.undrained = true;
+  section.soils = {clay};
+  section.regions = {{0, {{0, -5}, {25, -5}, {25, 0}, {10, 0}, {10, 5}, {0, 5}}}};
+  section.base = -5;
+  const Slope slope{Section(section)};
+  SearchOptions options;
+  options.methods = {Method::bishop, Method::spencer};
+  options.optimise_surface = false;
+  const SearchResult result = search(slope, options);
+  ASSERT_EQ(result.circular.size(), 2u);
+  const double taylor = 3.83 * 30e3 / (18e3 * 5);
+  for (const Critical& c : result.circular) EXPECT_NEAR(c.solution.factor, taylor, 0.01 * taylor) << to_word(c.method);
+}
+
 }  // namespace
 }  // namespace talus::lem

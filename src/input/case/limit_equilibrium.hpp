@@ -49,16 +49,17 @@ struct LimitEquilibrium {
   SurfaceSearch search = SurfaceSearch::entry_exit;
   EntryExit entry_exit;
   CentreGrid grid;
-  bool composite = false;            ///< circles that reach the bottom of the model follow it
-  bool noncircular = true;           ///< also optimise a polyline
-  int vertices = 12;                 ///< of that polyline
-  int minima = 5;                    ///< local minima that are shown
-  double smallest_depth = 0;         ///< of a sliding mass [m]
-  double smallest_m_alpha = 0.2;     ///< [-]
-  double most_tension = 0.2;         ///< share of the base with tensile N' [-]
-  double most_thrust_outside = 0.5;  ///< share of E whose thrust acts outside the mass [-]
-  bool reject = true;                ///< surfaces that fail these checks
-  bool yield_acceleration = true;    ///< k_y of the critical surfaces
+  bool composite = false;                                ///< circles that reach the bottom of the model follow it
+  bool noncircular = true;                               ///< also optimise a polyline
+  int vertices = 12;                                     ///< of that polyline
+  int minima = 5;                                        ///< local minima that are shown
+  double smallest_depth = 0;                             ///< of a sliding mass [m]
+  double smallest_m_alpha = 0.2;                         ///< [-]
+  double most_tension = 0.2;                             ///< share of the base with tensile N' [-]
+  double most_thrust_outside = 0.3;                      ///< share of E whose thrust acts outside the mass [-]
+  double smallest_lambda = -0.25, largest_lambda = 1.5;  ///< λ of Spencer and Morgenstern–Price [-]
+  bool reject = true;                                    ///< surfaces that fail these checks
+  bool yield_acceleration = true;                        ///< k_y of the critical surfaces
   TensionCrack crack;
   std::vector<SlipSurface> surfaces;
 };
@@ -143,7 +144,12 @@ void describe(Visitor& v, LimitEquilibrium& l) {
         "So does one on which more than this share of the interslice forces acts outside the sliding mass (Spencer and "
         "Morgenstern–Price).");
   v.key("reject", l.reject, plain(),
-        "Surfaces that fail the checks are refused and counted by their reason; false: they only bring a warning.");
+        "Surfaces that fail these checks are refused and counted by their reason; false: they only bring a warning.");
+  v.key("largest_lambda", l.largest_lambda, plain().above(0),
+        "A solution of Spencer or Morgenstern–Price with a larger λ has no factor, whatever `reject` says: the forces "
+        "between its slices are steeper than soil can bear.");
+  v.key("smallest_lambda", l.smallest_lambda, plain().at_most(0),
+        "Nor has one with a smaller λ: the upper part would hold up the lower.");
   v.key("yield_acceleration", l.yield_acceleration, plain(),
         "Find the horizontal acceleration with factor 1 of the critical surfaces.");
   v.table("entry_exit", l.entry_exit, "Where search = \"entry_exit\" looks.");

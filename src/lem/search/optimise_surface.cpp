@@ -27,19 +27,6 @@ std::vector<Point> sample(const Slope& slope, const Surface& surface) {
   return points;
 }
 
-/// Lowest and highest elevation of a polygon at x; none beside it.
-std::optional<std::array<double, 2>> find_borders(const std::vector<Point>& polygon, double x) {
-  std::optional<std::array<double, 2>> borders;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    if ((a[0] <= x) == (b[0] <= x)) continue;
-    const double y = a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
-    borders = borders ? std::array<double, 2>{std::min((*borders)[0], y), std::max((*borders)[1], y)}
-                      : std::array<double, 2>{y, y};
-  }
-  return borders;
-}
-
 class PolylineOptimiser {
  public:
   PolylineOptimiser(Evaluator& evaluate, const SurfaceRanges& ranges) : evaluate_(evaluate), ranges_(ranges) {
@@ -191,6 +178,18 @@ class PolylineOptimiser {
 };
 
 }  // namespace
+
+std::optional<std::array<double, 2>> find_borders(const std::vector<Point>& polygon, double x) {
+  std::optional<std::array<double, 2>> borders;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if ((a[0] <= x) == (b[0] <= x)) continue;
+    const double y = a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+    borders = borders ? std::array<double, 2>{std::min((*borders)[0], y), std::max((*borders)[1], y)}
+                      : std::array<double, 2>{y, y};
+  }
+  return borders;
+}
 
 Surface make_polyline(const Slope& slope, const Surface& surface, int vertices) {
   const auto [left, right] = find_ends(surface);

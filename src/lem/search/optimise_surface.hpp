@@ -11,6 +11,9 @@ struct SurfaceRanges {
   int vertices = 12;                      ///< the ends included
 };
 
+/// Lowest and highest elevation of a polygon at x; none beside it.
+std::optional<std::array<double, 2>> find_borders(const std::vector<Point>& polygon, double x);
+
 /// The polyline with `vertices` vertices through a circle (or composite circle), lying below the ground.
 Surface make_polyline(const Slope& slope, const Surface& surface, int vertices);
 

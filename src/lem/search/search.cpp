@@ -12,7 +12,9 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "lem/search/local_minima.hpp"
+#include "lem/search/optimise_circle.hpp"
 #include "lem/search/optimise_surface.hpp"
+#include "lem/search/polyline_search.hpp"
 #include "lem/search/search_findings.hpp"
 #include "lem/surface/touching_circles.hpp"
 
@@ -89,9 +91,8 @@ std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const
     const auto regions = arcs.regions().size();
     if (!options.optimise_circle || regions < 2) return;
     Evaluator evaluate(slope, options.methods[m], options.checks, options.slices);
-    const bool complete = suits_polylines(options.methods[m]) && options.methods[m] != Method::janbu &&
-                          options.methods[m] != Method::janbu_corrected;
-    Evaluator quick(slope, complete ? Method::bishop : options.methods[m], options.checks, options.slices);
+    Evaluator quick(slope, is_rigorous(options.methods[m]) ? Method::bishop : options.methods[m], options.checks,
+                    options.slices);
     const int most = std::max(50, static_cast<int>(3000 / regions));
     for (const Surface& s : find_touching_circles(evaluate, quick, arcs, circles, most)) own_starts[m].push_back(s);
   });
@@ -121,53 +122,6 @@ std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const
     }
   }
   return minima;
-}
-
-/// Optimises a polyline from the critical circle and from circles cut along the borders of regions.
-OptimisedSurface find_polyline(const Slope& slope, const SearchOptions& options, Method method,
-                               const std::vector<Surface>& circles, const SurfaceRanges& ranges) {
-  Evaluator evaluate(slope, method, options.checks, options.slices);
-  struct Start {
-    Surface surface;
-    double factor;
-  };
-  std::vector<Start> starts;
-  auto add = [&](const Surface& s) {
-    if (s.line.size() < 3) return;
-    const double factor = evaluate(s);
-    if (factor < Evaluator::refused) starts.push_back({s, factor});
-  };
-  for (const Surface& circle : circles) {
-    add(make_polyline(slope, circle, ranges.vertices));
-    for (const Surface& s : make_seam_starts(slope, circle, ranges.vertices)) add(s);
-  }
-  std::stable_sort(starts.begin(), starts.end(), [](auto& a, auto& b) { return a.factor < b.factor; });
-  OptimisedSurface best{{}, Evaluator::refused, 0};
-  for (std::size_t i = 0; i < std::min<std::size_t>(starts.size(), 3); ++i) {
-    const auto found = optimise_polyline(evaluate, starts[i].surface, ranges);
-    if (found.factor < best.factor) best = found;
-  }
-  return best;
-}
-
-/// Circles that polylines of a method start from: its minima, and the best of every depth among the trials, since a
-/// seam may lie where no circle is critical.
-std::vector<Surface> choose_polyline_starts(const TrialCircles& circles, const SearchResult& result, std::size_t method,
-                                            const std::vector<OptimisedSurface>& minima) {
-  std::vector<Surface> starts;
-  for (std::size_t i = 0; i < std::min<std::size_t>(minima.size(), 2); ++i) starts.push_back(minima[i].surface);
-  const int depths = circles.size[2];
-  const std::size_t cells = circles.first.size() - 1;
-  for (int k = 0; k < depths; ++k) {
-    int best = -1;
-    for (std::size_t cell = static_cast<std::size_t>(k); cell < cells; cell += static_cast<std::size_t>(depths))
-      for (int s = circles.first[cell]; s < circles.first[cell + 1]; ++s) {
-        const float f = result.trials[static_cast<std::size_t>(s)].factors[method];
-        if (f > 0 && (best < 0 || f < result.trials[static_cast<std::size_t>(best)].factors[method])) best = s;
-      }
-    if (best >= 0) starts.push_back(circles.surfaces[static_cast<std::size_t>(best)]);
-  }
-  return starts;
 }
 
 SearchOptions settle(const SearchOptions& asked) {
@@ -218,14 +172,7 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
     result.circular.push_back(critical);
   }
   if (options.optimise_surface) {
-    std::vector<OptimisedSurface> found(options.methods.size());
-    parallel_tasks(static_cast<int>(options.methods.size()), options.threads, [&](int i) {
-      const auto m = static_cast<std::size_t>(i);
-      if (!suits_polylines(options.methods[m])) return;
-      const SurfaceRanges ranges{circles.left, circles.right, options.vertices};
-      found[m] = find_polyline(slope, options, options.methods[m],
-                               choose_polyline_starts(circles, result, m, minima[m]), ranges);
-    });
+    const std::vector<OptimisedSurface> found = find_polylines(slope, options, circles, result, minima);
     for (std::size_t m = 0; m < found.size(); ++m) {
       if (found[m].surface.line.empty()) continue;
       Critical critical = finish(slope, options, found[m].surface, options.methods[m]);

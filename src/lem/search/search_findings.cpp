@@ -97,8 +97,7 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
 std::vector<std::string> find_warnings(const Slope& slope, const Checks& checks, const Critical& critical) {
   std::vector<std::string> warnings = critical.cut.warnings;
   const Solution& s = critical.solution;
-  const bool forces = critical.method == Method::spencer || critical.method == Method::morgenstern_price ||
-                      critical.method == Method::morgenstern_price_constant;
+  const bool forces = is_rigorous(critical.method);
   if (critical.method != Method::fellenius && s.smallest_m_alpha < checks.smallest_m_alpha)
     warnings.push_back(
         fmt::format("m_alpha falls to {:.2f}, below {:.2f}: the normal force at the passive end is "

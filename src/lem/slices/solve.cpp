@@ -24,11 +24,6 @@ struct Scratch {
   std::vector<double> level;
 };
 
-bool is_complete(Method method) {
-  return method == Method::spencer || method == Method::morgenstern_price ||
-         method == Method::morgenstern_price_constant;
-}
-
 /// Fellenius' own normal forces.
 void find_fellenius_forces(const Mass& mass, double factor, std::vector<Forces>& forces) {
   forces.clear();
@@ -41,11 +36,13 @@ void find_fellenius_forces(const Mass& mass, double factor, std::vector<Forces>&
 void judge_forces(const CutSurface& cut, const Scratch& s, Solution& solution) {
   double length = 0, tensile = 0;
   const auto size = cut.slices.size();
-  solution.smallest_m_alpha = s.forces.front().m_alpha;
+  solution.smallest_m_alpha = 1;
   for (std::size_t i = 0; i < size; ++i) {
     const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
-    solution.smallest_m_alpha = std::min(solution.smallest_m_alpha, s.forces[i].m_alpha);
     length += slice.length;
+    // Without friction the normal force, however unreliable, gives no strength; only rigorous methods balance it.
+    if (!(s.mass.wedges[i].friction > 0) && !is_rigorous(solution.method)) continue;
+    solution.smallest_m_alpha = std::min(solution.smallest_m_alpha, s.forces[i].m_alpha);
     if (s.forces[i].normal - s.mass.wedges[i].uplift < 0) tensile += slice.length;
   }
   solution.tensile_share = tensile / length;
@@ -98,8 +95,9 @@ Refusal check_solution(const CutSurface& cut, const Solution& solution, const Ch
   const double toe = cut.slides_left ? cut.slices.front().alpha : cut.slices.back().alpha;
   if (-toe > checks.steepest_toe) return Refusal::steep_toe;
   if (solution.smallest_m_alpha < checks.smallest_m_alpha) return Refusal::m_alpha;
-  // The normal forces of Fellenius are not in equilibrium, so tension does not discredit his surface.
-  if (solution.method != Method::fellenius && solution.tensile_share > checks.most_tension) return Refusal::tension;
+  // Of Fellenius too: his N' = W cos α - u l is in no equilibrium and falls below zero where pressures are high, and a
+  // search would run to the surface with the worst forces, down to a factor of zero.
+  if (solution.tensile_share > checks.most_tension) return Refusal::tension;
   if (solution.thrust_outside > checks.most_thrust_outside) return Refusal::thrust;
   return Refusal::none;
 }
@@ -114,7 +112,7 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
   solution.refusal = cut.refusal;
   if (cut.refusal != Refusal::none || cut.slices.empty()) return solution;
   s.mass.set(slope, cut, horizontal);
-  const bool circular = cut.surface.circle.has_value(), complete = is_complete(method);
+  const bool circular = cut.surface.circle.has_value(), complete = is_rigorous(method);
   const FelleniusSums sums = sum_fellenius(s.mass, circular);
   if (!(sums.driving * largest_factor > sums.resisting && sums.driving > 0)) {
     solution.refusal = Refusal::no_driving;
@@ -132,7 +130,10 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
     // Two ways to the same forces, each the other's fall-back.
     const bool bracket = method == Method::morgenstern_price_constant;
     Complete found = bracket ? solve_bracket(s.mass, near) : solve_newton(s.mass, near);
-    if (!(found.factor > 0)) found = bracket ? solve_newton(s.mass, near) : solve_bracket(s.mass, near);
+    if (!(found.factor > 0) || !checks.has_sensible_lambda(found.lambda)) {
+      const Complete other = bracket ? solve_newton(s.mass, near) : solve_bracket(s.mass, near);
+      if (!(found.factor > 0) || (other.factor > 0 && checks.has_sensible_lambda(other.lambda))) found = other;
+    }
     solution.factor = found.factor;
     solution.lambda = found.lambda;
     solution.iterations = found.iterations;
@@ -154,7 +155,9 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
   }
   if (keep_forces) write_forces(cut, s, complete);
   if (keep_forces && method == Method::bishop && !circular) warn_of_centre(cut);
-  if (checks.reject) solution.refusal = check_solution(cut, solution, checks);
+  // No choice of the user makes forces that no soil bears a factor of safety.
+  if (!checks.has_sensible_lambda(solution.lambda)) solution.refusal = Refusal::lambda;
+  if (checks.reject && solution.refusal == Refusal::none) solution.refusal = check_solution(cut, solution, checks);
   if (method == Method::janbu_corrected) solution.correction = correct_janbu(cut);
   solution.factor = solution.refusal == Refusal::none ? solution.factor * solution.correction : 0;
   return solution;

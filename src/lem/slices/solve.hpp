@@ -59,8 +59,12 @@ struct Solution {
 struct Checks {
   double smallest_m_alpha = 0.2;
   double most_tension = 0.2;         ///< share of the length that may bear N' < 0 [-]
-  double most_thrust_outside = 0.5;  ///< share of E that may act outside the mass; Spencer, Morgenstern–Price [-]
-  double smallest_depth = 0;         ///< of the sliding mass [m]
+  double most_thrust_outside = 0.3;  ///< share of E that may act outside the mass; Spencer, Morgenstern–Price [-]
+  /// λ; beyond these the forces between slices are steeper than soil can bear, or the upper part holds up the lower
+  /// [-].
+  double smallest_lambda = -0.25, largest_lambda = 1.5;
+  bool has_sensible_lambda(double lambda) const { return lambda >= smallest_lambda && lambda <= largest_lambda; }
+  double smallest_depth = 0;                   ///< of the sliding mass [m]
   double steepest_toe = std::numbers::pi / 2;  ///< rise of the base at the lower end, e.g. 45° - φ/2 [rad]
   bool composite = true;  ///< circles that reach below the base are cut level there; else they are refused
   bool reject = true;     ///< false: only report

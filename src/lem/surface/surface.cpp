@@ -30,6 +30,8 @@ const char* name_refusal(Refusal refusal) {
       return "line of thrust outside the sliding mass";
     case Refusal::not_converged:
       return "equations have no solution";
+    case Refusal::lambda:
+      return "lambda is not that of soil";
     case Refusal::steep_toe:
       return "passive end too steep";
     case Refusal::count:

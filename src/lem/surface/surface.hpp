@@ -34,6 +34,7 @@ enum class Refusal {
   thrust,         ///< line of thrust outside the sliding mass
   not_converged,  ///< the equations have no solution in the range of λ and F
   steep_toe,      ///< passive end steeper than the limit, e.g. 45° - φ/2
+  lambda,         ///< λ beyond its limits
   count
 };
 

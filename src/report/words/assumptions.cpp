@@ -61,6 +61,9 @@ class Assumptions {
           "shape is possible.");
     add("Fellenius, Bishop and Janbu leave a part of the equilibrium out; Spencer and Morgenstern–Price "
         "satisfy all of it with an assumed inclination of the forces between slices.");
+    add("A factor of Spencer or Morgenstern–Price is not shown with λ above {:g}, since the forces between the slices "
+        "would be steeper than soil can bear, nor with λ below {:g}, since the upper part would hold up the lower.",
+        data_.lem.largest_lambda, data_.lem.smallest_lambda);
     if (const input::LimitEquilibrium& lem = data_.lem; lem.reject)
       add("Surfaces with m_α below {:g}, with tension over more than {:g} % of the base, or (Spencer, "
           "Morgenstern–Price) with the thrust outside the mass at more than {:g} % of the slices' sides are rejected "

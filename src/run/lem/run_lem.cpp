@@ -93,6 +93,8 @@ lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, 
   options.checks.smallest_m_alpha = settings.smallest_m_alpha;
   options.checks.most_tension = settings.most_tension;
   options.checks.most_thrust_outside = settings.most_thrust_outside;
+  options.checks.smallest_lambda = settings.smallest_lambda;
+  options.checks.largest_lambda = settings.largest_lambda;
   options.checks.smallest_depth = settings.smallest_depth;
   options.checks.composite = settings.composite;
   options.checks.reject = settings.reject;

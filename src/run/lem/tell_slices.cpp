@@ -68,9 +68,7 @@ results::SlipSurface tell_surface(const lem::Critical& c) {
 results::CriticalSurface tell_critical(const lem::Slope& slope, const lem::Critical& c) {
   results::CriticalSurface told;
   told.surface = tell_surface(c);
-  const bool has_lambda = c.method == lem::Method::spencer || c.method == lem::Method::morgenstern_price ||
-                          c.method == lem::Method::morgenstern_price_constant;
-  if (has_lambda) told.lambda = c.solution.lambda;
+  if (is_rigorous(c.method)) told.lambda = c.solution.lambda;
   told.correction = c.solution.correction;
   told.area = c.cut.area;
   told.depth = c.cut.depth;

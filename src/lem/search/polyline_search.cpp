@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "lem/search/polyline_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "base/parallel.hpp"
+#include "lem/search/evaluator.hpp"
+#include "lem/search/local_minima.hpp"
+#include "lem/search/optimise_surface.hpp"
+#include "lem/surface/polyline_shape.hpp"
+
+namespace talus::lem {
+namespace {
+
+/// Places along each border that blocks begin and end at.
+constexpr int stations = 16;
+/// Wedges at the ends of a block: those of φ = 30° behind a wall, active and passive. The optimisation turns them.
+constexpr double active = 60 * std::numbers::pi / 180, passive = 30 * std::numbers::pi / 180;
+/// Starts that are optimised, of circles and of blocks; and surfaces shaken from the best one.
+constexpr std::size_t circle_starts = 3, block_starts = 3;
+constexpr int shakes = 4;
+/// How far a vertex is shaken, over the depth of the mass [-].
+constexpr double shake = 0.15;
+/// Two masses with more in common lead to one minimum.
+constexpr double same_mass = 0.9;
+
+/// Where the line from `from` that rises at `angle` in the direction `way` (-1, 1) of x comes out of the ground;
+/// nothing where it does not inside the model.
+std::optional<double> find_exit(const Slope& slope, const Point& from, int way, double angle) {
+  const double farthest = way < 0 ? from[0] - slope.left() : slope.right() - from[0], rise = std::tan(angle);
+  constexpr int steps = 200;
+  double before = 0;
+  for (int i = 1; i <= steps; ++i) {
+    const double run = farthest * i / steps, x = from[0] + way * run;
+    const double above = from[1] + rise * run - slope.ground(x);
+    if (above >= 0) {
+      const double share = i == 1 ? 0 : before / (before - above);
+      return from[0] + way * farthest * (i - 1 + share) / steps;
+    }
+    before = above;
+  }
+  return std::nullopt;
+}
+
+struct Start {
+  Surface surface;
+  double factor;
+};
+
+/// The best starts that differ from one another and from `chosen`, at most `count` of them.
+void choose(const Slope& slope, std::vector<Start> starts, std::size_t count, std::vector<Start>& chosen) {
+  std::stable_sort(starts.begin(), starts.end(), [](auto& a, auto& b) { return a.factor < b.factor; });
+  const std::size_t most = chosen.size() + count;
+  for (Start& s : starts) {
+    if (chosen.size() == most) return;
+    const bool known = std::any_of(chosen.begin(), chosen.end(), [&](const Start& other) {
+      return measure_overlap(slope, s.surface, other.surface) > same_mass;
+    });
+    if (!known) chosen.push_back(std::move(s));
+  }
+}
+
+/// The polylines of one method.
+class PolylineSearch {
+ public:
+  PolylineSearch(const Slope& slope, const SearchOptions& options, Method method, const SurfaceRanges& ranges)
+      : evaluate_(slope, method, options.checks, options.slices), ranges_(ranges) {}
+
+  /// From circles, cut along the borders of regions too, and from blocks.
+  void search(const std::vector<Surface>& circles, const std::vector<Surface>& blocks) {
+    std::vector<Start> from_circles, from_blocks, chosen;
+    for (const Surface& circle : circles) {
+      add(make_polyline(slope(), circle, ranges_.vertices), from_circles);
+      for (const Surface& s : make_seam_starts(slope(), circle, ranges_.vertices)) add(s, from_circles);
+    }
+    for (const Surface& block : blocks) add(block, from_blocks);
+    choose(slope(), std::move(from_circles), circle_starts, chosen);
+    choose(slope(), std::move(from_blocks), block_starts, chosen);
+    for (const Start& s : chosen) improve(s.surface);
+  }
+
+  void improve(const Surface& start) {
+    const OptimisedSurface found = optimise_polyline(evaluate_, start, ranges_);
+    if (found.factor < best_.factor) best_ = found;
+  }
+
+  /// A minimiser may stop at a kink of the factor: it goes on from beside the best surface.
+  void shake_best() {
+    std::minstd_rand random(1);  // the same numbers everywhere
+    const auto draw = [&] {
+      return 2 * static_cast<double>(random() - std::minstd_rand::min()) /
+                 static_cast<double>(std::minstd_rand::max() - std::minstd_rand::min()) -
+             1;
+    };
+    for (int i = 0; i < shakes && !best_.surface.line.empty(); ++i) {
+      const std::vector<Point> line = best_.surface.line;
+      double depth = 0;
+      for (const Point& p : line) depth = std::max(depth, slope().ground(p[0]) - p[1]);
+      std::vector<Point> moved(line.begin() + 1, line.end() - 1);
+      for (Point& p : moved) p = {p[0] + shake * depth * draw(), p[1] + shake * depth * draw()};
+      const Surface start = hang_polyline(slope(), line.front()[0], line.back()[0], moved);
+      if (start.line.size() > 2 && evaluate_(start) < Evaluator::refused) improve(start);
+    }
+  }
+
+  const OptimisedSurface& best() const { return best_; }
+
+ private:
+  const Slope& slope() const { return evaluate_.slope(); }
+
+  void add(const Surface& s, std::vector<Start>& starts) {
+    if (s.line.size() < 3 || !is_in(s.line.front()[0], ranges_.left) || !is_in(s.line.back()[0], ranges_.right)) return;
+    const double factor = evaluate_(s);
+    if (factor < Evaluator::refused) starts.push_back({s, factor});
+  }
+
+  static bool is_in(double x, const std::array<double, 2>& range) {
+    const double rounding = 1e-9 * (range[1] - range[0]);
+    return x >= range[0] - rounding && x <= range[1] + rounding;
+  }
+
+  Evaluator evaluate_;
+  SurfaceRanges ranges_;
+  OptimisedSurface best_{{}, Evaluator::refused, 0};
+};
+
+/// Circles that polylines of a method start from: its minima, and the best of every depth among the trials, since a
+/// seam may lie where no circle is critical.
+std::vector<Surface> choose_circles(const TrialCircles& circles, const SearchResult& result, std::size_t method,
+                                    const std::vector<OptimisedSurface>& minima) {
+  std::vector<Surface> starts;
+  for (std::size_t i = 0; i < std::min<std::size_t>(minima.size(), 2); ++i) starts.push_back(minima[i].surface);
+  const int depths = circles.size[2];
+  const std::size_t cells = circles.first.size() - 1;
+  for (int k = 0; k < depths; ++k) {
+    int best = -1;
+    for (std::size_t cell = static_cast<std::size_t>(k); cell < cells; cell += static_cast<std::size_t>(depths))
+      for (int s = circles.first[cell]; s < circles.first[cell + 1]; ++s) {
+        const float f = result.trials[static_cast<std::size_t>(s)].factors[method];
+        if (f > 0 && (best < 0 || f < result.trials[static_cast<std::size_t>(best)].factors[method])) best = s;
+      }
+    if (best >= 0) starts.push_back(circles.surfaces[static_cast<std::size_t>(best)]);
+  }
+  return starts;
+}
+
+}  // namespace
+
+std::vector<Surface> make_blocks(const Slope& slope, int vertices) {
+  const double width = slope.right() - slope.left(), hair = 1e-7 * width;
+  std::vector<Surface> blocks;
+  // The base as a border that reaches from side to side, then the lower and the upper one of each region.
+  for (std::size_t border = 0; border < 1 + 2 * slope.section().regions.size(); ++border) {
+    std::vector<Point> places;
+    for (int i = 1; i < stations; ++i) {
+      const double x = slope.left() + width * i / stations;
+      std::optional<double> y = slope.section().base;
+      if (border > 0) {
+        const auto borders = find_borders(slope.section().regions[(border - 1) / 2].polygon, x);
+        y = borders ? std::optional((*borders)[(border - 1) % 2]) : std::nullopt;
+      }
+      if (y && *y < slope.ground(x) - 1e-3 * width) places.push_back({x, *y + hair});
+    }
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (std::size_t j = i + 1; j < places.size(); ++j) {
+        const bool falls_right = slope.ground(places[i][0]) > slope.ground(places[j][0]);
+        const auto left = find_exit(slope, places[i], -1, falls_right ? active : passive),
+                   right = find_exit(slope, places[j], 1, falls_right ? passive : active);
+        if (!left || !right) continue;
+        const std::vector<Point> bed(places.begin() + static_cast<std::ptrdiff_t>(i),
+                                     places.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+        const auto thin = thin_points(hang_polyline(slope, *left, *right, bed).line, vertices);
+        blocks.push_back(hang_polyline(slope, *left, *right, thin));
+      }
+  }
+  return blocks;
+}
+
+std::vector<OptimisedSurface> find_polylines(const Slope& slope, const SearchOptions& options,
+                                             const TrialCircles& circles, const SearchResult& result,
+                                             const std::vector<std::vector<OptimisedSurface>>& minima) {
+  const SurfaceRanges ranges{circles.left, circles.right, options.vertices};
+  std::vector<PolylineSearch> searches;
+  for (const Method method : options.methods) searches.emplace_back(slope, options, method, ranges);
+  const std::vector<Surface> blocks = make_blocks(slope, options.vertices);
+  const auto for_each = [&](auto&& work) {
+    parallel_tasks(static_cast<int>(searches.size()), options.threads, [&](int i) {
+      const auto m = static_cast<std::size_t>(i);
+      if (suits_polylines(options.methods[m])) work(m);
+    });
+  };
+  for_each([&](std::size_t m) { searches[m].search(choose_circles(circles, result, m, minima[m]), blocks); });
+  // A method's best surface is a start for the others, and each goes on from beside its own.
+  std::vector<Surface> found;
+  for (const PolylineSearch& s : searches)
+    if (!s.best().surface.line.empty()) found.push_back(s.best().surface);
+  for_each([&](std::size_t m) {
+    for (const Surface& s : found) searches[m].improve(s);
+    searches[m].shake_best();
+  });
+  std::vector<OptimisedSurface> best;
+  for (const PolylineSearch& s : searches) best.push_back(s.best());
+  return best;
+}
+
+}  // namespace talus::lem
