@@ -105,9 +105,8 @@ class Results:
 
     @property
     def factor_of_safety(self) -> Optional[float]:
-        """The factor of safety of the run, or None where none was calculated: of material points (frozen geometry, or
-        the first construction on the curve), else of finite elements, else the smallest of slices by a method that
-        satisfies all equilibrium. `methods` lists all factors."""
+        """The factor of safety that governs, or None where none was calculated: the smallest of slices (of all their
+        admissible surfaces), finite elements and material points. `methods` lists all factors."""
         of_points = self.summary.get("factor_of_safety", {}).get("value")  # all that older versions wrote
         value: Optional[float] = self.summary.get("main_factor", of_points)
         return value

@@ -28,6 +28,7 @@
 #include "report/words/assumptions.hpp"
 #include "report/words/explained_methods.hpp"
 #include "report/words/numbers.hpp"
+#include "results/governing.hpp"
 #include "results/json.hpp"
 
 namespace talus::report {

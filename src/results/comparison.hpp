@@ -8,6 +8,7 @@
 
 #include "base/methods.hpp"
 #include "results/about.hpp"
+#include "results/slices.hpp"
 
 namespace talus::results {
 
@@ -187,6 +188,8 @@ struct MethodComparison {
   std::vector<MethodRow> table;
   std::vector<MethodSurface> surfaces;
   std::vector<HandedSurface> handed;
+  std::vector<CriticalSurface> optimised;  ///< Spencer's, from the surfaces of other methods
+  std::vector<std::string> warnings;       ///< on factors that lie far apart
   std::vector<Remark> remarks;
   std::optional<DesignStatement> partial_factors;
 };
@@ -196,6 +199,8 @@ void describe(V& v, R& r) {
   v.key("table", r.table, {"", "factors of all methods"});
   v.key("surfaces", r.surfaces, {"", "surfaces of all methods"});
   v.key("handed", r.handed, {"", "surfaces that slices were given"});
+  v.key("optimised", r.optimised, {"", "surfaces that slices improved from those of other methods"});
+  v.key("warnings", r.warnings, {"", "warnings on factors that lie far apart"});
   v.key("remarks", r.remarks, {"", "what the differences say"});
   v.key("partial_factors", r.partial_factors, {"", "design values"});
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "results/governing.hpp"
+
 namespace talus::results {
 namespace {
 
@@ -55,6 +57,25 @@ class Values {
            ResultKind::yield_acceleration, "yield_acceleration", by},
           c.yield_acceleration);
     }
+  }
+
+  void add_main_factor(const RunResult& run) {
+    add_factor("main_factor", "factor of safety that governs", find_main_factor(run));
+  }
+
+  /// What holds for the surface that governs.
+  void add_governing(const RunResult& run) {
+    const std::optional<GoverningSurface> governing = find_governing_surface(run);
+    if (!governing) return;
+    const CriticalSurface& c = *governing->found;
+    add_factor("lem.factor", "factor of safety that governs, slices", c.surface.factor);
+    add({"lem.yield_acceleration",
+         "yield acceleration over g of the slip surface that governs",
+         "",
+         ResultKind::yield_acceleration,
+         "yield_acceleration",
+         {}},
+        c.yield_acceleration);
   }
 
   void add_methods(const MethodComparison& methods) {
@@ -221,6 +242,8 @@ class Values {
 
 std::vector<NamedValue> list_values(const RunResult& run, int dimension) {
   Values values(dimension);
+  values.add_main_factor(run);
+  values.add_governing(run);
   if (run.slices) values.add_slices(*run.slices);
   if (run.methods) values.add_methods(*run.methods);
   if (run.elements) values.add_elements(*run.elements);
@@ -266,30 +289,6 @@ CurveValue find_displacement(const RunResult& run, double factor) {
             fmt::format("no trial at SRF {:g}: interpolated between those at {:g} and {:g}", factor, before, here)};
   }
   return {};
-}
-
-std::optional<double> find_main_factor(const RunResult& run) {
-  if (run.factor_of_safety) {
-    if (run.factor_of_safety->value) return run.factor_of_safety->value;
-    if (run.factor_of_safety->criteria)
-      for (const Criterion& c : *run.factor_of_safety->criteria)
-        if (c.factor) return c.factor;
-  }
-  if (run.elements && !run.elements->runs.empty()) return run.elements->runs.front().factor;
-  if (!run.slices) return std::nullopt;
-  std::optional<double> rigorous, any;
-  const auto take = [](double f, std::optional<double>& least) { least = least ? std::min(*least, f) : f; };
-  for (const auto* list : {&run.slices->critical, &run.slices->noncircular, &run.slices->given})
-    for (const CriticalSurface& c : *list) {
-      const double f = c.surface.factor.value_or(0);
-      if (f <= 0) continue;
-      take(f, any);
-      const SliceMethod m = c.surface.method;
-      if (m == SliceMethod::spencer || m == SliceMethod::morgenstern_price ||
-          m == SliceMethod::morgenstern_price_constant)
-        take(f, rigorous);
-    }
-  return rigorous ? rigorous : any;
 }
 
 }  // namespace talus::results

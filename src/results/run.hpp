@@ -146,10 +146,8 @@ struct RunResult {
   std::optional<Timing> timing;
 };
 
-/// The main factor of the run: that of the material points, at frozen geometry or else by the first criterion
-/// that found one; else the first of the finite elements (ψ as given before ψ = φ); else the smallest of the rigorous
-/// methods of slices (Spencer, Morgenstern and Price), or of any where none of these has one. Code that needs one
-/// number takes it from here. Nothing: no method found a factor.
+/// The main factor of the run: the smallest of those that slices, finite elements and material points found, each by
+/// the rules of results/governing.hpp. Nothing: no method found a factor.
 std::optional<double> find_main_factor(const RunResult& run);
 
 template <class V, As<RunResult> R>

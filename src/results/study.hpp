@@ -36,11 +36,14 @@ void describe(V& v, R& r) {
 }
 
 /// The kind of a column, where the program must know it: ranges are given for these, and factors are extrapolated.
-enum class ColumnKind { other, factor, runout, displacement, ratio };
+enum class ColumnKind { other, governing, factor, runout, displacement, ratio };
 template <>
-inline constexpr auto words<ColumnKind> =
-    std::array{Word{ColumnKind::other, "other"}, Word{ColumnKind::factor, "factor"}, Word{ColumnKind::runout, "runout"},
-               Word{ColumnKind::displacement, "displacement"}, Word{ColumnKind::ratio, "ratio"}};
+inline constexpr auto words<ColumnKind> = std::array{Word{ColumnKind::other, "other"},
+                                                     Word{ColumnKind::governing, "governing"},
+                                                     Word{ColumnKind::factor, "factor"},
+                                                     Word{ColumnKind::runout, "runout"},
+                                                     Word{ColumnKind::displacement, "displacement"},
+                                                     Word{ColumnKind::ratio, "ratio"}};
 
 struct StudyColumn {
   std::string name;              ///< in the CSV, `strength_reduction.curve.damping`

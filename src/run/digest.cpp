@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/governing.hpp"
+
 namespace talus::run {
 namespace {
 
@@ -14,6 +16,18 @@ std::string pad(const std::string& text, std::size_t width) {
   const auto length = static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
   return text + std::string(length < width ? width - length : 1, ' ');
+}
+
+/// The factor that governs, with its method and surface.
+std::string write_main_factor(const results::RunResult& run) {
+  const std::optional<double> factor = results::find_main_factor(run);
+  const auto surface = results::find_governing_surface(run);
+  if (!factor || !run.methods) return "";
+  const bool by_slices = surface && surface->found->surface.factor == factor;
+  return fmt::format("Factor of safety {:.3f} ({})\n", *factor,
+                     by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface))
+                     : results::find_elements_factor(run) == factor ? "finite elements"
+                                                                    : "material points");
 }
 
 /// The factors of all methods side by side, and the sentences on their differences.
@@ -98,6 +112,7 @@ std::string write_water(const results::RunResult& run) {
 
 std::string write_digest(const results::RunResult& run) {
   std::string text = run.title + "\n";
+  text += write_main_factor(run);
   if (run.methods) text += write_method_table(*run.methods);
   if (const auto& mesh = run.mesh)
     text += fmt::format("  {} points in {} elements, critical time step {:.3g} s\n", mesh->points, mesh->soil_elements,

@@ -24,7 +24,10 @@ SliceFactor::SliceFactor(const input::LoadedCase& base, const std::vector<input:
       sampled_(sampled),
       numbers_(base, overrides, sampled),
       options_(run::make_search_options(base.data.lem, threads)) {
-  options_.methods.resize(1);
+  // The method that would govern a run.
+  options_.methods = {
+      *std::min_element(options_.methods.begin(), options_.methods.end(),
+                        [](lem::Method a, lem::Method b) { return rank_equilibrium(a) < rank_equilibrium(b); })};
   if (is_full()) return;
   slope_ = std::make_unique<lem::Slope>(numbers_.middle());
   std::vector<lem::Surface> given;

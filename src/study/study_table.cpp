@@ -104,11 +104,10 @@ class Columns {
   }
 
   /// The factor of safety that runs call `name`.
-  void add_factor(const std::string& title, const std::string& name) {
+  void add_factor(const std::string& title, const std::string& name, ColumnKind kind = ColumnKind::factor) {
     const std::size_t count = table.size();
     add(
-        "FoS, " + title, "", "{:.3f}", false, [&](const RunResult& r) { return run::find_result(r, name); },
-        ColumnKind::factor);
+        "FoS, " + title, "", "{:.3f}", false, [&](const RunResult& r) { return run::find_result(r, name); }, kind);
     if (table.size() > count) table.back().by = title;
   }
 
@@ -174,6 +173,7 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
   for (const double f : plan.factors)
     columns.add(fmt::format("displacement at SRF {:g}", f), plan.told.units.displacement, "{:.4g}", true,
                 [f](const RunResult& r) { return get_displacement(r, f); });
+  columns.add_factor("governing", "main_factor", ColumnKind::governing);
   for (const char* criterion : {"frozen", "bilinear", "displacement", "jump"})
     columns.add_factor(criterion, std::string("factor_of_safety.") + criterion);
   for (const auto& [name, title] : std::initializer_list<std::pair<const char*, const char*>>{
@@ -185,7 +185,9 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
            {"lem.morgenstern_price", "Morgenstern–Price"},
            {"lem.morgenstern_price_constant", "Morgenstern–Price, constant"},
            {"lem.noncircular.spencer", "Spencer, non-circular"},
-           {"lem.noncircular.morgenstern_price", "Morgenstern–Price, non-circular"},
+           {"lem.noncircular.morgenstern_price", "Morgenstern–Price, non-circular"}})
+    columns.add_factor(title, name, ColumnKind::other);
+  for (const auto& [name, title] : std::initializer_list<std::pair<const char*, const char*>>{
            {"fem.factor", "finite elements"},
            {"fem.by_displacement", "finite elements, displacement"},
            {"fem.associated.factor", "finite elements, ψ = φ"}})

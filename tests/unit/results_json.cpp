@@ -110,25 +110,5 @@ TEST(ResultsDocuments, SchemaKnowsWhatIsWritten) {
   EXPECT_NE(write_manual().find("| `lem.critical[].slices.alpha` | rad |"), std::string::npos);
 }
 
-TEST(MainFactor, IsThatOfMaterialPointsThenElementsThenTheWeakestRigorousSurface) {
-  RunResult run;
-  EXPECT_EQ(find_main_factor(run), std::nullopt);
-  run.slices.emplace().error = "no circle";
-  EXPECT_EQ(find_main_factor(run), std::nullopt);
-  run.slices.emplace().critical = {make_surface(SliceMethod::fellenius, 1.1), make_surface(SliceMethod::bishop, {})};
-  EXPECT_EQ(find_main_factor(run), 1.1) << "no rigorous method has one";
-  run.slices->noncircular = {make_surface(SliceMethod::spencer, 1.3),
-                             make_surface(SliceMethod::morgenstern_price, 1.25)};
-  EXPECT_EQ(find_main_factor(run), 1.25);
-  run.elements.emplace().runs.emplace_back().factor = 1.2;
-  EXPECT_EQ(find_main_factor(run), 1.2);
-  run.factor_of_safety.emplace().criteria.emplace() = {{CriterionKind::bilinear, {}, {}, {}, ""},
-                                                       {CriterionKind::displacement, 1.4, 1.3, 1.5, ""}};
-  EXPECT_EQ(find_main_factor(run), 1.4);
-  run.factor_of_safety->value = 1.35;
-  EXPECT_EQ(find_main_factor(run), 1.35);
-  EXPECT_EQ(to_json(run).at("main_factor"), 1.35) << "the summary says it";
-}
-
 }  // namespace
 }  // namespace talus::results

@@ -11,6 +11,7 @@
 
 #include "report/content/asked_methods.hpp"
 #include "report/words/numbers.hpp"
+#include "results/governing.hpp"
 
 namespace talus::report {
 
@@ -142,25 +143,16 @@ std::string name_kind(const Factor& factor) {
   return factor.by ? to_word(*factor.by) : "";
 }
 
-/// The factor that represents its method in the answer: the first of those with the lowest rank.
-template <class Rank>
-void mark_main(std::vector<Factor>& factors, Method method, Rank rank) {
+/// The factor of the finite elements that represents them in the answer: the first by loss of equilibrium, or else the
+/// first.
+void mark_elements(std::vector<Factor>& factors) {
   Factor* main = nullptr;
   for (Factor& factor : factors)
-    if (factor.method == method && factor.value && (main == nullptr || rank(factor) < rank(*main))) main = &factor;
+    if (factor.method == Method::fem && factor.value &&
+        (main == nullptr ||
+         (factor.measure == FactorMeasure::equilibrium && main->measure != FactorMeasure::equilibrium)))
+      main = &factor;
   if (main != nullptr) main->is_main = true;
-}
-
-int rank_slices(const Factor& factor) {
-  static constexpr std::array wanted{SliceMethod::spencer, SliceMethod::morgenstern_price,
-                                     SliceMethod::morgenstern_price_constant, SliceMethod::bishop};
-  const auto found = std::find(wanted.begin(), wanted.end(), factor.slice_method);
-  return static_cast<int>(found - wanted.begin());
-}
-
-bool satisfies_equilibrium(std::optional<SliceMethod> method) {
-  return method == SliceMethod::spencer || method == SliceMethod::morgenstern_price ||
-         method == SliceMethod::morgenstern_price_constant;
 }
 
 /// "to 0.4 %", "to three digits".
@@ -225,6 +217,7 @@ json make_method_table(const ResultFolder& folder) {
                                {"title", h.title},
                                {"factor", write(take_factor(h.factor))},
                                {"refusal", h.refusal}});
+  if (const auto governing = results::find_governing_surface(folder.run)) table["governing"] = governing->name;
   if (methods.partial_factors) table["partial_factors"] = take_partial_factors(*methods.partial_factors);
   return table;
 }
@@ -250,22 +243,33 @@ std::vector<Factor> list_other_factors(const results::RunResult& run) {
   if (!run.methods) return factors;
   const std::vector<MethodRow>& rows = run.methods->table;
   const bool has_critical = std::any_of(rows.begin(), rows.end(), is_critical);
+  const std::optional<results::GoverningSurface> governing = results::find_governing_surface(run);
   for (const MethodRow& row : rows) {
     if (row.method == Method::mpm) continue;
-    if (row.method == Method::lem && !is_critical(row) && has_critical) continue;
+    if (row.method == Method::lem && has_critical && !is_critical(row) &&
+        (!governing || row.surface != governing->name))
+      continue;
     factors.push_back(make_factor(row));
   }
-  mark_main(factors, Method::lem, rank_slices);
-  mark_main(factors, Method::fem, [](const Factor& f) { return f.measure == FactorMeasure::equilibrium ? 0 : 1; });
+  if (governing)
+    for (Factor& factor : factors) factor.is_main = factor.name == governing->name && factor.value;
+  std::stable_sort(factors.begin(), factors.end(), [](const Factor& a, const Factor& b) {
+    return std::pair(a.method, !a.is_main) < std::pair(b.method, !b.is_main);
+  });
+  mark_elements(factors);
   return factors;
 }
 
 std::string say_main_factors(const results::RunResult& run, const std::vector<Factor>& factors) {
-  std::vector<std::string> parts;
+  std::vector<const Factor*> mains;
   for (const Factor& factor : factors)
-    if (factor.is_main)
-      parts.push_back(fmt::format("{:.3f} by {} ({})", *factor.value, name_method(factor.method), factor.title));
-  if (parts.empty()) return "";
+    if (factor.is_main) mains.push_back(&factor);
+  if (mains.empty()) return "";
+  // The one that governs stands first.
+  std::stable_sort(mains.begin(), mains.end(), [](auto* a, auto* b) { return *a->value < *b->value; });
+  std::vector<std::string> parts;
+  for (const Factor* factor : mains)
+    parts.push_back(fmt::format("{:.3f} by {} ({})", *factor->value, name_method(factor->method), factor->title));
   return fmt::format("The factor of safety{} is {}.", has_design_values(run) ? " with design values" : "",
                      join_words(parts));
 }
@@ -300,21 +304,6 @@ std::string say_agreement(const std::vector<Factor>& factors) {
     reasons.push_back("material points are those of one mesh, not extrapolated");
   return fmt::format("The methods lie within {:.1f} % of each other{}{}.", 100 * spread, reasons.empty() ? "" : "; ",
                      fmt::join(reasons, "; "));
-}
-
-std::string say_weakest_surface(const std::vector<Factor>& factors) {
-  // Other methods leave a part of the equilibrium out, so their lower factor is less reliable.
-  constexpr double noticed = 0.995;
-  const Factor *main = nullptr, *weakest = nullptr;
-  for (const Factor& factor : factors) {
-    if (factor.method != Method::lem || !factor.value) continue;
-    if (factor.is_main) main = &factor;
-    if (!satisfies_equilibrium(factor.slice_method)) continue;
-    if (weakest == nullptr || *factor.value < *weakest->value) weakest = &factor;
-  }
-  if (main == nullptr || weakest == nullptr || *weakest->value > noticed * *main->value) return "";
-  return fmt::format("The weakest surface by a method that satisfies all equilibrium has {:.3f} ({}).", *weakest->value,
-                     weakest->title);
 }
 
 bool has_design_values(const results::RunResult& run) {

@@ -33,8 +33,9 @@ struct Factor {
 
 nlohmann::json to_json(const Factor& factor);
 
-/// Factors by slices and finite elements; given and handed surfaces only where no critical one was sought. Of each
-/// method one is marked as main: Spencer's critical circle, else the first with a value; of finite elements the first.
+/// Factors by slices and finite elements; given and handed surfaces only where no critical one was sought or where one
+/// governs. Of each method one is marked as main: of slices the governing one, which stands first, of finite elements
+/// the first.
 std::vector<Factor> list_other_factors(const results::RunResult& run);
 
 /// "The factor of safety is 1.441 by slices (Spencer, critical circle) and 1.398 by finite elements (…)."; empty
@@ -44,9 +45,6 @@ std::string say_main_factors(const results::RunResult& run, const std::vector<Fa
 /// How far the main factors lie apart, and how much of it is known to be the flow rule or the mesh; empty for fewer
 /// than two.
 std::string say_agreement(const std::vector<Factor>& factors);
-
-/// Where slices found a surface that is weaker than the one of their main factor; empty otherwise.
-std::string say_weakest_surface(const std::vector<Factor>& factors);
 
 /// Whether the factors are those of partial factors' design values.
 bool has_design_values(const results::RunResult& run);

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "report/words/numbers.hpp"
+#include "results/governing.hpp"
 #include "results/json.hpp"
 
 namespace talus::report {
@@ -25,11 +26,6 @@ json take_number(const std::optional<double>& number) {
   return number ? json(*number) : json();
 }
 
-bool has_lambda(SliceMethod method) {
-  return method == SliceMethod::spencer || method == SliceMethod::morgenstern_price ||
-         method == SliceMethod::morgenstern_price_constant;
-}
-
 /// The columns of the slice table; older folders know fewer.
 json take_columns(const results::SliceTable& slices) {
   json columns = results::to_json(slices);
@@ -38,7 +34,7 @@ json take_columns(const results::SliceTable& slices) {
   return columns;
 }
 
-json take_surface(const results::CriticalSurface& found, const char* kind) {
+json take_surface(const results::CriticalSurface& found, const char* kind, bool governs) {
   const results::SlipSurface& surface = found.surface;
   const results::SurfaceChecks& checks = found.checks;
   json taken{{"kind", kind},
@@ -46,7 +42,7 @@ json take_surface(const results::CriticalSurface& found, const char* kind) {
              {"method", results::to_word(surface.method)},
              {"title", surface.title},
              {"factor", take_factor(surface.factor)},
-             {"lambda", has_lambda(surface.method) ? take_number(found.lambda) : json()},
+             {"lambda", is_rigorous(surface.method) ? take_number(found.lambda) : json()},
              {"correction", found.correction},
              {"points", surface.points},
              {"area", found.area},
@@ -57,7 +53,8 @@ json take_surface(const results::CriticalSurface& found, const char* kind) {
                {"tensile_share", keep_finite(checks.tensile_share)},
                {"thrust_outside", keep_finite(checks.thrust_outside)},
                {"refusal", checks.refusal}}},
-             {"warnings", found.warnings}};
+             {"warnings", found.warnings},
+             {"governs", governs}};
   if (surface.circle) taken["circle"] = results::to_json(*surface.circle);
   if (found.slices.size() > 0) taken["slices"] = take_columns(found.slices);
   return taken;
@@ -134,10 +131,13 @@ json make_slices(const ResultFolder& folder, Packer& packer, json& warnings) {
   const results::SliceResult& lem = *folder.run.slices;
   json surfaces = json::array(), methods = json::array();
   std::map<SliceMethod, std::string> titles;
+  const auto governing = results::find_governing_surface(folder.run);
+  static const std::vector<results::CriticalSurface> none;
   for (const auto& [kind, list] :
-       {std::pair{"circle", &lem.critical}, std::pair{"polyline", &lem.noncircular}, std::pair{"given", &lem.given}})
+       {std::pair{"circle", &lem.critical}, std::pair{"polyline", &lem.noncircular}, std::pair{"given", &lem.given},
+        std::pair{"optimised", folder.run.methods ? &folder.run.methods->optimised : &none}})
     for (const results::CriticalSurface& found : *list) {
-      surfaces.push_back(take_surface(found, kind));
+      surfaces.push_back(take_surface(found, kind, governing && governing->found == &found));
       titles[found.surface.method] = found.surface.title;
     }
   for (const SliceMethod method : lem.methods) {

@@ -44,18 +44,29 @@ json make_column(const results::StudyColumn& column) {
   return {{"name", column.name}, {"title", column.title}, {"unit", column.unit}, {"shown", shown}, {"values", values}};
 }
 
+/// Whether another column, of one method, says the same.
+bool is_told_by_method(const results::StudyColumn& governing, const std::vector<results::StudyColumn>& columns) {
+  const auto is_same = [](const results::StudyCell& a, const results::StudyCell& b) { return a.full == b.full; };
+  return std::any_of(columns.begin(), columns.end(), [&](const results::StudyColumn& c) {
+    return c.kind == results::ColumnKind::factor &&
+           std::equal(c.cells.begin(), c.cells.end(), governing.cells.begin(), governing.cells.end(), is_same);
+  });
+}
+
 /// "The factor of safety (frozen) lies between 1.39 and 1.45 over 12 variants."
 void say_ranges(const std::vector<results::StudyColumn>& columns, std::vector<std::string>& sentences) {
   for (const results::StudyColumn& c : columns) {
     if (c.kind == results::ColumnKind::other) continue;
+    if (c.kind == results::ColumnKind::governing && is_told_by_method(c, columns)) continue;
     std::vector<double> values;
     for (const results::StudyCell& cell : c.cells)
       if (const auto value = read_number(c, cell); value && std::isfinite(*value)) values.push_back(*value);
     if (values.empty()) continue;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const std::string unit = c.unit.empty() ? "" : " " + c.unit;
-    const std::string title =
-        c.kind == results::ColumnKind::factor ? fmt::format("The factor of safety ({})", c.by) : "The " + c.title;
+    const std::string title = c.kind == results::ColumnKind::governing ? "The factor of safety that governs"
+                              : c.kind == results::ColumnKind::factor  ? fmt::format("The factor of safety ({})", c.by)
+                                                                       : "The " + c.title;
     const std::string lowest = show_number(*low, 4) + unit, highest = show_number(*high, 4) + unit;
     if (values.size() == 1)
       sentences.push_back(fmt::format("{} is {} in the one variant that has it.", title, lowest));

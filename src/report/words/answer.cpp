@@ -101,8 +101,8 @@ void say_methods(const results::RunResult& run, const std::vector<Factor>& facto
   if (!has_design_values(run) &&
       std::any_of(factors.begin(), factors.end(), [](const Factor& f) { return f.is_main && *f.value < 1; }))
     sentences.push_back(too_low);
-  for (const std::string& said : {say_agreement(factors), say_weakest_surface(factors),
-                                  has_design_values(run) ? run.methods->partial_factors->text : std::string()})
+  for (const std::string& said :
+       {say_agreement(factors), has_design_values(run) ? run.methods->partial_factors->text : std::string()})
     if (!said.empty()) sentences.push_back(said);
 }
 

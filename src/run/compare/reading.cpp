@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/governing.hpp"
 #include "run/compare/compare.hpp"
 #include "run/compare/slip_line.hpp"
 
@@ -44,15 +45,14 @@ class Reading {
  public:
   Reading(const input::Case& data, const results::RunResult& run, const results::MethodComparison& methods)
       : data_(data), run_(run), methods_(methods), height_(run.slope_height.value_or(0)) {
-    using enum SliceMethod;
-    for (const SliceMethod method :
-         {spencer, morgenstern_price, morgenstern_price_constant, bishop, janbu_corrected, janbu, fellenius}) {
-      const results::CriticalSurface* found = find_circle(method);
-      if (found == nullptr || !found->surface.factor) continue;
-      critical_ = found;
-      circle_ = found->surface.factor;
-      circle_name_ = found->surface.title;
-      break;
+    if (run.slices) {
+      if (const auto governing = results::find_governing_surface(*run.slices, &methods)) {
+        const std::string title = get_title(governing->found->surface.method);
+        surface_ = governing->found;
+        slices_ = surface_->surface.factor;
+        name_ = governing->source == results::SurfaceSource::critical ? title : title + "'s polyline";
+        place_ = fmt::format("the {} of {}", results::name_surface(*governing), title);
+      }
     }
     if (run.elements)
       for (const results::ElementRun& r : run.elements->runs)
@@ -99,7 +99,7 @@ class Reading {
   /// One factor of each kind of method: Spencer's circle, finite elements, material points.
   void read_range() {
     std::vector<std::pair<std::string, double>> parts;
-    if (circle_) parts.emplace_back(fmt::format("slices ({}) {:.3f}", circle_name_, *circle_), *circle_);
+    if (slices_) parts.emplace_back(fmt::format("slices ({}) {:.3f}", name_, *slices_), *slices_);
     if (const results::ElementRun* run = given_ ? given_ : associated_) {
       const double f = run->factor;
       parts.emplace_back(fmt::format("finite elements ({}) {:.3f}", describe_flow(*run), f), f);
@@ -152,23 +152,25 @@ class Reading {
           corrected ? fmt::format("; with its correction it is {:.3f}", *corrected)
                     : (f0 != 1 ? fmt::format("; its correction would be {:.3f}", f0) : ""));
     }
-    if (!circle_) return;
-    const results::CriticalSurface* other = find_surface(run_.slices->noncircular, critical_->surface.method);
-    const std::optional<double> polyline = other == nullptr ? std::nullopt : other->surface.factor;
-    if (!polyline) return;
-    if (*polyline / *circle_ < 1 - same)
+    if (surface_ == nullptr) return;
+    const SliceMethod method = surface_->surface.method;
+    const results::CriticalSurface* other = find_surface(run_.slices->noncircular, method);
+    const std::optional<double> circle = find_circle_factor(method),
+                                polyline = other == nullptr ? std::nullopt : other->surface.factor;
+    if (!circle || !polyline) return;
+    if (*polyline / *circle < 1 - same)
       say("The best polyline ({}, {:.3f}) lies {} the best circle ({:.3f}): the weakest surface is no circle.",
-          circle_name_, *polyline, compare(*polyline, *circle_), *circle_);
+          get_title(method), *polyline, compare(*polyline, *circle), *circle);
     else
       say("The best polyline ({}, {:.3f}) is no more than {} from the best circle: a circle describes the mechanism "
           "well here.",
-          circle_name_, *polyline, format_share(*polyline / *circle_ - 1));
+          get_title(method), *polyline, format_share(*polyline / *circle - 1));
   }
 
-  /// The share of suction in the resistance on the critical circle.
+  /// The share of suction in the resistance on the governing surface.
   void read_suction() {
-    if (critical_ == nullptr) return;
-    const results::SliceTable& slices = critical_->slices;
+    if (surface_ == nullptr) return;
+    const results::SliceTable& slices = surface_->slices;
     double suction = 0, all = 0;
     for (std::size_t i = 0; i < slices.size(); ++i) {
       const double length = slices.length[i], u = slices.pore_pressure[i];
@@ -184,7 +186,7 @@ class Reading {
       by_saturation =
           by_saturation || how == input::SuctionStrength::from_water || how == input::SuctionStrength::saturation;
     }
-    say("Suction gives {} of the resistance on the critical circle of {}{}.", format_share(suction / all), circle_name_,
+    say("Suction gives {} of the resistance on {}{}.", format_share(suction / all), place_,
         by_angle && given_ ? "; the finite elements cannot take φ_b and leave it out"
         : by_saturation && (given_ != nullptr || associated_ != nullptr || frozen_)
             ? "; every method takes it as χ s with the same χ"
@@ -201,12 +203,12 @@ class Reading {
         say("The flow rule matters: finite elements give {:.3f} with ψ = φ and {:.3f}, {} it, with {}. Slices have no "
             "flow rule; compare them with ψ = φ.",
             b, a, compare(a, b), describe_flow(*given_));
-    } else if (given_ && circle_ && is_nonassociated()) {
+    } else if (given_ && slices_ && is_nonassociated()) {
       const double f = given_->factor;
-      if (f / *circle_ < 1 - same)
+      if (f / *slices_ < 1 - same)
         say("The finite elements flow with {} < φ, slices have no flow rule: [fem] flow = \"both\" shows its share of "
             "the difference ({} {}).",
-            describe_flow(*given_), compare(f, *circle_), circle_name_);
+            describe_flow(*given_), compare(f, *slices_), name_);
     }
   }
 
@@ -232,15 +234,14 @@ class Reading {
   /// Finite elements against slices.
   void read_elements() {
     const results::ElementRun* run = associated_ ? associated_ : given_;
-    if (run == nullptr || !circle_) return;
+    if (run == nullptr || !slices_) return;
     const double f = run->factor, half = (run->failed - run->stable) / 2;
-    if (std::abs(f - *circle_) <= half + same * *circle_)
-      say("Finite elements ({}, {:.3f}) and {} ({:.3f}) agree within {}.", describe_flow(*run), f, circle_name_,
-          *circle_, format_share(f / *circle_ - 1));
+    if (std::abs(f - *slices_) <= half + same * *slices_)
+      say("Finite elements ({}, {:.3f}) and {} ({:.3f}) agree within {}.", describe_flow(*run), f, name_, *slices_,
+          format_share(f / *slices_ - 1));
     else
-      say("Finite elements ({}, {:.3f}) lie {} {} ({:.3f}){}.", describe_flow(*run), f, compare(f, *circle_),
-          circle_name_, *circle_,
-          f > *circle_ ? "; a finer mesh ([fem] size) shows whether the elements are too stiff" : "");
+      say("Finite elements ({}, {:.3f}) lie {} {} ({:.3f}){}.", describe_flow(*run), f, compare(f, *slices_), name_,
+          *slices_, f > *slices_ ? "; a finer mesh ([fem] size) shows whether the elements are too stiff" : "");
   }
 
   void read_points_mesh() {
@@ -265,10 +266,10 @@ class Reading {
       const auto f = c.factor;
       if (c.kind != results::CriterionKind::bilinear || !f) continue;
       if (!frozen_) {
-        if (circle_ && std::abs(*f / *circle_ - 1) > noticeable)
+        if (slices_ && std::abs(*f / *slices_ - 1) > noticeable)
           say("The bilinear construction on the displacement curve of the material points gives {:.3f}, {} {}: it "
               "derives failure from the growth of displacements, not from equilibrium.",
-              *f, compare(*f, *circle_), circle_name_);
+              *f, compare(*f, *slices_), name_);
         return;
       }
       if (std::abs(*f / *frozen_ - 1) > noticeable)
@@ -283,9 +284,9 @@ class Reading {
   void read_points() {
     if (!frozen_) return;
     const results::ElementRun* run = given_ ? given_ : associated_;
-    if (run == nullptr && !circle_) return;
-    const double other = run ? run->factor : *circle_;
-    const std::string words = run ? fmt::format("finite elements ({})", describe_flow(*run)) : circle_name_;
+    if (run == nullptr && !slices_) return;
+    const double other = run ? run->factor : *slices_;
+    const std::string words = run ? fmt::format("finite elements ({})", describe_flow(*run)) : name_;
     if (std::abs(*frozen_ / other - 1) < noticeable)
       say("Material points at frozen geometry ({:.3f}) confirm {} ({:.3f}).", *frozen_, words, other);
     else
@@ -300,24 +301,24 @@ class Reading {
 
   /// Whether the methods find one mechanism, and the factors of slices on the surfaces of the others.
   void read_surfaces() {
-    if (critical_ == nullptr || !(height_ > 0)) return;
-    const ground::Polyline& circle = critical_->surface.points;
-    if (circle.size() < 2) return;
+    if (surface_ == nullptr || !(height_ > 0)) return;
+    const ground::Polyline& own = surface_->surface.points;
+    if (own.size() < 2) return;
     for (const results::MethodSurface& s : methods_.surfaces) {
       if (s.method == Method::lem || s.points.size() < 2) continue;
-      const double mean = find_mean_distance(circle, s.points);
+      const double mean = find_mean_distance(own, s.points);
       const bool by_elements = s.method == Method::fem;
       const std::string of =
           by_elements ? "band of the finite elements" + name_rule(s) : "slip line of the material points";
       const std::string handed = describe_handed(s.name);
       const double size = by_elements ? run_.elements->size : run_.mesh ? run_.mesh->mean_size : 0;
       if (mean < std::max(same_surface * height_, size))
-        say("One mechanism: the {} is on average {:.2g} m ({} of the height) from the critical circle of {}{}.", of,
-            mean, format_share(mean / height_), circle_name_, handed);
+        say("One mechanism: the {} is on average {:.2g} m ({} of the height) from {}{}.", of, mean,
+            format_share(mean / height_), place_, handed);
       else
-        say("The {} is on average {:.2g} m ({} of the height) from the critical circle of {}: the mechanisms "
+        say("The {} is on average {:.2g} m ({} of the height) from {}: the mechanisms "
             "differ{}{}.",
-            of, mean, format_share(mean / height_), circle_name_, handed, describe_near_minimum(s.points, size));
+            of, mean, format_share(mean / height_), place_, handed, describe_near_minimum(s.points, size));
     }
   }
 
@@ -329,7 +330,7 @@ class Reading {
 
   /// Another local minimum of the slices that is this mechanism.
   std::string describe_near_minimum(const ground::Polyline& line, double size) const {
-    const auto minima = run_.slices->minima.find(results::to_word(critical_->surface.method));
+    const auto minima = run_.slices->minima.find(results::to_word(surface_->surface.method));
     if (minima == run_.slices->minima.end()) return "";
     double nearest = std::max(same_surface * height_, size);
     std::string words;
@@ -338,7 +339,8 @@ class Reading {
       const double mean = find_mean_distance(m.points, line);
       if (mean >= nearest) continue;
       nearest = mean;
-      words = fmt::format("; a local minimum of {} ({:.3f}) lies {:.2g} m from it", circle_name_, *m.factor, mean);
+      words = fmt::format("; a local minimum of {} ({:.3f}) lies {:.2g} m from it", get_title(surface_->surface.method),
+                          *m.factor, mean);
     }
     return words;
   }
@@ -369,9 +371,9 @@ class Reading {
   const results::RunResult& run_;
   const results::MethodComparison& methods_;
   double height_;
-  const results::CriticalSurface* critical_ = nullptr;  ///< the circle that represents slices
-  std::optional<double> circle_, frozen_;
-  std::string circle_name_;
+  const results::CriticalSurface* surface_ = nullptr;  ///< that governs the slices
+  std::optional<double> slices_, frozen_;
+  std::string name_, place_;  ///< of the surface: "Spencer's polyline", "the critical polyline of Spencer"
   const results::ElementRun *given_ = nullptr, *associated_ = nullptr;
   results::Topic topic_ = results::Topic::agreement;
   std::vector<results::Remark> remarks_;

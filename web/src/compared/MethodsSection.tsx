@@ -8,10 +8,10 @@ import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
 import { PartialFactors } from "./PartialFactors";
 
-/** Others are compared with Spencer's critical circle, else with the first factor there is. */
-function chooseReference(rows: MethodRow[]): MethodRow | undefined {
+/** Others are compared with the surface of the slices that governs, else with the first factor there is. */
+function chooseReference({ rows, governing }: MethodTable): MethodRow | undefined {
   const found = rows.filter((row) => row.factor !== null);
-  return found.find((row) => row.method === "lem" && row.name === "spencer") ?? found[0];
+  return found.find((row) => row.method === "lem" && row.surface === governing) ?? found[0];
 }
 
 interface RowsProps {
@@ -68,7 +68,7 @@ function RowTable({ rows, reference, compare, label }: RowsProps) {
 
 function FactorRows({ table }: { table: MethodTable }) {
   const { rows } = table;
-  const reference = chooseReference(rows);
+  const reference = chooseReference(table);
   const compare = (row: MethodRow) =>
     row.factor === null || !reference?.factor || row === reference ? null : row.factor / reference.factor - 1;
   const columns = () => [

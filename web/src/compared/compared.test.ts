@@ -33,8 +33,8 @@ const bare = {
 } as unknown as Report;
 
 describe("surfaces over each other", () => {
-  it("begin with those that are shown at first: Spencer of slices, all of other methods", () => {
-    report.value = { ...bare, method_table: { surfaces, rows } } as unknown as Report;
+  it("begin with those that are shown at first: what governs of slices, all of other methods", () => {
+    report.value = { ...bare, method_table: { surfaces, rows, governing: "lem.spencer" } } as unknown as Report;
     const listed = listSurfaces();
     expect(listed.map((s) => [s.name, s.first, s.look])).toEqual([
       ["lem.spencer", true, 0],

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The slip surfaces that can be laid over each other, with what the legends say of them. */
-import type { MethodName, MethodSurface, SurfaceSource } from "../contract";
+import type { MethodName, MethodSurface } from "../contract";
 import { report } from "../state";
 
 export interface NamedSurface {
@@ -11,23 +11,24 @@ export interface NamedSurface {
   points: number[][];
   /** Number of its colour and dashes. */
   look: number;
-  /** Whether it is shown at first: of slices Spencer's alone (else the first), for the others lie close to it. */
+  /** Whether it is shown at first: of slices that which governs and the circle of its method. */
   first: boolean;
 }
 
 export function listSurfaces(): NamedSurface[] {
-  const { surfaces = [], rows = [] } = report.value.method_table ?? {};
+  const { surfaces = [], rows = [], governing } = report.value.method_table ?? {};
   const all = surfaces.filter((s) => s.points.length > 1);
   const slices = all.filter((s) => s.method === "lem");
-  const isSpencers = (s: MethodSurface, source: SurfaceSource) =>
-    rows.some((row) => row.surface === s.name && row.name === "spencer" && row.source === source);
-  const leading = slices.find((s) => isSpencers(s, "critical")) ?? slices[0];
+  const leading = slices.find((s) => s.name === governing) ?? slices[0];
+  const method = rows.find((row) => row.surface === leading?.name)?.name;
+  const isCircle = (s: MethodSurface) =>
+    rows.some((row) => row.surface === s.name && row.name === method && row.source === "critical");
   const named = all.map((s) => ({
     name: s.name,
     text: s.factor === null ? s.title : `${s.title}: F = ${s.factor.toFixed(3)}`,
     method: s.method,
     points: s.points,
-    first: s.method !== "lem" || s === leading || isSpencers(s, "noncircular"),
+    first: s.method !== "lem" || s === leading || isCircle(s),
   }));
   // Those shown at first have the first colours.
   return [...named.filter((s) => s.first), ...named.filter((s) => !s.first)].map((s, look) => ({ ...s, look }));

@@ -12,6 +12,8 @@ export interface MethodTable {
   /** Surfaces of one method that slices were cut on. */
   handed: { from: string; to: string; title: string; factor: number | null; refusal: string }[];
   /** Where the methods differ, and why; "Slices", "Mechanism". */
+  /** Name of the slip surface of the slices that governs; absent where they have no factor. */
+  governing?: string;
   reading: { topic: string; sentences: string[] }[];
   partial_factors?: PartialFactors;
 }

@@ -24,8 +24,8 @@ export interface Circle {
 
 /** A surface that one method gives a factor for, with its slices. */
 export interface SlicedSurface {
-  kind: "circle" | "polyline" | "given";
-  /** Of a given surface; empty otherwise. */
+  kind: "circle" | "polyline" | "given" | "optimised";
+  /** Of a given surface, and of one that was optimised from another method's; empty otherwise. */
   name: string;
   method: SliceMethod;
   title: string;
@@ -47,6 +47,8 @@ export interface SlicedSurface {
   /** From left to right; absent where the surface could not be cut. */
   slices?: SliceColumns;
   warnings: string[];
+  /** Its factor is that of the slices. */
+  governs: boolean;
 }
 
 /** Lists of one length; SI, forces per metre of thickness; null where a method has no such quantity. */

@@ -95,11 +95,8 @@ const wanted = [
   "largest_pressure",
 ];
 
-/** One yield acceleration is enough here: that of the method whose factor stands above. */
-function isOtherAcceleration({ kind, by }: NamedResult): boolean {
-  const main = report.value.answer.factors.find((factor) => factor.main && factor.method === "lem");
-  return kind === "yield_acceleration" && main !== undefined && (main.source !== "critical" || main.by !== by);
-}
+/** One yield acceleration is enough here: that of the surface that governs, which no method is named with. */
+const isOtherAcceleration = ({ kind, by }: NamedResult) => kind === "yield_acceleration" && by !== "";
 
 /** The results that are not factors, those named above first. */
 function pickResults(results: NamedResult[], most: number): NamedResult[] {
@@ -131,7 +128,10 @@ function Results({ results, large }: { results: NamedResult[]; large: boolean })
 
 export function Answer() {
   const { answer } = report.value;
-  const mains = answer.factors.filter((factor) => factor.main && factor.value !== null);
+  // The one that governs stands first.
+  const mains = answer.factors
+    .filter((factor) => factor.main && factor.value !== null)
+    .sort((a, b) => a.value! - b.value!);
   const main = mains[0];
   const results = pickResults(answer.results, main ? 4 : 6);
   const [first, ...others] = answer.sentences;

@@ -12,10 +12,10 @@ import { SurfaceTable } from "./SurfaceTable";
 import { TrialFigure } from "./TrialFigure";
 import "./slices.css";
 
-/** Spencer's critical circle is shown first, else the first that has slices. */
+/** The surface that governs is shown first, else the first that has slices. */
 function chooseFirst(surfaces: SlicedSurface[]): SlicedSurface | undefined {
   const whole = surfaces.filter((s) => s.factor !== null && s.slices);
-  return whole.find((s) => s.kind === "circle" && s.method === "spencer") ?? whole[0] ?? surfaces[0];
+  return whole.find((s) => s.governs) ?? whole[0] ?? surfaces[0];
 }
 
 export function SlicesSection() {

@@ -9,6 +9,7 @@ export const nameReason = (reason: string) => reason.replaceAll("m_alpha", "m_α
 /** "Spencer, circle", "Bishop, polyline", "Bishop, surface ‘toe’". */
 export function nameSurface(surface: SlicedSurface): string {
   if (surface.kind === "given") return `${surface.title}, surface “${surface.name}”`;
+  if (surface.kind === "optimised") return `${surface.title}, optimised from another method’s surface`;
   return `${surface.title}, ${surface.kind === "circle" ? "critical circle" : "polyline"}`;
 }
 

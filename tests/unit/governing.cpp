@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The factor that governs, and its surface.
+
+#include "results/governing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "results/json.hpp"
+#include "results/named.hpp"
+
+namespace talus::results {
+namespace {
+
+CriticalSurface make_surface(SliceMethod method, std::optional<double> factor, const std::string& refusal = "") {
+  CriticalSurface c;
+  c.surface.method = method;
+  c.surface.factor = factor;
+  c.checks.refusal = refusal;
+  c.yield_acceleration = factor ? std::optional(*factor - 1) : std::nullopt;
+  return c;
+}
+
+std::string name_governing(const RunResult& run) {
+  const auto found = find_governing_surface(run);
+  return found ? found->name : "";
+}
+
+TEST(GoverningSurface, IsTheWeakestByTheMethodsThatSatisfyMostOfTheEquilibrium) {
+  RunResult run;
+  EXPECT_EQ(name_governing(run), "");
+  run.slices.emplace().error = "no circle";
+  EXPECT_EQ(name_governing(run), "");
+  run.slices.emplace().critical = {make_surface(SliceMethod::fellenius, 1.1), make_surface(SliceMethod::bishop, {})};
+  EXPECT_EQ(name_governing(run), "lem.fellenius") << "no other method has one";
+  run.slices->critical[1].surface.factor = 1.4;
+  EXPECT_EQ(name_governing(run), "lem.bishop") << "Fellenius leaves more out";
+  run.slices->critical.push_back(make_surface(SliceMethod::spencer, 1.45));
+  EXPECT_EQ(name_governing(run), "lem.spencer");
+  run.slices->noncircular = {make_surface(SliceMethod::spencer, 1.3),
+                             make_surface(SliceMethod::morgenstern_price, 1.25),
+                             make_surface(SliceMethod::janbu_corrected, 1.0)};
+  EXPECT_EQ(name_governing(run), "lem.noncircular.morgenstern_price");
+  run.slices->given = {make_surface(SliceMethod::spencer, 1.2)};
+  run.slices->given[0].surface.name = "bed";
+  EXPECT_EQ(name_governing(run), "lem.surface[bed].spencer");
+  run.methods.emplace().optimised = {make_surface(SliceMethod::spencer, 1.15)};
+  run.methods->optimised[0].surface.name = "lem.handed[fem.band].spencer_optimised";
+  EXPECT_EQ(name_governing(run), "lem.handed[fem.band].spencer_optimised");
+}
+
+TEST(GoverningSurface, IsNotOneThatASearchWouldRefuseWhereThereIsAnother) {
+  RunResult run;
+  run.slices.emplace().critical = {make_surface(SliceMethod::bishop, 1.4)};
+  run.slices->noncircular = {make_surface(SliceMethod::spencer, 0.2, "tension")};
+  EXPECT_EQ(name_governing(run), "lem.bishop");
+  run.slices->critical.clear();
+  EXPECT_EQ(name_governing(run), "lem.noncircular.spencer");
+}
+
+TEST(GoverningSurface, NamesTheFactorAndTheYieldAcceleration) {
+  RunResult run;
+  run.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.4)};
+  run.slices->noncircular = {make_surface(SliceMethod::spencer, 1.1)};
+  EXPECT_EQ(find_value(run, "lem.factor"), 1.1);
+  EXPECT_EQ(find_value(run, "main_factor"), 1.1);
+  EXPECT_NEAR(find_value(run, "lem.yield_acceleration").value_or(0), 0.1, 1e-12);
+  EXPECT_NEAR(find_value(run, "lem.yield_acceleration.spencer").value_or(0), 0.4, 1e-12) << "of its circle";
+}
+
+TEST(MainFactor, IsTheSmallestOfTheMethods) {
+  RunResult run;
+  EXPECT_EQ(find_main_factor(run), std::nullopt);
+  run.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.3)};
+  EXPECT_EQ(find_main_factor(run), 1.3);
+  run.elements.emplace().runs.emplace_back().factor = 1.2;
+  EXPECT_EQ(find_main_factor(run), 1.2);
+  run.factor_of_safety.emplace().criteria.emplace() = {{CriterionKind::bilinear, {}, {}, {}, ""},
+                                                       {CriterionKind::displacement, 1.4, 1.3, 1.5, ""}};
+  EXPECT_EQ(find_main_factor(run), 1.2);
+  run.factor_of_safety->value = 1.15;
+  EXPECT_EQ(find_main_factor(run), 1.15);
+  EXPECT_EQ(to_json(run).at("main_factor"), 1.15) << "the summary says it";
+}
+
+}  // namespace
+}  // namespace talus::results
