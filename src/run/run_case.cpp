@@ -9,7 +9,9 @@
 #include "ground/design_values.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/plane_water.hpp"
+#include "ground/steep_faces.hpp"
 #include "input/echo.hpp"
+#include "results/governing.hpp"
 #include "results/json.hpp"
 #include "results/named.hpp"
 #include "run/compare/compare.hpp"
@@ -102,6 +104,8 @@ class CaseRun {
 
   void finish() {
     if (points_) points_->finish(run_);
+    for (const ground::SteepFace& face : ground::find_steep_faces(design_.data))
+      run_.warnings.push_back(ground::describe(face));
     results::Timing& timing = run_.timing.emplace();
     timing.wall = std::chrono::duration<double>(Clock::now() - start_).count();
     if (points_) {
@@ -132,6 +136,7 @@ class CaseRun {
     if (points_ && !slices_ && !elements_ && !design_.statement) return;
     run_.methods =
         compare_methods(design_.data, slices_ ? slices_->slope() : nullptr, run_, options_.folder, options_.threads);
+    run_.warnings.insert(run_.warnings.begin(), run_.methods->warnings.begin(), run_.methods->warnings.end());
     run_.methods->partial_factors = design_.statement;
     if (const auto factor = results::find_main_factor(run_); factor && design_.statement)
       ground::state_over_design(*run_.methods->partial_factors, design_.resistance, *factor);

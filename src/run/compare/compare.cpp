@@ -8,9 +8,11 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "run/compare/disagreement.hpp"
 #include "run/compare/reading.hpp"
 #include "run/compare/slip_line.hpp"
 #include "run/lem/run_lem.hpp"
+#include "run/lem/tell_slices.hpp"
 
 namespace talus::run {
 namespace {
@@ -43,6 +45,20 @@ results::MethodRow begin_row(Method method, std::string name, std::string title,
   return row;
 }
 
+/// A factor of slices on the surface of another method that differs by more says that the line is not its mechanism.
+constexpr double largest_ratio = 2;
+
+/// Why the factor on a surface that was handed over is not to be believed; empty: it is.
+std::string judge_handed(std::optional<double> factor, std::optional<double> of_giver) {
+  if (!factor || !of_giver || !(*of_giver > 0)) return "";
+  const double ratio = *factor / *of_giver;
+  if (ratio <= largest_ratio && ratio >= 1 / largest_ratio) return "";
+  return fmt::format(
+      "slices find {:.3g} times the factor of the method that the line is from: it does not follow one "
+      "mechanism",
+      ratio);
+}
+
 class Comparison {
  public:
   Comparison(const input::Case& data, const lem::Slope* slope, const results::RunResult& run, const fs::path& folder,
@@ -57,6 +73,7 @@ class Comparison {
     if (run_.elements) add_elements(*run_.elements);
     if (input::uses(data_, Method::mpm)) add_points();
     if (slope_ != nullptr) hand_over();
+    told_.warnings = warn_of_disagreement(data_, run_, told_);
     told_.remarks = read_differences(data_, run_, told_);
     return std::move(told_);
   }
@@ -185,12 +202,17 @@ class Comparison {
         }
         const lem::Critical found = solve_surface(*slope_, *surface, method, options);
         const lem::Refusal why = found.cut.refusal != lem::Refusal::none ? found.cut.refusal : found.solution.refusal;
-        const std::string refusal = why == lem::Refusal::none ? "" : lem::name_refusal(why);
-        told_.handed.push_back({s.name, name, title, get_factor(found), refusal});
+        std::optional<double> factor = get_factor(found);
+        std::string refusal = why == lem::Refusal::none ? "" : lem::name_refusal(why);
+        if (const std::string strange = judge_handed(factor, s.factor); !strange.empty()) {
+          refusal = strange;
+          factor.reset();
+        }
+        told_.handed.push_back({s.name, name, title, factor, refusal});
         if (method != SliceMethod::spencer && method != SliceMethod::morgenstern_price) continue;
         results::MethodRow row =
             begin_row(Method::lem, name, get_title(method), "on: " + s.title, s.name, Source::handed);
-        row.factor = get_factor(found);
+        row.factor = factor;
         row.note = refusal;
         told_.table.push_back(std::move(row));
       }
@@ -205,6 +227,10 @@ class Comparison {
     const std::string title = "Spencer, optimised from: " + of.title,
                       name = fmt::format("lem.handed[{}].spencer_optimised", of.name);
     told_.handed.push_back({of.name, "spencer_optimised", title, factor, ""});
+    results::CriticalSurface& found = told_.optimised.emplace_back(tell_critical(*slope_, best));
+    found.surface.name = name;
+    if (data_.lem.yield_acceleration)
+      found.yield_acceleration = lem::find_yield_acceleration(*slope_, best.cut, best.method, options.checks);
     results::MethodRow row =
         begin_row(Method::lem, "spencer_optimised", "Spencer", "optimised from: " + of.title, name, Source::optimised);
     row.factor = factor;

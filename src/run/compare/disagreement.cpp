@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "run/compare/disagreement.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ground/ground_line.hpp"
+#include "results/governing.hpp"
+#include "run/compare/compare.hpp"
+
+namespace talus::run {
+namespace {
+
+/// Circle and polyline further apart are two mechanisms [-].
+constexpr double far_surfaces = 0.05;
+/// Methods further apart cannot be explained by meshes and flow rules alone [-].
+constexpr double far_methods = 0.10;
+/// Criteria of the finite elements further apart say that the trials were not calculated to their end [-].
+constexpr double far_criteria = 0.03;
+/// Of the length of a surface in one soil, from which on it follows that soil; and by how much it has more of its
+/// length there than a surface that does not [-].
+constexpr double following = 0.3, more_than_other = 0.15;
+/// Rows of elements across a layer, below which it is stiffer than it is.
+constexpr double fewest_rows = 3;
+
+double differ(double a, double b) {
+  return std::abs(a / b - 1);
+}
+
+/// Share of the base of a surface in each soil.
+std::map<std::string, double> share_soils(const results::CriticalSurface& c) {
+  std::map<std::string, double> shares;
+  double all = 0;
+  for (std::size_t i = 0; i < c.slices.size(); ++i) all += c.slices.length[i];
+  for (std::size_t i = 0; i < c.slices.size(); ++i) shares[c.slices.soil[i]] += c.slices.length[i] / all;
+  return shares;
+}
+
+/// A soil that a surface follows.
+struct Followed {
+  std::string soil;
+  double share = 0;  ///< of the length [-]
+};
+
+class Warnings {
+ public:
+  Warnings(const input::Case& data, const results::RunResult& run, const results::MethodComparison& methods)
+      : data_(data), run_(run) {
+    if (run.slices) governing_ = results::find_governing_surface(*run.slices, &methods);
+  }
+
+  std::vector<std::string> list() {
+    warn_of_methods();
+    warn_of_surfaces();
+    warn_of_criteria();
+    return std::move(warnings_);
+  }
+
+ private:
+  /// The method's circle; nullptr where there is none.
+  const results::CriticalSurface* find(const std::vector<results::CriticalSurface>& list, SliceMethod method) const {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const results::CriticalSurface& c) {
+      return c.surface.method == method && c.surface.factor;
+    });
+    return found == list.end() ? nullptr : &*found;
+  }
+
+  /// The soil in which `surface` has more of its length than `other`, by most.
+  static std::optional<Followed> find_followed(const results::CriticalSurface& surface,
+                                               const results::CriticalSurface& other) {
+    const std::map<std::string, double> own = share_soils(surface);
+    std::map<std::string, double> others = share_soils(other);
+    std::optional<Followed> followed;
+    double most = more_than_other;
+    for (const auto& [soil, share] : own)
+      if (share >= following && share - others[soil] > most) {
+        most = share - others[soil];
+        followed = {soil, share};
+      }
+    return followed;
+  }
+
+  void warn_of_surfaces() {
+    if (!governing_ || !run_.slices) return;
+    const results::CriticalSurface& least = *governing_->found;
+    const SliceMethod method = least.surface.method;
+    const results::CriticalSurface* circle = find(run_.slices->critical, method);
+    if (circle == nullptr) return;
+    const double f = *least.surface.factor, of_circle = *circle->surface.factor;
+    const char* title = get_title(method);
+    if (&least != circle && differ(of_circle, f) > far_surfaces) {
+      const std::optional<Followed> followed = find_followed(least, *circle);
+      warnings_.push_back(fmt::format(
+          "{}: the {} has the factor {:.3f}, the critical circle {:.3f}, {:.0f} % more. {} The smaller one governs; {}",
+          title, results::name_surface(*governing_), f, of_circle, 100 * (of_circle / f - 1),
+          followed ? fmt::format("The weaker surface lies in '{}' for {:.0f} % of its length, which no circle can.",
+                                 followed->soil, 100 * followed->share)
+                   : "The weaker surface is no circle.",
+          followed ? fmt::format("check the strength and the extent of '{}'.", followed->soil)
+                   : "check that such a surface is possible on your slope."));
+      return;
+    }
+    const results::CriticalSurface* polyline = find(run_.slices->noncircular, method);
+    if (polyline != nullptr && *polyline->surface.factor > of_circle * (1 + far_surfaces))
+      warnings_.push_back(fmt::format(
+          "{}: the best polyline has the factor {:.3f}, the critical circle {:.3f}. Polylines can come near every "
+          "circle, so their search ended too early; the circle governs. More [lem] vertices help.",
+          title, *polyline->surface.factor, of_circle));
+  }
+
+  struct Part {
+    std::string words;
+    double factor;
+  };
+
+  void warn_of_methods() {
+    std::vector<Part> parts;
+    if (governing_)
+      parts.push_back({fmt::format("slices ({}, {})", get_title(governing_->found->surface.method),
+                                   results::name_surface(*governing_)),
+                       *governing_->found->surface.factor});
+    if (const auto f = results::find_elements_factor(run_))
+      parts.push_back({fmt::format("finite elements ({})", describe_flow(run_.elements->runs.front())), *f});
+    if (const auto f = results::find_points_factor(run_)) parts.push_back({"material points", *f});
+    if (parts.size() < 2) return;
+    std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.factor < b.factor; });
+    const Part &low = parts.front(), &high = parts.back();
+    const bool both_sides = low.factor < 1 && high.factor >= 1;
+    if (!both_sides && differ(high.factor, low.factor) <= far_methods) return;
+    std::vector<std::string> list;
+    for (const Part& part : parts) list.push_back(fmt::format("{:.3f} by {}", part.factor, part.words));
+    const std::vector<std::string> causes = list_causes(high.factor / low.factor - 1);
+    warnings_.push_back(fmt::format(
+        "The methods {}: {}. {} Until that is settled, the smallest factor counts.",
+        both_sides ? "disagree on whether the slope stands"
+                   : fmt::format("lie {:.0f} % apart", 100 * (high.factor / low.factor - 1)),
+        fmt::join(list, ", "),
+        causes.empty()
+            ? "Compare their mechanisms and their water."
+            : fmt::format("Likely {}: {}.", causes.size() == 1 ? "cause" : "causes", fmt::join(causes, "; "))));
+  }
+
+  /// What is known to move a method by the order of the difference.
+  std::vector<std::string> list_causes(double difference) const {
+    std::vector<std::string> causes;
+    const results::ElementRun *given = nullptr, *associated = nullptr;
+    if (run_.elements)
+      for (const results::ElementRun& r : run_.elements->runs)
+        (r.flow == results::Flow::associated ? associated : given) = &r;
+    if (given && associated && differ(given->factor, associated->factor) > difference / 3)
+      causes.push_back(
+          fmt::format("the flow rule, which makes {:.0f} % in the finite elements and which slices do not "
+                      "have",
+                      100 * differ(given->factor, associated->factor)));
+    if (run_.factor_of_safety && run_.factor_of_safety->frozen && !run_.factor_of_safety->frozen->extrapolated)
+      causes.push_back(
+          "the mesh of the material points, which is one and not extrapolated ([strength_reduction.frozen] meshes = 2 "
+          "extrapolates)");
+    for (const std::string& layer : list_thin_layers())
+      causes.push_back(
+          fmt::format("'{}', which has fewer than {:.0f} rows of elements over its thickness (a finer "
+                      "[mesh] size or refinement there)",
+                      layer, fewest_rows));
+    if (run_.factor_of_safety && run_.factor_of_safety->frozen && has_flowing_water())
+      causes.push_back(
+          "pore water that flows in the trials of the material points, whose pressures change while the soil moves "
+          "([strength_reduction.frozen] water = \"held\" keeps them, as slices do)");
+    return causes;
+  }
+
+  /// Soils of the governing surface that are thinner than a few elements.
+  std::vector<std::string> list_thin_layers() const {
+    std::vector<std::string> thin;
+    if (!governing_) return thin;
+    const double size = run_.mesh ? run_.mesh->mean_size : run_.elements ? run_.elements->size : 0;
+    for (const auto& [soil, share] : share_soils(*governing_->found))
+      if (share >= following && find_thickness(soil) < fewest_rows * size) thin.push_back(soil);
+    return thin;
+  }
+
+  /// Of the thickest polygon with this soil: twice its area over its perimeter, which is exact for a long layer [m].
+  double find_thickness(const std::string& soil) const {
+    double thickest = 0;
+    for (const mesh::Polygon& polygon : data_.mesh.polygons) {
+      const auto region = data_.regions.find(polygon.name);
+      if (region == data_.regions.end() || region->second != soil) continue;
+      double area = 0, perimeter = 0;
+      for (std::size_t i = 0; i < polygon.points.size(); ++i) {
+        const auto &a = polygon.points[i], &b = polygon.points[(i + 1) % polygon.points.size()];
+        area += (a[0] * b[1] - a[1] * b[0]) / 2;
+        perimeter += std::hypot(b[0] - a[0], b[1] - a[1]);
+      }
+      thickest = std::max(thickest, 2 * std::abs(area) / perimeter);
+    }
+    return thickest;
+  }
+
+  bool has_flowing_water() const {
+    return run_.water.has_value() && data_.strength_reduction.frozen.step_settings.water == input::WaterMotion::flows;
+  }
+
+  void warn_of_criteria() {
+    if (!run_.elements) return;
+    for (const results::ElementRun& r : run_.elements->runs) {
+      if (!r.by_displacement || differ(*r.by_displacement, r.factor) <= far_criteria) continue;
+      const bool ran_out = std::any_of(r.trials.begin(), r.trials.end(), [&](const results::ElementTrial& t) {
+        return !t.converged && t.factor < *r.by_displacement && t.iterations >= data_.fem.iterations;
+      });
+      warnings_.push_back(fmt::format(
+          "Finite elements ({}): the last equilibrium is at {:.3f}, but displacements run away only at {:.3f}, {:.0f} "
+          "% "
+          "apart. {}",
+          describe_flow(r), r.factor, *r.by_displacement, 100 * differ(*r.by_displacement, r.factor),
+          ran_out ? fmt::format("Trials ran out of iterations: raise [fem] iterations above {}.", data_.fem.iterations)
+                  : "The mesh is too coarse for the mechanism, or a small part of the ground fails first: refine [fem] "
+                    "size, and look at the strains at failure."));
+    }
+  }
+
+  const input::Case& data_;
+  const results::RunResult& run_;
+  std::optional<results::GoverningSurface> governing_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+std::vector<std::string> warn_of_disagreement(const input::Case& data, const results::RunResult& run,
+                                              const results::MethodComparison& methods) {
+  return Warnings(data, run, methods).list();
+}
+
+}  // namespace talus::run
