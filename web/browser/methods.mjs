@@ -18,6 +18,13 @@ function countColours(page, part) {
     });
 }
 
+/** "−1 234.5", "3.2 × 10⁻⁵": as the page writes numbers. */
+function readNumber(text) {
+  const [mantissa, power = ""] = text.replaceAll(/[\s\u202f]/g, "").replace("−", "-").split("×10");
+  const exponent = [...power].map((c) => (c === "⁻" ? "-" : "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c))).join("");
+  return Number(mantissa) * 10 ** Number(exponent);
+}
+
 async function checkSlices(list, page, report, out) {
   const { surfaces, trials } = report.slices;
   const colours = await countColours(page, "#slices");
@@ -37,7 +44,7 @@ async function checkSlices(list, page, report, out) {
     const head = await page.locator(".slice-table thead th").allInnerTexts();
     const at = head.findIndex((text) => text.trim().startsWith("W"));
     const cells = await page.locator(`.slice-table tbody td:nth-child(${at + 1})`).allInnerTexts();
-    const sum = cells.reduce((total, text) => total + Number(text.replace("−", "-")), 0);
+    const sum = cells.reduce((total, text) => total + readNumber(text), 0);
     const whole = weight.reduce((a, b) => a + b, 0) / report.units.stress.si;
     list.expect(Math.abs(sum / whole - 1) < 1e-2, "its weights add up to the mass", `${sum} of ${whole}`);
     await page.locator(".slice-table thead button").nth(at).click();
@@ -91,7 +98,8 @@ export async function checkMethods(list, page, report, out) {
   }
   if (report.sequences.length > 0) {
     const legend = await page.locator("#section .viewer-legend").innerText();
-    const over = (report.method_table?.surfaces ?? []).filter((s) => s.name === "lem.spencer" || s.method === "fem");
+    const { surfaces = [], governing } = report.method_table ?? {};
+    const over = surfaces.filter((s) => s.name === governing || s.method === "fem");
     for (const s of over)
       list.expect(
         legend.includes(s.title),
