@@ -276,7 +276,7 @@ std::string say_main_factors(const results::RunResult& run, const std::vector<Fa
 
 std::string say_agreement(const std::vector<Factor>& factors) {
   // A smaller difference needs no reason.
-  constexpr double close = 0.02;
+  constexpr double close = 0.02, far = 0.1;
   std::vector<double> values;
   const Factor *given = nullptr, *associated = nullptr, *points = nullptr;
   for (const Factor& factor : factors) {
@@ -302,8 +302,9 @@ std::string say_agreement(const std::vector<Factor>& factors) {
   }
   if (points != nullptr && !points->is_extrapolated)
     reasons.push_back("material points are those of one mesh, not extrapolated");
-  return fmt::format("The methods lie within {:.1f} % of each other{}{}.", 100 * spread, reasons.empty() ? "" : "; ",
-                     fmt::join(reasons, "; "));
+  const std::string apart = spread < far ? fmt::format("The methods lie within {:.1f} % of each other", 100 * spread)
+                                         : fmt::format("The methods lie {:.0f} % apart", 100 * spread);
+  return fmt::format("{}{}{}.", apart, reasons.empty() ? "" : "; ", fmt::join(reasons, "; "));
 }
 
 bool has_design_values(const results::RunResult& run) {

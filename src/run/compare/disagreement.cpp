@@ -211,8 +211,7 @@ class Warnings {
         return !t.converged && t.factor < *r.by_displacement && t.iterations >= data_.fem.iterations;
       });
       warnings_.push_back(fmt::format(
-          "Finite elements ({}): the last equilibrium is at {:.3f}, but displacements run away only at {:.3f}, {:.0f} "
-          "% "
+          "Finite elements ({}): the last equilibrium is at {:.3f}, but displacements run away at {:.3f}, {:.0f} % "
           "apart. {}",
           describe_flow(r), r.factor, *r.by_displacement, 100 * differ(*r.by_displacement, r.factor),
           ran_out ? fmt::format("Trials ran out of iterations: raise [fem] iterations above {}.", data_.fem.iterations)
