@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Cam-clay and external models: what is refused, and the sentence that says so.
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -116,17 +118,18 @@ class ExternalSoil : public testing::Test {
     return with("library = \"" + library_.string() + "\"\nconstrained_modulus = \"60 MPa\"\n" + more);
   }
 
-  fs::path library_ = fs::path(testing::TempDir()) / "talus_umat_test.so";
+  // Tests run side by side.
+  fs::path library_ = fs::path(testing::TempDir()) / ("talus_umat_test" + std::to_string(getpid()) + ".so");
 };
 
 TEST_F(ExternalSoil, IsFoundBesideTheCase) {
-  const std::string text = with(
-      "library = \"talus_umat_test.so\"\nconstrained_modulus = 6e4\nconstants = [45e6, 0.3]\nstates = 2\n"
-      "initial_states = [1e5]\n");
+  const std::string text = with("library = \"" + library_.filename().string() +
+                                "\"\nconstrained_modulus = 6e4\nconstants = [45e6, 0.3]\nstates = 2\n"
+                                "initial_states = [1e5]\n");
   const std::string file = (fs::path(testing::TempDir()) / "case.toml").string();
   const material::ExternalParameters external = read_case_text(text, file).data.materials.at("sand");
   EXPECT_EQ(external.library_file, library_.string());
-  EXPECT_EQ(external.library, "talus_umat_test.so");
+  EXPECT_EQ(external.library, library_.filename().string());
   EXPECT_EQ(external.symbol, "umat_");
   EXPECT_EQ(external.constants, (std::vector<double>{45e6, 0.3}));
   EXPECT_EQ(external.states, 2);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // [initial] result: what is refused before anything is calculated.
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -25,15 +27,16 @@ class StartFromAResult : public testing::Test {
   std::string start(const std::string& keys) const { return slope + "\n[initial]\n" + keys; }
   std::string good() const { return "result = \"" + (folder_ / "old").string() + "\"\n"; }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "talus_start_test";
+  // Tests run side by side.
+  fs::path folder_ = fs::path(testing::TempDir()) / ("talus_start_test" + std::to_string(getpid()));
 };
 
 TEST_F(StartFromAResult, IsTakenWithItsPathRelativeToTheCase) {
   const LoadedCase absolute = read_case_text(start(good()), "case.toml");
   EXPECT_EQ(absolute.data.initial.result_folder, (folder_ / "old").string());
   for (const std::vector<Override>& overrides : {std::vector<Override>{}, {{"initial.result", "old"}}}) {
-    const LoadedCase relative =
-        read_case_text(start("result = \"../talus_start_test/old\"\n"), (folder_ / "case.toml").string(), overrides);
+    const LoadedCase relative = read_case_text(start("result = \"../" + folder_.filename().string() + "/old\"\n"),
+                                               (folder_ / "case.toml").string(), overrides);
     EXPECT_EQ(relative.data.initial.result_folder, (folder_ / "old").string());
     EXPECT_EQ(relative.echo.get()["initial"]["result"]["value"], relative.data.initial.result) << "as it was given";
     EXPECT_FALSE(relative.echo.get()["initial"].contains("stress"));
