@@ -42,18 +42,17 @@ void calibrate(CalibrateCommand& command) {
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("calibrate", "Fit numbers of the soils to measured curves of element tests");
+  const Command command(app, "calibrate", "Fit numbers of the soils to measured curves of element tests");
   const auto options = std::make_shared<CalibrateCommand>();
-  options->input.add_to(*command);
-  command->add_option("-o,--output,--out", options->run.folder,
-                      "Folder for the results (default: the case's name with _calibration)");
-  command->add_option("--threads", options->run.options.threads, "Threads to use (default: all cores)")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--pictures", options->run.pictures, "Format of the pictures of the tests (default: svg)")
-      ->check(CLI::IsMember({"svg", "png"}));
-  command->add_flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
-  command->add_flag("-q,--quiet", options->quiet, "Print errors only");
-  command->callback([options] { calibrate(*options); });
+  options->input.add_to(command);
+  command.take("-o,--output,--out", options->run.folder,
+               "Folder for the results (default: the case's name with _calibration)");
+  command.take("--threads", options->run.options.threads, "Threads to use (default: all cores)").positive();
+  command.take("--pictures", options->run.pictures, "Format of the pictures of the tests (default: svg)")
+      .one_of({"svg", "png"});
+  command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
+  command.flag("-q,--quiet", options->quiet, "Print errors only");
+  command.act([options] { calibrate(*options); });
 }
 
 }  // namespace talus::app

@@ -3,14 +3,12 @@
 
 namespace talus::app {
 
-void CaseOptions::add_to(CLI::App& command) {
-  command.add_option("case", file, "The case file (TOML)")->type_name("CASE")->required();
+void CaseOptions::add_to(const Command& command) {
+  command.take("case", file, "The case file (TOML)").shown_as("CASE").required();
   // One value each, or "--set a=1 case.toml" would take the case file for a second change.
-  command
-      .add_option("--set", sets, "Change a key of the case, for example --set materials.sand.cohesion=5; repeatable")
-      ->type_name("KEY=VALUE")
-      ->type_size(1)
-      ->allow_extra_args(false);
+  command.take("--set", sets, "Change a key of the case, for example --set materials.sand.cohesion=5; repeatable")
+      .shown_as("KEY=VALUE")
+      .one_each();
 }
 
 std::vector<input::Override> CaseOptions::parse_overrides() const {

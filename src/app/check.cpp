@@ -87,10 +87,10 @@ std::string summarise(const input::Case& data) {
 }  // namespace
 
 void add_check(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("check", "Check a case file and report all of its faults");
+  const Command command(app, "check", "Check a case file and report all of its faults");
   const auto options = std::make_shared<CaseOptions>();
-  options->add_to(*command);
-  command->callback([options] {
+  options->add_to(command);
+  command.act([options] {
     const input::LoadedCase loaded =
         input::read_case(options->file, options->parse_overrides(), input::CaseScope::whole_or_tests);
     if (!loaded.data.initial.result.empty())

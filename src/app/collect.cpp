@@ -49,11 +49,10 @@ void collect(const std::string& name) {
 }  // namespace
 
 void add_collect(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("collect", "Make result files of the frames that a killed run left behind");
+  const Command command(app, "collect", "Make result files of the frames that a killed run left behind");
   const auto folder = std::make_shared<std::string>();
-  command->add_option("DIR", *folder, "folder of the results; trials and variants below it are collected too")
-      ->required();
-  command->callback([folder] { collect(*folder); });
+  command.take("DIR", *folder, "folder of the results; trials and variants below it are collected too").required();
+  command.act([folder] { collect(*folder); });
 }
 
 }  // namespace talus::app

@@ -2,7 +2,7 @@
 #pragma once
 // The commands of the program, one file each. Every function adds its command to the command line.
 
-#include <CLI/CLI.hpp>
+#include "app/command_line.hpp"
 
 namespace talus::app {
 

@@ -12,10 +12,10 @@
 namespace talus::app {
 
 void add_manual(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("manual", "Print the reference of every key of a case file (Markdown)");
+  const Command command(app, "manual", "Print the reference of every key of a case file (Markdown)");
   const auto of_results = std::make_shared<bool>(false);
-  command->add_flag("--results", *of_results, "Print that of summary.json, the results of a run");
-  command->callback([of_results] { fmt::print("{}", *of_results ? results::write_manual() : input::write_manual()); });
+  command.flag("--results", *of_results, "Print that of summary.json, the results of a run");
+  command.act([of_results] { fmt::print("{}", *of_results ? results::write_manual() : input::write_manual()); });
 }
 
 }  // namespace talus::app

@@ -88,27 +88,24 @@ void plot_folder(const PlotOptions& options) {
 }  // namespace
 
 void add_plot(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "plot", "Draw the curve, the fields or the slip surfaces of a run's results, or the soil-water curves of a case");
+  const Command command(
+      app, "plot",
+      "Draw the curve, the fields or the slip surfaces of a run's results, or the soil-water curves of a case");
   const auto options = std::make_shared<PlotOptions>();
-  command->add_option("DIR", options->folder, "folder of the results, or a case file: its soil-water curves")
-      ->required();
-  command->add_option("--field", options->field,
-                      "field to draw, as it is stored; a component as NAME.xx, NAME.x, NAME.magnitude or NAME.mean");
-  CLI::Option* frame =
-      command->add_option("--frame", options->frame, "number of the frame, counted from 0, or 'last' (default)");
-  command->add_option("--time", options->time, "draw the frame nearest to this time [s]")->excludes(frame);
-  command->add_option("--format", options->format, "svg (default) or png (default for more than 20 000 points)")
-      ->check(CLI::IsMember({"svg", "png"}));
-  command->add_option("--out", options->out, "file of the one picture; its ending, .svg or .png, decides the format");
-  command->add_flag("--log", options->logarithmic, "logarithmic displacement axis of the curve");
-  command
-      ->add_option("--set", options->sets,
-                   "change a key of the case, for example --set materials.sand.water.lambda=0.3")
-      ->type_name("KEY=VALUE")
-      ->type_size(1)
-      ->allow_extra_args(false);
-  command->callback([options] { fs::is_regular_file(options->folder) ? plot_case(*options) : plot_folder(*options); });
+  command.take("DIR", options->folder, "folder of the results, or a case file: its soil-water curves").required();
+  command.take("--field", options->field,
+               "field to draw, as it is stored; a component as NAME.xx, NAME.x, NAME.magnitude or NAME.mean");
+  const Argument frame =
+      command.take("--frame", options->frame, "number of the frame, counted from 0, or 'last' (default)");
+  command.take("--time", options->time, "draw the frame nearest to this time [s]").excludes(frame);
+  command.take("--format", options->format, "svg (default) or png (default for more than 20 000 points)")
+      .one_of({"svg", "png"});
+  command.take("--out", options->out, "file of the one picture; its ending, .svg or .png, decides the format");
+  command.flag("--log", options->logarithmic, "logarithmic displacement axis of the curve");
+  command.take("--set", options->sets, "change a key of the case, for example --set materials.sand.water.lambda=0.3")
+      .shown_as("KEY=VALUE")
+      .one_each();
+  command.act([options] { fs::is_regular_file(options->folder) ? plot_case(*options) : plot_folder(*options); });
 }
 
 }  // namespace talus::app

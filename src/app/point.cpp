@@ -39,18 +39,16 @@ void run_tests(PointCommand& command) {
 }  // namespace
 
 void add_point(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("point", "Calculate the element tests of a case: one point, no mesh");
+  const Command command(app, "point", "Calculate the element tests of a case: one point, no mesh");
   const auto options = std::make_shared<PointCommand>();
-  options->input.add_to(*command);
-  command->add_option("-o,--output,--out", options->options.folder,
-                      "Folder for the results, which may be that of a run (default: the case's name with _point)");
-  command->add_option("--test", options->options.names, "Calculate only the test of this name; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--pictures", options->options.pictures, "Format of the pictures (default: svg)")
-      ->check(CLI::IsMember({"svg", "png"}));
-  command->add_flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
-  command->add_flag("-q,--quiet", options->quiet, "Print errors only");
-  command->callback([options] { run_tests(*options); });
+  options->input.add_to(command);
+  command.take("-o,--output,--out", options->options.folder,
+               "Folder for the results, which may be that of a run (default: the case's name with _point)");
+  command.take("--test", options->options.names, "Calculate only the test of this name; may be repeated").one_each();
+  command.take("--pictures", options->options.pictures, "Format of the pictures (default: svg)").one_of({"svg", "png"});
+  command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
+  command.flag("-q,--quiet", options->quiet, "Print errors only");
+  command.act([options] { run_tests(*options); });
 }
 
 }  // namespace talus::app

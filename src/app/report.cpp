@@ -13,12 +13,11 @@
 namespace talus::app {
 
 void add_report(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("report", "Write a report of a run or a study as one HTML file");
+  const Command command(app, "report", "Write a report of a run or a study as one HTML file");
   const auto folder = std::make_shared<std::string>();
-  command
-      ->add_option("DIR", *folder, "folder of the results of a run, finished or not, or of a study; gets report.html")
-      ->required();
-  command->callback([folder] { fmt::print("{}\n", report::write_report(*folder).string()); });
+  command.take("DIR", *folder, "folder of the results of a run, finished or not, or of a study; gets report.html")
+      .required();
+  command.act([folder] { fmt::print("{}\n", report::write_report(*folder).string()); });
 }
 
 }  // namespace talus::app

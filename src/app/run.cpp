@@ -45,18 +45,16 @@ void run(const RunCommand& command) {
 }  // namespace
 
 void add_run(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("run", "Calculate a case");
+  const Command command(app, "run", "Calculate a case");
   const auto options = std::make_shared<RunCommand>();
-  options->input.add_to(*command);
-  command->add_option("-o,--output", options->folder,
-                      "Folder for the results (default: the case's name with _results)");
-  command->add_option("--threads", options->threads, "Threads to use (default: all cores)")->check(CLI::PositiveNumber);
-  CLI::Option* resume =
-      command->add_flag("--resume", options->resume, "Go on with an interrupted run in the same folder");
-  command->add_flag("--overwrite", options->overwrite, "Replace results that are in the folder")->excludes(resume);
-  command->add_flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
-  command->add_flag("-q,--quiet", options->quiet, "Print errors only");
-  command->callback([options] { run(*options); });
+  options->input.add_to(command);
+  command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _results)");
+  command.take("--threads", options->threads, "Threads to use (default: all cores)").positive();
+  const Argument resume = command.flag("--resume", options->resume, "Go on with an interrupted run in the same folder");
+  command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);
+  command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
+  command.flag("-q,--quiet", options->quiet, "Print errors only");
+  command.act([options] { run(*options); });
 }
 
 }  // namespace talus::app

@@ -13,10 +13,10 @@
 namespace talus::app {
 
 void add_schema(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of case files, for editors");
+  const Command command(app, "schema", "Print the JSON Schema of case files, for editors");
   const auto of_results = std::make_shared<bool>(false);
-  command->add_flag("--results", *of_results, "Print that of summary.json, the results of a run");
-  command->callback([of_results] {
+  command.flag("--results", *of_results, "Print that of summary.json, the results of a run");
+  command.act([of_results] {
     if (*of_results)
       fmt::print("{}", results::write_schema());
     else

@@ -63,18 +63,17 @@ void run_study(const StudyCommand& command) {
 }  // namespace
 
 void add_study(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("study", "Calculate a case for every value that its [study] lists");
+  const Command command(app, "study", "Calculate a case for every value that its [study] lists");
   const auto options = std::make_shared<StudyCommand>();
-  options->input.add_to(*command);
-  command->add_option("-o,--output", options->folder, "Folder for the results (default: the case's name with _study)");
-  command->add_option("--threads", options->threads, "Variants to calculate side by side (default: all cores)")
-      ->check(CLI::PositiveNumber);
-  CLI::Option* resume =
-      command->add_flag("--resume", options->resume, "Keep finished variants and go on with interrupted ones");
-  command->add_flag("--overwrite", options->overwrite, "Replace results that are in the folder")->excludes(resume);
-  command->add_flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
-  command->add_flag("-q,--quiet", options->quiet, "Print errors only");
-  command->callback([options] { run_study(*options); });
+  options->input.add_to(command);
+  command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _study)");
+  command.take("--threads", options->threads, "Variants to calculate side by side (default: all cores)").positive();
+  const Argument resume =
+      command.flag("--resume", options->resume, "Keep finished variants and go on with interrupted ones");
+  command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);
+  command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
+  command.flag("-q,--quiet", options->quiet, "Print errors only");
+  command.act([options] { run_study(*options); });
 }
 
 }  // namespace talus::app

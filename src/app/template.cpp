@@ -9,7 +9,7 @@
 namespace talus::app {
 
 void add_template(CLI::App& app) {
-  app.add_subcommand("template", "Print a commented case file with every key; it can be run as it is")->callback([] {
+  Command(app, "template", "Print a commented case file with every key; it can be run as it is").act([] {
     fmt::print("{}", input::write_template());
   });
 }

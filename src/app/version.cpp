@@ -10,7 +10,7 @@
 namespace talus::app {
 
 void add_version(CLI::App& app) {
-  app.add_subcommand("version", "Print the version, the source it was built from, and how")->callback([] {
+  Command(app, "version", "Print the version, the source it was built from, and how").act([] {
     fmt::print("talus {} (source {}, {}, {}, {})\n", version, commit, compiler, build_type, architecture);
   });
 }

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+
+namespace talus::app {
+namespace {
+
+/// CLI11 would only say that a command is required.
+void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  const std::string near = find_nearest(argv[1], names);
+  throw Error(ExitCode::wrong_input,
+              fmt::format("there is no command '{}'; {}", argv[1],
+                          near.empty() ? "see talus --help" : fmt::format("did you mean '{}'?", near)));
+}
+
+}  // namespace
+
+Argument Argument::required() const {
+  return Argument(option_->required());
+}
+
+Argument Argument::positive() const {
+  return Argument(option_->check(CLI::PositiveNumber));
+}
+
+Argument Argument::one_of(const std::vector<std::string>& words) const {
+  return Argument(option_->check(CLI::IsMember(words)));
+}
+
+Argument Argument::excludes(Argument other) const {
+  return Argument(option_->excludes(other.option_));
+}
+
+Argument Argument::one_each() const {
+  return Argument(option_->type_size(1)->allow_extra_args(false));
+}
+
+Argument Argument::shown_as(const char* word) const {
+  return Argument(option_->type_name(word));
+}
+
+Command::Command(CLI::App& app, const char* name, const char* meaning) : command_(*app.add_subcommand(name, meaning)) {}
+
+template <class T>
+Argument Command::take(const char* names, T& target, const char* meaning) const {
+  return Argument(command_.add_option(names, target, meaning));
+}
+
+template Argument Command::take(const char*, int&, const char*) const;
+template Argument Command::take(const char*, std::string&, const char*) const;
+template Argument Command::take(const char*, std::vector<std::string>&, const char*) const;
+template Argument Command::take(const char*, std::filesystem::path&, const char*) const;
+template Argument Command::take(const char*, std::optional<double>&, const char*) const;
+
+Argument Command::flag(const char* names, bool& target, const char* meaning) const {
+  return Argument(command_.add_flag(names, target, meaning));
+}
+
+void Command::act(std::function<void()> action) const {
+  command_.callback(std::move(action));
+}
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app{"Talus: slope stability and runout by the material point method", "talus"};
+  app.require_subcommand(1);
+  app.footer("`talus COMMAND --help` explains a command; `talus manual` lists every key of a case file.");
+  for (const auto add : {add_run, add_study, add_collect, add_point, add_calibrate, add_plot, add_report, add_check,
+                         add_manual, add_template, add_schema, add_version})
+    add(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // --help is an "error" with code 0 here; every other one is a mistake in the command line.
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
+    refuse_unknown_command(app, argc, argv);
+    const auto used = app.get_subcommands();
+    const std::string command = used.empty() ? "" : " " + used.front()->get_name();
+    throw Error(ExitCode::wrong_input, fmt::format("{}; see talus{} --help", error.what(), command));
+  }
+  return static_cast<int>(ExitCode::success);
+}
+
+}  // namespace talus::app
