@@ -44,8 +44,8 @@ bench: build
 format: setup-dev
 	@tools/format.sh
 
-lint: setup-dev $(BUILD)/build.ninja
-	@tools/lint.sh $(BUILD)
+lint: setup-dev
+	@tools/lint.sh
 
 docs: program
 	@tools/docs.sh $(TALUS)

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What a build costs, in user and system seconds: a busy machine stretches the clock, but hardly these.
 
     tools/build_cost.py                 the program (talus_cli), then all that `make test` builds besides

@@ -106,7 +106,7 @@ class Tree:
         shared = set(re.findall(r"--[a-z][\w-]+", self.code.get("src/app/case_options.cpp", "")))
         return {command: {"--help", *re.findall(r"--[a-z][\w-]+", text), *(shared if "case_options.hpp" in text else [])}
                 for name, text in self.code.items() if name.startswith("src/app/")
-                for command in re.findall(r'add_subcommand\(\s*"(\w+)"', text)}
+                for command in re.findall(r'Command(?: command)?\(\s*app,\s*"(\w+)"', text)}
 
     def has_file(self, claim, page):
         """Whether a path ends as the claim does (a program as its source does), or lies beside the page."""
@@ -297,8 +297,8 @@ def run_self_test():
         "web/package.json": '{"scripts": {"lint": "oxlint"},\n"version": "1.2.3"}\n', "web/package-lock.json": '"version": "1.2.3"\n',
         "docs/site/package.json": '"version": "1.2.3"\n', "docs/site/package-lock.json": '"version": "1.2.3"\n',
         "CITATION.cff": "cff-version: 1.2.0\nversion: 1.2.2\n", "CMakeLists.txt": "project(talus VERSION 1.2.3)\n",
-        "src/app/case_options.cpp": 'add_option("--set", s);\n',
-        "src/app/run.cpp": 'add_subcommand("run", "x");\nadd_option("--threads", n);\nwrite("summary.json");\n',
+        "src/app/case_options.cpp": 'command.take("--set", s);\n',
+        "src/app/run.cpp": 'const Command command(app, "run", "x");\ncommand.take("--threads", n);\nwrite("summary.json");\n',
         "src/input/case/case.hpp": 'v.tables(\n"stage", s);\nv.key("mesh", m);\nv.key("size", m.size, "the soil of "\n"{} is weak");\n',
         "src/fem/solve.hpp": "struct Solver { void find_root(); };  // once find_zero\n",
         "tests/unit/solve.cpp": "TEST(Solve, FindsTheRoot) {}\n", "tools/draw.py": 'add("--wide")\n',

@@ -18,6 +18,7 @@
 #include "input/case/complete.hpp"
 #include "input/case/uncertain_number.hpp"
 #include "input/echo.hpp"
+#include "input/language/apply_overrides.hpp"
 #include "input/language/codecs.hpp"
 #include "input/language/reader.hpp"
 

@@ -192,4 +192,7 @@ void step(Body<D>& body, const Settings& settings) {
   relocate_points(body);
 }
 
+extern template void step(Body<2>&, const Settings&);  // plain_step.cpp
+extern template void step(Body<3>&, const Settings&);
+
 }  // namespace talus::reference

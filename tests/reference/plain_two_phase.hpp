@@ -83,4 +83,7 @@ void step(WetBody<D>& body, const WetSettings& settings) {
   ++body.steps;
 }
 
+extern template void step(WetBody<2>&, const WetSettings&);  // plain_step.cpp
+extern template void step(WetBody<3>&, const WetSettings&);
+
 }  // namespace talus::reference

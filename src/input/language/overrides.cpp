@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "input/language/overrides.hpp"
+#include "input/language/apply_overrides.hpp"
 
 #include <fmt/format.h>
 

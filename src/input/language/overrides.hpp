@@ -2,12 +2,8 @@
 #pragma once
 // --set key=value: changes of a case file that are made on the command line.
 
-#include <toml++/toml.h>
-
 #include <string>
 #include <vector>
-
-#include "input/language/findings.hpp"
 
 namespace talus::input {
 
@@ -23,8 +19,5 @@ std::vector<std::string> split_path(const std::string& path);
 
 /// Splits "key=value". Throws Error (wrong_input) when there is no "=" or no key.
 Override parse_override(const std::string& text);
-
-/// Writes the overrides into the table, and tells `findings` where they went and which of them are impossible.
-void apply_overrides(toml::table& root, const std::vector<Override>& overrides, Findings& findings);
 
 }  // namespace talus::input

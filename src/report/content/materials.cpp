@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "report/content/properties.hpp"
 #include "report/content/soil_water.hpp"
@@ -15,8 +14,6 @@ namespace talus::report {
 using nlohmann::json;
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Whether Poisson's ratio is known: slices alone do not ask for it.
 bool has_poisson_ratio(const input::Case& data, const input::Material& soil) {

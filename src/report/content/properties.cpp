@@ -6,18 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "ground/root_content.hpp"
 #include "report/content/soil_water.hpp"
+#include "report/words/numbers.hpp"
 
 namespace talus::report {
 
 using nlohmann::json;
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// 30° comes back from radians as 29.999999999999996°.
 double drop_last_digits(double value) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "report/content/asked_methods.hpp"
 #include "report/content/properties.hpp"
@@ -22,7 +21,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 /// Residual force over the external force above which a stage did not stand still.
 constexpr double restless = 0.01;
 

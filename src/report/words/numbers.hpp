@@ -3,12 +3,15 @@
 // Numbers in sentences, in the units that a report shows.
 
 #include <nlohmann/json_fwd.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "results/run.hpp"
 
 namespace talus::report {
+
+inline constexpr double degree = std::numbers::pi / 180;  ///< [rad]
 
 /// A unit of display: value in SI = value shown × si.
 struct ShownUnit {
