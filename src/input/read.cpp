@@ -220,4 +220,11 @@ void check_against_mesh(const LoadedCase& loaded, const std::set<std::string>& s
   if (!findings.empty()) throw InputError(findings.sort());
 }
 
+LoadedCase::LoadedCase() = default;
+LoadedCase::LoadedCase(const LoadedCase&) = default;
+LoadedCase::LoadedCase(LoadedCase&&) noexcept = default;
+LoadedCase& LoadedCase::operator=(const LoadedCase&) = default;
+LoadedCase& LoadedCase::operator=(LoadedCase&&) noexcept = default;
+LoadedCase::~LoadedCase() = default;
+
 }  // namespace talus::input

@@ -21,6 +21,14 @@ struct LoadedCase {
   std::string file;      ///< its name, as messages show it
   Places places;         ///< where each key stands, for faults that are found later
   bool is_whole = true;  ///< false: element tests and their soils, without anything that could be calculated else
+
+  // Compiled once, in read.cpp: the files that hold one would each compile them again.
+  LoadedCase();
+  LoadedCase(const LoadedCase&);
+  LoadedCase(LoadedCase&&) noexcept;
+  LoadedCase& operator=(const LoadedCase&);
+  LoadedCase& operator=(LoadedCase&&) noexcept;
+  ~LoadedCase();
 };
 
 /// What a file must hold: a slope that can be calculated, or element tests and their soils without one as well.

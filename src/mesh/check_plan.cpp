@@ -131,4 +131,11 @@ Plan check_plan(const Plan& given) {
   return plan;
 }
 
+Plan::Plan() = default;
+Plan::Plan(const Plan&) = default;
+Plan::Plan(Plan&&) noexcept = default;
+Plan& Plan::operator=(const Plan&) = default;
+Plan& Plan::operator=(Plan&&) noexcept = default;
+Plan::~Plan() = default;
+
 }  // namespace talus::mesh

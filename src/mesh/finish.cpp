@@ -168,4 +168,19 @@ template std::array<double, 3> to_global<3>(const Mesh<3>&, int, const std::arra
 template std::array<double, 2> to_local<2>(const Mesh<2>&, int, const std::array<double, 2>&);
 template std::array<double, 3> to_local<3>(const Mesh<3>&, int, const std::array<double, 3>&);
 
+template <int D>
+Mesh<D>::Mesh() = default;
+template <int D>
+Mesh<D>::Mesh(const Mesh&) = default;
+template <int D>
+Mesh<D>::Mesh(Mesh&&) noexcept = default;
+template <int D>
+Mesh<D>& Mesh<D>::operator=(const Mesh&) = default;
+template <int D>
+Mesh<D>& Mesh<D>::operator=(Mesh&&) noexcept = default;
+template <int D>
+Mesh<D>::~Mesh() = default;
+template struct Mesh<2>;
+template struct Mesh<3>;
+
 }  // namespace talus::mesh

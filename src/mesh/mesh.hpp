@@ -33,6 +33,14 @@ struct Mesh {
 
   int node_count() const { return static_cast<int>(nodes.size()); }
   int element_count() const { return static_cast<int>(elements.size()); }
+
+  // Compiled once, in finish.cpp: the files that hold one would each compile them again.
+  Mesh();
+  Mesh(const Mesh&);
+  Mesh(Mesh&&) noexcept;
+  Mesh& operator=(const Mesh&);
+  Mesh& operator=(Mesh&&) noexcept;
+  ~Mesh();
 };
 
 /// How finish() numbers elements and nodes.

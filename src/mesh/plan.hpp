@@ -39,6 +39,14 @@ struct Plan {
   double size = 0;  ///< general element size [m]
   Algorithm algorithm = Algorithm::delaunay;
   std::vector<Refinement> refinements;
+
+  // Compiled once, in check_plan.cpp: the files that hold one would each compile them again.
+  Plan();
+  Plan(const Plan&);
+  Plan(Plan&&) noexcept;
+  Plan& operator=(const Plan&);
+  Plan& operator=(Plan&&) noexcept;
+  ~Plan();
 };
 
 }  // namespace talus::mesh

@@ -192,6 +192,14 @@ struct MethodComparison {
   std::vector<std::string> warnings;       ///< on factors that lie far apart
   std::vector<Remark> remarks;
   std::optional<DesignStatement> partial_factors;
+
+  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  MethodComparison();
+  MethodComparison(const MethodComparison&);
+  MethodComparison(MethodComparison&&) noexcept;
+  MethodComparison& operator=(const MethodComparison&);
+  MethodComparison& operator=(MethodComparison&&) noexcept;
+  ~MethodComparison();
 };
 template <class V, As<MethodComparison> R>
 void describe(V& v, R& r) {

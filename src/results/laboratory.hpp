@@ -84,6 +84,14 @@ struct PointTests {
   std::vector<std::string> warnings;
   std::vector<Comparison> comparisons;
   Timing timing;
+
+  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  PointTests();
+  PointTests(const PointTests&);
+  PointTests(PointTests&&) noexcept;
+  PointTests& operator=(const PointTests&);
+  PointTests& operator=(PointTests&&) noexcept;
+  ~PointTests();
 };
 template <class V, As<PointTests> R>
 void describe(V& v, R& r) {

@@ -144,6 +144,14 @@ struct RunResult {
   std::vector<NamedResult> results;
   std::vector<Comparison> comparisons;
   std::optional<Timing> timing;
+
+  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  RunResult();
+  RunResult(const RunResult&);
+  RunResult(RunResult&&) noexcept;
+  RunResult& operator=(const RunResult&);
+  RunResult& operator=(RunResult&&) noexcept;
+  ~RunResult();
 };
 
 /// The main factor of the run: the smallest of those that slices, finite elements and material points found, each by

@@ -295,6 +295,14 @@ struct Sampling {
   std::optional<SampledRunout> runout;
   std::vector<std::string> notes;
   std::string samples_file;
+
+  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  Sampling();
+  Sampling(const Sampling&);
+  Sampling(Sampling&&) noexcept;
+  Sampling& operator=(const Sampling&);
+  Sampling& operator=(Sampling&&) noexcept;
+  ~Sampling();
 };
 template <class V, As<Sampling> R>
 void describe(V& v, R& r) {

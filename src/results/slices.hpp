@@ -209,6 +209,14 @@ struct SliceResult {
   std::optional<SliceSearch> search;
   std::optional<std::string> trials_file;
   double seconds = 0;
+
+  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  SliceResult();
+  SliceResult(const SliceResult&);
+  SliceResult(SliceResult&&) noexcept;
+  SliceResult& operator=(const SliceResult&);
+  SliceResult& operator=(SliceResult&&) noexcept;
+  ~SliceResult();
 };
 template <class V, As<SliceResult> R>
 void describe(V& v, R& r) {

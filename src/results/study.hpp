@@ -144,6 +144,14 @@ struct StudyResult {
   std::optional<Project> project;
   std::optional<Provenance> provenance;
   std::optional<JsonTree> input;
+
+  // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
+  StudyResult();
+  StudyResult(const StudyResult&);
+  StudyResult(StudyResult&&) noexcept;
+  StudyResult& operator=(const StudyResult&);
+  StudyResult& operator=(StudyResult&&) noexcept;
+  ~StudyResult();
 };
 template <class V, As<StudyResult> R>
 void describe(V& v, R& r) {

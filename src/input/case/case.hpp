@@ -61,6 +61,14 @@ struct Case {
   std::vector<Material> test_soils;  ///< of each test: its material with what the test sets
   Study study;
   std::optional<Calibration> calibration;
+
+  // Compiled once, in case.cpp: the files that hold one would each compile them again.
+  Case();
+  Case(const Case&);
+  Case(Case&&) noexcept;
+  Case& operator=(const Case&);
+  Case& operator=(Case&&) noexcept;
+  ~Case();
 };
 
 /// Whether `method` is one of those that answer.

@@ -77,4 +77,11 @@ void check_materials(const Case& data, Findings& findings) {
       findings.add("materials." + name, fmt::format("material '{}' is not used: no region in [regions] has it", name));
 }
 
+Material::Material() = default;
+Material::Material(const Material&) = default;
+Material::Material(Material&&) noexcept = default;
+Material& Material::operator=(const Material&) = default;
+Material& Material::operator=(Material&&) noexcept = default;
+Material::~Material() = default;
+
 }  // namespace talus::input

@@ -37,6 +37,14 @@ struct Material : material::SoilNumbers {
   double void_ratio() const { return porosity / (1 - porosity); }
   /// Bulk density of the dry soil (1-n)ρ_s [kg/m³].
   double density() const { return (1 - porosity) * grain_density; }
+
+  // Compiled once, in material.cpp: the files that hold one would each compile them again.
+  Material();
+  Material(const Material&);
+  Material(Material&&) noexcept;
+  Material& operator=(const Material&);
+  Material& operator=(Material&&) noexcept;
+  ~Material();
 };
 
 /// The law of a material, its strength with another cohesion [Pa] and reduced by `factor`. Throws what

@@ -203,4 +203,11 @@ Critical optimise(const Slope& slope, const Surface& start, Method method, const
   return finish(slope, options, optimise_circle(evaluate, arcs, start, {ground, ground, {step, step}}).surface, method);
 }
 
+SearchResult::SearchResult() = default;
+SearchResult::SearchResult(const SearchResult&) = default;
+SearchResult::SearchResult(SearchResult&&) noexcept = default;
+SearchResult& SearchResult::operator=(const SearchResult&) = default;
+SearchResult& SearchResult::operator=(SearchResult&&) noexcept = default;
+SearchResult::~SearchResult() = default;
+
 }  // namespace talus::lem

@@ -87,6 +87,14 @@ struct SearchResult {
   /// Where it was searched, as used.
   std::optional<GridSearch> grid;
   std::optional<EntryExitSearch> entry_exit;
+
+  // Compiled once, in search.cpp: the files that hold one would each compile them again.
+  SearchResult();
+  SearchResult(const SearchResult&);
+  SearchResult(SearchResult&&) noexcept;
+  SearchResult& operator=(const SearchResult&);
+  SearchResult& operator=(SearchResult&&) noexcept;
+  ~SearchResult();
 };
 
 /// Throws Error (wrong_input) when no admissible surface is found: the sentence counts the reasons.

@@ -84,6 +84,14 @@ struct Section {
   double horizontal_acceleration = 0;  ///< k_h over g, out of the slope positive [-]
   double vertical_acceleration = 0;    ///< k_v over g, down positive [-]
   std::optional<TensionCrack> crack;
+
+  // Compiled once, in section.cpp: the files that hold one would each compile them again.
+  Section();
+  Section(const Section&);
+  Section(Section&&) noexcept;
+  Section& operator=(const Section&);
+  Section& operator=(Section&&) noexcept;
+  ~Section();
 };
 
 /// Faults of a section that no surface could be calculated in, each a sentence that names its item: a polygon that

@@ -153,6 +153,14 @@ struct Body {
   double smallest_mass = 0;  ///< of a point [kg]; nodes far below it are left out
 
   const mesh::Mesh<D>& mesh() const { return layout->mesh; }
+
+  // Compiled once, in body.cpp: the files that hold one would each compile them again.
+  Body();
+  Body(const Body&);
+  Body(Body&&) noexcept;
+  Body& operator=(const Body&);
+  Body& operator=(Body&&) noexcept;
+  ~Body();
 };
 
 }  // namespace talus::mpm

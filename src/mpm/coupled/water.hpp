@@ -134,6 +134,14 @@ struct Water {
   double pressed_in = 0;               ///< frozen geometry: what the pores would have pressed out, and kept [kg]
 
   bool is_wet() const { return !laws.empty(); }
+
+  // Compiled once, in body.cpp: the files that hold one would each compile them again.
+  Water();
+  Water(const Water&);
+  Water(Water&&) noexcept;
+  Water& operator=(const Water&);
+  Water& operator=(Water&&) noexcept;
+  ~Water();
 };
 
 }  // namespace talus::mpm
