@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <regex>
+#include <algorithm>
+#include <cctype>
 
 #include "base/error.hpp"
 #include "results/json.hpp"
@@ -21,6 +22,16 @@ const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf"
                                  "curve.csv",      "profile.csv",  "trials",       "frozen",        "mesh.h5",
                                  "report.html",    "season.csv",   "sections",     end_state_file,  "lem.json",
                                  "fem.json",       "fem.vtu"};
+
+/// Whether a run wrote a picture of that name: curve, section, or one that ends with four digits.
+bool is_picture(const fs::path& file) {
+  const std::string end = file.extension().string(), stem = file.stem().string();
+  if (end != ".svg" && end != ".png" && end != ".gp") return false;
+  if (stem == "curve" || stem == "section") return true;
+  constexpr std::size_t number = 5;  // _0012
+  return stem.size() >= number && stem[stem.size() - number] == '_' &&
+         std::all_of(stem.end() - number + 1, stem.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
 
 }  // namespace
 
@@ -46,9 +57,8 @@ void clear_folder(const RunOptions& options) {
   if (options.resume || !options.overwrite || !fs::exists(options.folder)) return;
   for (const char* name : own_files) fs::remove_all(options.folder / name);
   // Pictures of the old results would be taken for those of the new ones.
-  static const std::regex picture(R"((curve|section|.*_\d{4})\.(svg|png|gp))");
   for (const auto& entry : fs::directory_iterator(options.folder)) {
-    if (std::regex_match(entry.path().filename().string(), picture)) fs::remove(entry.path());
+    if (is_picture(entry.path())) fs::remove(entry.path());
   }
 }
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "base/cholesky.hpp"
 #include "base/nearest.hpp"
 #include "input/case/checks.hpp"
 
@@ -64,8 +64,9 @@ std::optional<int> find_place(const std::string& key, const std::vector<std::str
 
 void check_correlations(const Sampling& sampling, Findings& findings) {
   const std::vector<std::string> keys = list_keys(sampling);
-  const auto size = static_cast<Eigen::Index>(keys.size());
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(size, size);
+  const std::size_t size = keys.size();
+  std::vector<double> matrix(size * size);
+  for (std::size_t i = 0; i < size; ++i) matrix[i * size + i] = 1;
   std::set<std::pair<int, int>> pairs;
   for (std::size_t i = 0; i < sampling.correlations.size(); ++i) {
     const Correlation& c = sampling.correlations[i];
@@ -80,10 +81,11 @@ void check_correlations(const Sampling& sampling, Findings& findings) {
     if (!a || !b) continue;
     if (!pairs.insert(std::minmax(*a, *b)).second)
       findings.add(path + ".keys", fmt::format("there are two correlations of '{}' and '{}'", c.keys[0], c.keys[1]));
-    matrix(*a, *b) = matrix(*b, *a) = c.coefficient;
+    const auto row = static_cast<std::size_t>(*a), column = static_cast<std::size_t>(*b);
+    matrix[row * size + column] = matrix[column * size + row] = c.coefficient;
   }
   if (!findings.is_sound("study.correlation") || sampling.correlations.empty()) return;
-  if (Eigen::LLT<Eigen::MatrixXd>(matrix).info() != Eigen::Success)
+  if (!factorise(matrix, static_cast<int>(size)))
     findings.add("study.correlation",
                  "the correlations contradict one another: no numbers have all of these coefficients (their matrix is "
                  "not positive definite)");
