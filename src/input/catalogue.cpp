@@ -21,7 +21,7 @@ class Collector {
   explicit Collector(BlockEntry& block) : block_(block) {}
 
   template <class T>
-  void key(const std::string& name, T&& member, const Spec& spec, const char* meaning) {
+  void key(const char* name, T&& member, const Spec& spec, const char* meaning) {
     using Value = std::remove_cvref_t<T>;
     KeyEntry entry{name, spec, Codec<Value>::name(spec), meaning, "", {}, JsonTree(Codec<Value>::schema(spec))};
     const bool must_be_given = spec.may_be_required();
@@ -33,30 +33,30 @@ class Collector {
   }
 
   template <class T>
-  void table(const std::string& name, T&& block, const char* meaning) {
+  void table(const char* name, T&& block, const char* meaning) {
     collect(add(BlockKind::table, name, "", 1, meaning), block);
   }
 
   template <class T>
-  void optional_table(const std::string& name, std::optional<T>&, const char* meaning) {
+  void optional_table(const char* name, std::optional<T>&, const char* meaning) {
     T block{};
     collect(add(BlockKind::table, name, "", 0, meaning), block);
   }
 
   template <class T>
-  void tables(const std::string& name, std::vector<T>&, int samples, const char* meaning) {
+  void tables(const char* name, std::vector<T>&, int samples, const char* meaning) {
     T block{};
     collect(add(BlockKind::list, name, "", samples, meaning), block);
   }
 
   template <class T>
-  void named(const std::string& name, std::map<std::string, T>&, const char* sample, const char* meaning) {
+  void named(const char* name, std::map<std::string, T>&, const char* sample, const char* meaning) {
     T block{};
     collect(add(BlockKind::named, name, sample, 1, meaning), block);
   }
 
   template <class T>
-  void entries(const std::string& name, std::map<std::string, T>&, const char* sample, int samples, const Spec& spec,
+  void entries(const char* name, std::map<std::string, T>&, const char* sample, int samples, const Spec& spec,
                const char* meaning) {
     T value{};
     BlockEntry entry = add(BlockKind::entries, name, sample, samples, meaning);

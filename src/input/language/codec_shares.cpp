@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-const Spec share = plain().at_least(0);
+const Spec any_share = plain().at_least(0);
 
 }  // namespace
 
@@ -27,7 +27,8 @@ bool decode_per_cent(const Decoding& in, const toml::node& node, const std::stri
 }
 
 bool Codec<ShareTable>::decode(const Decoding& in, const toml::node& node, const std::string& path, ShareTable& out) {
-  if (!decode_pairs(in, node, path, in.spec, share, "rows of two numbers, the second a share", out.rows)) return false;
+  if (!decode_pairs(in, node, path, in.spec, any_share, "rows of two numbers, the second a share", out.rows))
+    return false;
   for (std::size_t i = 1; i < out.rows.size(); ++i)
     if (out.rows[i][0] <= out.rows[i - 1][0])
       return in.fail(*node.as_array()->get(i), fmt::format("{}.{}", path, i),
@@ -47,7 +48,7 @@ std::string Codec<ShareTable>::name(const Spec& spec) {
 }
 
 json Codec<ShareTable>::schema(const Spec& spec) {
-  return write_pair_schema(spec, share);
+  return write_pair_schema(spec, any_share);
 }
 
 bool Codec<std::array<double, 4>>::decode(const Decoding& in, const toml::node& node, const std::string& path,

@@ -51,4 +51,89 @@ bool Spec::allows(double value) const {
   return !high || (high->open ? value < high->value : value <= high->value);
 }
 
+Spec::Spec() = default;
+Spec::Spec(const Spec&) = default;
+Spec::Spec(Spec&&) noexcept = default;
+Spec& Spec::operator=(const Spec&) = default;
+Spec& Spec::operator=(Spec&&) noexcept = default;
+Spec::~Spec() = default;
+
+Spec Spec::at_least(double value) && {
+  return low = Limit{value, false}, std::move(*this);
+}
+
+Spec Spec::above(double value) && {
+  return low = Limit{value, true}, std::move(*this);
+}
+
+Spec Spec::at_most(double value) && {
+  return high = Limit{value, false}, std::move(*this);
+}
+
+Spec Spec::below(double value) && {
+  return high = Limit{value, true}, std::move(*this);
+}
+
+Spec Spec::or_infinite() && {
+  return allows_infinity = true, std::move(*this);
+}
+
+Spec Spec::required() && {
+  return is_required = true, std::move(*this);
+}
+
+Spec Spec::example(const char* text) && {
+  return examples = {text}, std::move(*this);
+}
+
+Spec Spec::example_each(std::vector<std::string> texts) && {
+  return examples = std::move(texts), std::move(*this);
+}
+
+Spec Spec::needed_without(const char* key, bool other_is_given) && {
+  return std::move(*this).depend(key, "", !other_is_given, true);
+}
+
+Spec Spec::allowed_without(const char* key, bool other_is_given) && {
+  return std::move(*this).depend(key, "", !other_is_given, false);
+}
+
+Spec Spec::by_methods(std::vector<std::string> words) && {
+  return methods = std::move(words), std::move(*this);
+}
+
+Spec Spec::unless_given(const char* key, bool other_is_given) && {
+  return instead = Alternative{key, "", other_is_given}, std::move(*this);
+}
+
+Spec Spec::depend(const char* key, std::string value, bool holds, bool required) && {
+  return std::move(*this).depend_on_any({{key, std::move(value), holds}}, required);
+}
+
+Spec Spec::depend_on_any(std::vector<Alternative> others, bool required) && {
+  return condition = Condition{std::move(others), required}, std::move(*this);
+}
+
+Spec Spec::or_depend(Alternative other) && {
+  return condition->any.push_back(std::move(other)), std::move(*this);
+}
+
+std::string Spec::write_value(int value) {
+  return std::to_string(value);
+}
+
+std::string Spec::write_value(const char* word) {
+  return '"' + std::string(word) + '"';
+}
+
+Spec quantity(const char* unit) {
+  Spec spec;
+  spec.unit = unit;
+  return spec;
+}
+
+Spec plain() {
+  return {};
+}
+
 }  // namespace talus::input

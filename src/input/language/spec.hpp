@@ -76,59 +76,53 @@ struct Spec {
   std::optional<Alternative> instead;  ///< where this other key is given, the key is not required
   std::vector<std::string> examples;   ///< TOML texts; one for each sample of a list, the last one for the rest
 
-  Spec at_least(double value) && { return low = Limit{value, false}, std::move(*this); }
-  Spec above(double value) && { return low = Limit{value, true}, std::move(*this); }
-  Spec at_most(double value) && { return high = Limit{value, false}, std::move(*this); }
-  Spec below(double value) && { return high = Limit{value, true}, std::move(*this); }
+  Spec at_least(double value) &&;
+  Spec above(double value) &&;
+  Spec at_most(double value) &&;
+  Spec below(double value) &&;
   /// `inf` may be given.
-  Spec or_infinite() && { return allows_infinity = true, std::move(*this); }
-  Spec required() && { return is_required = true, std::move(*this); }
-  Spec example(std::string text) && { return examples = {std::move(text)}, std::move(*this); }
+  Spec or_infinite() &&;
+  Spec required() &&;
+  Spec example(const char* text) &&;
   /// One example for each sample of a list (see tables() of the visitors).
-  Spec example_each(std::vector<std::string> texts) && { return examples = std::move(texts), std::move(*this); }
+  Spec example_each(std::vector<std::string> texts) &&;
   /// The key is required where `other` has `value`, and has no meaning elsewhere.
   template <class T>
   Spec needed_with(const char* key, const T& other, const T& value) && {
-    return condition = Condition{{{key, write_value(value), other == value}}, true}, std::move(*this);
+    return std::move(*this).depend(key, write_value(value), other == value, true);
   }
   /// The key may be given where `other` has `value`, and has no meaning elsewhere.
   template <class T>
   Spec allowed_with(const char* key, const T& other, const T& value) && {
-    return condition = Condition{{{key, write_value(value), other == value}}, false}, std::move(*this);
+    return std::move(*this).depend(key, write_value(value), other == value, false);
   }
   /// The same for each of several values.
   template <class T>
   Spec needed_with(const char* key, const T& other, std::initializer_list<T> values) && {
-    return condition = Condition{list_values(key, other, values), true}, std::move(*this);
+    return std::move(*this).depend_on_any(list_values(key, other, values), true);
   }
   template <class T>
   Spec allowed_with(const char* key, const T& other, std::initializer_list<T> values) && {
-    return condition = Condition{list_values(key, other, values), false}, std::move(*this);
+    return std::move(*this).depend_on_any(list_values(key, other, values), false);
   }
   /// Or where `other` has `value`; after one of those above.
   template <class T>
   Spec or_with(const char* key, const T& other, const T& value) && {
-    return condition->any.push_back({key, write_value(value), other == value}), std::move(*this);
+    return std::move(*this).or_depend({key, write_value(value), other == value});
   }
   /// The key may be given where `other` has another value than `value`, and has no meaning elsewhere.
   template <class T>
   Spec allowed_unless(const char* key, const T& other, const T& value) && {
-    return condition = Condition{{{key, write_value(value), other != value, true}}, false}, std::move(*this);
+    return std::move(*this).depend_on_any({{key, write_value(value), other != value, true}}, false);
   }
   /// The key is required where `key` is not given, and has no meaning elsewhere.
-  Spec needed_without(const char* key, bool other_is_given) && {
-    return condition = Condition{{{key, "", !other_is_given}}, true}, std::move(*this);
-  }
+  Spec needed_without(const char* key, bool other_is_given) &&;
   /// The key is not required where none of these methods is asked for, but may be given.
-  Spec by_methods(std::vector<std::string> words) && { return methods = std::move(words), std::move(*this); }
+  Spec by_methods(std::vector<std::string> words) &&;
   /// The key is not required where `key` is given, but may be given.
-  Spec unless_given(const char* key, bool other_is_given) && {
-    return instead = Alternative{key, "", other_is_given}, std::move(*this);
-  }
+  Spec unless_given(const char* key, bool other_is_given) &&;
   /// The key may be given where `key` is not given, and has no meaning elsewhere.
-  Spec allowed_without(const char* key, bool other_is_given) && {
-    return condition = Condition{{{key, "", !other_is_given}}, false}, std::move(*this);
-  }
+  Spec allowed_without(const char* key, bool other_is_given) &&;
 
   /// Whether the key must be given somewhere.
   bool may_be_required() const { return is_required || (condition && condition->required); }
@@ -139,11 +133,24 @@ struct Spec {
   /// Whether `value`, in the unit of the manual, is within the limits.
   bool allows(double value) const;
 
+  // Compiled once, in spec.cpp: every visitor of the case makes a Spec for each of its keys.
+  Spec();
+  Spec(const Spec&);
+  Spec(Spec&&) noexcept;
+  Spec& operator=(const Spec&);
+  Spec& operator=(Spec&&) noexcept;
+  ~Spec();
+
  private:
-  static std::string write_value(int value) { return std::to_string(value); }
+  Spec depend(const char* key, std::string value, bool holds, bool required) &&;
+  Spec depend_on_any(std::vector<Alternative> others, bool required) &&;
+  Spec or_depend(Alternative other) &&;
+
+  static std::string write_value(int value);
+  static std::string write_value(const char* word);
   template <class E>
   static std::string write_value(E value) {
-    return '"' + std::string(get_word(value)) + '"';
+    return write_value(get_word(value));
   }
   template <class T>
   static std::vector<Alternative> list_values(const char* key, const T& other, std::initializer_list<T> values) {
@@ -154,15 +161,9 @@ struct Spec {
 };
 
 /// A number in `unit`, or a text with a unit.
-inline Spec quantity(const char* unit) {
-  Spec spec;
-  spec.unit = unit;
-  return spec;
-}
+Spec quantity(const char* unit);
 
 /// A dimensionless number, a text, a word or a truth value: whatever has no unit.
-inline Spec plain() {
-  return {};
-}
+Spec plain();
 
 }  // namespace talus::input
