@@ -55,11 +55,11 @@ std::string write_example(const BlockEntry& block) {
   return text + "```\n";
 }
 
-std::string write_block(const BlockEntry& block) {
+std::string write_section(const BlockEntry& block) {
   std::string text;
   if (!block.name.empty()) text = fmt::format("\n## `{}`\n\n{}\n", block.write_header(), block.meaning);
   if (!block.keys.empty()) text += "\n" + write_keys(block) + write_example(block);
-  for (const BlockEntry& inner : block.blocks) text += write_block(inner);
+  for (const BlockEntry& inner : block.blocks) text += write_section(inner);
   return text;
 }
 
@@ -76,7 +76,7 @@ std::string write_manual() {
       "Keys that are not listed here are errors. `--set key=value` changes any key from the command line: "
       "`--set materials.sand.cohesion=5`,\n`--set stage.gravity.duration=\"3 s\"`, `--set boundary.0.fix=full` "
       "(entries of lists by their name, their side, or their number from 0).\n";
-  return head + write_block(collect_catalogue());
+  return head + write_section(collect_catalogue());
 }
 
 }  // namespace talus::input

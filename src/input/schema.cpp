@@ -19,7 +19,7 @@ std::string write_description(const KeyEntry& key) {
   return text;
 }
 
-json write_key(const KeyEntry& key) {
+json write_key_schema(const KeyEntry& key) {
   json schema = key.schema.get();
   schema["description"] = write_description(key);
   if (!key.default_text.empty()) {
@@ -30,7 +30,7 @@ json write_key(const KeyEntry& key) {
   return schema;
 }
 
-json write_block(const BlockEntry& block);
+json write_block_schema(const BlockEntry& block);
 
 /// `if fix = "plane" then normal is required`, as the schema says it.
 json write_requirement(const KeyEntry& key) {
@@ -49,7 +49,7 @@ json write_object(const BlockEntry& block) {
   json object = {{"type", "object"}, {"additionalProperties", false}, {"properties", json::object()}};
   json required = json::array(), all_of = json::array();
   for (const KeyEntry& key : block.keys) {
-    object["properties"][key.name] = write_key(key);
+    object["properties"][key.name] = write_key_schema(key);
     // What depends on the methods or on another table cannot be said here; the reader checks it.
     const bool has_waivers = !key.spec.methods.empty() || key.spec.instead;
     if (key.spec.is_required && !has_waivers) required.push_back(key.name);
@@ -57,13 +57,13 @@ json write_object(const BlockEntry& block) {
         condition && condition->required && !has_waivers && condition->any.front().key.find('.') == std::string::npos)
       all_of.push_back(write_requirement(key));
   }
-  for (const BlockEntry& inner : block.blocks) object["properties"][inner.key] = write_block(inner);
+  for (const BlockEntry& inner : block.blocks) object["properties"][inner.key] = write_block_schema(inner);
   if (!required.empty()) object["required"] = required;
   if (!all_of.empty()) object["allOf"] = all_of;
   return object;
 }
 
-json write_block(const BlockEntry& block) {
+json write_block_schema(const BlockEntry& block) {
   json schema;
   switch (block.kind) {
     case BlockKind::table:
@@ -76,7 +76,7 @@ json write_block(const BlockEntry& block) {
       schema = {{"type", "object"}, {"additionalProperties", write_object(block)}};
       break;
     case BlockKind::entries:
-      schema = {{"type", "object"}, {"additionalProperties", write_key(block.keys.front())}};
+      schema = {{"type", "object"}, {"additionalProperties", write_key_schema(block.keys.front())}};
       break;
   }
   schema["description"] = block.meaning;

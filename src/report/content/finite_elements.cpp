@@ -18,7 +18,7 @@ using nlohmann::json;
 namespace {
 
 /// A mesh with more elements would be the largest part of the report, and too fine to be seen.
-constexpr std::size_t most_drawn_elements = 60000;
+constexpr std::size_t most_field_elements = 60000;
 constexpr std::size_t corners = 6;
 
 json take_factor(double factor) {
@@ -76,7 +76,7 @@ std::vector<To> join_rows(const std::vector<std::vector<T>>& rows, std::size_t w
 /// The mesh; null where it cannot be drawn.
 json pack_mesh(const results::ElementMesh& file, Packer& packer) {
   const std::size_t nodes = file.nodes.size(), elements = file.elements.size();
-  if (nodes == 0 || elements == 0 || elements > most_drawn_elements || file.nodes[0].size() != 2 ||
+  if (nodes == 0 || elements == 0 || elements > most_field_elements || file.nodes[0].size() != 2 ||
       file.elements[0].size() != corners)
     return {};
   const auto cells = join_rows<int, std::uint32_t>(file.elements, corners);

@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char *file_name = "fem.json", *title = "finite elements";
+constexpr const char *element_file = "fem.json", *element_title = "finite elements";
 
 std::vector<results::Flow> list_flows(input::FlowRule rule) {
   if (rule == input::FlowRule::as_given) return {results::Flow::as_given};
@@ -61,7 +61,7 @@ void ElementRun<D>::attempt(Part part) {
     model_.reset();
     file_ = {};
     file_.summary.error = error.what();
-    file_.summary.warnings = {fmt::format("{}: {}", title, error.what())};
+    file_.summary.warnings = {fmt::format("{}: {}", element_title, error.what())};
     is_told_ = true;
   }
   spent_ += Clock::now() - start;
@@ -83,7 +83,7 @@ void ElementRun<D>::prepare() {
 template <int D>
 void ElementRun<D>::begin() {
   if (options_.resume) {
-    auto known = results::find_file<results::ElementFile>(options_.folder / file_name);
+    auto known = results::find_file<results::ElementFile>(options_.folder / element_file);
     if (known && known->input_hash == hash_) {
       file_ = std::move(*known);
       spent_ = std::chrono::duration<double>(file_.summary.seconds.value_or(0));
@@ -98,7 +98,7 @@ void ElementRun<D>::begin() {
   result.size = mesh::measure_quality(*model_->solid.mesh).mean_size;
   result.element = D == 2 ? "T6" : "T10";
   result.warnings = model_->solid.notes;
-  result.fields_file = file_name;
+  result.fields_file = element_file;
   result.seepage = model_->solid.seepage;
 }
 
@@ -123,7 +123,7 @@ void ElementRun<D>::calculate() {
 
 template <int D>
 void ElementRun<D>::show(const std::string& what) const {
-  if (options_.progress) options_.progress->show(fmt::format("{}: {}", title, what));
+  if (options_.progress) options_.progress->show(fmt::format("{}: {}", element_title, what));
 }
 
 template <int D>
@@ -168,17 +168,17 @@ void ElementRun<D>::tell(results::RunResult& run) const {
   const results::ElementResult& result = file_.summary;
   run.elements = result;
   for (const std::string& warning : result.warnings)
-    run.warnings.push_back(result.error ? warning : fmt::format("{}: {}", title, warning));
+    run.warnings.push_back(result.error ? warning : fmt::format("{}: {}", element_title, warning));
   for (const results::ElementRun& r : result.runs)
     for (const std::string& warning : r.warnings)
-      run.warnings.push_back(
-          fmt::format("{}, {}: {}", title, r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", warning));
+      run.warnings.push_back(fmt::format("{}, {}: {}", element_title,
+                                         r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", warning));
   if (!run.seepage) run.seepage = result.seepage;
 }
 
 template <int D>
 void ElementRun<D>::keep() const {
-  results::write_file(options_.folder / file_name, file_, -1);
+  results::write_file(options_.folder / element_file, file_, -1);
   write_atomically(options_.folder / "fem.vtu", write_vtu(file_.mesh));
 }
 

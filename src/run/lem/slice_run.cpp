@@ -9,7 +9,7 @@
 namespace talus::run {
 namespace {
 
-constexpr const char *file_name = "lem.json", *title = "limit equilibrium";
+constexpr const char *slice_file = "lem.json", *slice_title = "limit equilibrium";
 
 }  // namespace
 
@@ -18,7 +18,7 @@ SliceRun::SliceRun(const input::Case& data, bool alone, const RunOptions& option
 
 void SliceRun::calculate() {
   if (options_.resume) {
-    auto known = results::find_file<results::SliceFile>(options_.folder / file_name);
+    auto known = results::find_file<results::SliceFile>(options_.folder / slice_file);
     if (known && known->input_hash == hash_) {
       outcome_.result = std::move(known->summary);
       is_kept_ = is_done_ = true;
@@ -31,7 +31,7 @@ void SliceRun::calculate() {
   } catch (const Error& error) {
     if (alone_ || error.code() == ExitCode::interrupted) throw;
     outcome_.result.error = error.what();
-    outcome_.result.warnings = {fmt::format("{}: {}", title, error.what())};
+    outcome_.result.warnings = {fmt::format("{}: {}", slice_title, error.what())};
   }
   if (options_.progress) options_.progress->clear();
   is_done_ = true;
@@ -39,14 +39,14 @@ void SliceRun::calculate() {
 
 void SliceRun::keep() const {
   if (is_done_ && !is_kept_)
-    results::write_file(options_.folder / file_name, results::SliceFile{hash_, outcome_.result, outcome_.trials}, -1);
+    results::write_file(options_.folder / slice_file, results::SliceFile{hash_, outcome_.result, outcome_.trials}, -1);
 }
 
 void SliceRun::tell(results::RunResult& run) const {
   if (!is_done_) return;
   run.slices = outcome_.result;
   for (const std::string& warning : outcome_.result.warnings)
-    run.warnings.push_back(outcome_.result.error ? warning : fmt::format("{}: {}", title, warning));
+    run.warnings.push_back(outcome_.result.error ? warning : fmt::format("{}: {}", slice_title, warning));
   if (!run.seepage) run.seepage = prepared_.seepage;
 }
 
