@@ -49,4 +49,7 @@ endif()
 add_library(talus_text_options INTERFACE)
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   target_compile_options(talus_text_options INTERFACE -O1 -fexpensive-optimizations)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(talus_text_options INTERFACE -Wno-uninitialized)  # GCC's bug 105593 again, at -O1
+  endif()
 endif()

@@ -192,7 +192,22 @@ void step(Body<D>& body, const Settings& settings) {
   relocate_points(body);
 }
 
-extern template void step(Body<2>&, const Settings&);  // plain_step.cpp
+// Compiled once, in plain_step.cpp.
+extern template void classify_elements(Body<2>&, const Settings&);
+extern template void map_points_to_nodes(Body<2>&);
+extern template void solve_momentum(Body<2>&, const Settings&);
+extern template void compute_strain_increments(Body<2>&, const Settings&);
+extern template std::vector<double> update_points(Body<2>&, const Settings&);
+extern template std::vector<double> smooth_over_nodes(const Body<2>&, const std::vector<double>&);
+extern template void relocate_points(Body<2>&);
+extern template void step(Body<2>&, const Settings&);
+extern template void classify_elements(Body<3>&, const Settings&);
+extern template void map_points_to_nodes(Body<3>&);
+extern template void solve_momentum(Body<3>&, const Settings&);
+extern template void compute_strain_increments(Body<3>&, const Settings&);
+extern template std::vector<double> update_points(Body<3>&, const Settings&);
+extern template std::vector<double> smooth_over_nodes(const Body<3>&, const std::vector<double>&);
+extern template void relocate_points(Body<3>&);
 extern template void step(Body<3>&, const Settings&);
 
 }  // namespace talus::reference

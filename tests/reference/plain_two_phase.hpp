@@ -83,7 +83,30 @@ void step(WetBody<D>& body, const WetSettings& settings) {
   ++body.steps;
 }
 
-extern template void step(WetBody<2>&, const WetSettings&);  // plain_step.cpp
+// Compiled once, in plain_step.cpp.
+extern template void classify_wet_elements(WetBody<2>&, const WetSettings&);
+extern template void share_wet_state(WetBody<2>&);
+extern template void map_wet_points(WetBody<2>&);
+extern template void add_wet_forces(WetBody<2>&);
+extern template void load_free_surface(WetBody<2>&);
+extern template void solve_wet_momentum(WetBody<2>&, const WetSettings&);
+extern template void compute_wet_increments(WetBody<2>&, const WetSettings&);
+extern template void smooth_water_increments(WetBody<2>&, const WetSettings&);
+extern template std::vector<double> update_wet_points(WetBody<2>&, const WetSettings&);
+extern template void exchange_water(WetBody<2>&, const WetSettings&);
+extern template void move_wet_points(WetBody<2>&, const WetSettings&);
+extern template void step(WetBody<2>&, const WetSettings&);
+extern template void classify_wet_elements(WetBody<3>&, const WetSettings&);
+extern template void share_wet_state(WetBody<3>&);
+extern template void map_wet_points(WetBody<3>&);
+extern template void add_wet_forces(WetBody<3>&);
+extern template void load_free_surface(WetBody<3>&);
+extern template void solve_wet_momentum(WetBody<3>&, const WetSettings&);
+extern template void compute_wet_increments(WetBody<3>&, const WetSettings&);
+extern template void smooth_water_increments(WetBody<3>&, const WetSettings&);
+extern template std::vector<double> update_wet_points(WetBody<3>&, const WetSettings&);
+extern template void exchange_water(WetBody<3>&, const WetSettings&);
+extern template void move_wet_points(WetBody<3>&, const WetSettings&);
 extern template void step(WetBody<3>&, const WetSettings&);
 
 }  // namespace talus::reference

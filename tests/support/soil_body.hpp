@@ -26,35 +26,7 @@ struct Substance {
 /// Points of equal volume (points_per_element as in mesh::point_positions) where `filling` says so.
 template <int D>
 mpm::Body<D> fill_body(mesh::Mesh<D> mesh, const std::vector<Substance>& substances, int points_per_element,
-                       const Filling<D>& filling, const Start<D>& start = {}, int chunks = 0) {
-  std::vector<mpm::InitialPoint<D>> points;
-  std::vector<int> in_element(mesh.elements.size(), 0);
-  Vec<D> middle;
-  middle.fill(1.0 / (D + 1));
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    mpm::InitialPoint<D> p;
-    p.element = e;
-    p.material = filling(mesh::to_global(mesh, e, middle));
-    if (p.material < 0) continue;
-    const std::size_t at = static_cast<std::size_t>(e);
-    p.volume = mesh.volumes[at] / points_per_element;
-    p.mass = p.volume * substances[static_cast<std::size_t>(p.material)].density;
-    for (const auto& xi : mesh::point_positions<D>(points_per_element)) {
-      p.xi = xi;
-      if (start) start(p, mesh::to_global(mesh, e, xi));
-      points.push_back(p);
-    }
-    in_element[at] = points_per_element;
-  }
-  std::vector<material::Law> laws;
-  std::vector<std::string> names;
-  for (const Substance& s : substances) {
-    laws.push_back(s.law);
-    names.push_back("soil" + std::to_string(names.size()));
-  }
-  return mpm::make_body<D>(mpm::make_layout<D>(std::move(mesh), in_element, chunks), std::move(laws), std::move(names),
-                           points);
-}
+                       const Filling<D>& filling, const Start<D>& start = {}, int chunks = 0);
 
 /// The constraint of a node, made if it has none.
 template <int D>
@@ -70,17 +42,7 @@ mpm::Constraint<D>& get_constraint(mpm::Body<D>& body, std::size_t node) {
 /// Suppresses motion along the axis `component` at every node that `chosen` accepts.
 template <int D>
 void fix_nodes(mpm::Body<D>& body, int component,
-               const std::type_identity_t<std::function<bool(const Vec<D>&)>>& chosen) {
-  for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
-    if (!chosen(body.mesh().nodes[i])) continue;
-    mpm::Constraint<D>& c = get_constraint(body, i);
-    Vec<D> axis{};
-    axis[static_cast<std::size_t>(component)] = 1;
-    bool known = false;
-    for (int k = 0; k < c.fixed_count; ++k) known = known || c.fixed[k] == axis;
-    if (!known) c.fixed[c.fixed_count++] = axis;
-  }
-}
+               const std::type_identity_t<std::function<bool(const Vec<D>&)>>& chosen);
 
 /// Rollers on the faces of the box [0, size] except the upper end of `open_axis`.
 template <int D>
@@ -119,11 +81,6 @@ struct Mode {
   bool mixed;
   input::Smoothing smoothing;
 };
-inline std::vector<Mode> all_modes() {
-  using enum input::Smoothing;
-  return {{"points", false, none},          {"mixed", true, none},
-          {"points strain", false, strain}, {"mixed strain", true, strain},
-          {"points stable", false, stable}, {"mixed stable", true, stable}};
-}
+std::vector<Mode> all_modes();
 
 }  // namespace talus::support

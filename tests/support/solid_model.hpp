@@ -16,53 +16,18 @@ inline constexpr double degree = 0.017453292519943295;
 
 /// The sides of the soil's border, with no soil across, whose every node fulfils `wanted`.
 template <int D>
-std::vector<std::array<int, D>> find_sides(const mesh::Mesh<D>& mesh,
-                                           const std::function<bool(const Vec<D>&)>& wanted) {
-  std::vector<std::array<int, D>> sides;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    if (mesh.element_region[e] == mesh::empty_region) continue;
-    for (std::size_t k = 0; k <= D; ++k) {
-      const int across = mesh.neighbours[e][k];
-      if (across >= 0 && mesh.element_region[static_cast<std::size_t>(across)] != mesh::empty_region) continue;
-      std::array<int, D> side;
-      bool all = true;
-      for (std::size_t i = 0, j = 0; i <= D; ++i) {
-        if (i == k) continue;
-        side[j++] = mesh.elements[e][i];
-        all = all && wanted(mesh.nodes[static_cast<std::size_t>(mesh.elements[e][i])]);
-      }
-      if (all) sides.push_back(side);
-    }
-  }
-  return sides;
-}
+std::vector<std::array<int, D>> find_sides(const mesh::Mesh<D>& mesh, const std::function<bool(const Vec<D>&)>& wanted);
 
 template <int D>
-std::vector<std::array<int, D>> find_sides_at(const mesh::Mesh<D>& mesh, std::size_t axis, double value) {
-  return find_sides<D>(mesh, [=](const Vec<D>& x) { return std::abs(x[axis] - value) < 1e-9 * (1 + std::abs(value)); });
-}
+std::vector<std::array<int, D>> find_sides_at(const mesh::Mesh<D>& mesh, std::size_t axis, double value);
 
 /// Holds one axis of the sides at a coordinate plane.
 template <int D>
-void add_roller(fem::SolidModel<D>& model, std::size_t axis, double value) {
-  fem::Support<D> s;
-  s.name = "roller";
-  s.sides = find_sides_at<D>(*model.mesh, axis, value);
-  s.fixed[axis] = true;
-  model.supports.push_back(s);
-}
+void add_roller(fem::SolidModel<D>& model, std::size_t axis, double value);
 
 /// The same traction on all of the sides [Pa].
 template <int D>
-void add_load(fem::SolidModel<D>& model, const std::vector<std::array<int, D>>& sides, const Vec<D>& traction) {
-  fem::SurfaceLoad<D> load;
-  load.name = "load";
-  load.sides = sides;
-  std::array<Vec<D>, D> corners;
-  corners.fill(traction);
-  load.traction.assign(sides.size(), corners);
-  model.loads.push_back(load);
-}
+void add_load(fem::SolidModel<D>& model, const std::vector<std::array<int, D>>& sides, const Vec<D>& traction);
 
 /// A homogeneous slope or block: the polygon of the soil and its Mohr–Coulomb parameters; tension up to the apex.
 struct SoilSection {
@@ -74,10 +39,7 @@ struct SoilSection {
   double thickness = 0;  ///< 3D
 };
 
-inline material::MohrCoulombStrength find_strength(const SoilSection& s) {
-  const double tangent = std::tan(s.friction * degree);
-  return {s.cohesion, s.friction * degree, s.dilatancy * degree, tangent > 0 ? s.cohesion / tangent : 1e3 * s.cohesion};
-}
+material::MohrCoulombStrength find_strength(const SoilSection& s);
 
 /// Mesh and model; the base is fixed, walls are rollers. Not to be moved: the model points to the mesh.
 template <int D>
