@@ -13,77 +13,25 @@ namespace talus::lem {
 
 inline constexpr double degree = std::numbers::pi / 180;
 
-inline Soil make_soil(double cohesion, double friction_degrees, double unit_weight) {
-  Soil soil;
-  soil.cohesion = cohesion;
-  soil.friction_angle = friction_degrees * degree;
-  soil.unit_weight = soil.saturated_unit_weight = unit_weight;
-  return soil;
-}
+Soil make_soil(double cohesion, double friction_degrees, double unit_weight);
 
 /// All below a line, down to far below the base and out to the ends of the ground.
-inline Region make_region_below(const Section& section, int soil, std::vector<Point> line) {
-  const double left = section.ground.front()[0], right = section.ground.back()[0];
-  if (line.front()[0] > left) line.insert(line.begin(), {left, line.front()[1]});
-  if (line.back()[0] < right) line.push_back({right, line.back()[1]});
-  line.push_back({right, section.base - 10});
-  line.push_back({left, section.base - 10});
-  return {soil, line};
-}
+Region make_region_below(const Section& section, int soil, std::vector<Point> line);
 
 /// One soil everywhere. Units as the numbers are: kN and metres with γ_w = 9.81, or pounds and feet with 62.4.
-inline Section make_section(std::vector<Point> ground, const Soil& soil, double base, double water = 9.81) {
-  Section section;
-  section.ground = std::move(ground);
-  section.soils = {soil};
-  section.base = base;
-  section.water_unit_weight = water;
-  section.regions = {make_region_below(section, 0, section.ground)};
-  return section;
-}
+Section make_section(std::vector<Point> ground, const Soil& soil, double base, double water = 9.81);
 
-inline Surface make_arc(const Point& centre, double radius, double from, double to) {
-  Surface surface;
-  surface.circle = Circle{centre, radius};
-  surface.from = from;
-  surface.to = to;
-  return surface;
-}
+Surface make_arc(const Point& centre, double radius, double from, double to);
 
 /// The widest arc of a whole circle.
-inline Surface make_circle(const Slope& slope, const Point& centre, double radius) {
-  Surface surface = make_arc(centre, radius, 0, 0);
-  for (const auto& arc : find_arcs(slope, *surface.circle))
-    if (arc[1] - arc[0] > surface.to - surface.from) {
-      surface.from = arc[0];
-      surface.to = arc[1];
-    }
-  return surface;
-}
+Surface make_circle(const Slope& slope, const Point& centre, double radius);
 
-inline Surface make_polyline(std::vector<Point> line) {
-  Surface surface;
-  surface.line = std::move(line);
-  return surface;
-}
+Surface make_polyline(std::vector<Point> line);
 
 /// Checks that report and do not reject: the equations are solved wherever they have a solution.
-inline Checks report_only() {
-  Checks checks;
-  checks.smallest_lambda = -10;
-  checks.largest_lambda = 10;
-  checks.reject = false;
-  return checks;
-}
+Checks report_only();
 
-inline double find_factor(const Slope& slope, const Surface& surface, Method method, int slices = 100) {
-  const Checks checks = report_only();
-  CutSurface cut = cut_surface(slope, surface, slices, checks);
-  EXPECT_EQ(cut.refusal, Refusal::none) << name_refusal(cut.refusal);
-  const Solution solution = solve(slope, cut, method, checks, false);
-  EXPECT_EQ(solution.refusal, Refusal::none) << to_word(method) << ": " << name_refusal(solution.refusal);
-  return solution.factor;
-}
+double find_factor(const Slope& slope, const Surface& surface, Method method, int slices = 100);
 
 inline const std::vector<Method> all_methods{Method::fellenius,
                                              Method::bishop,
