@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Slip surfaces whose factor is known in closed form.
 
-#include "physics/lem_sections.hpp"
+#include "support/lem_sections.hpp"
 
 namespace talus::lem {
 namespace {

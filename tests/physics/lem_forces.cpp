@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The slice table: every slice is in equilibrium, the thrust acts where the moments say, k_y gives F = 1.
 
-#include "physics/lem_sections.hpp"
+#include "support/lem_sections.hpp"
 
 namespace talus::lem {
 namespace {

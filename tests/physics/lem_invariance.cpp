@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "physics/lem_sections.hpp"
+#include "support/lem_sections.hpp"
 
 namespace talus::lem {
 namespace {

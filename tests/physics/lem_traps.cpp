@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Known traps of the methods of slices, each with a test.
 
-#include "physics/lem_sections.hpp"
+#include "support/lem_sections.hpp"
 
 namespace talus::lem {
 namespace {

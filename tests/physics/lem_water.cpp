@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "physics/lem_sections.hpp"
+#include "support/lem_sections.hpp"
 
 namespace talus::lem {
 namespace {

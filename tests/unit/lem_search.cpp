@@ -12,7 +12,7 @@
 #include "lem/search/minimise.hpp"
 #include "lem/search/optimise_surface.hpp"
 #include "lem/surface/arcs.hpp"
-#include "physics/lem_sections.hpp"
+#include "support/lem_sections.hpp"
 
 namespace talus::lem {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "lem/surface/surface.hpp"
-#include "physics/lem_sections.hpp"
+#include "support/lem_sections.hpp"
 
 namespace talus::lem {
 namespace {

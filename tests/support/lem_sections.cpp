@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/lem_sections.hpp"
+#include "support/lem_sections.hpp"
 
 namespace talus::lem {
 
