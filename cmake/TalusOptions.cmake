@@ -53,3 +53,9 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(talus_text_options INTERFACE -Wno-uninitialized)  # GCC's bug 105593 again, at -O1
   endif()
 endif()
+
+# For tests that read what the program and the library said.
+add_library(talus_reading_options INTERFACE)
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  target_compile_options(talus_reading_options INTERFACE -O0)
+endif()
