@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 # How the sources are compiled: headers that are compiled once, the cache, and the flags of every target.
 
-# What most sources include. Only headers from outside: of the house's own, each change would compile everything.
+# What most sources include: headers from outside, and the case and the results, which two sources of three include in any case.
 set(TALUS_PRECOMPILED <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <numeric> <optional> <set> <sstream>
   <string> <variant> <vector> <fmt/format.h>)
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   list(APPEND TALUS_PRECOMPILED <immintrin.h>)
 endif()
+list(APPEND TALUS_PRECOMPILED ${PROJECT_SOURCE_DIR}/src/input/case/case.hpp ${PROJECT_SOURCE_DIR}/src/results/run.hpp)
 
 # A launcher that was asked for comes before ccache. Precompiled headers are cached only with these words.
 find_program(TALUS_CCACHE ccache)

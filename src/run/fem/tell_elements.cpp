@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "run/round_to.hpp"
+
 namespace talus::run {
 namespace {
 
 /// Displacements and strains of the fields are kept to so many digits after the point: micrometres and 1e-6.
 constexpr double field_digits = 1e6;
-
-double round_to(double value, double digits) {
-  return std::round(value * digits) / digits;
-}
 
 /// √(⅔ e:e) of a strain with γ as shear components.
 double find_shear_strain(const std::array<double, 6>& e) {

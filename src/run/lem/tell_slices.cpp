@@ -3,13 +3,10 @@
 
 #include <cmath>
 
+#include "run/round_to.hpp"
+
 namespace talus::run {
 namespace {
-
-/// Numbers that files need not keep to the last digit.
-double round_to(double value, double digits) {
-  return std::round(value * digits) / digits;
-}
 
 results::SliceTable tell_table(const lem::Slope& slope, const lem::CutSurface& cut) {
   results::SliceTable t;

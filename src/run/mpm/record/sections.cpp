@@ -27,14 +27,14 @@ struct Component {
 };
 
 std::vector<Component> list_components(const output::Frame& frame, int dimension) {
-  static const char* const axes[] = {"x", "y", "z"};
+  static const char* const letters[] = {"x", "y", "z"};
   static const char* const pairs[] = {"xx", "yy", "zz", "xy", "yz", "xz"};
   std::vector<Component> list;
   for (const output::Field& f : frame.point_fields) {
     const bool plane = dimension == 2;
     const std::size_t count = f.components == 3 ? (plane ? 2 : 3) : f.components == 6 ? (plane ? 4 : 6) : 1;
     for (std::size_t c = 0; c < count; ++c)
-      list.push_back({&f, c, count == 1 ? f.name : f.name + "_" + (f.components == 3 ? axes[c] : pairs[c])});
+      list.push_back({&f, c, count == 1 ? f.name : f.name + "_" + (f.components == 3 ? letters[c] : pairs[c])});
   }
   return list;
 }
