@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 
 #include "app/command_line.hpp"
 #include "app/wait_policy.hpp"
+#include "base/abandon.hpp"
 #include "base/error.hpp"
 
 namespace {
@@ -20,10 +22,7 @@ int report(const talus::Error& error) {
   return static_cast<int>(error.code());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  talus::app::let_waiting_threads_sleep(argv);
+int run(int argc, char** argv) {
   try {
     return talus::app::run_command_line(argc, argv);
   } catch (const talus::Error& error) {
@@ -34,4 +33,16 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "talus: internal error of unknown kind; please report it with the case file\n");
   }
   return static_cast<int>(talus::ExitCode::internal_error);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  talus::app::let_waiting_threads_sleep(argv);
+  const int code = run(argc, argv);
+  if (talus::is_work_abandoned()) {
+    std::fflush(nullptr);
+    std::_Exit(code);
+  }
+  return code;
 }

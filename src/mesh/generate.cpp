@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
+#include "base/abandon.hpp"
 #include "base/error.hpp"
 #include "mesh/check_plan.hpp"
 #include "mesh/gmsh_mesh.hpp"
@@ -108,10 +110,14 @@ template <int D>
 Mesh<D> generate(const Plan& plan) {
   if (plan.dimension != D)
     throw Error(ExitCode::internal_error, fmt::format("a {}D plan was given to the {}D mesher", plan.dimension, D));
-  Mesh<D> mesh = plan.file.empty() ? mesh_plan<D>(plan) : read_mesh_file<D>(plan.file);
-  finish(mesh);
-  if (plan.file.empty()) check_whole(mesh, plan);
-  return mesh;
+  // Gmsh looks for no interruptions. What it works on belongs to the job, which may outlive this call.
+  const auto mesh = std::make_shared<Mesh<D>>();
+  do_or_abandon("the mesh was made", [mesh, plan] {
+    *mesh = plan.file.empty() ? mesh_plan<D>(plan) : read_mesh_file<D>(plan.file);
+    finish(*mesh);
+    if (plan.file.empty()) check_whole(*mesh, plan);
+  });
+  return std::move(*mesh);
 }
 
 template Mesh<2> generate<2>(const Plan&);
