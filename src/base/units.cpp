@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -53,11 +54,21 @@ constexpr std::array dimensions{
 constexpr Dimension angle{"rad", "an angle", "30 deg"};
 constexpr Dimension number{"1", "a number", "0.3"};
 
+/// Units of practice that the database lacks. A ton is one of 2000 pounds.
+constexpr std::array<std::array<const char*, 2>, 7> practice_units{{{"psf", "pound_force/foot2"},
+                                                                    {"ksf", "1000 pound_force/foot2"},
+                                                                    {"tsf", "2000 pound_force/foot2"},
+                                                                    {"pcf", "pound_force/foot3"},
+                                                                    {"kcf", "1000 pound_force/foot3"},
+                                                                    {"plf", "pound_force/foot"},
+                                                                    {"klf", "1000 pound_force/foot"}}};
+
 /// Units whose mistyped names ("kpa", "Kg") are recognised.
 const std::vector<std::string> common_units{
     "m",    "mm",    "cm",   "km",    "s",     "min", "h",     "day",  "kg",     "t",      "N",
     "kN",   "MN",    "Pa",   "kPa",   "MPa",   "GPa", "bar",   "deg",  "rad",    "degree", "m/s",
-    "m/s2", "kg/m3", "t/m3", "kN/m3", "kN/m2", "%",   "g/cm3", "mm/h", "mm/day", "J",      "kJ"};
+    "m/s2", "kg/m3", "t/m3", "kN/m3", "kN/m2", "%",   "g/cm3", "mm/h", "mm/day", "J",      "kJ",
+    "psf",  "ksf",   "tsf",  "pcf",   "psi",   "ft",  "in",    "ft/s", "ft/day"};
 
 /// The unit database, and the lock that every use of it holds.
 class Database {
@@ -117,6 +128,10 @@ class Database {
                   "file in the environment variable UDUNITS2_XML_PATH");
     const Unit degree(ut_parse(system_, "degree", UT_ASCII));
     ut_map_name_to_unit("deg", UT_ASCII, degree.get());
+    for (const auto& [name, definition] : practice_units) {
+      const Unit unit(ut_parse(system_, definition, UT_ASCII));
+      ut_map_name_to_unit(name, UT_ASCII, unit.get());
+    }
   }
 
   static std::string write_definition(const ut_unit* unit) {
@@ -138,11 +153,22 @@ class Database {
   ut_system* system_ = nullptr;
 };
 
+/// Whether a comma and a digit follow the whole part of a number.
+bool has_decimal_comma(const char* rest, const char* end) {
+  return end - rest > 1 && *rest == ',' && std::isdigit(static_cast<unsigned char>(rest[1])) != 0;
+}
+
 bool is_blank(char c) {
   return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
 }  // namespace
+
+std::string explain_decimal_comma(const std::string& text) {
+  std::string point = text;
+  std::replace(point.begin(), point.end(), ',', '.');
+  return fmt::format("'{}' has a decimal comma; write it with a point: {}", text, point);
+}
 
 Quantity parse_quantity(const std::string& text) {
   const char* begin = text.data();
@@ -152,6 +178,7 @@ Quantity parse_quantity(const std::string& text) {
   const char* digits = begin != end && *begin == '+' ? begin + 1 : begin;
   Quantity quantity;
   const auto [rest, failure] = std::from_chars(digits, end, quantity.value);
+  if (has_decimal_comma(rest, end)) throw Error(ExitCode::wrong_input, explain_decimal_comma(text));
   if (failure != std::errc{} || !std::isfinite(quantity.value))
     throw Error(ExitCode::wrong_input, fmt::format("'{}' does not begin with a finite number", text));
   const char* unit = rest;

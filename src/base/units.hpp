@@ -13,6 +13,9 @@ struct Quantity {
   std::string unit;
 };
 
+/// What is wrong with "2,5 kPa", and how it is written here.
+std::string explain_decimal_comma(const std::string& text);
+
 /// Splits "45 MPa" into its number and its unit. Throws Error (wrong_input) when the text does not begin with a finite
 /// number, or when no unit follows it.
 Quantity parse_quantity(const std::string& text);
