@@ -15,5 +15,6 @@ find_library(GMSH_LIBRARY gmsh REQUIRED)
 find_path(CERES_INCLUDE_DIR ceres/ceres.h REQUIRED)
 find_library(CERES_LIBRARY ceres REQUIRED)
 find_library(GLOG_LIBRARY glog REQUIRED) # the headers of Ceres write its messages
+find_path(BOOST_POLYGON_INCLUDE_DIR boost/polygon/polygon.hpp REQUIRED)
 find_path(NLOPT_INCLUDE_DIR nlopt.h REQUIRED)
 find_library(NLOPT_LIBRARY nlopt REQUIRED)
