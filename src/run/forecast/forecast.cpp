@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "run/forecast/forecast.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "run/fem/solid_of_case.hpp"
+#include "run/forecast/counts.hpp"
+#include "run/forecast/free_memory.hpp"
+#include "run/forecast/probe.hpp"
+#include "run/mpm/reduction/trial.hpp"
+
+namespace talus::run {
+namespace {
+
+// Peaks of the dry slope, 2,000 to 690,000 elements (docs/performance.md); a mesh is largest while Gmsh makes it.
+constexpr double program_bytes = 65e6;
+constexpr double mesh_bytes[] = {1600, 2500};  ///< of a triangle, a tetrahedron
+constexpr double point_bytes[] = {560, 800};   ///< with a copy to return to
+constexpr double coupled_point_bytes[] = {800, 1000};
+/// Seconds in which Gmsh makes an element, on one core.
+constexpr double element_seconds[] = {6e-5, 1e-4};
+/// Linear systems of a strength reduction, which hardly change with the mesh, and seconds of one: c n^1.3.
+constexpr double systems = 250, system_seconds = 8e-8, system_power = 1.3, unknowns_per_element = 4;
+/// Bytes of a factorised matrix: c n^1.1.
+constexpr double matrix_bytes = 1600, matrix_power = 1.1;
+/// Seconds of a trial circle by one method with 50 slices.
+constexpr double circle_seconds = 3e-6;
+constexpr double polyline_seconds = 0.3;
+
+std::size_t get_rank(int dimension) {
+  return dimension == 2 ? 0 : 1;
+}
+
+MethodForecast forecast_slices(const input::LimitEquilibrium& lem, int threads) {
+  MethodForecast f;
+  f.method = input::Method::lem;
+  if (lem.search == input::SurfaceSearch::entry_exit) {
+    const input::EntryExit& e = lem.entry_exit;
+    const double ends = e.exits + e.entries;
+    // Without ranges, through any two points of the ground.
+    f.surfaces = (e.exit.empty() && e.entry.empty() ? ends * (ends - 1) / 2 : 1.0 * e.exits * e.entries) * e.depths;
+  } else if (lem.search == input::SurfaceSearch::grid) {
+    f.surfaces = 1.0 * lem.grid.columns * lem.grid.rows * lem.grid.radii;
+  }
+  const double methods = static_cast<double>(lem.methods.size());
+  f.seconds = f.surfaces * methods * circle_seconds * lem.slices / 50 / threads;
+  if (lem.noncircular) f.seconds += polyline_seconds * methods;
+  return f;
+}
+
+MethodForecast forecast_elements(const input::Case& data) {
+  const mesh::Plan plan = make_fem_plan(data);
+  MethodForecast f;
+  f.method = input::Method::fem;
+  f.dimension = plan.dimension;
+  f.size = plan.size;
+  const ElementCount count = count_elements(plan);
+  f.elements = count.soil;
+  const double unknowns = unknowns_per_element * count.soil;
+  const double flows = data.fem.flow == input::FlowRule::both ? 2 : 1;
+  f.steps = flows * systems;
+  if (plan.dimension == 2) f.seconds = f.steps * system_seconds * std::pow(unknowns, system_power);
+  f.bytes = program_bytes + mesh_bytes[get_rank(plan.dimension)] * count.all +
+            matrix_bytes * std::pow(unknowns, matrix_power);
+  return f;
+}
+
+/// Steps and time of all stages and trials, at most.
+void add_time(const input::Case& data, const Pace& pace, MethodForecast& f, double coarse_points) {
+  double point_steps = 0;
+  const auto add = [&](double time, double step, double points) {
+    f.steps += time / step;
+    point_steps += time / step * points;
+  };
+  for (std::size_t i = 0; i < data.stages.size(); ++i) add(data.stages[i].duration, pace.steps[i], coarse_points);
+  if (data.analysis == input::AnalysisKind::strength_reduction) {
+    const input::DisplacementCurve& c = data.strength_reduction.curve;
+    if (c.enabled) {
+      const double trials = std::floor((c.to - c.from) / c.step + 1) + (c.refine ? 8 : 0);
+      add(trials * c.window + static_cast<double>(c.runout.size()) * c.runout_time, pace.curve_step, coarse_points);
+    }
+    const input::FrozenFactor& z = data.strength_reduction.frozen;
+    const double trials = 2 + std::ceil(std::log2(std::max(2.0, (z.to - z.from) / z.resolution)));
+    for (int m = 0; z.enabled && m < z.meshes; ++m) {
+      const double finer = std::pow(2.0, m), points = coarse_points * std::pow(finer, data.mesh.dimension);
+      add(trials * z.window + static_cast<double>(data.stages.size()) * z.window, pace.frozen_step / finer, points);
+    }
+  }
+  f.seconds = point_steps / pace.point_steps + element_seconds[get_rank(f.dimension)] * f.elements;
+}
+
+MethodForecast forecast_points(const input::Case& data, bool with_time) {
+  MethodForecast f;
+  f.method = input::Method::mpm;
+  f.dimension = data.mesh.dimension;
+  f.size = data.mesh.size;
+  if (!data.mesh.file.empty() || !data.initial.result.empty()) return f;
+  const std::size_t rank = get_rank(f.dimension);
+  const ElementCount count = count_elements(data.mesh);
+  const input::FrozenFactor& frozen = data.strength_reduction.frozen;
+  const bool has_finer =
+      data.analysis == input::AnalysisKind::strength_reduction && frozen.enabled && frozen.meshes == 2;
+  const double finer = has_finer ? std::pow(2.0, f.dimension) : 1;
+  const double coarse_points = count.soil * data.points_per_element;
+  f.elements = finer * count.all;
+  f.points = finer * coarse_points;
+  const bool is_wet = std::any_of(data.materials.begin(), data.materials.end(),
+                                  [](const auto& named) { return named.second.water.is_wet(); });
+  const double copies = data.analysis == input::AnalysisKind::strength_reduction && f.points < 1e9
+                            ? 1 + count_parallel_trials(static_cast<int>(f.points), default_threads())
+                            : 1;
+  f.bytes = program_bytes + mesh_bytes[rank] * f.elements +
+            copies * (is_wet ? coupled_point_bytes : point_bytes)[rank] * f.points;
+  // Beyond this the answer is no run, and the probe would be a waste.
+  if (!with_time || f.points > 1e9) return f;
+  if (const auto pace = probe(data)) add_time(data, *pace, f, coarse_points);
+  return f;
+}
+
+/// 1,234,000 with three digits.
+std::string write_count(double n) {
+  if (n >= 1e7) return fmt::format("{:.1e}", n);
+  const double scale = n < 1000 ? 1 : std::pow(10, std::floor(std::log10(n)) - 2);
+  std::string digits = fmt::format("{:.0f}", std::round(n / scale) * scale);
+  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
+  return digits;
+}
+
+std::string write_time(double seconds) {
+  if (seconds < 1.5) return "a second";
+  if (seconds < 90) return fmt::format("{:.0f} seconds", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} minutes", seconds / 60);
+  if (seconds < 2 * 86400) return fmt::format("{:.1f} hours", seconds / 3600);
+  return fmt::format("{:.0f} days", seconds / 86400);
+}
+
+}  // namespace
+
+std::vector<MethodForecast> forecast(const input::Case& data, bool with_time) {
+  std::vector<MethodForecast> all;
+  if (input::uses(data, input::Method::lem)) all.push_back(forecast_slices(data.lem, default_threads()));
+  if (input::uses(data, input::Method::fem)) all.push_back(forecast_elements(data));
+  if (input::uses(data, input::Method::mpm)) all.push_back(forecast_points(data, with_time));
+  return all;
+}
+
+std::string describe(const MethodForecast& f) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "about " : ", ") + part; };
+  if (f.surfaces > 0) add(write_count(f.surfaces) + " circles");
+  if (f.elements > 0) add(write_count(f.elements) + " elements");
+  if (f.points > 0) add(write_count(f.points) + " points");
+  if (f.bytes > 0 && f.elements > 0) add(write_bytes(f.bytes) + " of memory");
+  const bool has_steps = f.method == input::Method::mpm && f.steps > 0;
+  if (has_steps) add("at most " + write_count(f.steps) + " steps");
+  if (f.seconds > 0) add((has_steps ? "at most " : "") + write_time(f.seconds));
+  return text;
+}
+
+std::optional<double> find_size_that_fits(const input::Case& data, input::Method method, double free) {
+  input::Case coarser = data;
+  double& size = method == input::Method::fem && coarser.fem.size ? *coarser.fem.size : coarser.mesh.size;
+  const double largest = data.mesh.box_max[0] - data.mesh.box_min[0];
+  constexpr double growth = 1.05;
+  for (; size < largest; size *= growth) {
+    const std::vector<MethodForecast> all = forecast(coarser, false);
+    if (std::any_of(all.begin(), all.end(), [&](const auto& f) { return f.method == method && f.bytes > free; }))
+      continue;
+    const double scale = std::pow(10, std::floor(std::log10(size)) - 1);
+    return std::ceil(size / scale - 1e-9) * scale;
+  }
+  return std::nullopt;  // refinements ask for more
+}
+
+void refuse_above_memory(const input::LoadedCase& loaded) {
+  const auto free = find_free_memory();
+  if (!free || !loaded.is_whole) return;
+  std::vector<Diagnostic> faults;
+  for (const MethodForecast& f : forecast(loaded.data, false)) {
+    if (f.bytes <= *free) continue;
+    const bool has_own = f.method == input::Method::fem && loaded.data.fem.size;
+    const std::string key = has_own ? "fem.size" : "mesh.size";
+    const input::Place place = loaded.places.find(key);
+    const auto fitting = find_size_that_fits(loaded.data, f.method, *free);
+    faults.push_back(
+        {place.file, place.line, place.column,
+         fmt::format("{} with elements of {:g} m need about {} of memory ({} elements{}), and {} are free: {}",
+                     f.method == input::Method::fem ? "finite elements" : "material points", f.size,
+                     write_bytes(f.bytes), write_count(f.elements),
+                     f.points > 0 ? fmt::format(", {} points", write_count(f.points)) : "", write_bytes(*free),
+                     fitting ? fmt::format("'{}' of {:.2g} m would fit", key, *fitting)
+                             : std::string("make [[mesh.refine]] coarser"))});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+}  // namespace talus::run

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "run/forecast/free_memory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace talus::run {
+namespace {
+
+std::string read(const char* path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  return text.str();
+}
+
+/// The number that a text begins with.
+std::optional<double> parse(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return end == text.c_str() ? std::nullopt : std::optional(value);
+}
+
+}  // namespace
+
+std::optional<double> find_free_memory() {
+  return find_free_memory(read("/proc/meminfo"), read("/sys/fs/cgroup/memory.max"),
+                          read("/sys/fs/cgroup/memory.current"));
+}
+
+std::optional<double> find_free_memory(const std::string& meminfo, const std::string& limit, const std::string& used) {
+  std::optional<double> free;
+  constexpr const char* word = "MemAvailable:";
+  if (const auto at = meminfo.find(word); at != std::string::npos)
+    if (const auto kilobytes = parse(meminfo.substr(at + std::string(word).size()))) free = 1024 * *kilobytes;
+  // A group without a limit says "max".
+  const auto most = parse(limit), taken = parse(used);
+  if (most && taken) free = std::min(free.value_or(*most - *taken), std::max(0.0, *most - *taken));
+  return free;
+}
+
+std::string write_bytes(double bytes) {
+  constexpr double thousand = 1000;
+  const char* unit = "MB";
+  double value = bytes / 1e6;
+  for (const char* larger : {"GB", "TB", "PB"}) {
+    if (value < thousand) break;
+    value /= thousand;
+    unit = larger;
+  }
+  return value < 10 ? fmt::format("{:.1f} {}", value, unit) : fmt::format("{:.0f} {}", value, unit);
+}
+
+}  // namespace talus::run

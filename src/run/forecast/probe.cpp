@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "run/forecast/probe.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "mesh/generate.hpp"
+#include "run/forecast/counts.hpp"
+#include "run/mpm/stage.hpp"
+#include "run/mpm/start/initial_state.hpp"
+#include "run/mpm/start/prepare.hpp"
+
+namespace talus::run {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Elements with soil of the coarse mesh: enough to fill the lanes of a step, and meshed in a moment.
+constexpr double coarse_elements = 800;
+constexpr double seconds = 0.15;
+
+/// Ends the stage that is stepped for a moment.
+struct Enough {};
+
+bool can_be_probed(const input::Case& data) {
+  const bool has_library = std::any_of(data.materials.begin(), data.materials.end(), [](const auto& named) {
+    return named.second.model == material::model_of<material::External>;
+  });
+  return input::uses(data, input::Method::mpm) && data.mesh.file.empty() && data.initial.result.empty() &&
+         data.initial.water.season == 0 && !data.stages.empty() && !has_library;
+}
+
+template <int D>
+Pace probe_in(const input::Case& data) {
+  input::Case coarse = data;
+  const double elements = count_elements(data.mesh).soil;
+  const double ratio = std::max(1.0, std::pow(elements / coarse_elements, 1.0 / D));
+  const double smallest = find_smallest_size(data.mesh);
+  coarse.mesh.refinements.clear();
+  coarse.mesh.size = ratio * data.mesh.size;
+  mpm::Body<D> body = prepare<D>(coarse, mesh::generate<D>(coarse.mesh));
+  const double height = find_soil_height(body, data.gravity), share = smallest / coarse.mesh.size;
+  const auto find_step = [&](StagePlan<D> plan) {
+    return find_critical_step(body, plan).dt * plan.step.courant * share;
+  };
+  Pace pace;
+  const input::Stage& first = data.stages.front();
+  set_strength(body, coarse, first.cohesion, first.strength_factor.value_or(1));
+  for (const input::Stage& stage : data.stages) pace.steps.push_back(find_step(make_plan<D>(coarse, stage, height, 1)));
+  StagePlan<D> plan = make_plan<D>(coarse, first, height, 1);
+  const input::StepSettings own = plan.step;
+  plan.step = data.strength_reduction.curve.step_settings;
+  pace.curve_step = find_step(plan);
+  plan.step = data.strength_reduction.frozen.step_settings;
+  pace.frozen_step = find_step(plan);
+  plan.step = own;
+  plan.duration = 1e9;
+  plan.until_rest = false;
+  StageState state;
+  StageHooks<D> hooks;
+  const auto start = Clock::now();
+  std::int64_t steps = 0;
+  double taken = 0;
+  hooks.look = [&](const mpm::Body<D>&, const StageState& now) {
+    steps = now.steps;
+    taken = std::chrono::duration<double>(Clock::now() - start).count();
+    if (taken > seconds) throw Enough{};
+  };
+  try {
+    run_stage(body, plan, state, hooks);
+  } catch (const Enough&) {
+  }
+  pace.point_steps = static_cast<double>(steps) * body.points.size() / taken;
+  return pace;
+}
+
+}  // namespace
+
+std::optional<Pace> probe(const input::Case& data) {
+  if (!can_be_probed(data)) return std::nullopt;
+  try {
+    return data.mesh.dimension == 2 ? probe_in<2>(data) : probe_in<3>(data);
+  } catch (const Error& error) {
+    if (error.code() == ExitCode::interrupted) throw;
+    return std::nullopt;
+  }
+}
+
+}  // namespace talus::run

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What a run will need: counts against the meshes that are then made, free memory from the system's words.
+#include "run/forecast/forecast.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesh/generate.hpp"
+#include "run/forecast/counts.hpp"
+#include "run/forecast/free_memory.hpp"
+#include "run/forecast/probe.hpp"
+#include "run/mpm/stage.hpp"
+#include "run/mpm/start/prepare.hpp"
+#include "support/slopes.hpp"
+
+namespace talus::run {
+namespace {
+
+input::LoadedCase read(const std::vector<std::string>& changes = {}) {
+  std::vector<input::Override> overrides;
+  for (const std::string& change : changes) overrides.push_back(input::parse_override(change));
+  return input::read_case_text(support::write_slope("dry") + "[[stage]]\nname = \"gravity\"\nduration = 10\n",
+                               "slope.toml", overrides);
+}
+
+template <int D>
+double count_soil(const mesh::Mesh<D>& mesh) {
+  double soil = 0;
+  for (int e = 0; e < mesh.element_count(); ++e) soil += mesh.element_region[e] >= 0 ? 1 : 0;
+  return soil;
+}
+
+TEST(Forecast, CountsElementsAsTheMesherMakesThem) {
+  for (const char* change :
+       {"mesh.size=0.75", "mesh.size=0.4", "mesh.refine=[{ near = [[12, 15], [32, 5]], size = 0.2, distance = 4 }]"}) {
+    const input::LoadedCase loaded = read({change});
+    const mesh::Mesh<2> mesh = mesh::generate<2>(loaded.data.mesh);
+    const ElementCount count = count_elements(loaded.data.mesh);
+    EXPECT_NEAR(count.all, mesh.element_count(), 0.05 * count.all) << change;
+    EXPECT_NEAR(count.soil, count_soil(mesh), 0.05 * count.soil) << change;
+  }
+}
+
+TEST(Forecast, CountsTetrahedraWithinAFifth) {
+  const input::LoadedCase loaded = read({"geometry.dimension=3", "geometry.thickness=4", "mesh.size=1.5"});
+  const mesh::Mesh<3> mesh = mesh::generate<3>(loaded.data.mesh);
+  const ElementCount count = count_elements(loaded.data.mesh);
+  EXPECT_NEAR(count.all, mesh.element_count(), 0.2 * mesh.element_count());
+}
+
+TEST(Forecast, TheTimeStepOfACoarseMeshGivesThatOfTheCase) {
+  const input::LoadedCase loaded = read({"mesh.size=0.3"});
+  const auto pace = probe(loaded.data);
+  ASSERT_TRUE(pace.has_value());
+  mpm::Body<2> body = prepare<2>(loaded.data, mesh::generate<2>(loaded.data.mesh));
+  const StagePlan<2> plan = make_plan<2>(loaded.data, loaded.data.stages.at(0), 10, 1);
+  set_strength(body, loaded.data, {}, 1);
+  const double step = find_critical_step(body, plan).dt * plan.step.courant;
+  EXPECT_NEAR(pace->steps.at(0), step, 0.2 * step);
+  EXPECT_GT(pace->point_steps, 1e5);
+}
+
+TEST(Forecast, FreeMemoryIsTheLeastThatTheSystemSays) {
+  EXPECT_FALSE(find_free_memory("", "", "").has_value());
+  EXPECT_DOUBLE_EQ(*find_free_memory("MemTotal: 9 kB\nMemAvailable:   2000 kB\n", "max\n", "5\n"), 2048000);
+  EXPECT_DOUBLE_EQ(*find_free_memory("MemAvailable: 2000 kB\n", "1000000\n", "400000\n"), 600000);
+  EXPECT_DOUBLE_EQ(*find_free_memory("MemAvailable: 2000 kB\n", "1000000\n", "1400000\n"), 0);
+  EXPECT_EQ(write_bytes(3.4e13), "34 TB");
+  EXPECT_EQ(write_bytes(2.34e9), "2.3 GB");
+  EXPECT_EQ(write_bytes(4.1e8), "410 MB");
+}
+
+TEST(Forecast, TheSizeThatFitsNeedsNoMoreThanIsFree) {
+  for (const char* methods : {"analysis.methods=[\"mpm\"]", "analysis.methods=[\"fem\"]"}) {
+    input::LoadedCase loaded = read({"mesh.size=0.0003", methods});
+    constexpr double free = 2e9;
+    ASSERT_GT(forecast(loaded.data, false).at(0).bytes, 1e12);
+    const auto size = find_size_that_fits(loaded.data, loaded.data.methods.at(0), free);
+    ASSERT_TRUE(size.has_value());
+    loaded.data.mesh.size = *size;
+    const double bytes = forecast(loaded.data, false).at(0).bytes;
+    EXPECT_LE(bytes, free);
+    EXPECT_GT(bytes, 0.7 * free) << "and is not much larger than it must be";
+    EXPECT_THROW(refuse_above_memory(read({"mesh.size=0.0003", methods})), InputError);
+  }
+}
+
+}  // namespace
+}  // namespace talus::run
