@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "input/case/partial_factors.hpp"
 #include "input/read.hpp"
+#include "run/forecast/forecast.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/run_case.hpp"
 
@@ -70,9 +71,12 @@ std::string describe_points(const input::Case& data) {
 /// What the soil is, what each method calculates, and what the study does with it.
 std::string summarise(const input::Case& data) {
   std::string text = describe_soil(data);
-  if (input::uses(data, input::Method::lem)) text += describe_slices(data.lem);
-  if (input::uses(data, input::Method::fem)) text += describe_elements(data);
-  if (input::uses(data, input::Method::mpm)) text += describe_points(data);
+  for (const run::MethodForecast& needs : run::forecast(data, true)) {
+    if (needs.method == input::Method::lem) text += describe_slices(data.lem);
+    if (needs.method == input::Method::fem) text += describe_elements(data);
+    if (needs.method == input::Method::mpm) text += describe_points(data);
+    if (const std::string words = run::describe(needs); !words.empty()) text += fmt::format("    {}\n", words);
+  }
   if (const input::PartialFactorValues factors = input::find_partial_factors(data.partial_factors); factors.is_active())
     text += fmt::format("  with partial factors {}\n", factors.set);
   const input::Study& study = data.study;
@@ -95,8 +99,14 @@ void add_check(CLI::App& app) {
         input::read_case(options->file, options->parse_overrides(), input::CaseScope::whole_or_tests);
     if (!loaded.data.initial.result.empty())
       input::check_against_result(loaded, run::EndState(loaded.data.initial).input());
-    if (loaded.is_whole) run::check_methods(loaded.data);
-    fmt::print("{}: no errors\n{}", options->file,
+    if (loaded.is_whole) {
+      run::check_methods(loaded.data);
+      run::refuse_above_memory(loaded);
+    }
+    const std::vector<std::string> warnings = run::list_warnings(loaded);
+    for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+    fmt::print("{}: no errors{}\n{}", options->file,
+               warnings.empty() ? "" : ", " + count(warnings.size(), "warning", "warnings"),
                loaded.is_whole ? summarise(loaded.data)
                                : fmt::format("  {} of {}, no slope\n",
                                              count(loaded.data.tests.size(), "element test", "element tests"),

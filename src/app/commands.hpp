@@ -2,9 +2,14 @@
 #pragma once
 // The commands of the program, one file each. Every function adds its command to the command line.
 
+#include <string>
+
 #include "app/command_line.hpp"
 
 namespace talus::app {
+
+/// "talus 0.1.0 (source …)".
+std::string write_version();
 
 void add_run(CLI::App& app);
 void add_study(CLI::App& app);

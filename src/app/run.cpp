@@ -26,6 +26,8 @@ struct RunCommand {
 
 void run(const RunCommand& command) {
   const input::LoadedCase loaded = input::read_case(command.input.file, command.input.parse_overrides());
+  if (!command.quiet)
+    for (const std::string& warning : run::list_warnings(loaded)) fmt::print(stderr, "{}\n", warning);
   catch_interrupts();
   Progress progress(!command.quiet);
   run::RunOptions options;

@@ -9,9 +9,13 @@
 
 namespace talus::app {
 
+std::string write_version() {
+  return fmt::format("talus {} (source {}, {}, {}, {})", version, commit, compiler, build_type, architecture);
+}
+
 void add_version(CLI::App& app) {
   Command(app, "version", "Print the version, the source it was built from, and how").act([] {
-    fmt::print("talus {} (source {}, {}, {}, {})\n", version, commit, compiler, build_type, architecture);
+    fmt::print("{}\n", write_version());
   });
 }
 

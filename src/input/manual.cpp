@@ -39,10 +39,15 @@ std::string write_meaning(const KeyEntry& key) {
   return text;
 }
 
+std::string write_ranges(const Spec& spec) {
+  const std::string range = spec.write_range(), usual = spec.write_usual_range();
+  return usual.empty() ? range : fmt::format("{}{}usually {}", range, range.empty() ? "" : "; ", usual);
+}
+
 std::string write_keys(const BlockEntry& block) {
   std::string text = "| Key | Value | Range | Default | Meaning |\n|---|---|---|---|---|\n";
   for (const KeyEntry& key : block.keys)
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, write_cell(write_type(key)), key.spec.write_range(),
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, write_cell(write_type(key)), write_ranges(key.spec),
                         write_cell(write_default(key)), write_cell(write_meaning(key)));
   return text;
 }
@@ -73,6 +78,7 @@ std::string write_manual() {
       "A quantity is a number in the unit that stands in brackets, or a text with any unit of the same dimension:\n"
       "`cohesion = 2` and `cohesion = \"2 kPa\"` are the same, and so is `cohesion = \"0.002 MPa\"`. "
       "Infinite values (`inf`) are refused except where this page says otherwise.\n"
+      "Numbers outside the usual range, where a key has one, are allowed with a warning; `unusual` silences it.\n"
       "Keys that are not listed here are errors. `--set key=value` changes any key from the command line: "
       "`--set materials.sand.cohesion=5`,\n`--set stage.gravity.duration=\"3 s\"`, `--set boundary.0.fix=full` "
       "(entries of lists by their name, their side, or their number from 0).\n";

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -13,6 +14,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/units.hpp"
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/complete.hpp"
@@ -35,13 +37,36 @@ std::string read_text(const std::string& path) {
   return text.str();
 }
 
+/// The number with a decimal comma that stands last before a place of a text; empty where there is none.
+std::string find_decimal_comma(const std::string& text, const toml::source_position& at) {
+  std::istringstream lines(text);
+  std::string line;
+  for (toml::source_index i = 0; i < at.line; ++i) std::getline(lines, line);
+  const auto skip_digits = [&](std::size_t i) {
+    while (i < line.size() && std::isdigit(static_cast<unsigned char>(line[i])) != 0) ++i;
+    return i;
+  };
+  std::string found;
+  for (std::size_t equals = line.find('='); equals != std::string::npos; equals = line.find('=', equals + 1)) {
+    const std::size_t begin = line.find_first_not_of(" \t+-", equals + 1);
+    if (begin == std::string::npos) break;
+    const std::size_t comma = skip_digits(begin);
+    if (comma == begin || comma >= line.size() || line[comma] != ',' || comma > at.column) continue;
+    const std::size_t end = skip_digits(comma + 1);
+    if (end > comma + 1) found = line.substr(begin, end - begin);
+  }
+  return found;
+}
+
 toml::table parse(const std::string& text, const std::string& name) {
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
+    const std::string comma = find_decimal_comma(text, at);
     throw InputError({{name, static_cast<int>(at.line), static_cast<int>(at.column),
-                       fmt::format("this is not TOML: {}", error.description())}});
+                       comma.empty() ? fmt::format("this is not TOML: {}", error.description())
+                                     : units::explain_decimal_comma(comma)}});
   }
 }
 
@@ -92,7 +117,12 @@ std::optional<LoadedCase> read_once(const std::string& text, const std::string& 
   describe(reader, loaded.data);
   reader.finish();
   complete(loaded.data, name, findings.places);
-  if (loaded.is_whole) check_geometry(loaded.data, findings);
+  if (loaded.is_whole) {
+    join_polygons(loaded.data, findings);
+    check_geometry(loaded.data, findings);
+    check_cover(loaded.data, findings);
+  }
+  check_unusual(loaded.data, findings);
   check_materials(loaded.data, findings);
   check_roots(loaded.data, findings);
   check_conditions(loaded.data, findings);
@@ -112,6 +142,7 @@ std::optional<LoadedCase> read_once(const std::string& text, const std::string& 
   if (!loaded.is_whole) drop_absent_blocks(told, findings.places);
   loaded.echo = JsonTree(std::move(told));
   normalise_directions(loaded.data);
+  loaded.warnings = findings.sort_warnings(loaded.data.unusual);
   loaded.text = text;
   loaded.file = name;
   return loaded;

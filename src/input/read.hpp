@@ -16,10 +16,11 @@ namespace talus::input {
 /// A case that was read without a fault.
 struct LoadedCase {
   Case data;
-  JsonTree echo;         ///< every value with its unit and whether it was given, see input/echo.hpp
-  std::string text;      ///< the file as it is
-  std::string file;      ///< its name, as messages show it
-  Places places;         ///< where each key stands, for faults that are found later
+  JsonTree echo;                     ///< every value with its unit and whether it was given, see input/echo.hpp
+  std::string text;                  ///< the file as it is
+  std::string file;                  ///< its name, as messages show it
+  Places places;                     ///< where each key stands, for faults that are found later
+  std::vector<Diagnostic> warnings;  ///< what is allowed and probably not meant
   bool is_whole = true;  ///< false: element tests and their soils, without anything that could be calculated else
 
   // Compiled once, in read.cpp: the files that hold one would each compile them again.

@@ -15,6 +15,7 @@ std::string write_description(const KeyEntry& key) {
   std::string text = key.meaning;
   for (const auto& [word, meaning] : key.words) text += " " + word + ": " + meaning + ".";
   if (!key.spec.unit.empty()) text += " Unit of plain numbers: " + key.spec.unit + ".";
+  if (key.spec.usual_range) text += " Usually " + key.spec.write_usual_range() + ".";
   if (key.spec.condition) text += " Only where " + write_condition(*key.spec.condition) + ".";
   return text;
 }

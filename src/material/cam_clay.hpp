@@ -37,7 +37,8 @@ void describe(Visitor& v, CamClayInput& in, const Users& users) {
         "2.303.");
   v.key("kappa", in.swelling, users.need(plain().above(0)).example("0.022"),
         "κ, slope of the swelling lines in that plane; less than λ. The bulk modulus is (1+e)p'/κ.");
-  v.key("critical_state_slope", in.critical_state_slope, users.need(plain().above(0).below(3)).example("1.2"),
+  v.key("critical_state_slope", in.critical_state_slope,
+        users.need(plain().above(0).below(3)).usual(0.4, 2).example("1.2"),
         "M₀, slope q/p' of the critical-state line of the soil without roots; 6 sin φ'/(3 - sin φ') in compression.");
   v.key("suction_hardening", in.suction_hardening, users.allow(plain().at_least(0)),
         "b: p'c is exp(b(1 - S)) times that of the saturated soil, S being the degree of saturation; 0: suction does "

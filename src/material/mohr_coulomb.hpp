@@ -34,12 +34,19 @@ struct MohrCoulombStrength {
 };
 template <class Visitor>
 void describe(Visitor& v, MohrCoulombStrength& in, const Users& users) {
-  v.key("cohesion", in.cohesion, users.need(quantity("kPa").at_least(0)).example("10"),
+  const std::vector<input::Slip> angles{{"rad", 57.29578}};
+  const std::vector<input::Slip> stresses{{"Pa", 1e-3}, {"MPa", 1e3}, {"psf", 0.0478803}};
+  v.key("cohesion", in.cohesion,
+        users.need(quantity("kPa").at_least(0)).usual_or_zero(0.01, 500, stresses).example("10"),
         "Cohesion c of the soil itself.");
-  v.key("friction_angle", in.friction_angle, users.need(quantity("deg").at_least(0).below(90)).example("20"),
+  v.key("friction_angle", in.friction_angle,
+        users.need(quantity("deg").at_least(0).below(90)).usual_or_zero(5, 50, angles).example("20"),
         "Angle of internal friction φ.");
   v.key("dilatancy_angle", in.dilatancy_angle,
-        users.need(quantity("deg").at_least(0).below(90)).by_methods({"fem", "mpm"}).example("0"),
+        users.need(quantity("deg").at_least(0).below(90))
+            .by_methods({"fem", "mpm"})
+            .usual_or_zero(1, 20, angles)
+            .example("0"),
         "Angle of dilatancy ψ of the plastic flow; at most the friction angle.");
   v.key("tensile_strength", in.tensile_strength,
         users.need(quantity("kPa").at_least(0)).by_methods({"fem", "mpm"}).example("0"),

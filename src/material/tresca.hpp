@@ -20,7 +20,9 @@ struct TrescaInput {
 };
 template <class Visitor>
 void describe(Visitor& v, TrescaInput& in, const Users& users) {
-  v.key("undrained_strength", in.undrained_strength, users.need(quantity("kPa").above(0)).example("25"),
+  const std::vector<input::Slip> slips{{"Pa", 1e-3}, {"MPa", 1e3}, {"psf", 0.0478803}};
+  v.key("undrained_strength", in.undrained_strength,
+        users.need(quantity("kPa").above(0)).usual(1, 500, slips).example("25"),
         "Undrained shear strength s_u, at `undrained_level` and above it.");
   v.key("undrained_gradient", in.undrained_gradient, users.allow(quantity("kPa/m").at_least(0)).example("1.5"),
         "s_u grows by this per metre below `undrained_level`.");

@@ -17,6 +17,7 @@
 #include "run/compare/compare.hpp"
 #include "run/fem/element_run.hpp"
 #include "run/fem/solid_of_case.hpp"
+#include "run/forecast/forecast.hpp"
 #include "run/head.hpp"
 #include "run/lem/slice_run.hpp"
 #include "run/mpm/point_run.hpp"
@@ -104,6 +105,7 @@ class CaseRun {
 
   void finish() {
     if (points_) points_->finish(run_);
+    for (const Diagnostic& warning : loaded_.warnings) run_.warnings.push_back(warning.sentence);
     for (const ground::SteepFace& face : ground::find_steep_faces(design_.data))
       run_.warnings.push_back(ground::describe(face));
     results::Timing& timing = run_.timing.emplace();
@@ -170,6 +172,16 @@ results::RunResult renew(results::RunResult run, const input::Case& data, const 
 
 }  // namespace
 
+std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {
+  std::vector<std::string> lines;
+  for (const Diagnostic& warning : loaded.warnings) lines.push_back(input::write_warning(warning));
+  if (!loaded.is_whole) return lines;
+  const ground::DesignValues design = ground::apply_partial_factors(loaded.data);
+  for (const ground::SteepFace& face : ground::find_steep_faces(design.data))
+    lines.push_back("warning: " + ground::describe(face));
+  return lines;
+}
+
 void check_methods(const input::Case& data) {
   if (input::uses(data, Method::lem) && !ground::needs_seepage(data)) prepare_slope(data);
   if (input::uses(data, Method::fem)) check_solid(data);
@@ -178,6 +190,7 @@ void check_methods(const input::Case& data) {
 results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& options) {
   const std::string hash = input::hash_input(loaded.echo);
   ground::DesignValues design = ground::apply_partial_factors(loaded.data);
+  refuse_above_memory(loaded);
   check_folder(loaded.data.initial, options);
   if (auto finished = load_finished(options, hash)) return renew(std::move(*finished), loaded.data, options);
   if (loaded.data.mesh.dimension == 2) return CaseRun<2>(loaded, std::move(design), options, hash).run();

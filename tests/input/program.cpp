@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 
 #include "methods_slope.hpp"
@@ -41,7 +43,8 @@ TEST(Program, ChecksItsOwnTemplate) {
   const Outcome checked = run_program("check " + path);
   EXPECT_EQ(checked.code, 0) << checked.text;
   EXPECT_EQ(checked.text.rfind(path + ": no errors\n", 0), 0u) << checked.text;
-  EXPECT_EQ(std::count(checked.text.begin(), checked.text.end(), '\n'), 3);
+  EXPECT_EQ(std::count(checked.text.begin(), checked.text.end(), '\n'), 4);
+  EXPECT_NE(checked.text.find("\n    about 3,070 elements, "), std::string::npos) << checked.text;
 }
 
 TEST(Program, SaysWhatEachMethodCalculates) {
@@ -66,6 +69,55 @@ TEST(Program, ReportsEveryFaultAndExitsWithTwo) {
   EXPECT_EQ(checked.code, 2);
   EXPECT_NE(checked.text.find(path + ":1:1: error: unknown key 'titel'"), std::string::npos) << checked.text;
   EXPECT_NE(checked.text.find(path + ":16:8: error: 'size' is -1 m"), std::string::npos) << checked.text;
+}
+
+TEST(Program, RefusesWhatNeedsMoreMemoryThanIsFree) {
+  const std::string path = write_file("talus_fine.toml", slope);
+  for (const std::string& command : {std::string("check "), "run -o '" + testing::TempDir() + "talus_fine' "}) {
+    const Outcome refused = run_program(command + "--set mesh.size=0.0003 " + path);
+    EXPECT_EQ(refused.code, 2) << refused.text;
+    EXPECT_NE(refused.text.find("--set mesh.size: error: material points with elements of 0.0003 m need about "),
+              std::string::npos)
+        << refused.text;
+    EXPECT_NE(refused.text.find(" m would fit"), std::string::npos) << refused.text;
+  }
+  EXPECT_FALSE(std::filesystem::exists(testing::TempDir() + "talus_fine"));
+}
+
+TEST(Program, EndsMeshingSoonAfterASignal) {
+  // This mesh takes half a minute and more.
+  const std::string path = write_file("talus_signal.toml", slope);
+  const auto start = std::chrono::steady_clock::now();
+  FILE* pipe = popen(("timeout --preserve-status -s TERM 6 '" TALUS_PROGRAM "' run -q --set mesh.size=0.04 -o '" +
+                      testing::TempDir() + "talus_signal' " + path + " 2>&1")
+                         .c_str(),
+                     "r");
+  std::array<char, 1000> text{};
+  const std::size_t length = std::fread(text.data(), 1, text.size() - 1, pipe);
+  const int status = pclose(pipe);
+  EXPECT_EQ(WEXITSTATUS(status), 5);
+  EXPECT_EQ(std::string(text.data(), length), "talus: error: interrupted while the mesh was made\n");
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 6 + 1);
+  EXPECT_FALSE(std::filesystem::exists(testing::TempDir() + "talus_signal"));
+}
+
+TEST(Program, SaysItsVersionEitherWay) {
+  const Outcome command = run_program("version"), option = run_program("--version");
+  EXPECT_EQ(option.code, 0);
+  EXPECT_EQ(option.text, command.text);
+  EXPECT_EQ(option.text.rfind("talus ", 0), 0u) << option.text;
+}
+
+TEST(Program, ChecksWhatIsUnstableByInspection) {
+  // A face of 1:0.5 in sand without cohesion.
+  const std::string path = write_file(
+      "talus_steep.toml", change(change(slices_alone, "cohesion = 3", "cohesion = 0"), "[30, 25]", "[40, 25]"));
+  const Outcome checked = run_program("check " + path);
+  EXPECT_EQ(checked.code, 0) << checked.text;
+  EXPECT_NE(checked.text.find("warning: The ground between (40, 25) and (50, 35) rises at 45.0°, more than φ = 19.6°"),
+            std::string::npos)
+      << checked.text;
+  EXPECT_NE(checked.text.find(path + ": no errors, 1 warning\n"), std::string::npos) << checked.text;
 }
 
 TEST(Program, TakesChangesBeforeAndAfterTheFile) {

@@ -33,6 +33,7 @@ namespace talus::input {
 
 struct Case {
   std::string title;
+  std::vector<std::string> unusual;  ///< keys whose warnings are silenced
   Project project;
   mesh::Plan mesh;
   int points_per_element = 3;
@@ -81,6 +82,9 @@ bool uses(const Case& data, Method method);
 template <class Visitor>
 void describe(Visitor& v, Case& c) {
   v.key("title", c.title, plain().example(R"("Dry homogeneous slope")"), "Title of the case in reports and plots.");
+  v.key("unusual", c.unusual, plain().example(R"(["materials.peat.unit_weight"])"),
+        "Keys or blocks that are odd on purpose: what warnings name them for is not said again. The paths are those of "
+        "the warnings.");
   v.table("project", c.project, "The title block of the report.");
   v.table("geometry", GeometryBlock{c.mesh}, "The section: regions of soil in a background box.");
   v.table("mesh", MeshBlock{c.mesh, c.points_per_element}, "The background mesh and the material points in it.");

@@ -10,8 +10,14 @@
 
 namespace talus::input {
 
+/// Moves corners that nearly lie on another polygon onto it, with a warning that says so.
+void join_polygons(Case& data, Findings& findings);
 /// Polygons, lines, box and points per element.
 void check_geometry(const Case& data, Findings& findings);
+/// Whether the polygons overlap or leave gaps, and whether the mesh generator can take them; after check_geometry.
+void check_cover(const Case& data, Findings& findings);
+/// Whether the keys that `unusual` names are in the file.
+void check_unusual(const Case& data, Findings& findings);
 /// Materials, and which region has which.
 void check_materials(const Case& data, Findings& findings);
 /// [[roots]], the soils that they are in, and the stage of initial.equilibrium.

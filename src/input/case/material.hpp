@@ -56,12 +56,17 @@ inline material::Law make_law(const Material& m, std::optional<double> cohesion 
 template <class Visitor>
 void describe(Visitor& v, Material& m) {
   v.key("model", m.model, plain().required().example(R"("mohr_coulomb")"), "How stress follows strain.");
-  v.key("unit_weight", m.slices.unit_weight, quantity("kN/m3").above(0).example("18"),
+  v.key("unit_weight", m.slices.unit_weight, quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("18"),
         "γ, weight of the soil above the water table, instead of `grain_density` and porosity. Soil whose pore water "
         "moves ([materials.NAME.water]) needs those all the same.");
   const bool is_weighed = m.slices.unit_weight.has_value();
   v.key("grain_density", m.grain_density,
-        quantity("kg/m3").above(0).required().unless_given("unit_weight", is_weighed).example("2500"),
+        quantity("kg/m3")
+            .above(0)
+            .usual(2000, 3500, {{"g/cm3", 1e3}, {"kN/m3", 101.972}})
+            .required()
+            .unless_given("unit_weight", is_weighed)
+            .example("2500"),
         "Density of the solid grains; the bulk density of the dry soil is (1 - porosity) times it.");
   v.key("void_ratio", m.given_void_ratio, plain().at_least(0).example("0.6"),
         "Volume of the pores over that of the grains at the start, e₀, instead of the porosity.");
@@ -69,6 +74,7 @@ void describe(Visitor& v, Material& m) {
         plain()
             .at_least(0)
             .below(1)
+            .usual_or_zero(0.1, 0.9)
             .needed_without("void_ratio", m.given_void_ratio.has_value())
             .unless_given("unit_weight", is_weighed)
             .example("0.2"),

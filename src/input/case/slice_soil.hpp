@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "input/language/spec.hpp"
 
@@ -31,11 +32,17 @@ inline constexpr auto choices<SuctionStrength> = std::array{
     Choice{SuctionStrength::phi_b, "phi_b", "s tan φᵇ, after Fredlund"},
 };
 
+/// Units in which weights of soils are often given, in kN/m³.
+inline std::vector<Slip> weight_slips() {
+  return {{"kg/m3", 9.80665e-3}, {"t/m3", 9.80665}, {"N/m3", 1e-3}, {"pcf", 0.1570875}};
+}
+
 /// What slices and finite elements need of a soil beside its strength; `unit_weight` stands further up.
 template <class Visitor>
 void describe_slice_soil(Visitor& v, SliceSoil& s) {
   v.key(
-      "saturated_unit_weight", s.saturated_unit_weight, quantity("kN/m3").above(0).example("20"),
+      "saturated_unit_weight", s.saturated_unit_weight,
+      quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("20"),
       "Weight of the soil with its water below the water table, for slices and finite elements; if not given, that of "
       "grains and water where `grain_density` is given, else `unit_weight`.");
   v.key(

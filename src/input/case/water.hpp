@@ -78,7 +78,8 @@ inline constexpr auto choices<BishopChi> = std::array{
 
 template <class Visitor>
 void describe(Visitor& v, Water& w) {
-  v.key("density", w.density, quantity("kg/m3").above(0), "Density of the water at zero pressure.");
+  v.key("density", w.density, quantity("kg/m3").above(0).usual(950, 1250, {{"g/cm3", 1e3}, {"kN/m3", 101.972}}),
+        "Density of the water at zero pressure.");
   v.key("bulk_modulus", w.bulk_modulus, quantity("kPa").above(0).or_infinite(),
         "Bulk modulus of the water. A softer one makes the time step longer; the undrained response suffers.");
   v.key("viscosity", w.viscosity, quantity("Pa.s").above(0),
@@ -145,10 +146,18 @@ void describe(Visitor& v, PoreWater& w) {
             .example(R"([[0, 1], ["10 kPa", 0.8], [100, 0.3]])"),
         "Suctions and saturations; constant beyond the ends.");
   v.key("conductivity", w.conductivity,
-        quantity("m/s").above(0).allowed_unless("retention", w.retention, R::dry).example("1e-5"),
+        quantity("m/s")
+            .above(0)
+            .usual(1e-13, 0.1, {{"cm/s", 0.01}, {"m/day", 1 / 86400.0}, {"mm/h", 1e-3 / 3600}})
+            .allowed_unless("retention", w.retention, R::dry)
+            .example("1e-5"),
         "Conductivity of the saturated soil. Either this or `permeability` is needed.");
   v.key("permeability", w.permeability,
-        quantity("m2").above(0).allowed_unless("retention", w.retention, R::dry).example("6e-11"),
+        quantity("m2")
+            .above(0)
+            .usual(1e-20, 1e-8, {{"cm2", 1e-4}})
+            .allowed_unless("retention", w.retention, R::dry)
+            .example("6e-11"),
         "Intrinsic permeability instead; the conductivity is density · gravity · permeability/viscosity.");
   v.key("measure", w.measure,
         plain()

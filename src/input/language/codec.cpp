@@ -60,6 +60,12 @@ const toml::array* find_list(const Decoding& in, const toml::node& node, const s
 
 bool decode_point(const Decoding& in, const toml::node& node, const std::string& path, std::array<double, 2>& out) {
   std::vector<double> xy;
+  const toml::array* list = node.as_array();
+  // [4,98, 5] is a point whose x has a decimal comma.
+  if (list != nullptr && (list->size() == 3 || list->size() == 4) && list->is_homogeneous<int64_t>())
+    return in.fail(node, path,
+                   fmt::format("'{}' must be points [x, y], not a list of {}; decimals have a point, not a comma",
+                               in.key, list->size()));
   if (!decode_numbers(in, node, path, 2, 2, "points [x, y]", xy)) return false;
   in.record(node, path);
   out = {xy[0], xy[1]};
@@ -142,6 +148,8 @@ bool decode_number(const Decoding& in, const toml::node& node, const std::string
     return in.fail(node, path,
                    fmt::format("'{}' is {:.15g}{}; it must be {}", in.key, shown, unit.empty() ? "" : " " + unit,
                                in.spec.write_range()));
+  if (const std::string oddity = in.spec.find_oddity(path, shown, !node.is_string()); !oddity.empty())
+    in.findings.warn(path, oddity);
   out = value;
   return true;
 }

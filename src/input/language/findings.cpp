@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/language/findings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -12,6 +14,12 @@ namespace {
 bool is_within(const std::string& path, const std::string& parent) {
   return parent.empty() || path == parent ||
          (path.size() > parent.size() && path.compare(0, parent.size(), parent) == 0 && path[parent.size()] == '.');
+}
+
+void sort_by_place(std::vector<Diagnostic>& list) {
+  std::stable_sort(list.begin(), list.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tuple(a.line == 0, a.line, a.column) < std::tuple(b.line == 0, b.line, b.column);
+  });
 }
 
 }  // namespace
@@ -43,6 +51,13 @@ Place Places::find(const std::string& path) const {
   }
 }
 
+std::vector<std::string> Places::list_given() const {
+  std::vector<std::string> paths;
+  for (const auto& [path, place] : places_)
+    if (!path.empty()) paths.push_back(path);
+  return paths;
+}
+
 void Findings::add(const std::string& path, const std::string& sentence) {
   add_at(places.find(path), path, sentence);
 }
@@ -58,12 +73,32 @@ bool Findings::is_sound(const std::string& path) const {
   });
 }
 
+void Findings::warn(const std::string& path, const std::string& sentence) {
+  const Place place = places.find(path);
+  warnings_.push_back({path, {place.file, place.line, place.column, sentence}});
+}
+
 std::vector<Diagnostic> Findings::sort() const {
   std::vector<Diagnostic> sorted = diagnostics_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
-    return std::tuple(a.line == 0, a.line, a.column) < std::tuple(b.line == 0, b.line, b.column);
-  });
+  sort_by_place(sorted);
   return sorted;
+}
+
+std::vector<Diagnostic> Findings::sort_warnings(const std::vector<std::string>& meant) const {
+  std::vector<Diagnostic> sorted;
+  for (const Warning& warning : warnings_)
+    if (std::none_of(meant.begin(), meant.end(),
+                     [&](const std::string& path) { return is_within(warning.path, path); }))
+      sorted.push_back(warning.diagnostic);
+  sort_by_place(sorted);
+  return sorted;
+}
+
+std::string write_warning(const Diagnostic& warning) {
+  const std::string place = warning.line > 0 ? fmt::format("{}:{}:{}: ", warning.file, warning.line, warning.column)
+                            : warning.file.empty() ? ""
+                                                   : warning.file + ": ";
+  return fmt::format("{}warning: {}", place, warning.sentence);
 }
 
 }  // namespace talus::input

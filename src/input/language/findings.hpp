@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Where in the file each key stands, and what is wrong with it.
+// Where in the file each key stands, and what is wrong or odd about it.
 
 #include <map>
 #include <set>
@@ -29,6 +29,8 @@ class Places {
   bool is_given(const std::string& path) const { return places_.count(path) != 0; }
   /// The place of `path`, or of its nearest parent that was given.
   Place find(const std::string& path) const;
+  /// Every path that was given.
+  std::vector<std::string> list_given() const;
   /// The place of something at `line` and `column` that belongs to `path`.
   Place locate(const std::string& path, int line, int column) const;
 
@@ -48,15 +50,28 @@ class Findings {
   void add_at(const Place& place, const std::string& path, const std::string& sentence);
   /// Whether nothing at, under or above `path` is known to be wrong, so that a check of it makes sense.
   bool is_sound(const std::string& path) const;
+  /// What is allowed and probably not meant, told where `path` was given.
+  void warn(const std::string& path, const std::string& sentence);
   /// All faults in the order of the file; those of --set come last.
   std::vector<Diagnostic> sort() const;
+  /// The warnings in the same order, without those at and under the paths `meant`.
+  std::vector<Diagnostic> sort_warnings(const std::vector<std::string>& meant) const;
   bool empty() const { return diagnostics_.empty(); }
 
   Places& places;
 
  private:
+  struct Warning {
+    std::string path;
+    Diagnostic diagnostic;
+  };
+
   std::vector<Diagnostic> diagnostics_;
+  std::vector<Warning> warnings_;
   std::set<std::string> faulty_;
 };
+
+/// `file:line:column: warning: sentence`, without the place where there is none.
+std::string write_warning(const Diagnostic& warning);
 
 }  // namespace talus::input

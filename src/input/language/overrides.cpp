@@ -6,6 +6,9 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
+
+#include "base/nearest.hpp"
 
 namespace talus::input {
 namespace {
@@ -38,6 +41,31 @@ std::optional<std::size_t> find_entry(const toml::array& list, const std::string
   return std::nullopt;
 }
 
+/// Blocks whose tables have names of the user's choice.
+const std::set<std::string> blocks_of_names{"materials"};
+
+/// ", did you mean 'sand'?" of the names that a list or table has; empty where none is near.
+std::string suggest(const std::string& step, const std::vector<std::string>& names) {
+  const std::string near = find_nearest(step, names);
+  return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+}
+
+std::vector<std::string> list_names(const toml::table& table) {
+  std::vector<std::string> names;
+  for (const auto& [key, node] : table) names.emplace_back(key.str());
+  return names;
+}
+
+/// What entries of a list are called.
+std::vector<std::string> list_labels(const toml::array& list) {
+  std::vector<std::string> names;
+  for (const toml::node& entry : list)
+    if (const toml::table* table = entry.as_table())
+      for (const char* label : {"name", "on", "ground"})
+        if (const auto name = (*table)[label].value<std::string>()) names.push_back(*name);
+  return names;
+}
+
 void apply(toml::table& root, const Override& change, Findings& findings) {
   const std::vector<std::string> steps = split_path(change.key);
   const Place place{"--set " + change.key, 0, 0};
@@ -52,8 +80,8 @@ void apply(toml::table& root, const Override& change, Findings& findings) {
       if (!entry)
         return findings.add_at(place, change.key,
                                fmt::format("'{}' has no entry '{}' (entries are named by their name, their side, or "
-                                           "their number from 0)",
-                                           path, step));
+                                           "their number from 0){}",
+                                           path, step, suggest(step, list_labels(*list))));
       step = std::to_string(*entry);
       path += "." + step;
       toml::node& child = (*list)[*entry];
@@ -67,6 +95,10 @@ void apply(toml::table& root, const Override& change, Findings& findings) {
       path += (path.empty() ? "" : ".") + step;
       if (!is_last) {
         if (table->get(step) == nullptr) {
+          const std::string parent = path.substr(0, path.size() - step.size() - (path.size() > step.size() ? 1 : 0));
+          if (blocks_of_names.count(parent) != 0)
+            return findings.add_at(place, change.key,
+                                   fmt::format("there is no [{}]{}", path, suggest(step, list_names(*table))));
           table->insert(step, toml::table{});
           findings.places.mark_override(path, change.key);
         }

@@ -46,6 +46,26 @@ std::string Spec::write_range() const {
   return text;
 }
 
+std::string Spec::write_usual_range() const {
+  if (!usual_range) return "";
+  return fmt::format("{:g} to {:g}{}{}", usual_range->low, usual_range->high, unit.empty() ? "" : " " + unit,
+                     usual_range->or_zero ? ", or 0" : "");
+}
+
+std::string Spec::find_oddity(const std::string& path, double value, bool is_plain) const {
+  if (!usual_range || usual_range->holds(value)) return "";
+  const std::string unit_text = unit.empty() ? "" : " " + unit;
+  std::string meant;
+  if (is_plain)
+    for (const Slip& slip : usual_range->slips)
+      if (const double other = value * slip.factor; other != 0 && usual_range->holds(other))
+        meant +=
+            fmt::format("{}{:g} {} would be {:.3g}{}", meant.empty() ? " (" : "; ", value, slip.unit, other, unit_text);
+  return fmt::format(
+      "'{}' is {:g}{}; the usual range is {}{}. Correct it, or name the key in 'unusual' where it is meant", path,
+      value, unit_text, write_usual_range(), meant.empty() ? "" : meant + ")");
+}
+
 bool Spec::allows(double value) const {
   if (low && (low->open ? value <= low->value : value < low->value)) return false;
   return !high || (high->open ? value < high->value : value <= high->value);
@@ -72,6 +92,14 @@ Spec Spec::at_most(double value) && {
 
 Spec Spec::below(double value) && {
   return high = Limit{value, true}, std::move(*this);
+}
+
+Spec Spec::usual(double least, double most, std::vector<Slip> slips) && {
+  return usual_range = UsualRange{least, most, std::move(slips), false}, std::move(*this);
+}
+
+Spec Spec::usual_or_zero(double least, double most, std::vector<Slip> slips) && {
+  return usual_range = UsualRange{least, most, std::move(slips), true}, std::move(*this);
 }
 
 Spec Spec::or_infinite() && {

@@ -48,6 +48,21 @@ struct Alternative {
   bool differs = false;  ///< anything but `value`
 };
 
+/// A unit in which a number is often meant where it was not asked for.
+struct Slip {
+  const char* unit = "";
+  double factor = 1;  ///< what one of it is in the unit of the manual
+};
+
+/// The range of real soils, in the unit of the manual. Values beyond it are allowed, with a warning.
+struct UsualRange {
+  double low = 0, high = 0;
+  std::vector<Slip> slips;
+  bool or_zero = false;  ///< zero is usual too: the soil has none of it
+
+  bool holds(double value) const { return (low <= value && value <= high) || (or_zero && value == 0); }
+};
+
 /// A key that has a meaning only with (or without) another key of the same table.
 struct Condition {
   std::vector<Alternative> any;  ///< one of them is enough
@@ -69,6 +84,7 @@ std::string write_condition(const Condition& condition);
 struct Spec {
   std::string unit;  ///< unit of plain numbers in the file, as UDUNITS writes it; empty: dimensionless, or no number
   std::optional<Limit> low, high;
+  std::optional<UsualRange> usual_range;
   bool is_required = false;
   bool allows_infinity = false;
   std::optional<Condition> condition;
@@ -80,6 +96,10 @@ struct Spec {
   Spec above(double value) &&;
   Spec at_most(double value) &&;
   Spec below(double value) &&;
+  /// Numbers of real soils lie here; `slips` are units in which other numbers may have been meant.
+  Spec usual(double least, double most, std::vector<Slip> slips = {}) &&;
+  /// The same, and zero.
+  Spec usual_or_zero(double least, double most, std::vector<Slip> slips = {}) &&;
   /// `inf` may be given.
   Spec or_infinite() &&;
   Spec required() &&;
@@ -130,6 +150,11 @@ struct Spec {
   bool is_waived(const std::set<std::string>& asked_methods) const;
   /// "at least 0", "above -1 and below 0.5"; empty without limits.
   std::string write_range() const;
+  /// "10 to 28 kN/m3", "5 to 50 deg, or 0"; empty without one.
+  std::string write_usual_range() const;
+  /// What is odd about `value`, in the unit of the manual, of the key `path`; empty where nothing is. `is_plain`: it
+  /// was written without a unit.
+  std::string find_oddity(const std::string& path, double value, bool is_plain) const;
   /// Whether `value`, in the unit of the manual, is within the limits.
   bool allows(double value) const;
 

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Whether the soil polygons fit one another: corners that nearly meet, overlaps and gaps.
+
+#include "mesh/cover.hpp"
+
+#include <fmt/format.h>
+
+#include "base/nearest.hpp"
+#include "input/case/checks.hpp"
+#include "mesh/check_plan.hpp"
+
+namespace talus::input {
+namespace {
+
+constexpr const char* polygons_path = "geometry.polygon";
+
+std::string write_place(const mesh::Point2& p) {
+  return fmt::format("({:.6g}, {:.6g})", p[0], p[1]);
+}
+
+/// "0.2 m² from (0, 4.98) to (20, 5), around (10, 4.995)", of the largest piece.
+std::string write_piece(const mesh::Misfit& misfit) {
+  const mesh::Piece& piece = misfit.largest;
+  const std::string place = fmt::format("from {} to {}, around {}", write_place(piece.low), write_place(piece.high),
+                                        write_place(piece.place));
+  if (misfit.pieces == 1) return fmt::format("{:.4g} m² {}", misfit.area, place);
+  return fmt::format("{:.4g} m² in {} places, the largest of {:.4g} m² {}", misfit.area, misfit.pieces, piece.area,
+                     place);
+}
+
+std::string write_overlap(const mesh::Misfit& misfit, const mesh::Plan& plan) {
+  const std::string &first = plan.polygons[static_cast<std::size_t>(misfit.polygons[0])].name,
+                    &second = plan.polygons[static_cast<std::size_t>(misfit.polygons[1])].name;
+  if (misfit.kind == mesh::Misfit::Kind::same)
+    return fmt::format("polygons '{}' and '{}' are the same: both cover {}", first, second, write_piece(misfit));
+  return fmt::format(
+      "polygons '{}' and '{}' overlap on {}; they may share edges, or one may lie wholly inside the other. Corners "
+      "within {:.2g} m of one another count as one",
+      first, second, write_piece(misfit), mesh::get_section_tolerance(plan));
+}
+
+std::string write_gap(const mesh::Misfit& misfit, const mesh::Plan& plan) {
+  std::string names;
+  for (const int p : misfit.polygons)
+    names += fmt::format("{}'{}'", names.empty() ? "" : " and ", plan.polygons[static_cast<std::size_t>(p)].name);
+  return fmt::format("there is no soil between polygon{} {} on {}", misfit.polygons.size() == 1 ? "" : "s", names,
+                     write_piece(misfit));
+}
+
+bool has_sound_polygons(const Case& data, const Findings& findings) {
+  return data.mesh.file.empty() && !data.mesh.polygons.empty() && findings.is_sound(polygons_path) &&
+         findings.is_sound("geometry.box") && findings.is_sound("geometry.line");
+}
+
+/// What the mesh generator would refuse, where there will be a mesh.
+void check_for_mesher(const Case& data, Findings& findings) {
+  if (!uses(data, Method::fem) && !uses(data, Method::mpm)) return;
+  mesh::Plan plan = data.mesh;
+  if (plan.size <= 0) plan.size = data.fem.size.value_or(0);
+  if (plan.size <= 0 || !findings.is_sound("geometry") || !findings.is_sound("mesh") || !findings.is_sound("fem"))
+    return;
+  try {
+    mesh::check_plan(plan);
+  } catch (const Error& error) {
+    findings.add("geometry", error.what());
+  }
+}
+
+}  // namespace
+
+void join_polygons(Case& data, Findings& findings) {
+  if (!has_sound_polygons(data, findings)) return;
+  const std::vector<mesh::Joined> joined = mesh::join_corners(data.mesh);
+  const double tolerance = mesh::get_section_tolerance(data.mesh);
+  for (std::size_t i = 0; i < joined.size();) {
+    std::size_t end = i + 1;
+    while (end < joined.size() && joined[end].name == joined[i].name) ++end;
+    findings.warn(
+        polygons_path,
+        fmt::format("{} of '{}' moved onto what {} by less than {:.2g} m; the first goes from ({:.9g}, {:.9g}) "
+                    "to ({:.9g}, {:.9g}). Give both the same coordinates",
+                    end - i == 1 ? "one point" : fmt::format("{} points", end - i), joined[i].name,
+                    end - i == 1 ? "it misses" : "they miss", tolerance, joined[i].from[0], joined[i].from[1],
+                    joined[i].to[0], joined[i].to[1]));
+    i = end;
+  }
+}
+
+void check_cover(const Case& data, Findings& findings) {
+  if (!has_sound_polygons(data, findings)) return;
+  for (const mesh::Misfit& misfit : mesh::find_misfits(data.mesh)) {
+    if (misfit.kind != mesh::Misfit::Kind::gap) {
+      findings.add(fmt::format("{}.{}.points", polygons_path, misfit.polygons[1]), write_overlap(misfit, data.mesh));
+    } else if (uses(data, Method::lem)) {
+      findings.add(polygons_path, write_gap(misfit, data.mesh) +
+                                      "; slices need soil without gaps, overhangs and cavities from the ground down");
+    } else {
+      findings.warn(polygons_path,
+                    write_gap(misfit, data.mesh) +
+                        ". Close the gap, or name 'geometry.polygon' in 'unusual' where it is an overhang or a cavity");
+    }
+  }
+  check_for_mesher(data, findings);
+}
+
+void check_unusual(const Case& data, Findings& findings) {
+  for (std::size_t i = 0; i < data.unusual.size(); ++i) {
+    const std::string& key = data.unusual[i];
+    if (findings.places.is_given(key)) continue;
+    const std::string near = find_nearest(key, findings.places.list_given());
+    findings.add(fmt::format("unusual.{}", i),
+                 fmt::format("'unusual' names '{}', which this case does not give{}", key,
+                             near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+  }
+}
+
+}  // namespace talus::input
