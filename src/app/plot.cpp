@@ -50,6 +50,12 @@ output::CurvePlot describe_curve(const results::RunResult& run, const results::D
   return plot;
 }
 
+output::SectionPlot describe_section(const results::RunResult& run) {
+  output::SectionPlot plot{run.title, run.outlines, run.methods->surfaces, run.units.length, std::nullopt};
+  if (run.water_states && !run.water_states->empty()) plot.water = run.water_states->back();
+  return plot;
+}
+
 void plot_case(const PlotOptions& options) {
   if (!options.field.empty() || options.time || options.frame != "last" || options.logarithmic)
     fail(
@@ -76,7 +82,7 @@ void plot_folder(const PlotOptions& options) {
   if (wants_field || has_frames)
     draw_field(options, run);
   else if (run.methods && !run.methods->surfaces.empty() && !run.curve)
-    draw(options, output::SectionPlot{run.title, run.outlines, run.methods->surfaces, run.units.length}, "section");
+    draw(options, describe_section(run), "section");
   else if (!run.curve)
     fail(run.slices || run.elements
              ? fmt::format("there is nothing to draw in '{}': the methods have found no slip surface",

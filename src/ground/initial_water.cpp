@@ -63,6 +63,7 @@ void follow_season(const input::Case& data, const mesh::Mesh<D>& mesh, const fem
   Season<D> season = run_season<D>(data, model, find_first_heads<D>(data, mesh, water));
   water.pressure.assign(mesh.elements.size(), 0.0);
   set_from_seepage<D>(data, mesh, season.end, water);
+  water.nodal = season.end.pressure;
   water.season = std::move(season.record);
 }
 
@@ -118,6 +119,7 @@ InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>&
     case input::InitialPressure::seepage:
       water.seepage = fem::solve_steady_seepage(model, {}, {}, has_season ? -data.initial.water.season : 0);
       set_from_seepage<D>(data, mesh, *water.seepage, water);
+      water.nodal = water.seepage->pressure;
       break;
   }
   if (has_season) follow_season<D>(data, mesh, model, water);

@@ -19,6 +19,7 @@ struct InitialWater {
   std::vector<Vec<D>> velocity;                  ///< of the water in the pores, against the grains [m/s]
   std::optional<fem::SeepageResult<D>> seepage;  ///< steady, before the season
   std::optional<SeasonRecord> season;
+  std::vector<double> nodal;  ///< at the nodes, of the seepage or at the end of the season [Pa]; else empty
 };
 
 /// Throws Error (wrong_input) when gravity is inclined where levels matter, and what solve_steady_seepage() and

@@ -9,7 +9,6 @@
 
 #include "ground/initial_water.hpp"
 #include "ground/pore_water.hpp"
-#include "ground/tell_seepage.hpp"
 
 namespace talus::ground {
 namespace {
@@ -29,7 +28,7 @@ double find_width(const Polyline& ground) {
 
 }  // namespace
 
-std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground) {
+std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time) {
   std::vector<Pond> ponds;
   const double weight = find_water_weight(data), near = 1e-6 * find_width(ground);
   for (const input::Hydraulic& h : data.hydraulics) {
@@ -37,7 +36,7 @@ std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground) {
     if (!is_head && h.condition != input::WaterCondition::pressure) continue;
     const mesh::Line* line = find_line(data.mesh, h.on);
     if (line == nullptr) continue;  // a side of the box: nothing lies on it
-    const double value = h.values().at(0);
+    const double value = h.values().at(time);
     for (std::size_t i = 1; i < line->points.size(); ++i) {
       Point a = line->points[i - 1], b = line->points[i];
       if (a[0] > b[0]) std::swap(a, b);
@@ -113,27 +112,15 @@ input::Case close_sides(input::Case data) {
 }
 
 template <int D>
-std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh,
-                                        std::optional<results::Seepage>* seepage) {
+std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh, ToldWater* told) {
   std::vector<double> pressure(mesh.nodes.size(), 0.0);
   const input::InitialWater& initial = data.initial.water;
   if (needs_seepage(data)) {
-    const InitialWater<D> water = find_initial_water<D>(data, mesh);
-    if (water.seepage && seepage != nullptr) *seepage = tell_seepage<D>(mesh, *water.seepage);
-    if (water.seepage && !water.season) return water.seepage->pressure;
-    // A season leaves means of elements.
-    std::vector<double> volume(mesh.nodes.size(), 0.0);
-    for (int e = 0; e < mesh.element_count(); ++e) {
-      const input::Material* soil = find_soil(data, mesh, e);
-      if (soil == nullptr || !soil->water.is_wet()) continue;
-      for (const int i : mesh.elements[e]) {
-        pressure[i] += mesh.volumes[e] * water.pressure[e];
-        volume[i] += mesh.volumes[e];
-      }
-    }
-    for (std::size_t i = 0; i < pressure.size(); ++i)
-      if (volume[i] > 0) pressure[i] /= volume[i];
-    return pressure;
+    InitialWater<D> water = find_initial_water<D>(data, mesh);
+    if (told != nullptr) *told = tell_water<D>(data, mesh, water.seepage, water.season);
+    if (!water.nodal.empty()) return std::move(water.nodal);
+  } else if (told != nullptr) {
+    *told = tell_water_table(data);
   }
   if (initial.pressure != input::InitialPressure::water_table || initial.water_table.empty()) return pressure;
   check_upright(data, "a water table");
@@ -234,9 +221,7 @@ Polyline add_ponds(const Polyline& table, const std::vector<Pond>& ponds, const 
   return line;
 }
 
-template std::vector<double> find_nodal_pressure<2>(const input::Case&, const mesh::Mesh<2>&,
-                                                    std::optional<results::Seepage>*);
-template std::vector<double> find_nodal_pressure<3>(const input::Case&, const mesh::Mesh<3>&,
-                                                    std::optional<results::Seepage>*);
+template std::vector<double> find_nodal_pressure<2>(const input::Case&, const mesh::Mesh<2>&, ToldWater*);
+template std::vector<double> find_nodal_pressure<3>(const input::Case&, const mesh::Mesh<3>&, ToldWater*);
 
 }  // namespace talus::ground

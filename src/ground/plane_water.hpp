@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "ground/ground_line.hpp"
+#include "ground/tell_seepage.hpp"
 #include "input/case/case.hpp"
 #include "lem/section/section.hpp"
 #include "mesh/mesh.hpp"
-#include "results/water.hpp"
 
 namespace talus::ground {
 
@@ -20,7 +20,8 @@ struct Pond {
   Point from{}, to{};                   ///< on the ground, from left to right [m]
   double level_from = 0, level_to = 0;  ///< of the water there [m]
 };
-std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground);
+/// As it stands at `time` [s]; the methods begin at 0.
+std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time = 0);
 
 /// Sentences on ponds without a bank, where the ground beside them is lower than their water.
 std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground);
@@ -38,10 +39,9 @@ bool needs_seepage(const input::Case& data);
 bool takes_water(const input::Case& data, const input::Material& soil);
 
 /// Pore pressure at the nodes of a mesh, positive in tension [Pa]; zero in a case without water. With a season before
-/// the run: of its end. `seepage` receives the steady seepage that they are from, where there is one.
+/// the run: of its end. `told` receives what results keep of them.
 template <int D>
-std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh,
-                                        std::optional<results::Seepage>* seepage = nullptr);
+std::vector<double> find_nodal_pressure(const input::Case& data, const mesh::Mesh<D>& mesh, ToldWater* told = nullptr);
 
 /// The case with bottom, left and right side held where it names no boundary at all: water does not pass them unless a
 /// [[hydraulic]] opens them.

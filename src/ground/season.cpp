@@ -11,12 +11,15 @@
 #include "base/error.hpp"
 #include "ground/root_content.hpp"
 #include "ground/root_sink.hpp"
+#include "ground/tell_seepage.hpp"
 #include "output/files/history.hpp"
 
 namespace talus::ground {
 namespace {
 
 constexpr int intervals = 100;
+/// The states of every tenth interval are kept: more are hardly told apart in a picture.
+constexpr int kept_interval = 10;
 /// Error of a step by which seepage chooses the next one [m of water]; a tenth of a kilopascal. Suctions of a dry
 /// season are a thousand times as high.
 constexpr double head_tolerance = 0.01;
@@ -119,6 +122,17 @@ fem::SeepageHistory<D> solve(const fem::SeepageModel<D>& model, const std::vecto
   }
 }
 
+/// Where the water stood through the season, and its fields.
+template <int D>
+void keep_states(const input::Case& data, const fem::SeepageModel<D>& model,
+                 const std::vector<fem::SeepageResult<D>>& states, SeasonRecord& record) {
+  for (std::size_t i = kept_interval - 1; i < states.size(); i += kept_interval) {
+    record.states.push_back(tell_state<D>(data, states[i], results::WaterFlow::transient, states[i].time));
+    if constexpr (D == 2)
+      record.fields.push_back(tell_field<D>(*model.mesh, states[i], results::WaterFlow::transient, states[i].time));
+  }
+}
+
 }  // namespace
 
 double SeasonRecord::find_error() const {
@@ -162,6 +176,7 @@ Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model,
   record.steps = history.steps;
   record.rejected = history.rejected;
   record.iterations = history.iterations;
+  keep_states<D>(data, model, history.states, record);
   return {history.states.back(), std::move(record)};
 }
 

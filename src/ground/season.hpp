@@ -31,6 +31,9 @@ struct SeasonRecord {
   std::vector<fem::Discharge> discharges;
   std::vector<fem::Uptake> uptakes;
   int steps = 0, rejected = 0, iterations = 0;
+  /// Where the water stood after each tenth of the season.
+  std::vector<results::WaterState> states;
+  std::vector<results::WaterField> fields;  ///< of these states; none in 3D
 
   /// The imbalance inflow - outflow - transpired - growth, as a share of the greatest of them [-].
   double find_error() const;

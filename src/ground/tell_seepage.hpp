@@ -1,14 +1,52 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The results of steady seepage.
+// What results keep of the pore water that the methods begin with: seepage, season, and where the water stood.
+
+#include <optional>
+#include <vector>
 
 #include "fem/seepage/seepage.hpp"
+#include "ground/season.hpp"
+#include "input/case/case.hpp"
 #include "results/water.hpp"
 
+namespace talus::results {
+struct RunResult;
+}
+
 namespace talus::ground {
+
+/// The parts of a result that are about the pore water before the first stage or trial.
+struct ToldWater {
+  std::optional<results::Seepage> seepage;  ///< steady
+  std::optional<results::Season> season;
+  std::optional<std::vector<results::WaterState>> states;  ///< in time
+  std::optional<results::WaterFields> fields;              ///< of these states
+};
+
+/// Of seepage, steady and through a season, on this mesh.
+template <int D>
+ToldWater tell_water(const input::Case& data, const mesh::Mesh<D>& mesh,
+                     const std::optional<fem::SeepageResult<D>>& steady, const std::optional<SeasonRecord>& season);
+
+/// Of a plane case whose water stands at rest under a table; nothing for others.
+ToldWater tell_water_table(const input::Case& data);
+
+/// Gives a run what it has not got from another method.
+void give(const ToldWater& water, results::RunResult& run);
 
 /// Flow by side, where water comes out, the water table and the largest suction.
 template <int D>
 results::Seepage tell_seepage(const mesh::Mesh<D>& mesh, const fem::SeepageResult<D>& seepage);
+
+/// One state of a flow calculation at the time `time` [s], with the water that stood on the ground then.
+template <int D>
+results::WaterState tell_state(const input::Case& data, const fem::SeepageResult<D>& seepage, results::WaterFlow flow,
+                               double time);
+
+/// Its fields on the elements of `mesh` that take part.
+template <int D>
+results::WaterField tell_field(const mesh::Mesh<D>& wet_mesh, const fem::SeepageResult<D>& seepage,
+                               results::WaterFlow flow, double time);
 
 }  // namespace talus::ground

@@ -139,6 +139,7 @@ struct RunResult {
   std::optional<WaterBudget> water;
   std::optional<Seepage> seepage;
   std::optional<Season> season;
+  std::optional<std::vector<WaterState>> water_states;  ///< in time; the last one is that which the methods began with
 
   std::optional<MethodComparison> methods;
   std::vector<NamedResult> results;
@@ -187,6 +188,7 @@ void describe(V& v, R& r) {
   v.maybe("water", r.water, {"", "budget of the pore water"});
   v.maybe("seepage", r.seepage, {"", "steady seepage"});
   v.maybe("season", r.season, {"", "rain and transpiration before the run"});
+  v.maybe("water_states", r.water_states, {"", "where the water stood, up to the state that the methods began with"});
   v.maybe("methods", r.methods, {"", "the methods beside one another"});
   v.told("main_factor", find_main_factor(r), {"", "main factor of safety"});
   v.key("results", r.results, {"", "results by name"});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Pore water: the budget of a run, steady seepage, and the season before it.
+// Pore water: the budget of a run, steady seepage, the season before it, and where the water stood.
 
 #include <optional>
 #include <string>
@@ -170,6 +170,82 @@ void describe(V& v, R& r) {
   v.key("surfaces", r.surfaces, {"", "water by side"});
   v.key("plants", r.plants, {"", "water that plants drew"});
   v.key("layers", r.layers, {"", "suction by depth"});
+}
+
+/// What the pore pressures of a state follow from.
+enum class WaterFlow { hydrostatic, steady, transient };
+template <>
+inline constexpr auto words<WaterFlow> =
+    std::array{Word{WaterFlow::hydrostatic, "hydrostatic"}, Word{WaterFlow::steady, "steady"},
+               Word{WaterFlow::transient, "transient"}};
+
+/// Water that stands on a stretch of the ground.
+struct StandingWater {
+  Point from{}, to{};                   ///< on the ground, from left to right [m]
+  double level_from = 0, level_to = 0;  ///< of the water there [m]
+};
+template <class V, As<StandingWater> R>
+void describe(V& v, R& r) {
+  v.key("from", r.from, {"m", "left end on the ground"});
+  v.key("to", r.to, {"m", "right end on the ground"});
+  v.key("level_from", r.level_from, {"m", "level of the water at the left end"});
+  v.key("level_to", r.level_to, {"m", "level of the water at the right end"});
+}
+
+/// Where the water stood at one time, and what passed each side then.
+struct WaterState {
+  WaterFlow flow = WaterFlow::hydrostatic;
+  double time = 0;                 ///< 0: the methods begin with this state [s]
+  double inflow = 0, outflow = 0;  ///< [m³/s; per metre in plane strain]
+  double storage_rate = 0;         ///< growth of the water in the soil [m³/s]
+  std::vector<Discharge> discharges;
+  std::vector<SeepageExit> exits;
+  std::vector<std::vector<Point>> water_table;  ///< lines of zero pressure [m]; none in 3D
+  std::vector<StandingWater> ponds;             ///< none in 3D
+};
+template <class V, As<WaterState> R>
+void describe(V& v, R& r) {
+  v.key("flow", r.flow, {"", "what the pore pressures follow from"});
+  v.key("time", r.time, {"s", "when; the methods begin at 0"});
+  v.key("inflow", r.inflow, {"m3/s", "flow in"});
+  v.key("outflow", r.outflow, {"m3/s", "flow out"});
+  v.key("storage_rate", r.storage_rate, {"m3/s", "growth of the water in the soil"});
+  v.key("discharges", r.discharges, {"", "flow by side"});
+  v.key("exits", r.exits, {"", "where water comes out"});
+  v.key("water_table", r.water_table, {"m", "lines of zero pressure"});
+  v.key("ponds", r.ponds, {"", "water that stands on the ground"});
+}
+
+/// The fields of such a state.
+struct WaterField {
+  WaterFlow flow = WaterFlow::hydrostatic;
+  double time = 0;                            ///< [s]
+  std::vector<double> pressure;               ///< at the nodes, compression positive [Pa]
+  std::vector<double> saturation;             ///< of the elements; empty where it is not known
+  std::vector<std::vector<double>> velocity;  ///< Darcy's, of the elements [m/s]; empty where nothing flows
+};
+template <class V, As<WaterField> R>
+void describe(V& v, R& r) {
+  v.key("flow", r.flow, {"", "what the pore pressures follow from"});
+  v.key("time", r.time, {"s", "when"});
+  v.key("pressure", r.pressure, {"Pa", "pore pressure at the nodes, compression positive"});
+  v.key("saturation", r.saturation, {"", "degree of saturation of the elements"});
+  v.key("velocity", r.velocity, {"m/s", "Darcy's velocity of the elements"});
+}
+
+/// water.json: the pore pressures that the methods began with, and those before, on triangles.
+struct WaterFields {
+  double unit_weight = 0;                  ///< of water [N/m³]
+  std::vector<Point> nodes;                ///< [m]
+  std::vector<std::vector<int>> elements;  ///< numbers of nodes
+  std::vector<WaterField> states;          ///< in time; the last one is that which the methods began with
+};
+template <class V, As<WaterFields> R>
+void describe(V& v, R& r) {
+  v.key("unit_weight", r.unit_weight, {"N/m3", "unit weight of water"});
+  v.key("nodes", r.nodes, {"m", "nodes"});
+  v.key("elements", r.elements, {"", "nodes of the triangles"});
+  v.key("states", r.states, {"", "the fields at each time"});
 }
 
 }  // namespace talus::results

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "results/governing.hpp"
 
@@ -90,11 +91,28 @@ std::string write_runouts(const results::RunResult& run) {
   return text;
 }
 
+/// What leaves where in the state that the methods began with, and how high water stands on the ground.
+std::string write_state(const results::WaterState& state) {
+  std::string text;
+  const double least = 1e-6 * std::max(state.inflow, state.outflow);  // below it is the solver's rounding
+  for (const results::Discharge& d : state.discharges) {
+    if (d.inflow > least) text += fmt::format("{} {:.3g} in through '{}'", text.empty() ? "" : ",", d.inflow, d.name);
+    if (d.outflow > least)
+      text += fmt::format("{} {:.3g} out through '{}'", text.empty() ? "" : ",", d.outflow, d.name);
+  }
+  if (!text.empty()) text = fmt::format("Water at the start ({} seepage), m³/s:{}\n", to_word(state.flow), text);
+  double level = -std::numeric_limits<double>::infinity();
+  for (const results::StandingWater& pond : state.ponds) level = std::max({level, pond.level_from, pond.level_to});
+  if (std::isfinite(level)) text += fmt::format("Water stands on the ground up to y = {:.4g} m\n", level);
+  return text;
+}
+
 std::string write_water(const results::RunResult& run) {
   std::string text;
   if (const auto& w = run.seepage)
     text += fmt::format("Steady seepage: {:.3g} m³/s through, largest suction {:.3g} kPa\n", w->inflow,
                         1e-3 * w->largest_suction);
+  if (run.water_states && !run.water_states->empty()) text += write_state(run.water_states->back());
   if (const auto& w = run.season)
     text += fmt::format(
         "Season of {:.4g} days: {:.3g} m³ of rain and inflow entered, {:.3g} m³ left, {:.3g} of {:.3g} m³ transpired; "

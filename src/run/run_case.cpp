@@ -118,11 +118,20 @@ class CaseRun {
     if (slices_) slices_->tell(run_);
     if (elements_) elements_->tell(run_);
     if (!points_) timing.parts = list_parts();
+    keep_water();
     compare();
     run_.results = list_results(loaded_.data, run_);
     run_.comparisons = compare_results(loaded_.data, run_);
     results::write_file(options_.folder / summary_file, run_);
     if (points_ && run_.status == results::Status::finished) points_->forget();
+  }
+
+  /// water.json: the fields of the water that the methods began with.
+  void keep_water() const {
+    const results::WaterFields* fields = points_ ? points_->water_fields() : nullptr;
+    if (fields == nullptr && slices_) fields = slices_->water_fields();
+    if (fields == nullptr && elements_) fields = elements_->water_fields();
+    if (fields != nullptr) results::write_file(options_.folder / "water.json", *fields, -1);
   }
 
   /// Seconds of a run without material points.

@@ -213,6 +213,15 @@ TEST_F(Pictures, OfASectionNameEverySurfaceWithItsFactor) {
   const Frame frame = read_frame(script);
   const double wide = frame.width * (frame.right - frame.left), high = frame.height * (frame.top - frame.bottom);
   EXPECT_NEAR(wide / high, (frame.x1 - frame.x0) / (frame.y1 - frame.y0), 0.01) << "lengths are true";
+  EXPECT_EQ(script.find("$ponds"), std::string::npos);
+  plot.water.emplace();
+  plot.water->water_table = {{{0, 8}, {8, 7}}};
+  plot.water->ponds = {{{8, 7}, {10, 5}, 7, 7}, {{10, 5}, {20, 5}, 7, 7}};
+  output::draw(plot, folder_ / "wet.svg");
+  const std::string wet = read("wet.gp");
+  for (const char* part : {"$ponds << END\n800 700\n800 700\n1000 700\n1000 500\n", "$table << END\n0 800\n800 700\n"})
+    EXPECT_NE(wet.find(part), std::string::npos) << part;
+  EXPECT_LT(wet.find("$ponds using"), wet.find("$surface0 using")) << "surfaces lie on the water";
   plot.surfaces.clear();
   EXPECT_THROW(output::draw(plot, folder_ / "none.svg"), Error);
 }

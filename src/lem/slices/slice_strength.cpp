@@ -81,9 +81,10 @@ void add_strength(const Slope::Strips& strips, const Strip& strip, double weight
       u = section.water_unit_weight * (strip.water.at(p[0] - strip.left) - p[1]);
     }
   }
-  slice.pore_pressure = u;
-  if (u >= 0 || soil.suction == Suction::ignored) return;
-  const double suction = std::min(-u, soil.largest_suction);
+  // The pressure that is used: suction only where the soil takes it.
+  slice.pore_pressure = std::max(u, soil.suction == Suction::ignored ? 0.0 : -soil.largest_suction);
+  if (slice.pore_pressure >= 0) return;
+  const double suction = -slice.pore_pressure;
   slice.suction_strength = soil.suction == Suction::phi_b
                                ? suction * strips.tan_phi_b[number]
                                : suction * (soil.saturation ? soil.saturation(suction) : 1) * slice.tan_friction;

@@ -14,7 +14,8 @@ namespace talus::output {
 namespace {
 
 constexpr double left = 75, right = 30, axis = 62, heading = 46;  ///< [px]
-constexpr double row_height = 22, sample = 48, gap = 20;          ///< of the legend [px]
+constexpr const char* water_colour = "#2f7fd6";
+constexpr double row_height = 22, sample = 48, gap = 20;  ///< of the legend [px]
 
 std::string describe(const results::MethodSurface& s) {
   return s.factor ? fmt::format("{:.3f}  {}", *s.factor, s.title) : s.title;
@@ -69,6 +70,11 @@ void draw(const SectionPlot& plot, const std::filesystem::path& picture) {
     for (const auto& p : outline) box.include(p[0] * unit, p[1] * unit);
   for (const results::MethodSurface& s : plot.surfaces)
     for (const auto& p : s.points) box.include(p[0] * unit, p[1] * unit);
+  if (plot.water)
+    for (const results::StandingWater& p : plot.water->ponds) {
+      box.include(p.from[0] * unit, p.level_from * unit);
+      box.include(p.to[0] * unit, p.level_to * unit);
+    }
   box.widen(0.02 * std::max(box.x1 - box.x0, box.y1 - box.y0));
   const auto [w, h] = fit_frame(box);
   const Legend legend(plot.surfaces, w);
@@ -91,12 +97,24 @@ void draw(const SectionPlot& plot, const std::filesystem::path& picture) {
                    quote(plot.title), left / total_w, 1 - 22 / total_h, text_colour);
   s += legend.draw(plot.surfaces, total_w, total_h) + "unset key\n";
   std::string plots;
-  const auto add = [&](const std::string& name, const std::string& rows, const std::string& style) {
+  const auto add = [&](const std::string& name, const std::string& rows, const std::string& style,
+                       const char* as = "lines") {
     s += fmt::format("${} << END\n{}END\n", name, rows);
-    plots += fmt::format("{}${} using 1:2 with lines {}", plots.empty() ? "plot " : ", \\\n     ", name, style);
+    plots += fmt::format("{}${} using 1:2 with {} {}", plots.empty() ? "plot " : ", \\\n     ", name, as, style);
   };
   std::string soils;
   for (const auto& outline : plot.outlines) soils += draw_line(outline, unit, true);
+  if (plot.water) {
+    std::string ponds, tables;
+    for (const results::StandingWater& p : plot.water->ponds)
+      ponds += draw_line({p.from, {p.from[0], p.level_from}, {p.to[0], p.level_to}, p.to}, unit, true);
+    for (const auto& line : plot.water->water_table) tables += draw_line(line, unit, false);
+    if (!ponds.empty())
+      add("ponds", ponds, fmt::format("fillstyle solid 0.25 noborder linecolor rgb '{}'", water_colour),
+          "filledcurves");
+    if (!tables.empty())
+      add("table", tables, fmt::format("linewidth 1.6 dashtype '_._' linecolor rgb '{}'", water_colour), "lines");
+  }
   if (!soils.empty()) add("outlines", soils, fmt::format("linewidth 1.2 linecolor rgb '{}'", text_colour));
   // Bands first: they are wide.
   for (const bool band : {true, false})

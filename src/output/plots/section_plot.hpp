@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A picture of a section: its soils, and the slip surfaces that the methods found.
+// A picture of a section: its soils, the water table and ponds, and the slip surfaces that the methods found.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "results/comparison.hpp"
+#include "results/water.hpp"
 
 namespace talus::output {
 
@@ -15,6 +17,7 @@ struct SectionPlot {
   std::vector<std::vector<results::Point>> outlines;  ///< of the soils, closed polygons [m]
   std::vector<results::MethodSurface> surfaces;
   std::string length_unit = "m";
+  std::optional<results::WaterState> water;  ///< that the methods began with
 };
 
 /// Draws into `picture` (.svg or .png) true to scale, with a legend of the surfaces and their factors below; bands of

@@ -73,6 +73,7 @@ void ElementRun<D>::prepare() {
     show("mesh");
     SolidOfCase<D> solid = make_solid<D>(data_);
     fem::QuadraticMesh<D> mesh = fem::make_quadratic<D>(*solid.mesh);
+    water_ = std::move(solid.water);
     model_ = std::make_unique<Model>(Model{std::move(solid), std::move(mesh)});
     begin();
     if (options_.progress) options_.progress->clear();
@@ -99,7 +100,7 @@ void ElementRun<D>::begin() {
   result.element = D == 2 ? "T6" : "T10";
   result.warnings = model_->solid.notes;
   result.fields_file = element_file;
-  result.seepage = model_->solid.seepage;
+  result.seepage = water_.seepage;
 }
 
 template <int D>
@@ -173,7 +174,7 @@ void ElementRun<D>::tell(results::RunResult& run) const {
     for (const std::string& warning : r.warnings)
       run.warnings.push_back(fmt::format("{}, {}: {}", element_title,
                                          r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", warning));
-  if (!run.seepage) run.seepage = result.seepage;
+  ground::give(water_, run);
 }
 
 template <int D>

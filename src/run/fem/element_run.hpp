@@ -27,6 +27,8 @@ class ElementRun {
   /// else the reason stands in the result.
   void calculate();
   void tell(results::RunResult& run) const;
+  /// As of SliceRun.
+  const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
 
  private:
   struct Model {
@@ -47,6 +49,7 @@ class ElementRun {
   std::string hash_;
   bool alone_;
   std::unique_ptr<Model> model_;
+  ground::ToldWater water_;
   results::ElementFile file_;
   bool is_told_ = false;  ///< the file holds something to tell
   std::chrono::duration<double> spent_{0};

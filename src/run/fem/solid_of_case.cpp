@@ -139,7 +139,7 @@ class SolidBuilder {
 
   /// Weights, χ p, saturation.
   void set_water() {
-    const std::vector<double> pressure = ground::find_nodal_pressure<D>(data_, mesh_, &solid_.seepage);
+    const std::vector<double> pressure = ground::find_nodal_pressure<D>(data_, mesh_, &solid_.water);
     const bool has_pressure = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p != 0; });
     const auto n = mesh_.elements.size();
     fem::SolidModel<D>& model = solid_.model;

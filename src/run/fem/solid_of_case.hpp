@@ -3,13 +3,12 @@
 // A case as the finite elements for stress see it.
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "fem/solid/solid.hpp"
+#include "ground/tell_seepage.hpp"
 #include "input/case/case.hpp"
-#include "results/water.hpp"
 
 namespace talus::run {
 
@@ -17,7 +16,7 @@ template <int D>
 struct SolidOfCase {
   std::shared_ptr<const mesh::Mesh<D>> mesh;  ///< that the model points to
   fem::SolidModel<D> model;                   ///< with the dilatancy angles as given
-  std::optional<results::Seepage> seepage;    ///< that pore pressures are from
+  ground::ToldWater water;                    ///< that pore pressures are from
   std::vector<std::string> notes;             ///< what finite elements cannot take from the case, in sentences
 };
 

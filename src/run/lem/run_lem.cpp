@@ -60,7 +60,7 @@ std::vector<results::CriticalSurface> solve_given(const input::Case& data, const
 
 PreparedSlope prepare_slope(const input::Case& data) {
   SectionOfCase made = make_section(data);
-  return {std::make_shared<const lem::Slope>(std::move(made.section)), std::move(made.notes), std::move(made.seepage)};
+  return {std::make_shared<const lem::Slope>(std::move(made.section)), std::move(made.notes), std::move(made.water)};
 }
 
 lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads) {

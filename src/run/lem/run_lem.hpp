@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ground/tell_seepage.hpp"
 #include "input/case/case.hpp"
 #include "lem/search/search.hpp"
 #include "results/slices.hpp"
@@ -16,8 +17,8 @@ namespace talus::run {
 /// The slope of a case, ready for any surface.
 struct PreparedSlope {
   std::shared_ptr<const lem::Slope> slope;
-  std::vector<std::string> notes;           ///< of make_section()
-  std::optional<results::Seepage> seepage;  ///< likewise
+  std::vector<std::string> notes;  ///< of make_section()
+  ground::ToldWater water;         ///< likewise
 };
 /// Throws what make_section() and lem::Slope do.
 PreparedSlope prepare_slope(const input::Case& data);

@@ -148,17 +148,18 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
   }
 }
 
-void add_water(const input::Case& data, lem::Section& section, std::optional<results::Seepage>& seepage) {
+void add_water(const input::Case& data, lem::Section& section, ground::ToldWater& told) {
   section.water_unit_weight = ground::find_water_weight(data);
   const std::vector<ground::Pond> ponds = ground::find_ponds(data, section.ground);
   if (ground::needs_seepage(data)) {
     const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
-    section.pressure_grid = ground::make_pressure_grid(
-        data, mesh, ground::find_nodal_pressure<2>(ground::close_sides(data), mesh, &seepage));
+    section.pressure_grid =
+        ground::make_pressure_grid(data, mesh, ground::find_nodal_pressure<2>(ground::close_sides(data), mesh, &told));
     section.water_table = ground::trace_water_table(*section.pressure_grid, ponds, section.ground, section.base);
   } else if (data.initial.water.pressure == input::InitialPressure::water_table) {
     ground::check_upright(data, "a water table");
     section.water_table = data.initial.water.water_table;
+    told = ground::tell_water_table(data);
     if (!ponds.empty()) section.water_table = ground::add_ponds(section.water_table, ponds, section.ground);
   }
   weigh_moist_soil(data, section.pressure_grid ? &*section.pressure_grid : nullptr, section);
@@ -249,7 +250,7 @@ SectionOfCase make_section(const input::Case& data) {
   section.ground = ground::find_ground(data.mesh);
   section.base = ground::find_base(data.mesh);
   add_regions(data, section, result.notes);
-  add_water(data, section, result.seepage);
+  add_water(data, section, result.water);
   for (std::string& note : ground::find_open_ends(ground::find_ponds(data, section.ground), section.ground))
     result.notes.push_back(std::move(note));
   add_surcharges(data, section);

@@ -2,20 +2,19 @@
 #pragma once
 // A case as the methods of slices see it.
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "ground/tell_seepage.hpp"
 #include "input/case/case.hpp"
 #include "lem/section/section.hpp"
-#include "results/water.hpp"
 
 namespace talus::run {
 
 struct SectionOfCase {
   lem::Section section;
-  std::vector<std::string> notes;           ///< what slices cannot take from the case, in sentences
-  std::optional<results::Seepage> seepage;  ///< that pore pressures are from
+  std::vector<std::string> notes;  ///< what slices cannot take from the case, in sentences
+  ground::ToldWater water;         ///< that pore pressures are from
 };
 
 /// Ground, soils, water and loads of a plane case. Pore pressures of steady seepage are calculated on the case's mesh.

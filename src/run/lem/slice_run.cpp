@@ -47,7 +47,7 @@ void SliceRun::tell(results::RunResult& run) const {
   run.slices = outcome_.result;
   for (const std::string& warning : outcome_.result.warnings)
     run.warnings.push_back(outcome_.result.error ? warning : fmt::format("{}: {}", slice_title, warning));
-  if (!run.seepage) run.seepage = prepared_.seepage;
+  ground::give(prepared_.water, run);
 }
 
 }  // namespace talus::run

@@ -24,6 +24,10 @@ class SliceRun {
   void keep() const;
   void tell(results::RunResult& run) const;
 
+  /// Fields of the water that pore pressures are from; nullptr in dry ground.
+  const results::WaterFields* water_fields() const {
+    return prepared_.water.fields ? &*prepared_.water.fields : nullptr;
+  }
   const lem::Slope* slope() const { return prepared_.slope.get(); }
 
  private:

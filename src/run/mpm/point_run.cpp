@@ -87,13 +87,14 @@ void PointRun<D>::prepare(results::RunResult& run) {
   slope_height_ = find_slope_height(body_, data_.gravity);
   run.mesh = tell_mesh(body_);
   run.slope_height = slope_height_;
-  if (seepage) run.seepage = ground::tell_seepage<D>(body_.mesh(), *seepage);
+  water_ = ground::tell_water<D>(data_, body_.mesh(), seepage, season_);
+  if (origin_) water_.states.reset(), water_.fields.reset();  // its own water took their place
+  ground::give(water_, run);
   if (seepage && seepage->undecided > 0)
     warnings_.push_back(
         fmt::format("steady seepage: {} nodes of the ground fit neither a dry nor a wet surface; the "
                     "mesh is coarse for the height of the capillary fringe",
                     seepage->undecided));
-  if (season_) run.season = ground::tell_season(*season_);
   if (origin_) tell_origin(*origin_, run);
   origin_.reset();  // it is as large as the body
   if (body_.conditions.constraints.empty())

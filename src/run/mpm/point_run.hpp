@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ground/season.hpp"
+#include "ground/tell_seepage.hpp"
 #include "input/read.hpp"
 #include "mpm/step/step.hpp"
 #include "results/run.hpp"
@@ -44,6 +44,8 @@ class PointRun {
   /// Seconds by part; `cpu`: of the whole process.
   std::vector<results::TimedPart> list_parts(double cpu) const;
   results::StepSeconds tell_stage_seconds() const;
+  /// Fields of the water that the points begin with; nullptr where there are none.
+  const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
   /// What outlives an interruption only.
   void forget();
 
@@ -69,6 +71,7 @@ class PointRun {
   mpm::Work work_before_;
   mpm::Body<D> body_;
   std::optional<ground::SeasonRecord> season_;
+  ground::ToldWater water_;
   double slope_height_ = 0, profile_bin_ = 0, preparation_ = 0, initial_water_ = 0;
   mpm::Timing trial_timing_;
   std::mutex adding_;

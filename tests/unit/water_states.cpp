@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Water at rest under the table of a case: what of it lies in the soil, what stands on the ground, and its pressures.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "ground/tell_seepage.hpp"
+#include "input/read.hpp"
+
+namespace talus::ground {
+namespace {
+
+/// A slope 2:1 from (10, 10) down to (22, 4), under a level table.
+ToldWater tell_slope(const std::string& more, const std::string& water = "") {
+  const std::string text = R"(title = "A bank"
+geometry.box = [[0, 0], [30, 12]]
+geometry.polygon = [{ name = "bank", points = [[0, 0], [30, 0], [30, 4], [22, 4], [10, 10], [0, 10]] }]
+geometry.line = [{ name = "floor", points = [[22, 4], [30, 4]] }]
+mesh.size = 2
+materials.clay = { model = "mohr_coulomb", grain_density = 2700, porosity = 0.4, cohesion = 5, friction_angle = 25)" +
+                           water + R"( }
+regions.bank = "clay"
+analysis.methods = ["lem"]
+)";
+  return tell_water_table(input::read_case_text(text + more, "bank.toml", {}).data);
+}
+
+TEST(WaterStates, ATableOverTheGroundIsAPond) {
+  const ToldWater told = tell_slope("initial = { pore_pressure = \"water_table\", water_table = [[0, 6], [30, 6]] }\n");
+  ASSERT_TRUE(told.states && told.states->size() == 1);
+  const results::WaterState& state = told.states->front();
+  EXPECT_EQ(state.flow, results::WaterFlow::hydrostatic);
+  ASSERT_EQ(state.water_table.size(), 1u);
+  const auto& line = state.water_table.front();
+  EXPECT_NEAR(line.front()[0], 0, 1e-9);
+  EXPECT_NEAR(line.back()[0], 18, 1e-4) << "the table meets the face where that is 6 m high";
+  ASSERT_EQ(state.ponds.size(), 2u) << "over the face, and over the floor";
+  EXPECT_NEAR(state.ponds[0].from[0], 18, 1e-4);
+  EXPECT_NEAR(state.ponds[0].from[1], 6, 1e-4);
+  EXPECT_NEAR(state.ponds[1].to[0], 30, 1e-9);
+  EXPECT_NEAR(state.ponds[1].to[1], 4, 1e-9);
+  for (const results::StandingWater& pond : state.ponds) {
+    EXPECT_NEAR(pond.level_from, 6, 1e-9);
+    EXPECT_NEAR(pond.level_to, 6, 1e-9);
+  }
+}
+
+TEST(WaterStates, ItsPressuresAreHydrostaticAndSuctionIsCut) {
+  const ToldWater told = tell_slope(
+      "initial = { pore_pressure = \"water_table\", water_table = [[0, 6], [30, 6]], largest_suction = \"20 kPa\" }\n");
+  ASSERT_TRUE(told.fields);
+  const results::WaterFields& fields = *told.fields;
+  ASSERT_EQ(fields.states.size(), 1u);
+  double highest = 0;
+  for (std::size_t i = 0; i < fields.nodes.size(); ++i) {
+    const double depth = 6 - fields.nodes[i][1];
+    EXPECT_NEAR(fields.states[0].pressure[i], std::max(fields.unit_weight * depth, -20e3), 1) << fields.nodes[i][1];
+    highest = std::max(highest, fields.nodes[i][1]);
+  }
+  EXPECT_NEAR(highest, 10, 1e-9);
+  for (const auto& element : fields.elements)
+    for (const int node : element) ASSERT_LT(static_cast<std::size_t>(node), fields.nodes.size());
+}
+
+TEST(WaterStates, APondOfAConditionReplacesTheTable) {
+  const ToldWater told = tell_slope(
+      "initial = { pore_pressure = \"water_table\", water_table = [[0, 3], [30, 3]] }\n"
+      "hydraulic = [{ on = \"floor\", condition = \"total_head\", head = 5 }]\n",
+      ", water = { retention = \"saturated\", conductivity = \"1e-7 m/s\" }");
+  ASSERT_TRUE(told.states);
+  const results::WaterState& state = told.states->front();
+  ASSERT_EQ(state.ponds.size(), 1u);
+  EXPECT_NEAR(state.ponds[0].level_from, 5, 1e-9);
+  EXPECT_NEAR(state.ponds[0].from[0], 22, 1e-9);
+  ASSERT_EQ(state.water_table.size(), 1u);
+  EXPECT_NEAR(state.water_table[0].back()[0], 22, 1e-4) << "no table under the pond";
+}
+
+TEST(WaterStates, DryGroundHasNone) {
+  const ToldWater told = tell_slope("");
+  EXPECT_FALSE(told.states);
+  EXPECT_FALSE(told.fields);
+}
+
+}  // namespace
+}  // namespace talus::ground
