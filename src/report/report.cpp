@@ -22,6 +22,7 @@
 #include "report/content/study.hpp"
 #include "report/content/tables.hpp"
 #include "report/content/water.hpp"
+#include "report/content/water_states.hpp"
 #include "report/folder.hpp"
 #include "report/pack/page.hpp"
 #include "report/words/answer.hpp"
@@ -91,6 +92,7 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   if (json sections = make_sections(folder, document["warnings"]); !sections.empty())
     document["sections"] = std::move(sections);
   add_other_methods(folder, packer, document);
+  add_water_fields(folder, document, packer);
   return document;
 }
 

@@ -188,7 +188,10 @@ TEST_F(WetReport, SeriesAreWrittenAsTheyAct) {
   EXPECT_EQ(conditions[1]["series"].at("unit").at("name"), "mm/h");
   EXPECT_EQ(conditions[2].at("text"), "720 mm/h, vertical; what does not enter runs off");
   EXPECT_EQ(conditions[2].at("lines"), json({{{4.0, 3.0}, {7.0, 1.0}}}));
-  EXPECT_EQ(document().at("model").at("water")[0].at("points"), json({{0.0, 2.0}, {7.0, 1.0}}));
+  const json& water = document().at("model").at("water");
+  ASSERT_EQ(water.size(), 1u);
+  EXPECT_EQ(water[0].at("flow"), "hydrostatic");
+  EXPECT_EQ(water[0].at("tables"), json({{{0.0, 2.0}, {7.0, 1.0}}}));
 }
 
 TEST_F(WetReport, TheAssumptionsAreThoseOfThisWater) {

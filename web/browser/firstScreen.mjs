@@ -42,6 +42,8 @@ export async function checkFirstScreen(list, page, report, summary) {
       list.expect(stands, `the ${criterion.name} criterion's factor ${text} stands in a row named for it`);
     }
   }
+  const flow = report.answer.sentences.find((sentence) => sentence.includes("water enters with"));
+  if (flow) list.expect(first.includes(flow), "what leaves where stands on the first screen", first.slice(0, 600));
   for (const { srf, runout } of summary?.runouts ?? []) {
     const volume = runout.moved_volume;
     const what = `the moved volume ${volume.toPrecision(4)} of the runout at SRF ${srf} is shown`;

@@ -13,8 +13,8 @@
 #include "report/content/boundary_lines.hpp"
 #include "report/content/materials.hpp"
 #include "report/content/soil_water.hpp"
-#include "report/content/water.hpp"
 #include "report/content/water_choices.hpp"
+#include "report/content/water_states.hpp"
 #include "report/words/numbers.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 
@@ -285,7 +285,7 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
           {"boundaries", list_boundaries(data, dimension, plane)},
           {"loads", has_weight ? list_loads(data, dimension, units) : json::array()},
           {"surcharges", list_surcharges(data)},
-          {"water", list_water_tables(folder)},
+          {"water", list_water_states(folder)},
           {"monitors", list_monitors(folder, dimension)},
           {"materials", list_materials(folder, factor_of_safety)},
           {"stages", list_stages(folder, units)},

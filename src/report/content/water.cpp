@@ -141,20 +141,4 @@ json make_water(const ResultFolder& folder) {
   return water;
 }
 
-json list_water_tables(const ResultFolder& folder) {
-  json list = json::array();
-  if (get_dimension(folder.run) != 2) return list;
-  if (folder.run.seepage) {
-    const auto& lines = folder.run.seepage->water_table;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      list.push_back(
-          {{"name", lines.size() == 1 ? std::string("steady seepage") : fmt::format("steady seepage, line {}", i + 1)},
-           {"points", lines[i]}});
-  }
-  const input::InitialWater& initial = folder.data.initial.water;
-  if (list.empty() && initial.pressure == input::InitialPressure::water_table && !initial.water_table.empty())
-    list.push_back({{"name", "of the case"}, {"points", initial.water_table}});
-  return list;
-}
-
 }  // namespace talus::report

@@ -10,6 +10,7 @@
 #include "report/content/step_choices.hpp"
 #include "report/content/water_choices.hpp"
 #include "report/words/numbers.hpp"
+#include "report/words/water_state_words.hpp"
 
 namespace talus::report {
 
@@ -221,15 +222,18 @@ std::string tell_closure(double error) {
 }  // namespace
 
 std::vector<std::string> tell_water(const ResultFolder& folder) {
-  std::vector<std::string> sentences;
+  std::vector<std::string> sentences = tell_water_state(folder);
   if (!is_wet(folder)) return sentences;
   const ShownUnit stress = read_units(folder.run).stress;
   const bool is_plane = get_dimension(folder.run) == 2;
-  if (const auto& seepage = folder.run.seepage)
-    sentences.push_back(fmt::format(
-        "In the steady seepage of the start {}{} flow through the ground; the largest suction "
-        "is {}.",
-        show_number(seepage->outflow), is_plane ? " m³/s per metre" : " m³/s", show(seepage->largest_suction, stress)));
+  if (const auto& seepage = folder.run.seepage) {
+    const std::string suction = show(seepage->largest_suction, stress);
+    sentences.push_back(
+        folder.run.season ? fmt::format("In the steady seepage before the season {}{} flow through the ground; its "
+                                        "largest suction is {}.",
+                                        show_number(seepage->outflow), is_plane ? " m³/s per metre" : " m³/s", suction)
+                          : fmt::format("The largest suction in the steady seepage is {}.", suction));
+  }
   if (const auto& water = folder.run.water) {
     std::string text =
         fmt::format("At the end of the stages the largest pore pressure is {}", show(water->largest_pressure, stress));

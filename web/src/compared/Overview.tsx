@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: MIT
 /** The slip surfaces of all methods over one section, for a run without material points: on the strains of the finite
  * elements where there are any, else on the soils. */
-import { useMemo } from "preact/hooks";
+import { useMemo, useState } from "preact/hooks";
 
+import { Choice } from "../charts/base/Legend";
 import { useSwitches } from "../charts/base/useSwitches";
-import { drawOutlines, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
+import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { GroundKeys, LineSwatch } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { chooseLook, drawSurface } from "../drawing/surfaceLines";
+import { fieldOpacity } from "../drawing/trianglePainter";
+import { chooseLook, drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
 import { paintField } from "../elements/fieldPainter";
 import { useFields } from "../elements/useFields";
+import { formatCount } from "../page/format";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
 import { makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
+import { listQuantities, quantityTitles, useWaterLayer } from "../water/useWaterLayer";
+import type { WaterQuantity } from "../water/waterFields";
 import { listSurfaces, type NamedSurface } from "./surfaces";
 import "./compared.css";
+
+type Shown = "strain" | "soils" | WaterQuantity;
 
 export function Overview() {
   const { finite_elements: elements } = report.value;
@@ -24,10 +31,14 @@ export function Overview() {
   const fields = useFields(elements, run);
   const surfaces = useMemo(listSurfaces, []);
   const [hidden, toggle] = useSwitches(() => surfaces.filter((s) => !s.first).map((s) => s.name));
+  const [chosen, choose] = useState<Shown | null>(null);
+  const shows: Shown = chosen ?? (fields ? "strain" : "soils");
+  const options: Shown[] = [...(fields ? ["strain" as const] : []), "soils", ...listQuantities()];
+  const layer = useWaterLayer(shows === "strain" || shows === "soils" ? null : shows);
   const limits = run?.fields?.strain_scale ?? [0, 1];
   const colours = tabulateColours("viridis");
   const scale = makeScale(limits[0]!, limits[1]!);
-  const bar = useMemo<Bar | null>(
+  const strainBar = useMemo<Bar | null>(
     () => fields && { title: "Shear strain", colours, scale, levels: null, below: false, above: true },
     [fields],
   );
@@ -46,8 +57,23 @@ export function Overview() {
         </li>
       );
     });
+  const bar = shows === "strain" ? strainBar : layer.bar;
   return (
     <div class="chart-section overview">
+      <div class="chart-bar no-print">
+        {options.length > 1 && (
+          <Choice
+            label="Colours of the section"
+            value={shows}
+            options={options.map((value) => ({
+              value,
+              title: value === "strain" ? "shear strain" : value === "soils" ? "soils" : quantityTitles[value],
+            }))}
+            onChange={choose}
+          />
+        )}
+        {layer.controls}
+      </div>
       <SectionCanvas
         label={`Section with ${shown.map((s) => s.text).join("; ") || "no slip surface"}`}
         file="slip_surfaces"
@@ -55,32 +81,43 @@ export function Overview() {
         bar={bar}
         tallest={430}
         draw={(pen) => {
-          if (fields) paintField(pen, fields.mesh, fields.mesh.nodes, fields.strain, colours, scale);
-          else drawSoils(pen);
+          drawSoils(pen);
+          if (fields && shows === "strain")
+            paintField(pen, fields.mesh, fields.mesh.nodes, fields.strain, colours, scale, fieldOpacity);
+          clipToSoil(pen, () => layer.paint(pen, fieldOpacity));
           drawOutlines(pen);
-          drawWater(pen);
+          layer.drawOver(pen);
           drawSurcharges(pen);
         }}
-        depends={[fields]}
+        depends={[fields, shows, ...layer.depends]}
         drawOver={(pen) => {
+          drawSoilNames(pen);
           for (const s of [...shown].reverse())
             drawSurface(pen.context, s.points.map(pen.place), chooseLook(s.look), 2.4);
+          drawSurfaceLabels(
+            pen.context,
+            shown.flatMap((s) =>
+              s.factor === null
+                ? []
+                : [{ line: s.points.map(pen.place), text: s.factor.toFixed(3), colour: chooseLook(s.look).colour }],
+            ),
+          );
         }}
         dependsOver={[hidden]}
       />
       <ul class="drawing-keys" aria-label="Legend">
-        {!fields && <GroundKeys />}
+        <GroundKeys />
         {list(surfaces.filter((s) => s.first))}
       </ul>
       {surfaces.some((s) => !s.first) && (
         <details class="overview-more no-print">
-          <summary>{surfaces.filter((s) => !s.first).length} more surfaces</summary>
+          <summary>{formatCount(surfaces.filter((s) => !s.first).length, "more surface", "more surfaces")}</summary>
           <ul class="drawing-keys" aria-label="More surfaces">
             {list(surfaces.filter((s) => !s.first))}
           </ul>
         </details>
       )}
-      {fields && run && (
+      {fields && run && shows === "strain" && (
         <p class="chart-note">Colours: shear strain of the finite elements at failure ({run.title}).</p>
       )}
     </div>

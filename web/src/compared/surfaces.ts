@@ -7,6 +7,8 @@ export interface NamedSurface {
   name: string;
   /** "Spencer, critical circle: F = 1.442". */
   text: string;
+  /** null where the line has none, as a band of strain. */
+  factor: number | null;
   method: MethodName;
   points: number[][];
   /** Number of its colour and dashes. */
@@ -26,6 +28,7 @@ export function listSurfaces(): NamedSurface[] {
   const named = all.map((s) => ({
     name: s.name,
     text: s.factor === null ? s.title : `${s.title}: F = ${s.factor.toFixed(3)}`,
+    factor: s.factor,
     method: s.method,
     points: s.points,
     first: s.method !== "lem" || s === leading || isCircle(s),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Pore water: soils, conditions, start, weather before the run, budget. */
-import type { Unit } from "./units";
+import type { PackedArray, Unit } from "./units";
 
 /** What a soil does with water: the laws in words, their parameters, and their curves. */
 export interface SoilWater {
@@ -100,6 +100,35 @@ export interface WaterBudget {
   /** At the end [Pa]. */
   largest_pressure: number;
   largest_suction: number;
+}
+
+/** Where the water stood at one time before the first stage or trial, and what passed each side then. */
+export interface WaterState {
+  flow: "hydrostatic" | "steady" | "transient";
+  /** "steady seepage", "1.5 days before the start", "start, after 3 days of transient seepage". */
+  title: string;
+  /** The methods begin at 0 [s]. */
+  time: number;
+  /** Rates [m³/s], in 2D per metre; all 0 where water is at rest. */
+  inflow: number;
+  outflow: number;
+  storage_rate: number;
+  discharges: { name: string; inflow: number; outflow: number; runoff: number }[];
+  /** Where water leaves seepage faces [m]. */
+  exits: { name: string; lowest: number[]; highest: number[] }[];
+  /** Lines of zero pressure [m]; empty in 3D. */
+  tables: number[][][];
+  /** Water on the ground between two places of it, and its level at both [m]. */
+  ponds: { from: number[]; to: number[]; level_from: number; level_to: number }[];
+  /** Absent in 3D, and on a mesh too large to draw. */
+  fields?: {
+    /** [node] u16, compression positive [Pa]. */
+    pressure: PackedArray;
+    /** [element] u16 [-]. */
+    saturation?: PackedArray;
+    /** Darcy's, [element][2] f32 [m/s]. */
+    velocity?: PackedArray;
+  };
 }
 
 /** Steady flow before the first stage; rates [m³/s], in 2D per metre. */

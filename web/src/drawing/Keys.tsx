@@ -25,6 +25,7 @@ export function LineKey(props: { colour: string; dash?: string; width?: number; 
 /** Soils and water tables. */
 export function GroundKeys() {
   const { polygons, water, surcharges } = report.value.model;
+  const used = water.at(-1);
   const soils = [...new Set(polygons.map((p) => p.material).filter(Boolean))];
   return (
     <>
@@ -44,11 +45,17 @@ export function GroundKeys() {
           {name}
         </li>
       ))}
-      {water.length > 0 && (
+      {used && used.tables.length > 0 && (
         <LineKey colour="#2f7fd6" dash="8 2 2 2" width={1.8}>
           Water table
         </LineKey>
       )}
+      {used && used.ponds.length > 0 && (
+        <LineKey colour="#2f7fd6" width={1.8}>
+          Level of standing water
+        </LineKey>
+      )}
+      {used && used.exits.length > 0 && <li>○ Exit of the seepage</li>}
       {surcharges.length > 0 && <li>↓ Surcharge</li>}
     </>
   );

@@ -2,8 +2,10 @@
 /** The ground of a section: soils in their colours, water tables, surcharges. */
 import { report } from "../state";
 import { tabulateCategories, writeColour } from "../viewer/colours";
-import { drawWaterMark, strokeLine } from "../viewer/lines";
+import { strokeLine } from "../viewer/lines";
 import type { Pen } from "./pen";
+import { findRoom } from "./room";
+import { drawWaterState, findUsedWater, writeLabel } from "./standingWater";
 
 /** Colour of a soil as CSS; the viewer gives materials the same. */
 export function findSoilColour(material: string): string {
@@ -16,6 +18,20 @@ function tracePolygons({ context, place }: Pen): void {
     polygon.points.forEach((p, i) => (i ? context.lineTo(...place(p)) : context.moveTo(...place(p))));
     context.closePath();
   }
+}
+
+/** The name of each soil where its polygon is widest; none where it would not fit. */
+export function drawSoilNames({ context, camera, place, theme }: Pen): void {
+  const { polygons } = report.value.model;
+  polygons.forEach(({ material, points }, i) => {
+    if (!material) return;
+    const room = findRoom(points, polygons.slice(i + 1).map((p) => p.points));
+    if (!room) return;
+    const width = 6.5 * material.length;
+    if (width > 2.4 * room.radius * camera.scale || room.radius * camera.scale < 8) return;
+    context.textAlign = "center";
+    writeLabel(context, material, place(room.at), theme, theme.ink);
+  });
 }
 
 /** Later polygons replace earlier ones, as in the case. */
@@ -53,14 +69,8 @@ export function clipToSoil(pen: Pen, draw: () => void): void {
   context.restore();
 }
 
-export function drawWater({ context, place, theme }: Pen): void {
-  for (const { points } of report.value.model.water) {
-    const line = points.map(place);
-    strokeLine(context, line, { colour: theme.ground, width: 4 });
-    strokeLine(context, line, { colour: theme.water, width: 2, dash: [10, 3, 2, 3] });
-    drawWaterMark(context, line, theme);
-  }
-}
+/** The water that the methods began with. */
+export const drawWater = (pen: Pen): void => drawWaterState(pen, findUsedWater());
 
 /** Height of the ground over x: the highest line of the polygons there [m]. */
 function findGround(x: number): number | null {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** How slip surfaces are drawn over fields and soils: colours and dashes by number, on a light edge. */
 import { strokeLine, type Pixel } from "../viewer/lines";
+import { fontFamily } from "../viewer/scaleBar";
 
 /** Seen on any field because of their white edge; those of charts.css for light ground. */
 const colours = ["#0068a5", "#b84e00", "#00755a", "#a33f78", "#8a6100", "#2b2f36", "#5b5bc0"];
@@ -19,4 +20,54 @@ export function chooseLook(index: number): LineLook {
 export function drawSurface(context: CanvasRenderingContext2D, line: Pixel[], look: LineLook, width = 2.2): void {
   strokeLine(context, line, { colour: "#ffffff", width: width + 2 });
   strokeLine(context, line, { ...look, width });
+}
+
+export interface SurfaceLabel {
+  line: Pixel[];
+  /** "1.006". */
+  text: string;
+  colour: string;
+}
+
+/** Places along a line that are tried for its label, as shares of its points. */
+const shares = [0.5, 0.38, 0.62, 0.26, 0.74, 0.16, 0.84];
+
+/** Each text stands on its line, in a box of the line's colour; where two would overlap the later one moves along. */
+export function drawSurfaceLabels(context: CanvasRenderingContext2D, labels: SurfaceLabel[]): void {
+  context.font = `600 11px ${fontFamily}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  const taken: [number, number, number][] = [];
+  for (const { line, text, colour } of labels) {
+    if (line.length < 2) continue;
+    const half = context.measureText(text).width / 2 + 4;
+    const places = shares.map((share) => walkAlong(line, share));
+    const isFree = ([x, y]: Pixel) => taken.every(([a, b, w]) => Math.abs(a - x) > w + half || Math.abs(b - y) > 17);
+    const [x, y] = places.find(isFree) ?? places[0]!;
+    taken.push([x, y, half]);
+    context.fillStyle = "#ffffff";
+    context.strokeStyle = colour;
+    context.lineWidth = 1.2;
+    context.beginPath();
+    context.rect(x - half, y - 8, 2 * half, 16);
+    context.fill();
+    context.stroke();
+    context.fillStyle = colour;
+    context.fillText(text, x, y + 0.5);
+  }
+}
+
+/** The place at a share of the length of a line. */
+function walkAlong(line: Pixel[], share: number): Pixel {
+  const lengths = line.slice(1).map((p, i) => Math.hypot(p[0] - line[i]![0], p[1] - line[i]![1]));
+  let left = share * lengths.reduce((a, b) => a + b, 0);
+  for (let i = 0; i < lengths.length; ++i) {
+    if (left > lengths[i]!) {
+      left -= lengths[i]!;
+      continue;
+    }
+    const t = left / (lengths[i]! || 1);
+    return [0, 1].map((d) => line[i]![d]! + t * (line[i + 1]![d]! - line[i]![d]!)) as Pixel;
+  }
+  return line.at(-1)!;
 }

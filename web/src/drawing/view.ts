@@ -7,6 +7,7 @@ import { drawRulers } from "../viewer/rulers";
 import { drawScaleBar, uprightFrom, type Bar, type Key } from "../viewer/scaleBar";
 import { isDark, paperTheme, readTheme, watchTheme, type Theme } from "../viewer/theme";
 import type { Box, Pen } from "./pen";
+import { drawLengthBar } from "./standingWater";
 
 export interface Drawing {
   box: Box;
@@ -160,6 +161,7 @@ export class View {
       drawRulers(context, this.camera, pen.theme);
       const { bar } = this.drawing;
       if (bar) drawScaleBar(context, bar, this.camera.width, this.camera.height, pen.theme);
+      drawLengthBar(pen);
       // As the viewer of points does: the browser tests measure how long the first picture takes.
       if (!performance.getEntriesByName("talus-interactive").length) performance.mark("talus-interactive");
     }

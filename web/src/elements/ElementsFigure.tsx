@@ -5,19 +5,22 @@ import { useMemo, useState } from "preact/hooks";
 import { Choice } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import type { FiniteElements, FlowRun } from "../contract";
-import { drawOutlines, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
+import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { drawSurface } from "../drawing/surfaceLines";
+import { fieldOpacity } from "../drawing/trianglePainter";
+import { drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
 import { makeScale } from "../viewer/scale";
 import type { Bar } from "../viewer/scaleBar";
+import { listQuantities, quantityTitles, useWaterLayer } from "../water/useWaterLayer";
+import type { WaterQuantity } from "../water/waterFields";
 import { drawMesh, drawYielding, moveNodes, paintField } from "./fieldPainter";
 import { useFields } from "./useFields";
 
-type Quantity = "strain" | "displacement" | "none";
+type Quantity = "strain" | "displacement" | "none" | WaterQuantity;
 
 export const bandLook = { colour: "#c2185b", dash: [] };
 
@@ -33,6 +36,8 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
   const fields = useFields(elements, run);
   const [quantity, setQuantity] = useState<Quantity>("strain");
   const [on, setOn] = useState({ mesh: false, deformed: false, yields: false, slip: true });
+  const ofSolid = quantity === "strain" || quantity === "displacement";
+  const layer = useWaterLayer(ofSolid || quantity === "none" ? null : quantity);
   const { displacement: unit } = report.value.units;
   const box = findSoilBox();
   const lengths = useMemo(
@@ -57,7 +62,7 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
   const colours = tabulateColours("viridis");
   const bar = useMemo<Bar | null>(
     () =>
-      !fields || quantity === "none"
+      !fields || !ofSolid
         ? null
         : quantity === "strain"
           ? { title: "Shear strain", colours, scale, levels: null, below: false, above: true }
@@ -94,37 +99,45 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
             { value: "strain", title: "shear strain" },
             { value: "displacement", title: "displacement" },
             { value: "none", title: "soils" },
+            ...listQuantities().map((value) => ({ value, title: quantityTitles[value] })),
           ]}
           onChange={setQuantity}
         />
+        {layer.controls}
         {toggle("mesh", "Mesh")}
         {largest > 0 && toggle("deformed", `Deformed, ${formatNumber(magnification, 3)} times`)}
         {toggle("yields", "Plastic elements")}
         {run.slip_line.length > 1 && toggle("slip", "Slip surface")}
       </div>
       <SectionCanvas
-        label={`Finite elements, ${quantity === "strain" ? "shear strain" : quantity} at failure, ${run.title}`}
+        label={`Finite elements, ${quantity === "strain" ? "shear strain" : ofSolid || quantity === "none" ? quantity : quantityTitles[quantity]} at failure, ${run.title}`}
         file={`finite_elements_${run.flow}_${quantity}`}
         box={box}
-        bar={bar}
+        bar={ofSolid ? bar : layer.bar}
         draw={(pen) => {
-          if (quantity === "none" || !fields || !values || !nodes) drawSoils(pen);
-          if (fields && nodes && values && quantity !== "none")
-            paintField(pen, fields.mesh, nodes, values, colours, scale);
+          drawSoils(pen);
+          if (fields && nodes && values && ofSolid)
+            paintField(pen, fields.mesh, nodes, values, colours, scale, fieldOpacity);
+          clipToSoil(pen, () => layer.paint(pen, fieldOpacity));
           if (fields && nodes && (on.mesh || on.deformed)) drawMesh(pen, fields.mesh, nodes);
           drawOutlines(pen);
-          drawWater(pen);
+          layer.drawOver(pen);
           drawSurcharges(pen);
         }}
-        depends={[fields, quantity, nodes, on.mesh]}
+        depends={[fields, quantity, nodes, on.mesh, ...layer.depends]}
         drawOver={(pen) => {
           if (fields && nodes && on.yields) drawYielding(pen, fields.mesh, nodes, fields.yields);
-          if (on.slip) drawSurface(pen.context, run.slip_line.map(pen.place), bandLook, 2.4);
+          drawSoilNames(pen);
+          if (!on.slip) return;
+          const line = run.slip_line.map(pen.place);
+          drawSurface(pen.context, line, bandLook, 2.4);
+          if (run.factor !== null)
+            drawSurfaceLabels(pen.context, [{ line, text: run.factor.toFixed(3), colour: bandLook.colour }]);
         }}
         dependsOver={[on, run, fields]}
       />
       <ul class="drawing-keys" aria-label="Legend">
-        {quantity === "none" && <GroundKeys />}
+        <GroundKeys />
         {on.slip && run.slip_line.length > 1 && (
           <LineKey colour={bandLook.colour} width={2.4}>
             Slip surface: axis of the largest shear strain

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/** Paints a field on a mesh of quadratic triangles pixel by pixel: colours run as the shape functions do. */
+/** Paints a field on a mesh of quadratic triangles: colours run as the shape functions do. */
 import type { Pen } from "../drawing/pen";
-import { findColour } from "../viewer/colours";
+import { paintTriangles } from "../drawing/trianglePainter";
 import type { Scale } from "../viewer/scale";
 
 export interface QuadraticMesh {
@@ -35,42 +35,12 @@ export function paintField(
   values: Float32Array,
   colours: Uint8Array,
   scale: Scale,
+  opacity = 1,
 ): void {
-  const { camera, density, context } = pen;
-  const [width, height] = [Math.round(camera.width * density), Math.round(camera.height * density)];
-  const image = new ImageData(width, height);
-  const pixels = new Uint32Array(image.data.buffer);
-  const table = new Uint32Array(colours.buffer, colours.byteOffset, 256);
-  const [cx, cy] = camera.centre;
-  const s = camera.scale * density;
-  const px = (n: number) => cx * density + (nodes[2 * n]! - camera.target[0]) * s;
-  const py = (n: number) => cy * density - (nodes[2 * n + 1]! - camera.target[1]) * s;
+  const triangles = new Uint32Array(2 * mesh.elements.length);
   for (let e = 0; e < mesh.elements.length; e += 6)
-    for (const [i, j, k] of parts) {
-      const [a, b, c] = [mesh.elements[e + i]!, mesh.elements[e + j]!, mesh.elements[e + k]!];
-      const [ax, ay, bx, by, dx, dy] = [px(a), py(a), px(b), py(b), px(c), py(c)];
-      const area = (bx - ax) * (dy - ay) - (dx - ax) * (by - ay);
-      if (!area) continue;
-      const [va, vb, vc] = [values[a]!, values[b]!, values[c]!];
-      const top = Math.max(0, Math.floor(Math.min(ay, by, dy)));
-      const bottom = Math.min(height - 1, Math.ceil(Math.max(ay, by, dy)));
-      const left = Math.max(0, Math.floor(Math.min(ax, bx, dx)));
-      const right = Math.min(width - 1, Math.ceil(Math.max(ax, bx, dx)));
-      for (let y = top; y <= bottom; ++y)
-        for (let x = left; x <= right; ++x) {
-          const [qx, qy] = [x + 0.5, y + 0.5];
-          const wb = ((qx - ax) * (dy - ay) - (dx - ax) * (qy - ay)) / area;
-          const wc = ((bx - ax) * (qy - ay) - (qx - ax) * (by - ay)) / area;
-          // A little over the sides, so that no seams stay between triangles.
-          if (wb < -1e-3 || wc < -1e-3 || wb + wc > 1.001) continue;
-          const colour = findColour(va + wb * (vb - va) + wc * (vc - va), scale);
-          if (colour >= 0) pixels[y * width + x] = table[colour]!;
-        }
-    }
-  const picture = document.createElement("canvas");
-  Object.assign(picture, { width, height });
-  picture.getContext("2d")!.putImageData(image, 0, 0);
-  context.drawImage(picture, 0, 0, camera.width, camera.height);
+    parts.forEach((part, k) => part.forEach((c, i) => (triangles[2 * e + 3 * k + i] = mesh.elements[e + c]!)));
+  paintTriangles(pen, { nodes, triangles }, values, colours, scale, opacity);
 }
 
 /** Sides of the elements; curved ones through their middles. */

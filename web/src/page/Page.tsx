@@ -20,6 +20,7 @@ import { ElementsSection } from "../elements/ElementsSection";
 import { SamplingSection } from "../sampling/SamplingSection";
 import { SlicesSection } from "../slices/SlicesSection";
 import { Viewer } from "../viewer/Viewer";
+import { WaterSection } from "../water/WaterSection";
 import { Answer } from "./Answer";
 import { listContents } from "./contents";
 import { Guard } from "./Guard";
@@ -142,6 +143,15 @@ export function Page() {
         )}
         {has("profiles") && (
           <ChartPart id="profiles" title="Profiles" what="The profiles" height={900} draw={() => <ProfileSection />} />
+        )}
+        {has("pore-water") && (
+          <ChartPart
+            id="pore-water"
+            title="Pore water at the start"
+            what="The pore water"
+            height={620}
+            draw={() => <WaterSection />}
+          />
         )}
         {has("water") && (
           <ChartPart

@@ -28,6 +28,8 @@ export function listContents(report: Report): Entry[] {
       "profiles",
       "Profiles",
     ],
+    // Without material points the section itself shows it.
+    [report.model.water_mesh !== undefined && report.sequences.length > 0, "pore-water", "Pore water"],
     [report.water !== undefined && report.model.materials.some((m) => m.water), "water", "Water"],
     [report.calibration !== undefined, "calibration", "Calibration"],
     [report.point_tests !== undefined, "tests", "Tests"],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Symbols of hydraulic conditions, in pixels: levels of standing water, arrows of rain, seepage and inflow. */
 import type { HydraulicCondition } from "../contract";
+import { writeLabel, writeLevel } from "../drawing/standingWater";
 import { drawWaterMark, strokeLine, type Pixel } from "./lines";
 import type { Theme } from "./theme";
 
@@ -98,6 +99,8 @@ function drawLevel(sketch: Sketch, part: number[][], level: number): void {
     const surface: Pixel[] = [[left, y], [right, y]];
     strokeLine(context, surface, { colour: theme.water, width: 1.4 });
     drawWaterMark(context, surface, theme);
+    context.textAlign = "left";
+    writeLabel(context, writeLevel(level), [(left + right) / 2 + 12, y - 9], theme, theme.water);
     return;
   }
   const outwards = (left + right) / 2 < middle[0] ? -1 : 1;

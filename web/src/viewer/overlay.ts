@@ -4,6 +4,7 @@ import type { HydraulicCondition, Model } from "../contract";
 import type { ArrowField } from "./arrows";
 import type { Camera, Vec } from "./camera";
 import { drawHydraulic } from "./hydraulics";
+import { drawExitMarks, drawPonds, listExits } from "../drawing/standingWater";
 import { chooseLook, drawSurface } from "../drawing/surfaceLines";
 import { drawArrows, drawMonitor, drawPath, drawPicked, drawWaterMark, strokeLine, type Pixel } from "./lines";
 import { drawAxes, drawBox, drawRulers } from "./rulers";
@@ -36,6 +37,17 @@ export interface Overlay {
   picked: Vec | null;
   /** Where the picked point stood in each frame. */
   path: Vec[];
+}
+
+/** Where water tables end on the ground, and not at an outer side of the model. */
+export function findExits(tables: [number, number][][], [low, high]: [Vec, Vec]): [number, number][] {
+  const near = 0.015 * (high[0] - low[0]);
+  const isOpen = ([a, b]: [number, number][]) => Math.hypot(a![0] - b![0], a![1] - b![1]) > near;
+  return tables
+    .map((line): [number, number][] => [line[0]!, line.at(-1)!])
+    .filter(isOpen)
+    .flat()
+    .filter(([x]) => x > low[0] + near && x < high[0] - near);
 }
 
 export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay, camera: Camera, theme: Theme): void {
@@ -88,7 +100,8 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
     const sketch = { context, place: (at: number[]) => place(at, sides.at(-1)!), middle, theme };
     for (const condition of overlay.hydraulics) drawHydraulic(sketch, condition, overlay.time);
   }
-  const atStart = model.water.map((water) => water.points);
+  const start = model.water.at(-1);
+  const atStart = start?.tables ?? [];
   if (layers.startWater && overlay.waterTables) {
     for (const points of atStart) {
       const line = points.map((p) => place(p, sides.at(-1)!));
@@ -102,6 +115,10 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
       strokeLine(context, line, { colour: theme.water, width: 2, dash: [10, 3, 2, 3] });
       drawWaterMark(context, line, theme);
     }
+    const pen = { context, place: (at: readonly number[]) => place(at, sides.at(-1)!), theme };
+    // Later a pond is that of its condition.
+    if (start && !inSpace && (!overlay.waterTables || !overlay.hydraulics.length)) drawPonds(pen, start);
+    if (!inSpace) drawExitMarks(pen, overlay.waterTables ? findExits(overlay.waterTables, overlay.box) : listExits(start));
   }
   if (layers.otherSurfaces) {
     for (const surface of overlay.otherSurfaces.filter((s) => s.shown).reverse())

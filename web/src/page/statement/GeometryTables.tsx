@@ -70,6 +70,7 @@ export function GeometryTables() {
     ["Water", Object.keys(input).length > 0 ? describeWater(model.dimension, water.length, wet) : "not known"],
     ...(hasPoints ? ofPoints : []),
   ];
+  const used = water.at(-1);
   return (
     <>
       <Facts caption={hasPoints ? "Geometry, water and mesh" : "Geometry and water"} rows={rows} />
@@ -86,18 +87,18 @@ export function GeometryTables() {
           ))}
         </DataTable>
       )}
-      {water.length > 0 && (
+      {used && used.tables.length > 0 && (
         <DataTable
           caption={`${wet ? "Water table at the start" : "Water tables"}, points in ${units.length.name}`}
           head={["Water table", "Points"]}
         >
-          {water.map((table) => (
-            <tr key={table.name}>
-              <th scope="row">{table.name}</th>
+          {used.tables.map((points, i) => (
+            <tr key={i}>
+              <th scope="row">{used.tables.length > 1 ? `${used.title}, line ${i + 1}` : used.title}</th>
               <td class="prose">
-                <Points points={thin(table.points)} unit={units.length} />
-                {table.points.length > mostPoints && (
-                  <span class="note"> ({mostPoints} of {table.points.length} points)</span>
+                <Points points={thin(points)} unit={units.length} />
+                {points.length > mostPoints && (
+                  <span class="note"> ({mostPoints} of {points.length} points)</span>
                 )}
               </td>
             </tr>

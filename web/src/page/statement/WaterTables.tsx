@@ -4,7 +4,7 @@ import { report } from "../../state";
 import { DataTable, Facts, SymbolText, numbers } from "../DataTable";
 import { SeasonTable } from "./SeasonTable";
 import { formatNumber, formatPlace, formatQuantity, formatSentence, formatUnit } from "../format";
-import type { HydraulicCondition, SteadySeepage, Unit, Water, WaterBudget } from "../../contract";
+import type { HydraulicCondition, SteadySeepage, Unit, Water, WaterBudget, WaterState } from "../../contract";
 
 /** Rows of a series that are written out; more are seen in its chart. */
 const mostRows = 8;
@@ -87,7 +87,7 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
   return (
     <>
       <DataTable
-        caption={`Steady seepage at the start, ${rate.name}`}
+        caption={`Steady seepage ${report.value.water?.season ? "before the season" : "at the start"}, ${rate.name}`}
         head={["Boundary", ...numbers("In", "Out", hasRunoff && "Runs off")]}
       >
         {seepage.discharges.map((d) => (
@@ -106,6 +106,44 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
         </tr>
       </DataTable>
       <Facts caption="The steady seepage" rows={rows} />
+    </>
+  );
+}
+
+/** What passed each side at the end of the season: not what the steady seepage before it would let through. */
+function Transient({ state, dimension }: { state: WaterState; dimension: 2 | 3 }) {
+  const { units } = report.value;
+  const rate = dimension === 2 ? "m³/s per m" : "m³/s";
+  const place = (x: number[]) => `${formatPlace(x.map((v) => v / units.length.si))}\u00a0${units.length.name}`;
+  return (
+    <>
+      <DataTable
+        caption={`Transient seepage at the end of the season, ${rate}`}
+        head={["Boundary", ...numbers("In", "Out")]}
+      >
+        {state.discharges.map((d) => (
+          <tr key={d.name}>
+            <th scope="row">{d.name}</th>
+            <td class="number">{formatNumber(d.inflow)}</td>
+            <td class="number">{formatNumber(d.outflow)}</td>
+          </tr>
+        ))}
+        <tr class="main">
+          <th scope="row">Together</th>
+          <td class="number">{formatNumber(state.inflow)}</td>
+          <td class="number">{formatNumber(state.outflow)}</td>
+        </tr>
+      </DataTable>
+      <Facts
+        caption="The transient seepage at its end"
+        rows={[
+          ["Growth of the stored water", `${formatNumber(state.storage_rate)} ${rate}`],
+          ...state.exits.map((exit): [string, string] => [
+            `Water leaves ${exit.name}`,
+            `from ${place(exit.lowest)} up to the exit point ${place(exit.highest)}`,
+          ]),
+        ]}
+      />
     </>
   );
 }
@@ -196,12 +234,14 @@ export function WaterTables({ water }: { water: Water }) {
 
 /** What came out: seepage and budget. */
 export function WaterResults({ water }: { water: Water }) {
-  const { dimension } = report.value.model;
-  if (!water.seepage && !water.budget) return <p>The results hold no water budget: the run has not ended.</p>;
+  const { dimension, water: states } = report.value.model;
+  const last = states.at(-1);
+  if (!water.seepage && !water.season && !water.budget) return <p>The results hold no water budget: the run has not ended.</p>;
   return (
     <>
       {water.seepage && <Seepage seepage={water.seepage} dimension={dimension} />}
       {water.season && <SeasonTable season={water.season} dimension={dimension} />}
+      {last?.flow === "transient" && <Transient state={last} dimension={dimension} />}
       {water.budget && <Budget budget={water.budget} dimension={dimension} />}
     </>
   );

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "report/content/water_states.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "report/words/numbers.hpp"
+#include "results/json.hpp"
+
+namespace talus::report {
+
+using nlohmann::json;
+using results::WaterFlow;
+
+namespace {
+
+constexpr double hour = 3600, day = 86400;
+
+json list_discharges(const std::vector<results::Discharge>& discharges) {
+  json list = json::array();
+  for (const results::Discharge& d : discharges)
+    list.push_back({{"name", d.name}, {"inflow", d.inflow}, {"outflow", d.outflow}, {"runoff", d.runoff}});
+  return list;
+}
+
+json take_state(const results::WaterState& state, bool is_last) {
+  json exits = json::array(), ponds = json::array();
+  for (const results::SeepageExit& e : state.exits)
+    exits.push_back({{"name", e.name}, {"lowest", e.lowest}, {"highest", e.highest}});
+  for (const results::StandingWater& pond : state.ponds) ponds.push_back(results::to_json(pond));
+  return {{"flow", results::to_word(state.flow)},
+          {"title", name_water_state(state, is_last)},
+          {"time", state.time},
+          {"inflow", state.inflow},
+          {"outflow", state.outflow},
+          {"storage_rate", state.storage_rate},
+          {"discharges", list_discharges(state.discharges)},
+          {"exits", exits},
+          {"tables", state.water_table},
+          {"ponds", ponds}};
+}
+
+/// The numbers of a field; null where they do not fit the mesh.
+json pack_field(const results::WaterFields& file, const results::WaterField& field, std::size_t number,
+                Packer& packer) {
+  const std::size_t nodes = file.nodes.size(), elements = file.elements.size();
+  if (field.pressure.size() != nodes) return {};
+  const std::string id = fmt::format("water.{}", number);
+  json packed{{"pressure", packer.add_values(id + ".pressure", field.pressure, {nodes}, false)}};
+  if (field.saturation.size() == elements)
+    packed["saturation"] = packer.add_values(id + ".saturation", field.saturation, {elements}, false);
+  if (field.velocity.size() == elements) {
+    std::vector<double> velocity;
+    for (const std::vector<double>& v : field.velocity) velocity.insert(velocity.end(), v.begin(), v.end());
+    if (velocity.size() == 2 * elements)
+      packed["velocity"] = packer.add_reals(id + ".velocity", velocity, {elements, 2});
+  }
+  return packed;
+}
+
+json pack_mesh(const results::WaterFields& file, Packer& packer) {
+  std::vector<double> nodes;
+  std::vector<std::uint32_t> elements;
+  for (const results::Point& x : file.nodes) nodes.insert(nodes.end(), x.begin(), x.end());
+  for (const std::vector<int>& element : file.elements) {
+    if (element.size() != 3) throw Error(ExitCode::wrong_input, "an element has other than three nodes");
+    for (const int node : element) {
+      if (node < 0 || static_cast<std::size_t>(node) >= file.nodes.size())
+        throw Error(ExitCode::wrong_input, fmt::format("an element names the node {} of {}", node, file.nodes.size()));
+      elements.push_back(static_cast<std::uint32_t>(node));
+    }
+  }
+  return {{"unit_weight", file.unit_weight},
+          {"nodes", packer.add_reals("water.nodes", nodes, {file.nodes.size(), 2})},
+          {"elements", packer.add_numbers("water.elements", elements, {file.elements.size(), 3}, true)}};
+}
+
+/// The field of a state; nullptr where the file has none.
+const results::WaterField* find_field(const results::WaterFields& file, const results::WaterState& state) {
+  for (const results::WaterField& field : file.states)
+    if (field.time == state.time && field.flow == state.flow) return &field;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string show_duration(double seconds) {
+  const double unit = seconds >= day ? day : seconds >= hour ? hour : 1;
+  const std::string number = show_number(seconds / unit);
+  const bool one = number == "1";
+  if (unit == 1) return number + " s";
+  return fmt::format("{} {}{}", number, unit == day ? "day" : "hour", one ? "" : "s");
+}
+
+std::string name_water_state(const results::WaterState& state, bool is_last) {
+  const std::string before = state.time < 0 ? show_duration(-state.time) + " before the start" : "";
+  switch (state.flow) {
+    case WaterFlow::hydrostatic:
+      return before.empty() ? "water at rest under the table of the case" : "water at rest, " + before;
+    case WaterFlow::steady:
+      return before.empty() ? "steady seepage" : "steady seepage, " + before;
+    case WaterFlow::transient:
+      break;
+  }
+  return is_last ? "transient seepage, at the start" : "transient seepage, " + before;
+}
+
+std::vector<results::WaterState> find_water_states(const ResultFolder& folder) {
+  if (folder.run.water_states) return *folder.run.water_states;
+  std::vector<results::WaterState> states;
+  if (get_dimension(folder.run) != 2) return states;
+  const input::InitialWater& initial = folder.data.initial.water;
+  if (const auto& seepage = folder.run.seepage) {
+    results::WaterState& state = states.emplace_back();
+    state.flow = WaterFlow::steady;
+    state.time = -initial.season;
+    state.inflow = seepage->inflow;
+    state.outflow = seepage->outflow;
+    state.discharges = seepage->discharges;
+    state.exits = seepage->exits;
+    for (const auto& line : seepage->water_table) {
+      auto& points = state.water_table.emplace_back();
+      for (const std::vector<double>& x : line)
+        if (x.size() == 2) points.push_back({x[0], x[1]});
+    }
+  } else if (initial.pressure == input::InitialPressure::water_table && !initial.water_table.empty()) {
+    states.emplace_back().water_table = {{initial.water_table.begin(), initial.water_table.end()}};
+  }
+  return states;
+}
+
+json list_water_states(const ResultFolder& folder) {
+  const std::vector<results::WaterState> states = find_water_states(folder);
+  json list = json::array();
+  for (std::size_t i = 0; i < states.size(); ++i) list.push_back(take_state(states[i], i + 1 == states.size()));
+  return list;
+}
+
+void add_water_fields(const ResultFolder& folder, json& document, Packer& packer) {
+  try {
+    const auto file = results::read_file<results::WaterFields>(folder.path / "water.json");
+    if (!file || file->nodes.empty() || file->elements.empty()) return;
+    json mesh = pack_mesh(*file, packer), list = json::array();
+    const std::vector<results::WaterState> states = find_water_states(folder);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      json state = take_state(states[i], i + 1 == states.size());
+      if (const results::WaterField* field = find_field(*file, states[i]))
+        if (json packed = pack_field(*file, *field, i, packer); !packed.is_null()) state["fields"] = std::move(packed);
+      list.push_back(std::move(state));
+    }
+    document["model"]["water_mesh"] = std::move(mesh);
+    document["model"]["water"] = std::move(list);
+  } catch (const Error& error) {
+    document["warnings"].push_back(fmt::format("The fields of the pore water are not drawn: {}", error.what()));
+  }
+}
+
+}  // namespace talus::report

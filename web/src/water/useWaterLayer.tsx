@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+/** The water under a section as a layer of its drawing: which state, which quantity, lines and arrows. */
+import { useMemo, useState } from "preact/hooks";
+
+import { titleWithUnit } from "../charts/base/numbers";
+import type { WaterState } from "../contract";
+import type { Pen } from "../drawing/pen";
+import { drawWaterState } from "../drawing/standingWater";
+import { paintTriangles } from "../drawing/trianglePainter";
+import { report } from "../state";
+import { tabulateColours } from "../viewer/colours";
+import { makeLevels, makeScale } from "../viewer/scale";
+import type { Bar } from "../viewer/scaleBar";
+import { findLimits, takeQuantity, useWaterArrays, type WaterQuantity } from "./waterFields";
+import { drawFlow, drawLevels } from "./waterPainter";
+
+export const quantityTitles: { [name in WaterQuantity]: string } = {
+  pressure: "pore pressure",
+  head: "total head",
+  saturation: "degree of saturation",
+};
+
+/** The quantities that the states of this report have. */
+export function listQuantities(): WaterQuantity[] {
+  const { water, water_mesh } = report.value.model;
+  if (!water_mesh || !water.some((s) => s.fields)) return [];
+  return water.some((s) => s.fields?.saturation) ? ["pressure", "head", "saturation"] : ["pressure", "head"];
+}
+
+const lineCount = 9;
+
+export interface WaterLayer {
+  state: WaterState | undefined;
+  bar: Bar | null;
+  /** Changes with all that the drawing depends on. */
+  depends: unknown[];
+  /** The colours, if a quantity is chosen; and what lies over them. */
+  paint: (pen: Pen, opacity: number) => void;
+  drawOver: (pen: Pen) => void;
+  /** Which state is shown, lines, arrows. */
+  controls: preact.ComponentChildren;
+}
+
+/** Blue is where water presses, red where it pulls: zero stands in the middle. */
+function makeBar(quantity: WaterQuantity, limits: [number, number]): { bar: Bar; unit: number } {
+  const { length, stress } = report.value.units;
+  const flat = { levels: null, below: false, above: false };
+  if (quantity === "pressure") {
+    const largest = Math.max(Math.abs(limits[0]), Math.abs(limits[1])) / stress.si;
+    const scale = makeScale(-largest, largest);
+    return { unit: stress.si, bar: { ...flat, title: titleWithUnit("Pressure", stress.name), colours: tabulateColours("redBlue"), scale } };
+  }
+  const colours = tabulateColours("viridis");
+  if (quantity === "saturation") return { unit: 1, bar: { ...flat, title: "Saturation", colours, scale: makeScale(Math.min(limits[0], 0.9), 1) } };
+  const scale = makeScale(limits[0] / length.si, limits[1] / length.si);
+  return { unit: length.si, bar: { ...flat, title: titleWithUnit("Head", length.name), colours, scale } };
+}
+
+export function useWaterLayer(quantity: WaterQuantity | null): WaterLayer {
+  const { water } = report.value.model;
+  const [index, setIndex] = useState(water.length - 1);
+  const [on, setOn] = useState({ lines: true, arrows: false });
+  const state = water[index];
+  const arrays = useWaterArrays(state);
+  const shown = useMemo(() => (arrays && quantity ? takeQuantity(arrays, quantity) : null), [arrays, quantity]);
+  const scaled = useMemo(() => (shown && quantity ? makeBar(quantity, findLimits(shown)) : null), [shown]);
+  const toggle = (name: keyof typeof on, title: string) => (
+    <label key={name}>
+      <input type="checkbox" checked={on[name]} onChange={(e) => setOn({ ...on, [name]: e.currentTarget.checked })} />
+      {title}
+    </label>
+  );
+  const hasLines = shown !== null && quantity !== "saturation";
+  return {
+    state,
+    bar: scaled?.bar ?? null,
+    depends: [shown, scaled, arrays, on],
+    paint: (pen, opacity) => {
+      if (!shown || !scaled) return;
+      const { bar, unit } = scaled;
+      const inUnit = { ...bar.scale, low: bar.scale.low * unit, high: bar.scale.high * unit };
+      paintTriangles(pen, shown.mesh, shown.values, bar.colours, inUnit, opacity);
+    },
+    drawOver: (pen) => {
+      if (hasLines && on.lines && arrays && scaled && shown) {
+        const [low, high] = findLimits(shown).map((v) => v / scaled.unit) as [number, number];
+        drawLevels(pen, arrays, quantity as "pressure" | "head", makeLevels(makeScale(low, high), lineCount), scaled.unit, pen.theme.ink);
+      }
+      drawWaterState(pen, state);
+      if (on.arrows && arrays) drawFlow(pen, arrays);
+    },
+    controls: (
+      <>
+        {water.length > 1 && (
+          <label>
+            Water at{" "}
+            <select value={index} onChange={(e) => setIndex(Number(e.currentTarget.value))}>
+              {water.map((s, i) => (
+                <option key={s.title} value={i}>
+                  {s.title}
+                </option>
+              ))}
+            </select>
+          </label>
+        )}
+        {hasLines && toggle("lines", quantity === "head" ? "Head lines" : "Contours")}
+        {arrays?.velocity && toggle("arrows", "Flow")}
+      </>
+    ),
+  };
+}

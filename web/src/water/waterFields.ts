@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+/** The fields of the water states: decoded, as quantities that are drawn. */
+import { useEffect, useState } from "preact/hooks";
+
+import type { WaterState } from "../contract";
+import { load, loadIntegers, report } from "../state";
+import type { Triangles } from "../drawing/trianglePainter";
+
+export type WaterQuantity = "pressure" | "head" | "saturation";
+
+export interface WaterArrays {
+  state: WaterState;
+  mesh: Triangles;
+  /** [node] [Pa], [m]. */
+  pressure: Float32Array;
+  head: Float32Array;
+  /** [triangle]; [triangle][2] [m/s]. */
+  saturation: Float32Array | null;
+  velocity: Float32Array | null;
+}
+
+async function loadState(state: WaterState): Promise<WaterArrays | null> {
+  const { water_mesh: told } = report.value.model;
+  const { fields } = state;
+  if (!told || !fields) return null;
+  const [nodes, numbers, pressure] = await Promise.all([
+    load(told.nodes),
+    loadIntegers(told.elements),
+    load(fields.pressure),
+  ]);
+  return {
+    state,
+    mesh: { nodes, triangles: Uint32Array.from(numbers) },
+    pressure,
+    head: pressure.map((p, i) => nodes[2 * i + 1]! + p / told.unit_weight),
+    saturation: fields.saturation ? await load(fields.saturation) : null,
+    velocity: fields.velocity ? await load(fields.velocity) : null,
+  };
+}
+
+/** null until they are there, and where there are none. */
+export function useWaterArrays(state: WaterState | undefined): WaterArrays | null {
+  const [arrays, setArrays] = useState<WaterArrays | null>(null);
+  useEffect(() => {
+    if (!state) return setArrays(null);
+    let wanted = true;
+    loadState(state).then(
+      (found) => wanted && setArrays(found),
+      () => wanted && setArrays(null),
+    );
+    return () => void (wanted = false);
+  }, [state]);
+  return arrays?.state === state ? arrays : null;
+}
+
+/** The mesh and a value for each of its nodes; of a quantity by triangle each triangle has nodes of its own. */
+export function takeQuantity(arrays: WaterArrays, quantity: WaterQuantity): { mesh: Triangles; values: Float32Array } | null {
+  if (quantity !== "saturation") return { mesh: arrays.mesh, values: arrays[quantity] };
+  const { saturation, mesh } = arrays;
+  if (!saturation) return null;
+  const nodes = new Float32Array(2 * mesh.triangles.length);
+  mesh.triangles.forEach((n, i) => nodes.set(mesh.nodes.subarray(2 * n, 2 * n + 2), 2 * i));
+  return {
+    mesh: { nodes, triangles: Uint32Array.from(mesh.triangles.keys()) },
+    values: Float32Array.from(mesh.triangles.keys(), (i) => saturation[Math.floor(i / 3)]!),
+  };
+}
+
+/** Least and greatest value at the nodes of triangles. */
+export function findLimits({ mesh, values }: { mesh: Triangles; values: Float32Array }): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (const n of mesh.triangles) {
+    low = Math.min(low, values[n]!);
+    high = Math.max(high, values[n]!);
+  }
+  return low <= high ? [low, high] : [0, 1];
+}
+
+export type Segment = [[number, number], [number, number]];
+
+/** The pieces of the line on which a field that is linear on triangles has a value [m]. */
+export function traceLevel({ nodes, triangles }: Triangles, values: ArrayLike<number>, level: number): Segment[] {
+  const pieces: Segment[] = [];
+  for (let t = 0; t < triangles.length; t += 3) {
+    const ends: [number, number][] = [];
+    for (let k = 0; k < 3; ++k) {
+      const [a, b] = [triangles[t + k]!, triangles[t + ((k + 1) % 3)]!];
+      if (values[a]! >= level === values[b]! >= level) continue;
+      const share = (level - values[a]!) / (values[b]! - values[a]!);
+      const at = (d: number) => nodes[2 * a + d]! + share * (nodes[2 * b + d]! - nodes[2 * a + d]!);
+      ends.push([at(0), at(1)]);
+    }
+    if (ends.length === 2) pieces.push(ends as Segment);
+  }
+  return pieces;
+}
