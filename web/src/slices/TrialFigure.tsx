@@ -7,24 +7,28 @@ import { formatNumber } from "../charts/base/numbers";
 import type { LocalMinimum, SlicedSurface, Slices } from "../contract";
 import { formatFactor } from "../page/format";
 import { useDark } from "../drawing/dark";
-import { clipToSoil, drawOutlines, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
+import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { drawSurface } from "../drawing/surfaceLines";
+import { drawSurface, drawSurfaceLabels, type SurfaceLabel } from "../drawing/surfaceLines";
 import { report } from "../state";
-import { makeScale } from "../viewer/scale";
+import type { Pixel } from "../viewer/lines";
 import type { Bar } from "../viewer/scaleBar";
 import { drawRanges } from "./ranges";
+import { chooseLimit, makeBands } from "./bands";
 import { chooseColours, nameSurface, rankTrials, titleMethod } from "./sliceData";
 import { criticalLook, drawCritical, drawSlices, drawThrust, hasThrust, thrustLook } from "./surfacePainter";
 import { drawTrials, findTrial, trialWidth } from "./trialPainter";
 import { useTrials } from "./useTrials";
 
-type Shown = "all" | "below" | "best";
+type Shown = "banded" | "below" | "best";
 
 export const otherLook = { colour: "#8a6100", dash: [8, 4] };
 export const minimumLook = { colour: "#0068a5", dash: [3, 3] };
+
+const label = (line: Pixel[], factor: number | null, colour: string): SurfaceLabel[] =>
+  factor === null ? [] : [{ line, text: factor.toFixed(3), colour }];
 
 interface Props {
   slices: Slices;
@@ -35,7 +39,7 @@ interface Props {
 
 export function TrialFigure({ slices, selected, lit }: Props) {
   const { arrays, failure } = useTrials(slices);
-  const [show, setShow] = useState<Shown>("all");
+  const [show, setShow] = useState<Shown>("banded");
   const [limit, setLimit] = useState<number | null>(null);
   const [on, setOn] = useState({ slices: true, thrust: true, others: false, ranges: true });
   const dark = useDark();
@@ -46,23 +50,19 @@ export function TrialFigure({ slices, selected, lit }: Props) {
       arrays && slices.trials && method >= 0 ? rankTrials(arrays.factors, slices.trials.methods.length, method) : null,
     [arrays, method],
   );
-  const below = limit ?? (trials ? Number((trials.low * 1.1).toFixed(2)) : 1.5);
+  const below = limit ?? (trials ? chooseLimit(trials.low) : 1.5);
+  const bands = useMemo(
+    () => (trials && show !== "best" ? makeBands(trials.low, below, chooseColours(dark)) : null),
+    [trials, show, below, dark],
+  );
+  /** Those beyond the bands are grey, or not drawn. */
   const most = show === "best" ? 0 : show === "below" ? below : Infinity;
   const others = slices.surfaces.filter((s) => s !== selected && s.factor !== null);
   const { exit, entry } = slices.search ?? {};
   const bar = useMemo<Bar | null>(
     () =>
-      trials && show !== "best"
-        ? {
-            title: "Factor of safety",
-            colours: chooseColours(dark),
-            scale: makeScale(trials.low, Math.min(trials.high, most)),
-            levels: null,
-            below: false,
-            above: trials.high < Math.min(most, trials.factors[trials.order[0]!]!),
-          }
-        : null,
-    [trials, dark, show, most],
+      bands && { title: "Factor of safety", ...bands, below: false, above: false },
+    [bands],
   );
   const toggle = (name: keyof typeof on, title: string) => (
     <label key={name}>
@@ -82,16 +82,16 @@ export function TrialFigure({ slices, selected, lit }: Props) {
             label="Trial surfaces that are drawn"
             value={show}
             options={[
-              { value: "all", title: "all" },
-              { value: "below", title: "below a factor" },
+              { value: "banded", title: "all" },
+              { value: "below", title: "coloured only" },
               { value: "best", title: "critical only" },
             ]}
             onChange={setShow}
           />
         )}
-        {trials && show === "below" && (
+        {trials && show !== "best" && (
           <label>
-            Below F ={" "}
+            Colours up to F ={" "}
             <input
               type="number"
               step="0.01"
@@ -108,26 +108,33 @@ export function TrialFigure({ slices, selected, lit }: Props) {
       </div>
       {failure && <p class="chart-bad">The trial surfaces cannot be read: {failure}</p>}
       <SectionCanvas
-        label={`Section with ${show === "best" ? "the critical surface" : `${count} trial surfaces coloured by factor of safety`}; ${nameSurface(selected)} with F = ${formatFactor(selected.factor, "none")}`}
+        label={`Section with ${show === "best" ? "the critical surface" : `${count} trial surfaces, coloured by factor of safety up to ${below}`}; ${nameSurface(selected)} with F = ${formatFactor(selected.factor, "none")}`}
         file={`slices_${selected.method}`}
         box={findSoilBox()}
         bar={bar}
         draw={(pen) => {
           drawSoils(pen);
-          if (trials && arrays && show !== "best") clipToSoil(pen, () => drawTrials(pen, arrays.circles, trials, most));
+          if (trials && arrays && bands)
+            clipToSoil(pen, () => drawTrials(pen, arrays.circles, trials, bands, below, show === "banded"));
           drawOutlines(pen);
           drawWater(pen);
           drawSurcharges(pen);
         }}
-        depends={[trials, show, most, dark]}
+        depends={[trials, show, bands, dark]}
         drawOver={(pen) => {
           const { context, place } = pen;
+          drawSoilNames(pen);
           if (on.slices) drawSlices(pen, selected);
           if (on.others) for (const s of others) drawSurface(context, s.points.map(place), otherLook, 1.6);
           drawCritical(pen, selected, false);
           if (on.thrust) drawThrust(pen, selected);
           if (lit) drawSurface(context, lit.points.map(place), minimumLook, 2.6);
           if (on.ranges) drawRanges(pen, exit, entry);
+          drawSurfaceLabels(context, [
+            ...label(selected.points.map(place), selected.factor, criticalLook.colour),
+            ...(on.others ? others.flatMap((s) => label(s.points.map(place), s.factor, otherLook.colour)) : []),
+            ...(lit ? label(lit.points.map(place), lit.factor, minimumLook.colour) : []),
+          ]);
         }}
         dependsOver={[on, selected, lit]}
         hint={

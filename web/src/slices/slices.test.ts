@@ -5,9 +5,11 @@ import { beforeEach, describe, expect, it } from "vitest";
 import type { Report, SlicedSurface } from "../contract";
 import { report } from "../state";
 import { binTrials } from "./centreMap";
+import { chooseLimit, makeBands } from "./bands";
 import { traceContour } from "./contours";
 import { orderValues } from "./order";
 import { makeSliceTable, rankTrials } from "./sliceData";
+import { traceThrust } from "./surfacePainter";
 import { findTrial } from "./trialPainter";
 
 const units = {
@@ -74,6 +76,54 @@ describe("the slice table", () => {
     for (const name of ["surface_load", "earthquake", "root_cohesion", "normal_right", "soil"])
       expect(column(name), name).toBeUndefined();
     for (const name of ["suction_strength", "cohesion"]) expect(column(name), name).toBeDefined();
+  });
+});
+
+describe("the line of thrust", () => {
+  const slices = {
+    right: [1, 2, 3, 4, 5],
+    base_right: [0, 0, 0, 0, 0].map((y, i) => [i + 1, y]),
+    top_right: [2, 2, 2, 2, 2],
+  };
+  const trace = (thrust_right: (number | null)[]) =>
+    traceThrust({ slices: { ...slices, thrust_right } } as unknown as SlicedSurface);
+
+  it("is drawn where it stands in the mass or just beside it, without its last point", () => {
+    expect(trace([0.5, 0.7, -0.3, 2.4, 1])).toEqual([
+      [
+        [1, 0.5],
+        [2, 0.7],
+        [3, -0.3],
+        [4, 2.4],
+      ],
+    ]);
+  });
+
+  it("is broken where it runs away", () => {
+    expect(trace([0.5, 0.6, 1e6, 0.7, 0])).toEqual([
+      [
+        [1, 0.5],
+        [2, 0.6],
+      ],
+    ]);
+    expect(trace([null, -50, 40, null, 0])).toEqual([]);
+  });
+});
+
+describe("bands of the trials", () => {
+  it("run from the smallest factor to the chosen one, and end at round factors", () => {
+    const { levels, scale } = makeBands(1.177, 1.42, new Uint8Array(1024));
+    expect(levels.map((l) => l.text)).toEqual(["1.177", "1.20", "1.25", "1.30", "1.35", "1.40", "1.42"]);
+    expect([scale.low, scale.high]).toEqual([1.177, 1.42]);
+  });
+
+  it("are never more than nine, and at least one", () => {
+    for (const limit of [0.5, 1.01, 1.1, 1.5, 3, 40]) {
+      const { levels } = makeBands(1, limit, new Uint8Array(1024));
+      expect(levels.length, `up to ${limit}`).toBeGreaterThanOrEqual(2);
+      expect(levels.length, `up to ${limit}`).toBeLessThanOrEqual(10);
+    }
+    expect(chooseLimit(1.177)).toBe(1.41);
   });
 });
 

@@ -33,15 +33,32 @@ export function hasThrust({ slices }: SlicedSurface): boolean {
   return !!slices && slices.normal_right.some((e) => e) && slices.thrust_right.some((y) => y !== null && y !== 0);
 }
 
-export function drawThrust({ context, place }: Pen, surface: SlicedSurface): void {
-  const { slices } = surface;
-  if (!slices || !hasThrust(surface)) return;
-  // On the last side, at the ground, there is no force.
-  const points = slices.right
-    .map((x, i) => [x, slices.thrust_right[i] ?? Number.NaN])
-    .slice(0, -1)
-    .filter(([, y]) => Number.isFinite(y));
-  drawSurface(context, points.map(place), thrustLook, 1.8);
+/**
+ * The pieces of the line of thrust [m]. Where the force is nearly zero its place runs away: a point outside the mass by
+ * more than a quarter of its height there ends a piece. On the last side, at the ground, there is no force.
+ */
+export function traceThrust({ slices }: SlicedSurface): number[][][] {
+  const pieces: number[][][] = [[]];
+  slices?.right.slice(0, -1).forEach((x, i) => {
+    const y = slices.thrust_right[i] ?? Number.NaN;
+    const [base, top] = [slices.base_right[i]![1]!, slices.top_right[i]!];
+    const margin = Math.max(top - base, 0) / 4;
+    if (y >= base - margin && y <= top + margin) pieces.at(-1)!.push([x, y]);
+    else pieces.push([]);
+  });
+  return pieces.filter((piece) => piece.length > 1);
+}
+
+/** Inside the frame of the drawing. */
+export function drawThrust({ context, camera, place }: Pen, surface: SlicedSurface): void {
+  if (!hasThrust(surface)) return;
+  const { margins, width, height } = camera;
+  context.save();
+  context.beginPath();
+  context.rect(margins.left, margins.top, width - margins.left - margins.right, height - margins.top - margins.bottom);
+  context.clip();
+  for (const piece of traceThrust(surface)) drawSurface(context, piece.map(place), thrustLook, 1.8);
+  context.restore();
 }
 
 /** The surface; of a circle also the lines from its centre to its ends. */

@@ -2,8 +2,8 @@
 /** Draws thousands of trial arcs, the weakest last; finds the one under the pointer. */
 import type { Pen } from "../drawing/pen";
 import { findColour, writeColour } from "../viewer/colours";
-import { makeScale } from "../viewer/scale";
-import { chooseColours, type RankedTrials } from "./sliceData";
+import type { Bands } from "./bands";
+import type { RankedTrials } from "./sliceData";
 
 export const trialWidth = 5;
 
@@ -11,29 +11,37 @@ export const trialWidth = 5;
 const findAngle = (x: number, centre: number, radius: number) =>
   Math.acos(Math.min(1, Math.max(-1, (x - centre) / radius)));
 
-/** `circles` [circle][x, y, radius, from, to]. Only those below `most` are drawn. */
-export function drawTrials(pen: Pen, circles: Float32Array, trials: RankedTrials, most: number): void {
-  const { context, camera, place } = pen;
-  const colours = chooseColours(pen.dark);
-  const scale = makeScale(trials.low, Math.min(trials.high, most));
-  context.lineWidth = 1;
-  context.globalAlpha = 0.85;
-  let last = -1;
+/**
+ * `circles` [circle][x, y, radius, from, to]. Those up to `limit` have the colour of their band; the rest are thin and
+ * grey where `withRest`.
+ */
+export function drawTrials(
+  pen: Pen,
+  circles: Float32Array,
+  trials: RankedTrials,
+  bands: Bands,
+  limit: number,
+  withRest: boolean,
+): void {
+  const { context, camera, place, theme } = pen;
+  let last = "";
   context.beginPath();
   const finish = () => {
-    if (last < 0) return;
-    context.strokeStyle = writeColour(colours, last);
     context.stroke();
     context.beginPath();
   };
+  // From the safest on: the weakest lie uppermost. A stroke for every arc would take seconds, one for each band does not.
   for (const i of trials.order) {
     const factor = trials.factors[i]!;
-    if (factor > most) continue;
-    // Of 64 colours each is one stroke: a stroke for every arc would take seconds.
-    const colour = findColour(factor, scale) & ~3;
+    const isRest = factor > limit;
+    if (isRest && !withRest) continue;
+    const colour = isRest ? theme.muted : writeColour(bands.colours, findColour(factor, bands.scale));
     if (colour !== last) {
       finish();
       last = colour;
+      context.strokeStyle = colour;
+      context.globalAlpha = isRest ? 0.12 : 0.9;
+      context.lineWidth = isRest ? 0.5 : 1.1;
     }
     const [x, y, r, from, to] = circles.subarray(trialWidth * i, trialWidth * (i + 1));
     const [cx, cy] = place([x!, y!]);
