@@ -9,7 +9,7 @@ import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } fr
 import { GroundKeys, LineSwatch } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { fieldOpacity } from "../drawing/trianglePainter";
+import { useOpacity } from "../drawing/useOpacity";
 import { chooseLook, drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
 import { paintField } from "../elements/fieldPainter";
 import { useFields } from "../elements/useFields";
@@ -34,6 +34,7 @@ export function Overview() {
   const [chosen, choose] = useState<Shown | null>(null);
   const shows: Shown = chosen ?? (fields ? "strain" : "soils");
   const options: Shown[] = [...(fields ? ["strain" as const] : []), "soils", ...listQuantities()];
+  const { opacity, slider } = useOpacity();
   const layer = useWaterLayer(shows === "strain" || shows === "soils" ? null : shows);
   const limits = run?.fields?.strain_scale ?? [0, 1];
   const colours = tabulateColours("viridis");
@@ -73,6 +74,7 @@ export function Overview() {
           />
         )}
         {layer.controls}
+        {shows !== "soils" && slider}
       </div>
       <SectionCanvas
         label={`Section with ${shown.map((s) => s.text).join("; ") || "no slip surface"}`}
@@ -83,13 +85,13 @@ export function Overview() {
         draw={(pen) => {
           drawSoils(pen);
           if (fields && shows === "strain")
-            paintField(pen, fields.mesh, fields.mesh.nodes, fields.strain, colours, scale, fieldOpacity);
-          clipToSoil(pen, () => layer.paint(pen, fieldOpacity));
+            paintField(pen, fields.mesh, fields.mesh.nodes, fields.strain, colours, scale, opacity);
+          clipToSoil(pen, () => layer.paint(pen, opacity));
           drawOutlines(pen);
           layer.drawOver(pen);
           drawSurcharges(pen);
         }}
-        depends={[fields, shows, ...layer.depends]}
+        depends={[fields, shows, ...layer.depends, opacity]}
         drawOver={(pen) => {
           drawSoilNames(pen);
           for (const s of [...shown].reverse())

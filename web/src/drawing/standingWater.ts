@@ -72,8 +72,12 @@ export function drawPonds({ context, place, theme }: Pick<Pen, "context" | "plac
 /** The highest places where water leaves the ground. */
 export const listExits = (state: WaterState | undefined): number[][] => state?.exits.map((e) => e.highest) ?? [];
 
-/** A ring with the height of the place. */
-export function drawExitMarks({ context, place, theme }: Pick<Pen, "context" | "place" | "theme">, exits: number[][]): void {
+/** A ring with the height of the place; with the word alone where that is known to half an element only. */
+export function drawExitMarks(
+  { context, place, theme }: Pick<Pen, "context" | "place" | "theme">,
+  exits: number[][],
+  withHeight = true,
+): void {
   for (const highest of exits) {
     const [x, y] = place(highest);
     context.fillStyle = theme.ground;
@@ -84,7 +88,7 @@ export function drawExitMarks({ context, place, theme }: Pick<Pen, "context" | "
     context.fill();
     context.stroke();
     context.textAlign = "left";
-    writeLabel(context, `exit ${writeLevel(highest[1]!)}`, [x + 8, y - 10], theme, theme.water);
+    writeLabel(context, withHeight ? `exit ${writeLevel(highest[1]!)}` : "exit", [x + 8, y - 10], theme, theme.water);
   }
 }
 

@@ -10,9 +10,6 @@ export interface Triangles {
   triangles: Uint32Array;
 }
 
-/** Of fields over the soils: these are seen through them. */
-export const fieldOpacity = 0.72;
-
 /** `values`: one for each node. */
 export function paintTriangles(
   pen: Pen,

@@ -9,7 +9,7 @@ import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } fr
 import { GroundKeys, LineKey } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { fieldOpacity } from "../drawing/trianglePainter";
+import { useOpacity } from "../drawing/useOpacity";
 import { drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
@@ -37,6 +37,7 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
   const [quantity, setQuantity] = useState<Quantity>("strain");
   const [on, setOn] = useState({ mesh: false, deformed: false, yields: false, slip: true });
   const ofSolid = quantity === "strain" || quantity === "displacement";
+  const { opacity, slider } = useOpacity();
   const layer = useWaterLayer(ofSolid || quantity === "none" ? null : quantity);
   const { displacement: unit } = report.value.units;
   const box = findSoilBox();
@@ -104,6 +105,7 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
           onChange={setQuantity}
         />
         {layer.controls}
+        {quantity !== "none" && slider}
         {toggle("mesh", "Mesh")}
         {largest > 0 && toggle("deformed", `Deformed, ${formatNumber(magnification, 3)} times`)}
         {toggle("yields", "Plastic elements")}
@@ -117,14 +119,14 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
         draw={(pen) => {
           drawSoils(pen);
           if (fields && nodes && values && ofSolid)
-            paintField(pen, fields.mesh, nodes, values, colours, scale, fieldOpacity);
-          clipToSoil(pen, () => layer.paint(pen, fieldOpacity));
+            paintField(pen, fields.mesh, nodes, values, colours, scale, opacity);
+          clipToSoil(pen, () => layer.paint(pen, opacity));
           if (fields && nodes && (on.mesh || on.deformed)) drawMesh(pen, fields.mesh, nodes);
           drawOutlines(pen);
           layer.drawOver(pen);
           drawSurcharges(pen);
         }}
-        depends={[fields, quantity, nodes, on.mesh, ...layer.depends]}
+        depends={[fields, quantity, nodes, on.mesh, ...layer.depends, opacity]}
         drawOver={(pen) => {
           if (fields && nodes && on.yields) drawYielding(pen, fields.mesh, nodes, fields.yields);
           drawSoilNames(pen);

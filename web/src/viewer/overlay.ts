@@ -118,7 +118,8 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
     const pen = { context, place: (at: readonly number[]) => place(at, sides.at(-1)!), theme };
     // Later a pond is that of its condition.
     if (start && !inSpace && (!overlay.waterTables || !overlay.hydraulics.length)) drawPonds(pen, start);
-    if (!inSpace) drawExitMarks(pen, overlay.waterTables ? findExits(overlay.waterTables, overlay.box) : listExits(start));
+    if (!inSpace && overlay.waterTables) drawExitMarks(pen, findExits(overlay.waterTables, overlay.box), false);
+    else if (!inSpace) drawExitMarks(pen, listExits(start));
   }
   if (layers.otherSurfaces) {
     for (const surface of overlay.otherSurfaces.filter((s) => s.shown).reverse())

@@ -7,12 +7,13 @@ import { clipToSoil, drawOutlines, drawSoilNames, drawSoils } from "../drawing/g
 import { GroundKeys } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { fieldOpacity } from "../drawing/trianglePainter";
+import { useOpacity } from "../drawing/useOpacity";
 import { listQuantities, quantityTitles, useWaterLayer } from "./useWaterLayer";
 import type { WaterQuantity } from "./waterFields";
 
 export function WaterSection() {
   const [quantity, setQuantity] = useState<WaterQuantity>("pressure");
+  const { opacity, slider } = useOpacity();
   const layer = useWaterLayer(quantity);
   const { state } = layer;
   return (
@@ -25,6 +26,7 @@ export function WaterSection() {
           onChange={setQuantity}
         />
         {layer.controls}
+        {slider}
       </div>
       <SectionCanvas
         label={`Section with the ${quantityTitles[quantity]}: ${state?.title ?? ""}`}
@@ -33,11 +35,11 @@ export function WaterSection() {
         bar={layer.bar}
         draw={(pen) => {
           drawSoils(pen);
-          clipToSoil(pen, () => layer.paint(pen, fieldOpacity));
+          clipToSoil(pen, () => layer.paint(pen, opacity));
           drawOutlines(pen);
           layer.drawOver(pen);
         }}
-        depends={layer.depends}
+        depends={[...layer.depends, opacity]}
         drawOver={drawSoilNames}
         dependsOver={[]}
       />

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/** How much of the soils is seen through a field that is painted over them. */
+import { useState } from "preact/hooks";
+
+const usual = 0.72;
+
+export function useOpacity(): { opacity: number; slider: preact.ComponentChildren } {
+  const [opacity, setOpacity] = useState(usual);
+  const slider = (
+    <label>
+      Field over soils
+      <input
+        type="range"
+        min="0"
+        max="1"
+        step="0.04"
+        value={opacity}
+        onInput={(e) => setOpacity(e.currentTarget.valueAsNumber)}
+      />
+    </label>
+  );
+  return { opacity, slider };
+}
