@@ -181,6 +181,42 @@ TEST(LemSearch, AFreeSurfaceFollowsTheWeakLayer) {
   expect_polylines(make_weak_layer(), {{Method::janbu, 0.3928}, {Method::morgenstern_price, 0.4078}}, 0.98);
 }
 
+/// The smallest and the largest polyline of Spencer's method over several seeds of the search.
+std::array<double, 2> find_scatter(const Section& section, int seeds) {
+  const Slope slope{Section(section)};
+  std::array<double, 2> range{1e9, 0};
+  for (int seed = 0; seed < seeds; ++seed) {
+    SearchOptions options = make_options({{Method::spencer, 0}}, true);
+    options.seed = seed;
+    const SearchResult result = search(slope, options);
+    if (result.noncircular.empty()) return {0, 1e9};
+    const double factor = result.noncircular.front().solution.factor;
+    range = {std::min(range[0], factor), std::max(range[1], factor)};
+  }
+  return range;
+}
+
+// docs/verification_data/search.md has twenty starts of all published problems.
+TEST(LemSearch, FindsOneMinimumWhereverItBegins) {
+  const auto range = find_scatter(make_weak_layer(), 4);
+  EXPECT_LT(range[1] / range[0] - 1, 0.002) << range[0] << " to " << range[1];
+}
+
+// Weak soil on an inclined base: with nothing below it the base is firm, as if rock were there.
+TEST(LemSearch, TheBaseIsFirmWhereNothingIsBelowIt) {
+  const std::vector<Point> ground{{0, 30}, {30, 28}, {60, 12}, {90, 11}}, base{{0, 20}, {90, 3}}, bed{{0, 21}, {90, 4}};
+  Section bare = make_section(ground, make_soil(15, 28, 19), 3);
+  bare.soils.push_back(make_soil(2, 14, 19));
+  std::vector<Point> upper = ground, lower = bed;
+  for (const std::size_t i : {1u, 0u}) upper.push_back(bed[i]), lower.push_back(base[i]);
+  bare.regions = {{0, upper}, {1, lower}};
+  Section rock = bare;
+  rock.soils.push_back(make_soil(5000, 45, 25));
+  rock.regions.push_back({2, {base[0], base[1], {0, 3}}});
+  const auto without = find_scatter(bare, 1), with = find_scatter(rock, 1);
+  EXPECT_NEAR(without[0], with[0], 0.002 * with[0]);
+}
+
 TEST(LemSearch, SteepCirclesOfClayAreSlipSurfacesOfEveryMethod) {
   // A vertical cut without friction: F = 3.83 c_u / (γ H) (Taylor 1937).
   Section section;

@@ -53,6 +53,7 @@ struct LimitEquilibrium {
   bool noncircular = true;                               ///< also optimise a polyline
   int vertices = 12;                                     ///< of that polyline
   int minima = 5;                                        ///< local minima that are shown
+  int seed = 0;                                          ///< of the starts of the search
   double smallest_depth = 0;                             ///< of a sliding mass [m]
   double smallest_m_alpha = 0.2;                         ///< [-]
   double most_tension = 0.2;                             ///< share of the base with tensile N' [-]
@@ -134,6 +135,9 @@ void describe(Visitor& v, LimitEquilibrium& l) {
   v.key("noncircular", l.noncircular, plain(), "Go on from the critical circle to the critical polyline.");
   v.key("vertices", l.vertices, plain().at_least(3).at_most(100), "Corners of that polyline.");
   v.key("minima", l.minima, plain().at_least(1).at_most(50), "Local minima that are told apart and shown.");
+  v.key("seed", l.seed, plain().at_least(0),
+        "Another number begins the search elsewhere: entries, exits and blocks along layers move by random parts of "
+        "the distance to their neighbours. A minimum that moves with it was not found; 0: they stand evenly.");
   v.key("smallest_depth", l.smallest_depth, quantity("m").at_least(0),
         "Surfaces whose sliding mass is nowhere deeper than this are refused.");
   v.key("smallest_m_alpha", l.smallest_m_alpha, plain().at_least(0).below(1),

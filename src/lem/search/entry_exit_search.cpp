@@ -22,7 +22,7 @@ double find_step(const std::vector<double>& points) {
 }  // namespace
 
 TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const std::optional<EntryExitSearch>& asked,
-                                     EntryExitSearch& used) {
+                                     int seed, EntryExitSearch& used) {
   TrialCircles circles;
   used = asked.value_or(EntryExitSearch{});
   circles.whole_ground = used.exit[0] == used.exit[1] && used.entry[0] == used.entry[1];
@@ -32,10 +32,10 @@ TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const
               std::clamp((*range)[1], slope.left(), slope.right())};
   std::vector<double> exits, entries;
   if (circles.whole_ground) {  // any two points: the circle slides to the lower one
-    exits = entries = place_points(slope, slope.left(), slope.right(), used.exits + used.entries);
+    exits = entries = place_points(slope, slope.left(), slope.right(), used.exits + used.entries, seed);
   } else {
-    exits = place_points(slope, used.exit[0], used.exit[1], used.exits);
-    entries = place_points(slope, used.entry[0], used.entry[1], used.entries);
+    exits = place_points(slope, used.exit[0], used.exit[1], used.exits, seed);
+    entries = place_points(slope, used.entry[0], used.entry[1], used.entries, seed);
   }
   const bool exit_left = used.exit[0] + used.exit[1] <= used.entry[0] + used.entry[1];
   circles.left = exit_left ? used.exit : used.entry;

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "base/parallel.hpp"
 #include "lem/search/evaluator.hpp"
 #include "lem/search/local_minima.hpp"
 #include "lem/search/optimise_surface.hpp"
+#include "lem/search/random_parts.hpp"
 #include "lem/surface/polyline_shape.hpp"
 
 namespace talus::lem {
@@ -67,7 +67,7 @@ void choose(const Slope& slope, std::vector<Start> starts, std::size_t count, st
 class PolylineSearch {
  public:
   PolylineSearch(const Slope& slope, const SearchOptions& options, Method method, const SurfaceRanges& ranges)
-      : evaluate_(slope, method, options.checks, options.slices), ranges_(ranges) {}
+      : evaluate_(slope, method, options.checks, options.slices), ranges_(ranges), seed_(options.seed) {}
 
   /// From circles, cut along the borders of regions too, and from blocks.
   void search(const std::vector<Surface>& circles, const std::vector<Surface>& blocks) {
@@ -89,18 +89,13 @@ class PolylineSearch {
 
   /// A minimiser may stop at a kink of the factor: it goes on from beside the best surface.
   void shake_best() {
-    std::minstd_rand random(1);  // the same numbers everywhere
-    const auto draw = [&] {
-      return 2 * static_cast<double>(random() - std::minstd_rand::min()) /
-                 static_cast<double>(std::minstd_rand::max() - std::minstd_rand::min()) -
-             1;
-    };
+    RandomParts parts(seed_);
     for (int i = 0; i < shakes && !best_.surface.line.empty(); ++i) {
       const std::vector<Point> line = best_.surface.line;
       double depth = 0;
       for (const Point& p : line) depth = std::max(depth, slope().ground(p[0]) - p[1]);
       std::vector<Point> moved(line.begin() + 1, line.end() - 1);
-      for (Point& p : moved) p = {p[0] + shake * depth * draw(), p[1] + shake * depth * draw()};
+      for (Point& p : moved) p = {p[0] + shake * depth * parts.draw(), p[1] + shake * depth * parts.draw()};
       const Surface start = hang_polyline(slope(), line.front()[0], line.back()[0], moved);
       if (start.line.size() > 2 && evaluate_(start) < Evaluator::refused) improve(start);
     }
@@ -124,6 +119,7 @@ class PolylineSearch {
 
   Evaluator evaluate_;
   SurfaceRanges ranges_;
+  int seed_;
   OptimisedSurface best_{{}, Evaluator::refused, 0};
 };
 
@@ -149,14 +145,15 @@ std::vector<Surface> choose_circles(const TrialCircles& circles, const SearchRes
 
 }  // namespace
 
-std::vector<Surface> make_blocks(const Slope& slope, int vertices) {
+std::vector<Surface> make_blocks(const Slope& slope, int vertices, int seed) {
   const double width = slope.right() - slope.left(), hair = 1e-7 * width;
   std::vector<Surface> blocks;
+  RandomParts parts(seed);
   // The base as a border that reaches from side to side, then the lower and the upper one of each region.
   for (std::size_t border = 0; border < 1 + 2 * slope.section().regions.size(); ++border) {
     std::vector<Point> places;
     for (int i = 1; i < stations; ++i) {
-      const double x = slope.left() + width * i / stations;
+      const double x = slope.left() + width * (i + (seed > 0 ? 0.5 * parts.draw() : 0)) / stations;
       std::optional<double> y = slope.section().base;
       if (border > 0) {
         const auto borders = find_borders(slope.section().regions[(border - 1) / 2].polygon, x);
@@ -185,7 +182,7 @@ std::vector<OptimisedSurface> find_polylines(const Slope& slope, const SearchOpt
   const SurfaceRanges ranges{circles.left, circles.right, options.vertices};
   std::vector<PolylineSearch> searches;
   for (const Method method : options.methods) searches.emplace_back(slope, options, method, ranges);
-  const std::vector<Surface> blocks = make_blocks(slope, options.vertices);
+  const std::vector<Surface> blocks = make_blocks(slope, options.vertices, options.seed);
   const auto for_each = [&](auto&& work) {
     parallel_tasks(static_cast<int>(searches.size()), options.threads, [&](int i) {
       const auto m = static_cast<std::size_t>(i);

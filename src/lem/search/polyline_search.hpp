@@ -11,8 +11,8 @@
 namespace talus::lem {
 
 /// Masses that slide along a border of a region or along the base, between a steep upper and a flat lower end: for many
-/// pairs of places along each border. Not evaluated.
-std::vector<Surface> make_blocks(const Slope& slope, int vertices);
+/// pairs of places along each border. Not evaluated. `seed`: see SearchOptions.
+std::vector<Surface> make_blocks(const Slope& slope, int vertices, int seed);
 
 /// The best polyline of each of options.methods; one without points where a method has none, or suits circles only.
 /// `minima`: the optimised circles of each method.

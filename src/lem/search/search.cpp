@@ -141,7 +141,7 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
   if (options.kind == SearchKind::grid) {
     circles = make_grid_circles(slope, options.grid, result.grid.emplace());
   } else {
-    circles = make_entry_exit_circles(slope, arcs, options.entry_exit, result.entry_exit.emplace());
+    circles = make_entry_exit_circles(slope, arcs, options.entry_exit, options.seed, result.entry_exit.emplace());
   }
   solve_trials(slope, options, circles, result);
   std::vector<int> best_trials;

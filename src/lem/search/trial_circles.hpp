@@ -23,10 +23,11 @@ struct TrialCircles {
 };
 
 /// x of `count` points of the ground between two x: dense on and beside slopes, with the ground's corners among them.
-std::vector<double> place_points(const Slope& slope, double from, double to, int count);
+/// `seed`: see SearchOptions.
+std::vector<double> place_points(const Slope& slope, double from, double to, int count, int seed);
 
 TrialCircles make_entry_exit_circles(const Slope& slope, const Arcs& arcs, const std::optional<EntryExitSearch>& asked,
-                                     EntryExitSearch& used);
+                                     int seed, EntryExitSearch& used);
 TrialCircles make_grid_circles(const Slope& slope, const std::optional<GridSearch>& asked, GridSearch& used);
 
 }  // namespace talus::lem

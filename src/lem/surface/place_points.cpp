@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lem/search/random_parts.hpp"
 #include "lem/search/trial_circles.hpp"
 
 namespace talus::lem {
@@ -45,7 +46,7 @@ class Density {
 
 }  // namespace
 
-std::vector<double> place_points(const Slope& slope, double from, double to, int count) {
+std::vector<double> place_points(const Slope& slope, double from, double to, int count, int seed) {
   from = std::max(from, slope.left());
   to = std::min(to, slope.right());
   if (!(to > from) || count < 2) return {from};
@@ -56,9 +57,11 @@ std::vector<double> place_points(const Slope& slope, double from, double to, int
   for (std::size_t i = 0; i < cells; ++i)
     sum[i + 1] = sum[i] + density(from + (static_cast<double>(i) + 0.5) * width) * width;
   std::vector<double> points{from};
+  RandomParts parts(seed);
   std::size_t cell = 0;
   for (int i = 1; i + 1 < count; ++i) {
-    const double target = sum.back() * i / (count - 1);
+    // A random start moves each by less than half a spacing, so that they keep their order.
+    const double target = sum.back() * (i + (seed > 0 ? 0.49 * parts.draw() : 0)) / (count - 1);
     while (sum[cell + 1] < target) ++cell;
     points.push_back(from + width * (static_cast<double>(cell) + (target - sum[cell]) / (sum[cell + 1] - sum[cell])));
   }

@@ -102,6 +102,7 @@ lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, 
   options.optimise_surface = settings.noncircular;
   options.vertices = settings.vertices;
   options.kept_minima = settings.minima;
+  options.seed = settings.seed;
   options.threads = threads;
   return options;
 }
