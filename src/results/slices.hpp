@@ -53,7 +53,7 @@ void describe(V& v, R& r) {
 
 /// The checks of a surface.
 struct SurfaceChecks {
-  double smallest_m_alpha = 0, tensile_share = 0, thrust_outside = 0;
+  double smallest_m_alpha = 0, tensile_share = 0, thrust_outside = 0, residual = 0;
   std::string refusal;  ///< why a search would refuse it; empty: it would not
 };
 template <class V, As<SurfaceChecks> R>
@@ -61,6 +61,7 @@ void describe(V& v, R& r) {
   v.key("smallest_m_alpha", r.smallest_m_alpha, {"", "smallest m_α"});
   v.key("tensile_share", r.tensile_share, {"", "share of the base in tension"});
   v.key("thrust_outside", r.thrust_outside, {"", "share of the sides with the thrust outside the mass"});
+  v.key("residual", r.residual, {"", "what is left of forces and moments, over the weight"});
   v.key("refusal", r.refusal, {"", "why a search would refuse it"});
 }
 

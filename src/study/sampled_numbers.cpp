@@ -17,7 +17,6 @@ using input::Distribution;
 
 /// A distribution of which less than this lies beyond the limits of its key is cut there without a note.
 constexpr double worth_telling = 1e-6;
-constexpr double per_cent = 100;
 
 std::string write_value(double x, const std::string& unit, int digits = 6) {
   return fmt::format("{:.{}g}{}{}", x, digits, unit.empty() ? "" : " ", unit);
@@ -39,7 +38,7 @@ std::string describe(const results::UncertainNumber& number, const Marginal& m, 
   if (const double share = m.find_cut_share(); share > worth_telling)
     notes.push_back(
         fmt::format("{:.2g} % of the distribution of {} lies beyond {}: it is cut there, and its mean is {} then.",
-                    per_cent * share, number.key,
+                    100 * share, number.key,
                     given.lowest.empty() && given.highest.empty() ? "what the key allows" : "its limits",
                     write_value(number.mean, number.unit, 4)));
   return text;

@@ -29,7 +29,6 @@ constexpr std::uint64_t check_stream = ~0ULL;
 /// Quick factors may be so much too high; beyond that the surfaces of the searches are kept, so many times at most.
 constexpr double good_enough = 0.003, worth_keeping = 1e-4;
 constexpr int most_rounds = 2;
-constexpr double per_cent = 100;
 
 class SliceSampling {
  public:
@@ -165,7 +164,7 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
                       "combinations of values and near failure. Searches for {} samples themselves gave "
                       "factors lower by {:.2f} % at most, {:.2f} % on average.",
                       told.surfaces, slices.count_corners(), told.check->samples,
-                      per_cent * std::max(0.0, told.check->largest), per_cent * told.check->mean));
+                      100 * std::max(0.0, told.check->largest), 100 * told.check->mean));
   } else {
     told.notes.push_back("Only the surfaces that the case gives were evaluated.");
   }

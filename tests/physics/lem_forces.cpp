@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The slice table: every slice is in equilibrium, the thrust acts where the moments say, k_y gives F = 1.
 
+#include "lem/surface/mass.hpp"
 #include "support/lem_sections.hpp"
 
 namespace talus::lem {
@@ -121,6 +122,25 @@ TEST(LemSliceTable, GeometryAndWeightAreExact) {
     for (const Slice& slice : cut.slices)
       found = found || std::abs(slice.left - x) < 1e-9 || std::abs(slice.right - x) < 1e-9;
     EXPECT_TRUE(found) << x;
+  }
+}
+
+// What a method is to balance is balanced; a factor 1 % off leaves a thousandth of the weight and more.
+TEST(LemForces, EveryFactorClosesItsEquations) {
+  const Slope slope{make_section({{0, 15}, {12, 15}, {32, 5}, {44, 5}}, make_soil(2, 30, 15.5979), 0)};
+  const Surface arc = make_arc({35.044455, 38.147107}, 33.286625, 11.123526, 32);
+  CutSurface cut = cut_surface(slope, arc, 100, Checks{});
+  for (const Method method : all_methods) {
+    const Solution solution = solve(slope, cut, method, report_only(), false);
+    EXPECT_LT(solution.residual, 1e-6) << to_word(method);
+    if (method == Method::fellenius) continue;
+    Mass mass;
+    mass.set(slope, cut, 0);
+    mass.set_interslice_function(method == Method::morgenstern_price, cut);
+    std::vector<Forces> forces;
+    find_forces(mass, 1.01 * solution.factor / solution.correction, solution.lambda, forces);
+    const bool complete = is_rigorous(method), moments = complete || method == Method::bishop;
+    EXPECT_GT(measure_residual(mass, forces, complete || !moments, moments), 1e-3) << to_word(method);
   }
 }
 

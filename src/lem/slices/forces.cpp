@@ -27,6 +27,17 @@ void find_forces(const Mass& mass, double factor, double lambda, std::vector<For
   }
 }
 
+double measure_residual(const Mass& mass, const std::vector<Forces>& forces, bool of_forces, bool of_moments) {
+  double residual = of_forces ? std::abs(forces.back().normal_side) / mass.scale : 0;
+  if (of_moments) {
+    double moment = mass.moment;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      moment += forces[i].normal * mass.wedges[i].arm_normal - forces[i].shear * mass.wedges[i].arm_shear;
+    residual = std::max(residual, std::abs(moment) / (mass.scale * mass.radius));
+  }
+  return residual;
+}
+
 void find_thrust_line(const CutSurface& cut, const Mass& mass, double horizontal, const std::vector<Forces>& forces,
                       std::vector<double>& level) {
   const double way = cut.slides_left ? -1 : 1;

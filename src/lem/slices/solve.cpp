@@ -16,6 +16,8 @@ namespace {
 
 /// Under level ground rounding alone drives the mass; a factor beyond this is meaningless.
 constexpr double largest_factor = 1000;
+/// A solution that leaves more of its equations than this share of the weight is none.
+constexpr double largest_residual = 1e-5;
 
 /// Memory of one thread.
 struct Scratch {
@@ -147,6 +149,8 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
     find_fellenius_forces(s.mass, solution.factor, s.forces);
   } else {
     find_forces(s.mass, solution.factor, solution.lambda, s.forces);
+    const bool moments = complete || method == Method::bishop, forces = complete || !moments;
+    solution.residual = measure_residual(s.mass, s.forces, forces, moments);
   }
   judge_forces(cut, s, solution);
   if (complete) {
@@ -157,6 +161,7 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
   if (keep_forces && method == Method::bishop && !circular) warn_of_centre(cut);
   // No choice of the user makes forces that no soil bears a factor of safety.
   if (!checks.has_sensible_lambda(solution.lambda)) solution.refusal = Refusal::lambda;
+  if (!(solution.residual <= largest_residual)) solution.refusal = Refusal::not_converged;
   if (checks.reject && solution.refusal == Refusal::none) solution.refusal = check_solution(cut, solution, checks);
   if (method == Method::janbu_corrected) solution.correction = correct_janbu(cut);
   solution.factor = solution.refusal == Refusal::none ? solution.factor * solution.correction : 0;

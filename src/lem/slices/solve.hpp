@@ -54,6 +54,7 @@ struct Solution {
   double smallest_m_alpha = 0;
   double tensile_share = 0;   ///< share of the base's length with N' < 0 [-]
   double thrust_outside = 0;  ///< share of E over all sides that acts clearly outside the mass [-]
+  double residual = 0;        ///< of the equations that the method is to meet, over the weight [-]
 };
 
 struct Checks {

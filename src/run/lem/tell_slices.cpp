@@ -72,7 +72,7 @@ results::CriticalSurface tell_critical(const lem::Slope& slope, const lem::Criti
   told.slides_left = c.cut.slides_left;
   told.yield_acceleration = c.yield_acceleration;
   const lem::Refusal refusal = c.cut.refusal != lem::Refusal::none ? c.cut.refusal : c.solution.refusal;
-  told.checks = {c.solution.smallest_m_alpha, c.solution.tensile_share, c.solution.thrust_outside,
+  told.checks = {c.solution.smallest_m_alpha, c.solution.tensile_share, c.solution.thrust_outside, c.solution.residual,
                  refusal == lem::Refusal::none ? "" : lem::name_refusal(refusal)};
   told.slices = tell_table(slope, c.cut);
   told.warnings = c.warnings;
