@@ -94,36 +94,8 @@ double find_table(const json& state, double x) {
   return height;
 }
 
-TEST_F(Misleading, TheWaterAfterADrawdownIsToldApartFromThatBefore) {
-  const json summary = run_case("drawdown", few_surfaces);
-  const json& states = summary.at("water_states");
-  ASSERT_EQ(states.size(), 11u);
-  const json &before = states.front(), &after = states.back();
-  EXPECT_EQ(before.at("flow"), "steady");
-  EXPECT_EQ(before.at("time").get<double>(), -3 * 86400);
-  EXPECT_NEAR(find_pond(before), 17, 1e-9);
-  EXPECT_EQ(before.at("discharges"), summary.at("seepage").at("discharges"));
-  EXPECT_EQ(after.at("flow"), "transient");
-  EXPECT_EQ(after.at("time").get<double>(), 0);
-  EXPECT_NEAR(find_pond(after), 9, 1e-9);
-  EXPECT_TRUE(summary.contains("season"));
-  // Half way down, by the series of the head.
-  EXPECT_NEAR(find_pond(states[5]), 13, 1e-9);
-  // In clay the water stays behind the face that the pool has left, and comes out above the pool.
-  EXPECT_GT(find_table(after, 30), 12);
-  EXPECT_LT(find_table(after, 30), find_table(before, 28) + 0.1);
-  ASSERT_EQ(after.at("exits").size(), 1u);
-  EXPECT_GT(after.at("exits")[0].at("highest")[1].get<double>(), 9.5);
-  // What leaves the face was stored: little of it comes in.
-  EXPECT_GT(after.at("outflow").get<double>(), 5 * after.at("inflow").get<double>());
-  const double open =
-      after.at("inflow").get<double>() - after.at("outflow").get<double>() - after.at("storage_rate").get<double>();
-  EXPECT_LT(std::abs(open), 1e-6 * after.at("outflow").get<double>());
-}
-
-TEST_F(Misleading, ThePressuresOfTheSlicesAreThoseOfTheStateThatIsTold) {
-  const json summary = run_case("drawdown", few_surfaces);
-  const json fields = json::parse(std::ifstream(folder_ / "water.json"));
+/// How many slices of the critical surfaces were found in the last field; their pressures are those of that field.
+int compare_pressures(const json& summary, const json& fields) {
   const json& nodes = fields.at("nodes");
   const json& pressure = fields.at("states").back().at("pressure");
   int compared = 0;
@@ -150,7 +122,38 @@ TEST_F(Misleading, ThePressuresOfTheSlicesAreThoseOfTheStateThatIsTold) {
       }
     }
   }
-  EXPECT_GT(compared, 40);
+  return compared;
+}
+
+TEST_F(Misleading, TheWaterAfterADrawdownIsToldApartFromThatBefore) {
+  std::vector<input::Override> overrides = few_surfaces;
+  overrides.push_back({"mesh.size", "1.5"});
+  const json summary = run_case("drawdown", overrides);
+  const json& states = summary.at("water_states");
+  ASSERT_EQ(states.size(), 11u);
+  const json &before = states.front(), &after = states.back();
+  EXPECT_EQ(before.at("flow"), "steady");
+  EXPECT_EQ(before.at("time").get<double>(), -3 * 86400);
+  EXPECT_NEAR(find_pond(before), 17, 1e-9);
+  EXPECT_EQ(before.at("discharges"), summary.at("seepage").at("discharges"));
+  EXPECT_EQ(after.at("flow"), "transient");
+  EXPECT_EQ(after.at("time").get<double>(), 0);
+  EXPECT_NEAR(find_pond(after), 9, 1e-9);
+  EXPECT_TRUE(summary.contains("season"));
+  // Half way down, by the series of the head.
+  EXPECT_NEAR(find_pond(states[5]), 13, 1e-9);
+  // In clay the water stays behind the face that the pool has left, and comes out above the pool.
+  EXPECT_GT(find_table(after, 30), 12);
+  EXPECT_LT(find_table(after, 30), find_table(before, 28) + 0.1);
+  ASSERT_EQ(after.at("exits").size(), 1u);
+  EXPECT_GT(after.at("exits")[0].at("highest")[1].get<double>(), 9.5);
+  // What leaves the face was stored: little of it comes in.
+  EXPECT_GT(after.at("outflow").get<double>(), 5 * after.at("inflow").get<double>());
+  const double open =
+      after.at("inflow").get<double>() - after.at("outflow").get<double>() - after.at("storage_rate").get<double>();
+  EXPECT_LT(std::abs(open), 1e-6 * after.at("outflow").get<double>());
+  // The slices took the pressures of the last state, and no others.
+  EXPECT_GT(compare_pressures(summary, json::parse(std::ifstream(folder_ / "water.json"))), 20);
 }
 
 TEST_F(Misleading, AFullPoolIsToldWithItsLevel) {

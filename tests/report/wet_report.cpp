@@ -191,7 +191,7 @@ TEST_F(WetReport, SeriesAreWrittenAsTheyAct) {
   const json& water = document().at("model").at("water");
   ASSERT_EQ(water.size(), 1u);
   EXPECT_EQ(water[0].at("flow"), "hydrostatic");
-  EXPECT_EQ(water[0].at("tables"), json({{{0.0, 2.0}, {7.0, 1.0}}}));
+  EXPECT_EQ(water[0].at("tables"), json({{{0.0, 2.0}, {7.0, 1.0}, {10.0, 1.0}}})) << "level to the end of the ground";
 }
 
 TEST_F(WetReport, TheAssumptionsAreThoseOfThisWater) {
