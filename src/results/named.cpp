@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "results/governing.hpp"
+#include "results/side_line.hpp"
 
 namespace talus::results {
 namespace {
@@ -115,9 +116,17 @@ class Values {
 
   /// `of` follows the titles: ", runout at SRF 1.75".
   void add_runout(const std::string& path, const std::string& of, const Runout& runout) {
+    add_side(path, of, runout);
+    if (!runout.sides) return;
+    for (const RunoutSide& side : *runout.sides)
+      add_side(path + (side.direction < 0 ? ".left" : ".right"), fmt::format(" {}{}", name_side(side.direction), of),
+               side);
+  }
+  template <class Side>
+  void add_side(const std::string& path, const std::string& of, const Side& side) {
     for (const char* key : {"moved_volume", "front_advance", "toe_distance", "crest_retreat", "centre_advance",
                             "centre_drop", "largest_displacement"})
-      add_member(path, runout, key, ResultKind::runout, of);
+      add_member(path, side, key, ResultKind::runout, of);
   }
   void add_times(const std::string& path, const std::string& of, std::optional<double> failure, StageEnd end,
                  double time) {

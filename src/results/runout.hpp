@@ -2,6 +2,7 @@
 #pragma once
 // How far the soil has run.
 
+#include <optional>
 #include <vector>
 
 #include "results/about.hpp"
@@ -20,9 +21,9 @@ void describe(V& v, R& r) {
   v.key("height", r.height, {"m", "level of the ground"});
 }
 
-struct Runout {
+/// How far soil that moves one way has run.
+struct RunoutSide {
   double moved_volume = 0;          ///< of points displaced by more than the threshold [m³ or m³/m]
-  double threshold = 0;             ///< [m]
   int direction = 1;                ///< +1: the soil moved towards larger x
   double front_advance = 0;         ///< front that holds 99 % of the moved mass: how far it went [m]
   double farthest_advance = 0;      ///< the same for the farthest point; a few detached points are not the front [m]
@@ -35,8 +36,8 @@ struct Runout {
   double centre_drop = 0;           ///< and downwards [m]
   double largest_displacement = 0;  ///< [m]
 };
-template <class V, As<Runout> R>
-void describe(V& v, R& r) {
+template <class V, class R>
+void describe_side(V& v, R& r) {
   v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
   v.key("front_advance", r.front_advance, {"m", "advance of the front"});
   v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
@@ -44,12 +45,28 @@ void describe(V& v, R& r) {
   v.key("centre_advance", r.centre_advance, {"m", "advance of the centre"});
   v.key("centre_drop", r.centre_drop, {"m", "drop of the centre"});
   v.key("largest_displacement", r.largest_displacement, {"m", "largest displacement"});
-  v.key("moved_threshold", r.threshold, {"m", "displacement beyond which soil counts as moved"});
   v.key("direction", r.direction, {"", "1: towards larger x, -1: towards smaller x"});
   v.key("farthest_advance", r.farthest_advance, {"m", "advance of the farthest point"});
   v.key("toe", r.toe, {"m", "x of the front"});
   v.key("initial_toe", r.initial_toe, {"m", "x of the toe at the start"});
   v.key("crest", r.crest, {"m", "x of the crest at the start"});
+}
+template <class V, As<RunoutSide> R>
+void describe(V& v, R& r) {
+  describe_side(v, r);
+}
+
+/// How far the soil has run. Where it moved to both sides, volume and largest displacement are those of all of it, and
+/// everything else is of the side whose front went farther beyond its toe.
+struct Runout : RunoutSide {
+  double threshold = 0;                          ///< [m]
+  std::optional<std::vector<RunoutSide>> sides;  ///< to smaller and to larger x; nothing: the soil moved one way
+};
+template <class V, As<Runout> R>
+void describe(V& v, R& r) {
+  describe_side(v, r);
+  v.key("moved_threshold", r.threshold, {"m", "displacement beyond which soil counts as moved"});
+  v.maybe("sides", r.sides, {"", "the same of each side, where the soil moved to both"});
 }
 
 }  // namespace talus::results

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "results/runout.hpp"
+#include "results/side_line.hpp"
 
 namespace talus::results {
 
@@ -71,12 +72,14 @@ void describe(V& v, R& r) {
 /// The slip line of the smallest factor that failed on a mesh: slip_line.json.
 struct SlipLine {
   double factor = 0;
-  std::vector<Point> points;  ///< [m]
+  std::vector<Point> points;                   ///< of the side where more soil moves [m]
+  std::optional<std::vector<SideLine>> sides;  ///< to smaller and to larger x; nothing: the soil moves one way
 };
 template <class V, As<SlipLine> R>
 void describe(V& v, R& r) {
   v.key("srf", r.factor, {"", "strength reduction factor"});
   v.key("points", r.points, {"m", "its points"});
+  v.maybe("sides", r.sides, {"", "the line of each side, where the soil moves to both"});
 }
 
 /// One trial of the strength reduction.

@@ -75,16 +75,38 @@ std::string write_factors(const results::PointFactors& factors) {
   return text;
 }
 
+/// The sides of a section, where the soil moved to both.
+std::string write_sides(const results::Runout& runout) {
+  std::string text;
+  if (!runout.sides) return text;
+  for (const results::RunoutSide& side : *runout.sides)
+    text += fmt::format(
+        "  {}: front advances {:.3g} m, to {:.3g} m beyond the toe, crest retreats {:.3g} m, {:.4g} m³ move\n",
+        results::name_side(side.direction), side.front_advance, side.toe_distance, side.crest_retreat,
+        side.moved_volume);
+  return text;
+}
+
 std::string write_runouts(const results::RunResult& run) {
   std::string text;
   if (run.runouts)
-    for (const results::RunoutTrial& r : *run.runouts)
-      text += fmt::format(
-          "Runout at SRF {:g}: front advances {:.3g} m and passes the toe by {:.3g} m, crest retreats {:.3g} m, {:.4g} "
-          "m³ move, {} after {:.3g} s\n",
-          r.trial.factor, r.runout.front_advance, r.runout.toe_distance, r.runout.crest_retreat, r.runout.moved_volume,
-          r.trial.end == results::StageEnd::rest ? "at rest" : "still moving", r.trial.time);
-  if (run.runout)
+    for (const results::RunoutTrial& r : *run.runouts) {
+      const char* end = r.trial.end == results::StageEnd::rest ? "at rest" : "still moving";
+      if (r.runout.sides)
+        text += fmt::format("Runout at SRF {:g} to both sides: {:.4g} m³ move, {} after {:.3g} s\n", r.trial.factor,
+                            r.runout.moved_volume, end, r.trial.time);
+      else
+        text += fmt::format(
+            "Runout at SRF {:g}: front advances {:.3g} m and passes the toe by {:.3g} m, crest retreats {:.3g} m, "
+            "{:.4g} m³ move, {} after {:.3g} s\n",
+            r.trial.factor, r.runout.front_advance, r.runout.toe_distance, r.runout.crest_retreat,
+            r.runout.moved_volume, end, r.trial.time);
+      text += write_sides(r.runout);
+    }
+  if (run.runout && run.runout->sides)
+    text += fmt::format("Runout to both sides: largest displacement {:.3g} m, {:.4g} m³ move\n{}",
+                        run.runout->largest_displacement, run.runout->moved_volume, write_sides(*run.runout));
+  else if (run.runout)
     text += fmt::format("Runout: front advances {:.3g} m, largest displacement {:.3g} m, {:.4g} m³ move\n",
                         run.runout->front_advance, run.runout->largest_displacement, run.runout->moved_volume);
   if (run.motion) text += run.motion->sentence + "\n";

@@ -29,8 +29,8 @@ using results::StudyColumn;
 constexpr double same_factor = 1e-9;
 
 /// A number of a part of the result, where the run has that part.
-template <class Part, class Number>
-std::optional<double> get(const std::optional<Part>& part, Number Part::*number) {
+template <class Part, class Owner, class Number>
+std::optional<double> get(const std::optional<Part>& part, Number Owner::*number) {
   return part ? std::optional(static_cast<double>((*part).*number)) : std::nullopt;
 }
 

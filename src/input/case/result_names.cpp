@@ -105,6 +105,13 @@ results::ElementResult outline_elements(FlowRule asked) {
   return elements;
 }
 
+/// Of soil that moves to both sides.
+std::vector<results::RunoutSide> outline_sides() {
+  std::vector<results::RunoutSide> sides(2);
+  sides[0].direction = -1;
+  return sides;
+}
+
 void outline_reduction(const StrengthReduction& reduction, results::RunResult& run) {
   results::PointFactors& factors = run.factor_of_safety.emplace();
   if (reduction.frozen.enabled) {
@@ -121,6 +128,7 @@ void outline_reduction(const StrengthReduction& reduction, results::RunResult& r
     results::RunoutTrial& trial = run.runouts->emplace_back();
     trial.trial.factor = factor;
     trial.trial.end = results::StageEnd::rest;
+    trial.runout.sides = outline_sides();
     trial.failure_time = 1;
   }
 }
@@ -153,7 +161,7 @@ void outline_points(const Case& data, results::RunResult& run) {
   }
   if (is_wet(data)) run.water = outline_water(data.hydraulics);
   if (data.analysis == AnalysisKind::strength_reduction) return outline_reduction(data.strength_reduction, run);
-  run.runout.emplace();
+  run.runout.emplace().sides = outline_sides();
   run.failure_time = 1;
   run.motion = outline_motion(data);
 }

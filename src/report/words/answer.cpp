@@ -157,7 +157,9 @@ class RunoutWords {
            std::optional<double> failure_time) {
     const std::string largest =
         fmt::format("{} the largest displacement is {}", where, length(runout.largest_displacement));
-    if (runout.moved_volume > 0)
+    if (runout.sides)
+      say_sides(runout, *runout.sides, largest, end);
+    else if (runout.moved_volume > 0)
       sentences_.push_back(fmt::format("{}, {}, {}, and {} {} move; {}.", largest, describe_front(runout),
                                        describe_crest(runout), show_number(runout.moved_volume, 4), volume_, end));
     else
@@ -171,12 +173,22 @@ class RunoutWords {
  private:
   std::string length(double metres) const { return show(metres, length_); }
 
-  std::string describe_front(const results::Runout& runout) const {
+  void say_sides(const results::Runout& runout, const std::vector<results::RunoutSide>& sides,
+                 const std::string& largest, const std::string& end) {
+    sentences_.push_back(fmt::format("{}, and {} {} move to both sides; {}.", largest,
+                                     show_number(runout.moved_volume, 4), volume_, end));
+    for (const results::RunoutSide& side : sides)
+      sentences_.push_back(fmt::format("Of the soil that moves {}, {}, {}, and {} {} move.",
+                                       results::name_side(side.direction), describe_front(side), describe_crest(side),
+                                       show_number(side.moved_volume, 4), volume_));
+  }
+
+  std::string describe_front(const results::RunoutSide& runout) const {
     const double advance = runout.front_advance, beyond = runout.toe_distance;
     return fmt::format("the front {} {} and {}", advance < 0 ? "goes back by" : "advances", length(std::abs(advance)),
-                       beyond > 0 ? "passes the toe by " + length(beyond) : "stays behind the toe");
+                       beyond > 0 ? "lies " + length(beyond) + " beyond the toe" : "stays behind the toe");
   }
-  std::string describe_crest(const results::Runout& runout) const {
+  std::string describe_crest(const results::RunoutSide& runout) const {
     return runout.crest_retreat > 0 ? "the crest retreats " + length(runout.crest_retreat) : "the crest stays";
   }
 

@@ -65,15 +65,13 @@ std::vector<double> list_distances(const ground::Polyline& a, const ground::Poly
   return distances;
 }
 
-struct MovedPoints {
-  std::vector<ground::Point> positions;
-  std::vector<double> displacement;
-  double largest = 0;
-  double spacing = 0;
+struct LastFrame {
+  MovedSection section;
+  double largest = 0;  ///< displacement [m]
 };
 
 /// The last frame of a folder, at the places where the points were before they moved.
-std::optional<MovedPoints> read_last_frame(const fs::path& folder) {
+std::optional<LastFrame> read_last_frame(const fs::path& folder) {
   if (!fs::exists(folder / "results.vtkhdf") && !fs::exists(folder / "frames")) return std::nullopt;
   const output::ResultsReader reader(folder);
   if (reader.size() == 0) return std::nullopt;
@@ -81,18 +79,24 @@ std::optional<MovedPoints> read_last_frame(const fs::path& folder) {
   const output::Field* u = output::find(frame.point_fields, "displacement");
   const output::Field* volume = output::find(frame.point_fields, "volume");
   if (u == nullptr || volume == nullptr || frame.point_count() == 0) return std::nullopt;
-  MovedPoints moved;
+  LastFrame moved;
   double area = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(frame.point_count()); ++i) {
     const double ux = u->values[3 * i], uy = u->values[3 * i + 1], size = std::hypot(ux, uy);
     if (!std::isfinite(size)) continue;
-    moved.positions.push_back({frame.positions[3 * i] - ux, frame.positions[3 * i + 1] - uy});
-    moved.displacement.push_back(size);
+    moved.section.positions.push_back({frame.positions[3 * i] - ux, frame.positions[3 * i + 1] - uy});
+    moved.section.displacement.push_back(size);
+    moved.section.across.push_back(ux);
     moved.largest = std::max(moved.largest, size);
     area += volume->values[i];
   }
-  moved.spacing = std::sqrt(area / static_cast<double>(frame.point_count()));
+  moved.section.spacing = std::sqrt(area / static_cast<double>(frame.point_count()));
   return moved;
+}
+
+void take(MovedLimit limit, PointsSlipLine& into) {
+  into.line = std::move(limit.line);
+  into.sides = std::move(limit.sides);
 }
 
 }  // namespace
@@ -103,8 +107,9 @@ PointsSlipLine find_points_slip_line(const input::Case& data, const results::Run
   const double height = run.slope_height.value_or(0);
   if (data.analysis == input::AnalysisKind::run) {
     if (const auto moved = read_last_frame(folder)) {
-      result.line = find_moved_limit(moved->positions, moved->displacement, moved->spacing,
-                                     std::max(moved_share * moved->largest, find_onset_threshold(data.output, height)));
+      take(find_moved_limit(moved->section,
+                            std::max(moved_share * moved->largest, find_onset_threshold(data.output, height))),
+           result);
       result.factor = 1;
       result.source = "lower limit of the soil that moved in the run";
     }
@@ -117,6 +122,7 @@ PointsSlipLine find_points_slip_line(const input::Case& data, const results::Run
     if (!kept) continue;
     result.factor = kept->factor;
     result.line = kept->points;
+    result.sides = kept->sides.value_or(std::vector<results::SideLine>{});
     result.source = fmt::format("lower limit of the soil that runs away at SRF {:.3f}", result.factor);
     return result;
   }
@@ -127,7 +133,7 @@ PointsSlipLine find_points_slip_line(const input::Case& data, const results::Run
     if (trial.displacement < failed) continue;
     const auto moved = read_last_frame(folder / "trials" / fmt::format("srf_{:.4f}", factor));
     if (!moved) continue;
-    result.line = find_moved_limit(moved->positions, moved->displacement, moved->spacing, moved_share * moved->largest);
+    take(find_moved_limit(moved->section, moved_share * moved->largest), result);
     if (result.line.empty()) continue;
     result.factor = factor;
     result.source = fmt::format("lower limit of the soil that moved in the trial at SRF {:g}", factor);

@@ -17,8 +17,9 @@ namespace talus::run {
 
 /// The slip line of a run by material points, and where it is from.
 struct PointsSlipLine {
-  ground::Polyline line;  ///< empty: none
-  double factor = 0;      ///< that the strength was divided by
+  ground::Polyline line;                 ///< empty: none
+  std::vector<results::SideLine> sides;  ///< where the soil moves to both: their lines; empty: it moves one way
+  double factor = 0;                     ///< that the strength was divided by
   std::string source;
 };
 

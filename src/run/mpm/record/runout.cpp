@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 
 #include "base/atomic_file.hpp"
+#include "mesh/divide.hpp"
 #include "mesh/shape_gradient.hpp"
 #include "mpm/body/observe.hpp"
 #include "output/files/history.hpp"
@@ -16,6 +18,10 @@
 
 namespace talus::run {
 namespace {
+
+/// Height above its lower level up to which ground is level: of the relief, and of the width of a bin, as the highest
+/// point of a bin lies so much lower or higher from bin to bin [-].
+constexpr double level_of_relief = 0.02, level_of_bin = 0.2;
 
 /// Share of the moved mass that lies behind the front.
 constexpr double front_share = 0.99;
@@ -46,21 +52,91 @@ double find_crest(const results::Profile& profile, int direction) {
   return crest;
 }
 
-}  // namespace
-
-/// Where the ground, seen from the crest, reaches its lower level (or ends).
+/// Where the ground, seen from the crest, reaches its lower level (or ends). What rises beyond, be it a bin whose
+/// highest point lies a little higher, is no slope.
 double find_toe(const results::Profile& profile, double crest, int direction) {
   const double top = *std::max_element(profile.height.begin(), profile.height.end());
   const double low = *std::min_element(profile.height.begin(), profile.height.end());
+  const double level = low + std::max(level_of_relief * (top - low), level_of_bin * profile.bin);
   const bool is_level = top - low < 0.02 * top;  // a column: its toe is its edge
   double toe = crest;
-  for (std::size_t i = 0; i < profile.x.size(); ++i) {
-    const double ahead = direction * (profile.x[i] - toe);
-    const bool above = is_level || profile.height[i] > low + 0.02 * (top - low);
-    if (above && ahead > 0) toe = profile.x[i];
+  const std::size_t count = profile.x.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = direction > 0 ? k : count - 1 - k;
+    if (direction * (profile.x[i] - toe) <= 0) continue;
+    if (!is_level && profile.height[i] <= level) break;
+    toe = profile.x[i];
   }
   return toe + direction * 0.5 * profile.bin;
 }
+
+/// A point that moved by more than the threshold.
+struct MovedPoint {
+  double x, across, up;  ///< where it is, and its displacement along x and y [m]
+  double displacement;   ///< [m]
+  double mass, volume;
+};
+
+/// How far the soil of one side went in its `direction`. `initial`: the ground of that side.
+results::RunoutSide measure_side(const std::vector<MovedPoint>& moved, const results::Profile& initial, int direction) {
+  results::RunoutSide r;
+  r.direction = direction;
+  double mass = 0;
+  for (const MovedPoint& p : moved) mass += p.mass;
+  std::vector<std::pair<double, double>> before, now;
+  double farthest_before = std::numeric_limits<double>::lowest(), farthest_now = farthest_before,
+         rearmost = std::numeric_limits<double>::max();
+  for (const MovedPoint& p : moved) {
+    r.largest_displacement = std::max(r.largest_displacement, p.displacement);
+    const double x1 = r.direction * p.x, x0 = x1 - r.direction * p.across;
+    before.emplace_back(x0, p.mass);
+    now.emplace_back(x1, p.mass);
+    farthest_before = std::max(farthest_before, x0);
+    farthest_now = std::max(farthest_now, x1);
+    rearmost = std::min(rearmost, x0);
+    r.moved_volume += p.volume;
+    r.centre_advance += r.direction * p.across * p.mass / mass;
+    r.centre_drop -= p.up * p.mass / mass;
+  }
+  if (now.empty() || initial.x.empty()) return r;
+  const double front_now = find_quantile(now, front_share), front_before = find_quantile(before, front_share);
+  r.front_advance = front_now - front_before;
+  r.farthest_advance = farthest_now - farthest_before;
+  r.toe = r.direction * front_now;
+  r.crest = find_crest(initial, r.direction);
+  r.initial_toe = find_toe(initial, r.crest, r.direction);
+  r.toe_distance = std::max(0.0, front_now - r.direction * r.initial_toe);
+  r.crest_retreat = std::max(0.0, r.direction * r.crest - rearmost);
+  return r;
+}
+
+/// The sides of a divided section, that to smaller x first.
+std::vector<results::RunoutSide> measure_sides(const std::vector<MovedPoint>& moved, const results::Profile& initial,
+                                               const mesh::Divide& divide) {
+  std::vector<results::RunoutSide> sides;
+  for (const bool is_left : {true, false}) {
+    std::vector<MovedPoint> own;
+    for (const MovedPoint& p : moved)
+      if ((p.x - p.across < divide.x) == is_left) own.push_back(p);
+    results::Profile ground;
+    ground.bin = initial.bin;
+    for (std::size_t i = 0; i < initial.x.size(); ++i)
+      if ((initial.x[i] < divide.x) == is_left) {
+        ground.x.push_back(initial.x[i]);
+        ground.height.push_back(initial.height[i]);
+      }
+    sides.push_back(measure_side(own, ground, is_left ? divide.left : -divide.left));
+  }
+  if (sides[0].direction > 0) std::swap(sides[0], sides[1]);
+  return sides;
+}
+
+bool goes_farther(const results::RunoutSide& a, const results::RunoutSide& b) {
+  return std::tie(a.toe_distance, a.front_advance, a.moved_volume) >
+         std::tie(b.toe_distance, b.front_advance, b.moved_volume);
+}
+
+}  // namespace
 
 template <int D>
 results::Profile find_profile(const mpm::Body<D>& body, double bin) {
@@ -115,43 +191,29 @@ template <int D>
 results::Runout find_runout(const mpm::Body<D>& body, const results::Profile& initial, double threshold) {
   results::Runout r;
   r.threshold = threshold;
-  double mass = 0, moment = 0;
-  for (int id = 0; id < body.points.size(); ++id) {
-    if (!mpm::is_present(body, id)) continue;
-    const auto p = mpm::view_point(body, id);
-    if (norm(p.displacement) <= threshold) continue;
-    mass += p.mass;
-    moment += p.mass * p.displacement[0];
-  }
-  r.direction = moment < 0 ? -1 : 1;
-  std::vector<std::pair<double, double>> before, now;
-  double farthest_before = std::numeric_limits<double>::lowest(), farthest_now = farthest_before,
-         rearmost = std::numeric_limits<double>::max();
+  std::vector<MovedPoint> moved;
+  std::vector<mesh::MovedSoil> soil;
+  double largest = 0, moment = 0;
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
     const auto p = mpm::view_point(body, id);
     const double u = norm(p.displacement);
-    r.largest_displacement = std::max(r.largest_displacement, u);
+    largest = std::max(largest, u);
     if (u <= threshold) continue;
-    const double x1 = r.direction * p.position[0], x0 = x1 - r.direction * p.displacement[0];
-    before.emplace_back(x0, p.mass);
-    now.emplace_back(x1, p.mass);
-    farthest_before = std::max(farthest_before, x0);
-    farthest_now = std::max(farthest_now, x1);
-    rearmost = std::min(rearmost, x0);
-    r.moved_volume += p.volume;
-    r.centre_advance += r.direction * p.displacement[0] * p.mass / mass;
-    r.centre_drop -= p.displacement[1] * p.mass / mass;
+    moved.push_back({p.position[0], p.displacement[0], p.displacement[1], u, p.mass, p.volume});
+    soil.push_back({p.position[0] - p.displacement[0], p.displacement[0], p.mass});
+    moment += p.mass * p.displacement[0];
   }
-  if (now.empty()) return r;
-  const double front_now = find_quantile(now, front_share), front_before = find_quantile(before, front_share);
-  r.front_advance = front_now - front_before;
-  r.farthest_advance = farthest_now - farthest_before;
-  r.toe = r.direction * front_now;
-  r.crest = find_crest(initial, r.direction);
-  r.initial_toe = find_toe(initial, r.crest, r.direction);
-  r.toe_distance = std::max(0.0, front_now - r.direction * r.initial_toe);
-  r.crest_retreat = std::max(0.0, r.direction * r.crest - rearmost);
+  if (const auto divide = mesh::find_divide(std::move(soil), threshold)) {
+    r.sides = measure_sides(moved, initial, *divide);
+    const bool is_first = goes_farther((*r.sides)[0], (*r.sides)[1]);
+    static_cast<results::RunoutSide&>(r) = (*r.sides)[is_first ? 0 : 1];
+    r.moved_volume = 0;
+    for (const MovedPoint& p : moved) r.moved_volume += p.volume;
+  } else {
+    static_cast<results::RunoutSide&>(r) = measure_side(moved, initial, moment < 0 ? -1 : 1);
+  }
+  r.largest_displacement = largest;
   return r;
 }
 

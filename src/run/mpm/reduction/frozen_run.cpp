@@ -189,8 +189,11 @@ class FrozenMesh {
     const fs::path file = folder_ / slip_line_file;
     const auto kept = results::find_file<results::SlipLine>(file);
     if (kept && kept->factor < factor) return;
-    if (auto line = find_frozen_limit(body); !line.empty())
-      results::write_file(file, results::SlipLine{factor, std::move(line)}, -1);
+    MovedLimit limit = find_frozen_limit(body);
+    if (limit.line.empty()) return;
+    results::SlipLine told{factor, std::move(limit.line), {}};
+    if (!limit.sides.empty()) told.sides = std::move(limit.sides);
+    results::write_file(file, told, -1);
   }
 
   const TrialContext& context_;
