@@ -64,6 +64,7 @@ class Surface:
     method: str  #: "lem", "fem", "mpm"
     factor: Optional[float]
     points: NDArray[Any]  #: (points, 2) [m]
+    direction: Optional[int] = None  #: 1: its soil moves towards larger x, -1: smaller; None: all soil moves one way
 
 
 def read_methods(summary: dict[str, Any]) -> MethodTable:
@@ -78,7 +79,14 @@ def read_surfaces(summary: dict[str, Any]) -> dict[str, Surface]:
     """`methods.surfaces` of a summary.json by name; empty where there are none."""
     listed = summary.get("methods", {}).get("surfaces", [])
     return {
-        s["name"]: Surface(s["name"], s["title"], s["method"], s["factor"], np.array(s["points"], float).reshape(-1, 2))
+        s["name"]: Surface(
+            s["name"],
+            s["title"],
+            s["method"],
+            s["factor"],
+            np.array(s["points"], float).reshape(-1, 2),
+            s.get("direction"),
+        )
         for s in listed
     }
 

@@ -70,6 +70,9 @@ void describe(V& v, R& r) {
 inline constexpr const char *band_name = "fem.band", *associated_band_name = "fem.associated.band",
                             *slip_line_name = "mpm.slip_line";
 
+/// What follows the name of a line where the soil moves to both sides, of the side that slices are not given.
+inline constexpr const char* other_side_name = ".other_side";
+
 /// A surface of a method, for the section.
 struct MethodSurface {
   std::string name, title;
@@ -77,6 +80,8 @@ struct MethodSurface {
   std::optional<double> factor;
   std::vector<Point> points;          ///< [m]
   std::optional<std::string> source;  ///< of material points: where the line was taken from
+  std::optional<int> direction;       ///< +1: its soil moves towards larger x; nothing: all soil moves one way
+  std::optional<std::string> beside;  ///< the surface of the other side, which slices are given instead of this one
 };
 template <class V, As<MethodSurface> R>
 void describe(V& v, R& r) {
@@ -86,6 +91,8 @@ void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("points", r.points, {"m", "its points"});
   v.maybe("source", r.source, {"", "where the line was taken from"});
+  v.maybe("direction", r.direction, {"", "1: its soil moves towards larger x, -1: towards smaller x"});
+  v.maybe("beside", r.beside, {"", "name of the surface of the other side, which slices are given instead"});
 }
 
 /// A surface of one method given to a method of slices.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "results/about.hpp"
+#include "results/side_line.hpp"
 #include "results/water.hpp"
 
 namespace talus::results {
@@ -43,7 +44,8 @@ struct ElementRun {
   double factor = 0, stable = 0, failed = 0;
   std::optional<double> by_displacement;  ///< factor where displacements run away
   std::vector<ElementTrial> trials;
-  std::vector<Point> slip_line;  ///< [m]; empty: there is no band
+  std::vector<Point> slip_line;                ///< of the soil that moves fastest [m]; empty: there is no band
+  std::optional<std::vector<SideLine>> sides;  ///< to smaller and to larger x; nothing: the soil moves one way
   double seconds = 0;
   std::vector<std::string> warnings;
 };
@@ -57,6 +59,7 @@ void describe(V& v, R& r) {
   v.key("by_displacement", r.by_displacement, {"", "factor where displacements run away"});
   v.key("trials", r.trials, {"", "trials"});
   v.key("slip_line", r.slip_line, {"m", "line along the band of shear strain"});
+  v.maybe("sides", r.sides, {"", "the line of each side, where the soil moves to both"});
   v.key("seconds", r.seconds, {"s", "seconds"});
   v.key("warnings", r.warnings, {"", "warnings"});
 }

@@ -2,10 +2,12 @@
 // Cases whose answer once misled: each with the number that governs, and what must be said about it.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 
 #include "cases/methods_slope.hpp"
+#include "run/compare/slip_line.hpp"
 
 namespace talus {
 namespace {
@@ -168,6 +170,100 @@ TEST_F(Misleading, AFullPoolIsToldWithItsLevel) {
   for (const json& pond : states[0].at("ponds")) left = std::min(left, pond.at("from")[0].get<double>());
   EXPECT_NEAR(left, 22 + 2.5 * 3, 1e-6);
   EXPECT_NEAR(find_table(states[0], 1), 17.5, 0.05);
+}
+
+using Line = std::vector<std::array<double, 2>>;
+
+/// Largest distance of the points of one line from the mirror of the other about `x`.
+double find_asymmetry(const Line& left, Line right, double x) {
+  for (auto& p : right) p[0] = 2 * x - p[0];
+  return run::find_mean_distance(left, right);
+}
+
+TEST_F(Misleading, AnEmbankmentHasALineOnEachSideAndSlicesAreGivenOne) {
+  // As much of the reduction as finds the mechanism.
+  const json summary =
+      run_case("embankment_elements", {{"fem.from", "1.2"}, {"fem.to", "1.26"}, {"fem.resolution", "0.06"}});
+  const json& fem = summary.at("fem").at("runs").at(0);
+  ASSERT_EQ(fem.at("sides").size(), 2u);
+  const Line left = fem.at("sides").at(0).at("points"), right = fem.at("sides").at(1).at("points");
+  EXPECT_EQ(fem.at("sides").at(0).at("direction"), -1);
+  EXPECT_EQ(fem.at("sides").at(1).at("direction"), 1);
+  const double size = summary.at("fem").at("size").get<double>();
+  EXPECT_LT(find_asymmetry(left, right, 38), 0.5 * size) << "the section is symmetrical, its mesh is not";
+  for (const Line* line : {&left, &right}) {
+    EXPECT_NEAR(line->front()[0], 38, size) << "begins where the soil of the other side does, on the crest";
+    EXPECT_NEAR(line->front()[1], 12, 1e-9);
+    EXPECT_NEAR(line->back()[1], 8, 1e-9) << "ends on the ground before its own toe";
+    for (const auto& x : *line) EXPECT_GT(x[1], 0);
+  }
+  EXPECT_LT(left.back()[0], 24);
+  EXPECT_GT(right.back()[0], 52);
+
+  // Slices follow one of the two: the band is a little stronger than their own surface.
+  const double least = support::find_result(summary, "lem.factor").value_or(0);
+  const auto handed = support::find_result(summary, "lem.handed[fem.band].spencer");
+  ASSERT_TRUE(handed) << summary.at("methods").at("handed");
+  EXPECT_GT(*handed, 0.99 * least);
+  EXPECT_LT(*handed, 1.15 * least);
+  std::size_t lines = 0, given = 0;
+  for (const json& s : summary.at("methods").at("surfaces")) lines += s.at("method") == "fem" ? 1 : 0;
+  for (const json& h : summary.at("methods").at("handed")) given += h.at("from") != "fem.band" ? 1 : 0;
+  EXPECT_EQ(lines, 2u);
+  EXPECT_EQ(given, 0u);
+  EXPECT_NE(summary.at("methods").at("remarks").dump().find("moves to both sides"), std::string::npos);
+}
+
+TEST_F(Misleading, TheCrestOfAnEmbankmentRetreatsToItsMiddleOnEachSide) {
+  const json summary = run_case("embankment_points", {{"analysis.methods", "[\"lem\", \"mpm\"]"},
+                                                      {"strength_reduction.frozen.enabled", "false"},
+                                                      {"strength_reduction.curve.from", "1.5"}});
+  const json& runout = summary.at("runouts").at(0).at("runout");
+  ASSERT_EQ(runout.at("sides").size(), 2u);
+  const json &left = runout.at("sides").at(0), &right = runout.at("sides").at(1);
+  for (const json* side : {&left, &right}) {
+    EXPECT_LE(side->at("crest_retreat").get<double>(), 6.5) << "half of the crest, and half of a bin";
+    EXPECT_GT(side->at("crest_retreat").get<double>(), 4);
+    EXPECT_GT(side->at("centre_advance").get<double>(), 0);
+  }
+  for (const char* key : {"crest", "initial_toe", "toe"})
+    EXPECT_NEAR(left.at(key).get<double>() + right.at(key).get<double>(), 2 * 38, 1.0) << key << ", within a bin";
+  const double of_left = left.at("moved_volume"), of_right = right.at("moved_volume"), all = runout.at("moved_volume");
+  EXPECT_NEAR(of_left + of_right, all, 1e-9 * all);
+  EXPECT_NEAR(of_left, of_right, 0.03 * all);
+  EXPECT_EQ(support::find_result(summary, "runout[1.6].left.crest_retreat"), left.at("crest_retreat").get<double>());
+
+  Line first, second;
+  for (const json& s : summary.at("methods").at("surfaces")) {
+    if (s.at("name") == "mpm.slip_line") first = s.at("points").get<Line>();
+    if (s.at("name") == "mpm.slip_line.other_side") second = s.at("points").get<Line>();
+  }
+  ASSERT_FALSE(first.empty());
+  ASSERT_FALSE(second.empty());
+  EXPECT_LT(find_asymmetry(first, second, 38), 1.0) << "an element";
+  EXPECT_TRUE(support::find_result(summary, "lem.handed[mpm.slip_line].spencer")) << summary.at("methods").at("handed");
+}
+
+TEST_F(Misleading, TheLineOfTheUnsaturatedSlopeReachesTheCrest) {
+  // It began in the face, at (15.6, 13.2): the toe moves faster than the head, and one limit held for both.
+  std::ifstream file(TALUS_SOURCE_DIR "/examples/unsaturated_slope/three_methods.toml");
+  const json summary = run(std::string{std::istreambuf_iterator<char>(file), {}}, {{"analysis.methods", "[\"fem\"]"},
+                                                                                   {"fem.flow", "as_given"},
+                                                                                   {"fem.from", "1.27"},
+                                                                                   {"fem.to", "1.3"},
+                                                                                   {"fem.resolution", "0.03"}});
+  const json& fem = summary.at("fem").at("runs").at(0);
+  EXPECT_FALSE(fem.contains("sides"));
+  const Line line = fem.at("slip_line");
+  ASSERT_GT(line.size(), 10u);
+  EXPECT_NEAR(line.front()[1], 15, 1e-9);
+  EXPECT_GT(line.front()[0], 6);
+  EXPECT_LT(line.front()[0], 12);
+  const double size = summary.at("fem").at("size").get<double>();
+  for (const auto& x : line) {
+    EXPECT_LE(x[1], std::clamp(15 - (x[0] - 12) / 2, 5.0, 15.0) + 1e-9) << "in the soil";
+    EXPECT_GT(x[1], 5 - size) << "not below the toe by more than an element";
+  }
 }
 
 }  // namespace

@@ -201,8 +201,9 @@ TEST_F(Pictures, OfASectionNameEverySurfaceWithItsFactor) {
   output::SectionPlot plot;
   plot.title = "A bank";
   plot.outlines = {{{0, 0}, {20, 0}, {20, 5}, {10, 5}, {5, 10}, {0, 10}}};
-  plot.surfaces = {{"lem.bishop", "Bishop, critical circle", Method::lem, 1.2344, {{2, 10}, {6, 6}, {12, 5}}, {}},
-                   {"fem.band", "Band of the finite elements", Method::fem, 1.1, {{1, 10}, {6, 5}, {13, 5}}, {}}};
+  plot.surfaces = {
+      {"lem.bishop", "Bishop, critical circle", Method::lem, 1.2344, {{2, 10}, {6, 6}, {12, 5}}, {}, {}, {}},
+      {"fem.band", "Band of the finite elements", Method::fem, 1.1, {{1, 10}, {6, 5}, {13, 5}}, {}, {}, {}}};
   plot.length_unit = "cm";
   output::draw(plot, folder_ / "section.svg");
   const std::string script = read("section.gp");

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The slip line of a failed trial: the cheapest way through the mesh between the two places where the moving ground
-// ends, where length costs less the more the soil is sheared; then drawn onto the ridge and smoothed.
+// The slip lines of a failed trial: the cheapest way through the mesh between the two places where the moving ground
+// of a side ends, where length costs less the more the soil is sheared; then drawn onto the ridge and smoothed.
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <queue>
 
 #include "fem/solid/system.hpp"
+#include "mesh/divide.hpp"
 
 namespace talus::fem {
 namespace {
@@ -17,6 +19,9 @@ using Point = std::array<double, 2>;
 using Line = std::vector<Point>;
 
 constexpr double moving_share = 0.4;    ///< of the largest displacement: the ground that moves
+constexpr double bridged = 4;           ///< elements along the ground that may rest between moving ground
+constexpr double steeper = 1.2;         ///< times the fall of the motion, for an end farther out
+constexpr double across_share = 0.25;   ///< of the largest displacement, for soil that moves to a side
 constexpr double band_quantile = 0.97;  ///< of the sheared area; more strain than there counts as much
 constexpr double least_share = 1e-3;    ///< of that strain, for soil that is hardly sheared
 constexpr double along_ground = 10;     ///< times the cost: the line must not run back along the surface
@@ -33,20 +38,34 @@ double find_shear(const std::array<double, 6>& s) {
   return std::sqrt(2 * ((s[0] - m) * (s[0] - m) + (s[1] - m) * (s[1] - m) + (s[2] - m) * (s[2] - m)) + s[3] * s[3]);
 }
 
-class SlipLine {
+class SlipLines {
  public:
-  SlipLine(const SolidModel<2>& model, const QuadraticMesh<2>& mesh, const SolidState<2>& state)
+  SlipLines(const SolidModel<2>& model, const QuadraticMesh<2>& mesh, const SolidState<2>& state)
       : mesh_(mesh), state_(state), held_(find_held_directions(model, mesh)) {}
 
-  Line find() {
+  std::vector<SlipLine> find() {
     find_strains();
-    if (!(cap_ > 0) || !find_ends()) return {};
-    Line line = find_way();
-    if (line.size() < 3) return {};
-    line = resample(line);
-    draw_to_ridge(line);
-    if (line.front()[1] < line.back()[1]) std::reverse(line.begin(), line.end());
-    return line;
+    if (!(cap_ > 0)) return {};
+    chain_ground();
+    const int fastest = find_fastest([&](int n) { return find_motion(n); });
+    if (fastest < 0) return {};
+    std::vector<SlipLine> lines;
+    if (const auto divide = find_sides(across_share * find_motion(fastest))) {
+      const auto find_side = [&](bool is_left, int way) {
+        const auto is_own = [&](int n) { return (place(n)[0] < divide->x) == is_left; };
+        add_line(find_fastest([&](int n) { return is_own(n) ? way * displace(n)[0] : 0; }), is_own, lines);
+      };
+      find_side(true, divide->left);
+      find_side(false, -divide->left);
+      if (lines.size() == 2) {
+        if (fastest_[1] > fastest_[0]) std::swap(lines[0], lines[1]);
+        return lines;
+      }
+      lines.clear();
+    }
+    add_line(
+        fastest, [](int) { return true; }, lines);
+    return lines;
   }
 
  private:
@@ -83,47 +102,141 @@ class SlipLine {
     }
   }
 
-  /// Chains the free surface and walks from its fastest node to where it hardly moves, both ways.
-  bool find_ends() {
+  const Point& place(int n) const { return mesh_.nodes[static_cast<std::size_t>(n)]; }
+  const Vec<2>& displace(int n) const { return state_.displacement[static_cast<std::size_t>(n)]; }
+  double find_motion(int n) const { return norm(displace(n)); }
+
+  /// The free surface: its nodes, and which follow one another.
+  void chain_ground() {
     std::map<std::array<int, 3>, int> uses;  // half edges: a < b, middle
     for (const auto& element : mesh_.elements)
       for (std::size_t i = 0; i < Q::edges.size(); ++i) {
         const int a = element[Q::edges[i][0]], b = element[Q::edges[i][1]];
         ++uses[{std::min(a, b), std::max(a, b), element[Q::corners + i]}];
       }
-    std::map<int, std::vector<int>> next;
     ground_.assign(mesh_.nodes.size(), 0);
     for (const auto& [edge, count] : uses) {
       if (count != 1 || !held_[static_cast<std::size_t>(edge[2])].empty()) continue;
       for (int end : {edge[0], edge[1]}) {
-        next[end].push_back(edge[2]);
-        next[edge[2]].push_back(end);
+        next_[end].push_back(edge[2]);
+        next_[edge[2]].push_back(end);
       }
       for (int n : edge) ground_[static_cast<std::size_t>(n)] = 1;
     }
+  }
+
+  /// The node of the ground with the largest speed(n) above zero; -1 where there is none.
+  template <class Speed>
+  int find_fastest(const Speed& speed) const {
     double most = 0;
     int fastest = -1;
     for (std::size_t n = 0; n < ground_.size(); ++n) {
-      const double u = norm(state_.displacement[n]);
-      if (ground_[n] && u > most) most = u, fastest = static_cast<int>(n);
+      if (!ground_[n]) continue;
+      const double u = speed(static_cast<int>(n));
+      if (u > most) most = u, fastest = static_cast<int>(n);
     }
-    if (fastest < 0) return false;
-    for (std::size_t way = 0; way < 2; ++way) {
-      int before = -1, at = fastest;
-      std::size_t steps = 0;
-      while (norm(state_.displacement[static_cast<std::size_t>(at)]) > moving_share * most &&
-             steps++ < ground_.size()) {
-        const auto& list = next[at];
-        int to = -1;
-        for (int n : list)
-          if (n != before && (before >= 0 || to < 0 || way == 1)) to = n;
-        if (to < 0) break;
-        before = at;
-        at = to;
+    return fastest;
+  }
+
+  /// Where soil that moves to smaller x and soil that moves to larger x part.
+  std::optional<mesh::Divide> find_sides(double threshold) const {
+    std::vector<mesh::MovedSoil> soil;
+    for (std::size_t k = 0; k < mesh_.elements.size(); ++k) {
+      mesh::MovedSoil& s = soil.emplace_back();
+      for (const int n : mesh_.elements[k]) {
+        s.x += mesh_.nodes[static_cast<std::size_t>(n)][0] / Q::nodes;
+        s.across += state_.displacement[static_cast<std::size_t>(n)][0] / Q::nodes;
       }
-      ends_[way] = at;
+      for (std::size_t p = k * Q::points; p < (k + 1) * Q::points; ++p) s.amount += mesh_.weights[p];
     }
-    return ends_[0] != ends_[1];
+    return mesh::find_divide(std::move(soil), threshold);
+  }
+
+  struct Step {
+    int node;
+    double along;  ///< the ground, from where the walk began [m]
+    double motion;
+  };
+
+  /// The ground from a node on, in one of its two directions, to its end or to the first node that is not `own`.
+  template <class Is>
+  std::vector<Step> walk(int from, std::size_t way, const Is& is_own) const {
+    std::vector<Step> steps{{from, 0, find_motion(from)}};
+    int before = -1, at = from;
+    while (is_own(at) && steps.size() <= ground_.size()) {
+      int to = -1;
+      for (int n : next_.at(at))
+        if (n != before && (before >= 0 || to < 0 || way == 1)) to = n;
+      if (to < 0) break;
+      steps.push_back({to, steps.back().along + find_distance(place(at), place(to)), find_motion(to)});
+      before = at;
+      at = to;
+    }
+    return steps;
+  }
+
+  /// Motion at a place along the walk, linear between nodes.
+  static double find_motion_at(const std::vector<Step>& steps, double along) {
+    if (along <= 0) return steps.front().motion;
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      if (steps[i].along < along) continue;
+      const double share = (along - steps[i - 1].along) / (steps[i].along - steps[i - 1].along);
+      return steps[i - 1].motion + share * (steps[i].motion - steps[i - 1].motion);
+    }
+    return steps.back().motion;
+  }
+
+  /// How much the motion falls over an element on either side of a place.
+  double find_fall(const std::vector<Step>& steps, double along) const {
+    return find_motion_at(steps, along - size_) - find_motion_at(steps, along + size_);
+  }
+
+  /// Where the motion falls below moving_share of the fastest for good: ground that rests for a short stretch, as at
+  /// the centre of a rotation, is not the end.
+  std::size_t find_rest(const std::vector<Step>& steps) const {
+    const double limit = moving_share * steps[0].motion;
+    std::size_t still = 0;
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      if (steps[i].motion > limit)
+        still = 0;
+      else if (still == 0)
+        still = i;
+      if (still > 0 && steps[i].along > steps[still].along + bridged * size_) break;
+    }
+    return still > 0 ? still : steps.size() - 1;
+  }
+
+  /// The end of the moving ground: where it comes to rest against the fastest, or farther out where it falls more
+  /// steeply than there, as at the scarp of a head that moves less than the toe.
+  int find_end(const std::vector<Step>& steps) const {
+    const std::size_t rest = find_rest(steps);
+    double steepest = 0, at = -1;
+    for (const Step& s : steps)
+      if (std::abs(s.along - steps[rest].along) <= 2 * size_) steepest = std::max(steepest, find_fall(steps, s.along));
+    steepest *= steeper;
+    for (std::size_t i = rest; i < steps.size(); ++i)
+      if (const double fall = find_fall(steps, steps[i].along); fall > steepest) steepest = fall, at = steps[i].along;
+    if (at < 0) return steps[rest].node;
+    const double inside = find_motion_at(steps, at - size_), outside = find_motion_at(steps, at + size_),
+                 limit = outside + moving_share * (inside - outside);
+    for (const Step& s : steps)
+      if (s.along > at - size_ && s.motion <= limit) return s.node;
+    return steps[rest].node;
+  }
+
+  /// Adds the line of the moving ground around a node, from its upper end, where there is one.
+  template <class Is>
+  void add_line(int from, const Is& is_own, std::vector<SlipLine>& lines) {
+    if (from < 0) return;
+    for (const std::size_t way : {0, 1}) ends_[way] = find_end(walk(from, way, is_own));
+    if (ends_[0] == ends_[1]) return;
+    Line line = find_way();
+    if (line.size() < 3) return;
+    line = resample(line);
+    draw_to_ridge(line);
+    if (line.front()[1] < line.back()[1]) std::reverse(line.begin(), line.end());
+    fastest_.push_back(find_motion(from));
+    lines.push_back({line.back()[0] < line.front()[0] ? -1 : 1, std::move(line)});
   }
 
   Line find_way() const {
@@ -217,15 +330,17 @@ class SlipLine {
   std::vector<std::vector<Vec<2>>> held_;
   std::vector<double> strain_, shear_;  ///< at nodes and at points
   std::vector<char> ground_;
+  std::map<int, std::vector<int>> next_;  ///< along the ground
   std::array<int, 2> ends_{-1, -1};
+  std::vector<double> fastest_;  ///< of the lines: motion of the ground above
   double cap_ = 0, size_ = 0;
 };
 
 }  // namespace
 
-std::vector<std::array<double, 2>> find_slip_line(const SolidModel<2>& model, const QuadraticMesh<2>& mesh,
-                                                  const SolidState<2>& state) {
-  return SlipLine(model, mesh, state).find();
+std::vector<SlipLine> find_slip_lines(const SolidModel<2>& model, const QuadraticMesh<2>& mesh,
+                                      const SolidState<2>& motion) {
+  return SlipLines(model, mesh, motion).find();
 }
 
 }  // namespace talus::fem

@@ -145,9 +145,16 @@ template <int D>
 ReductionResult<D> reduce_strength(const SolidModel<D>& model, const ReductionOptions& options,
                                    const std::function<void(const ReductionTrial&)>& report = {});
 
-/// The slip surface as a polyline from crest to toe: the ridge of the shear strain between the moving mass and the rest
-/// [m]. `motion`: displacements and strains, best those of ReductionResult::mechanism. 2D; empty where there is none.
-std::vector<std::array<double, 2>> find_slip_line(const SolidModel<2>& model, const QuadraticMesh<2>& mesh,
-                                                  const SolidState<2>& motion);
+/// A slip surface as a polyline from crest to toe: the ridge of the shear strain between the moving mass and the rest.
+struct SlipLine {
+  int direction = 1;                          ///< +1: its soil moves towards larger x
+  std::vector<std::array<double, 2>> points;  ///< [m]
+};
+
+/// The slip surface of the soil that moves fastest; where the soil moves to both sides (mesh::find_divide()), behind it
+/// that of the other side. `motion`: displacements and strains, best those of ReductionResult::mechanism. Empty where
+/// there is none.
+std::vector<SlipLine> find_slip_lines(const SolidModel<2>& model, const QuadraticMesh<2>& mesh,
+                                      const SolidState<2>& motion);
 
 }  // namespace talus::fem

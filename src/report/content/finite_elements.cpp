@@ -40,16 +40,21 @@ json take_trials(std::vector<results::ElementTrial> trials) {
 }
 
 json take_run(const results::ElementRun& run) {
-  return {{"flow", results::to_word(run.flow)},
-          {"title", run.flow == results::Flow::associated ? "associated flow, ψ = φ" : "ψ as given"},
-          {"psi", run.psi},
-          {"trials", take_trials(run.trials)},
-          {"slip_line", run.slip_line},
-          {"warnings", run.warnings},
-          {"factor", take_factor(run.factor)},
-          {"stable", take_factor(run.stable)},
-          {"failed", take_factor(run.failed)},
-          {"by_displacement", take_factor(run.by_displacement.value_or(0))}};
+  json taken{{"flow", results::to_word(run.flow)},
+             {"title", run.flow == results::Flow::associated ? "associated flow, ψ = φ" : "ψ as given"},
+             {"psi", run.psi},
+             {"trials", take_trials(run.trials)},
+             {"slip_lines", json::array()},
+             {"warnings", run.warnings},
+             {"factor", take_factor(run.factor)},
+             {"stable", take_factor(run.stable)},
+             {"failed", take_factor(run.failed)},
+             {"by_displacement", take_factor(run.by_displacement.value_or(0))}};
+  if (run.sides)
+    for (const results::SideLine& side : *run.sides) taken["slip_lines"].push_back(side.points);
+  else if (!run.slip_line.empty())
+    taken["slip_lines"].push_back(run.slip_line);
+  return taken;
 }
 
 /// Limits of the colours: the largest strain of all but the most strained hundredth of the nodes.

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "results/governing.hpp"
 #include "run/compare/disagreement.hpp"
 #include "run/compare/reading.hpp"
 #include "run/compare/slip_line.hpp"
@@ -88,7 +89,8 @@ class Comparison {
     if (c.correction != 1) row.note = fmt::format("f₀ = {:.3f}", c.correction);
     if (!c.checks.refusal.empty()) row.note = c.checks.refusal;
     told_.table.push_back(std::move(row));
-    told_.surfaces.push_back({name, fmt::format("{}, {}", s.title, criterion), Method::lem, s.factor, s.points, {}});
+    told_.surfaces.push_back(
+        {name, fmt::format("{}, {}", s.title, criterion), Method::lem, s.factor, s.points, {}, {}, {}});
   }
 
   void add_slices(const results::SliceResult& slices) {
@@ -128,8 +130,32 @@ class Comparison {
         told_.table.push_back(row);
       }
       if (!run.slip_line.empty())
-        told_.surfaces.push_back(
-            {band, "Band of the finite elements, " + words, Method::fem, run.factor, run.slip_line, {}});
+        add_lines({band, "Band of the finite elements, " + words, Method::fem, run.factor, run.slip_line, {}, {}, {}},
+                  run.sides.value_or(std::vector<results::SideLine>{}));
+    }
+  }
+
+  /// A line of finite elements or material points; where the soil moves to both sides the line of each, first the one
+  /// that lies nearer to the surface of the slices.
+  void add_lines(results::MethodSurface line, const std::vector<results::SideLine>& sides) {
+    if (sides.size() != 2) {
+      told_.surfaces.push_back(std::move(line));
+      return;
+    }
+    const std::string name = line.name, title = line.title;
+    std::size_t first = sides[0].points == line.points ? 0 : 1;
+    const auto governing = run_.slices ? results::find_governing_surface(*run_.slices, nullptr) : std::nullopt;
+    if (governing && governing->found->surface.points.size() > 1) {
+      const ground::Polyline& own = governing->found->surface.points;
+      first = find_mean_distance(own, sides[0].points) <= find_mean_distance(own, sides[1].points) ? 0 : 1;
+    }
+    for (const std::size_t i : {first, 1 - first}) {
+      line.title = fmt::format("{}, {}", title, sides[i].direction < 0 ? "left" : "right");
+      line.direction = sides[i].direction;
+      line.points = sides[i].points;
+      told_.surfaces.push_back(line);
+      line.name = name + results::other_side_name;
+      line.beside = name;
     }
   }
 
@@ -144,11 +170,16 @@ class Comparison {
       told_.table[first].seconds = std::max(0.0, (run_.timing ? run_.timing->wall : 0) - others);
     }
     if (line.line.empty()) return;
-    told_.surfaces.push_back({results::slip_line_name,
-                              line.factor > 1
-                                  ? fmt::format("Slip line of the material points at SRF {:.4g}", line.factor)
-                                  : std::string("Slip line of the material points"),
-                              Method::mpm, line.factor, line.line, line.source});
+    add_lines({results::slip_line_name,
+               line.factor > 1 ? fmt::format("Slip line of the material points at SRF {:.4g}", line.factor)
+                               : std::string("Slip line of the material points"),
+               Method::mpm,
+               line.factor,
+               line.line,
+               line.source,
+               {},
+               {}},
+              line.sides);
   }
 
   void add_point_factors(const results::PointFactors& factors, const std::string& surface) {
@@ -192,7 +223,7 @@ class Comparison {
     const lem::SearchOptions options = make_search_options(data_.lem, threads_);
     const std::vector<results::MethodSurface> given = told_.surfaces;
     for (const results::MethodSurface& s : given) {
-      if (s.method == Method::lem) continue;
+      if (s.method == Method::lem || s.beside) continue;
       const auto surface = make_surface(*slope_, s.points);
       for (const SliceMethod method : list_takers(data_.lem)) {
         const std::string name = to_word(method), title = fmt::format("{} on: {}", get_title(method), s.title);
@@ -235,7 +266,7 @@ class Comparison {
         begin_row(Method::lem, "spencer_optimised", "Spencer", "optimised from: " + of.title, name, Source::optimised);
     row.factor = factor;
     told_.table.push_back(std::move(row));
-    told_.surfaces.push_back({name, title, Method::lem, factor, best.surface.line, {}});
+    told_.surfaces.push_back({name, title, Method::lem, factor, best.surface.line, {}, {}, {}});
   }
 
   const input::Case& data_;

@@ -76,6 +76,7 @@ class Reading {
     read_points_criterion();
     read_points();
     topic_ = results::Topic::mechanism;
+    read_sides();
     read_surfaces();
     topic_ = results::Topic::seconds;
     read_seconds();
@@ -299,13 +300,26 @@ class Reading {
 
   bool is_extrapolated() const { return run_.factor_of_safety->frozen->extrapolated.has_value(); }
 
+  /// Mechanisms on both sides of a section.
+  void read_sides() {
+    for (const results::MethodSurface& s : methods_.surfaces) {
+      if (!s.beside || !s.direction) continue;
+      const std::string of = s.method == Method::fem ? "finite elements" + name_rule(s) : "material points";
+      say("In the {} the soil moves to both sides, along a line of its own on each.{}", of,
+          run_.slices ? fmt::format(" Slices are given the line of the soil that moves {}, which is nearer to their "
+                                    "own surface.",
+                                    results::name_side(-*s.direction))
+                      : "");
+    }
+  }
+
   /// Whether the methods find one mechanism, and the factors of slices on the surfaces of the others.
   void read_surfaces() {
     if (surface_ == nullptr || !(height_ > 0)) return;
     const ground::Polyline& own = surface_->surface.points;
     if (own.size() < 2) return;
     for (const results::MethodSurface& s : methods_.surfaces) {
-      if (s.method == Method::lem || s.points.size() < 2) continue;
+      if (s.method == Method::lem || s.beside || s.points.size() < 2) continue;
       const double mean = find_mean_distance(own, s.points);
       const bool by_elements = s.method == Method::fem;
       const std::string of =
@@ -325,7 +339,8 @@ class Reading {
   /// The name of a surface of the finite elements where there are two bands; empty where there is one.
   std::string name_rule(const results::MethodSurface& s) const {
     if (given_ == nullptr || associated_ == nullptr) return "";
-    return " with " + describe_flow(s.name == name_band(results::Flow::associated) ? *associated_ : *given_);
+    const bool associated = s.beside.value_or(s.name) == name_band(results::Flow::associated);
+    return " with " + describe_flow(associated ? *associated_ : *given_);
   }
 
   /// Another local minimum of the slices that is this mechanism.

@@ -147,7 +147,14 @@ void ElementRun<D>::reduce(results::Flow flow) {
   run.seconds = found.seconds;
   for (const fem::ReductionTrial& t : found.trials) run.trials.push_back(tell_trial(t));
   if constexpr (D == 2) {
-    run.slip_line = fem::find_slip_line(model_->solid.model, model_->mesh, found.mechanism);
+    std::vector<results::SideLine> lines;
+    for (fem::SlipLine& line : fem::find_slip_lines(model_->solid.model, model_->mesh, found.mechanism))
+      lines.push_back({line.direction, std::move(line.points)});
+    if (!lines.empty()) run.slip_line = lines[0].points;
+    if (lines.size() > 1) {
+      if (lines[0].direction > lines[1].direction) std::swap(lines[0], lines[1]);
+      run.sides = std::move(lines);
+    }
     if (run.slip_line.empty()) run.warnings.push_back("the shear strain shows no band from the ground to the ground");
   }
   for (const fem::ReductionTrial& t : found.trials)

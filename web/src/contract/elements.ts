@@ -41,8 +41,8 @@ export interface FlowRun {
     displacement: number;
     seconds: number;
   }[];
-  /** [m] */
-  slip_line: number[][];
+  /** One, or one of each side where the soil moves to both [m]. */
+  slip_lines: number[][][];
   warnings: string[];
   fields?: {
     /** [node][2] u16 [m], at failure. */

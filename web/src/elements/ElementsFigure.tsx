@@ -109,7 +109,7 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
         {toggle("mesh", "Mesh")}
         {largest > 0 && toggle("deformed", `Deformed, ${formatNumber(magnification, 3)} times`)}
         {toggle("yields", "Plastic elements")}
-        {run.slip_line.length > 1 && toggle("slip", "Slip surface")}
+        {run.slip_lines.length > 0 && toggle("slip", run.slip_lines.length > 1 ? "Slip surfaces" : "Slip surface")}
       </div>
       <SectionCanvas
         label={`Finite elements, ${quantity === "strain" ? "shear strain" : ofSolid || quantity === "none" ? quantity : quantityTitles[quantity]} at failure, ${run.title}`}
@@ -131,18 +131,18 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
           if (fields && nodes && on.yields) drawYielding(pen, fields.mesh, nodes, fields.yields);
           drawSoilNames(pen);
           if (!on.slip) return;
-          const line = run.slip_line.map(pen.place);
-          drawSurface(pen.context, line, bandLook, 2.4);
-          if (run.factor !== null)
-            drawSurfaceLabels(pen.context, [{ line, text: run.factor.toFixed(3), colour: bandLook.colour }]);
+          const lines = run.slip_lines.map((line) => line.map(pen.place));
+          for (const line of lines) drawSurface(pen.context, line, bandLook, 2.4);
+          if (run.factor !== null && lines.length > 0)
+            drawSurfaceLabels(pen.context, [{ line: lines[0], text: run.factor.toFixed(3), colour: bandLook.colour }]);
         }}
         dependsOver={[on, run, fields]}
       />
       <ul class="drawing-keys" aria-label="Legend">
         <GroundKeys />
-        {on.slip && run.slip_line.length > 1 && (
+        {on.slip && run.slip_lines.length > 0 && (
           <LineKey colour={bandLook.colour} width={2.4}>
-            Slip surface: axis of the largest shear strain
+            {run.slip_lines.length > 1 ? "Slip surfaces of both sides" : "Slip surface"}: axis of the largest shear strain
           </LineKey>
         )}
         {on.yields && <li>× Plastic in the last step</li>}
