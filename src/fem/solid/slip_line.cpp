@@ -19,7 +19,7 @@ using Point = std::array<double, 2>;
 using Line = std::vector<Point>;
 
 constexpr double moving_share = 0.4;    ///< of the largest displacement: the ground that moves
-constexpr double bridged = 4;           ///< elements along the ground that may rest between moving ground
+constexpr double bridged = 4;           ///< elements along the ground that may rest at least between moving ground
 constexpr double steeper = 1.2;         ///< times the fall of the motion, for an end farther out
 constexpr double across_share = 0.25;   ///< of the largest displacement, for soil that moves to a side
 constexpr double band_quantile = 0.97;  ///< of the sheared area; more strain than there counts as much
@@ -53,7 +53,7 @@ class SlipLines {
     if (const auto divide = find_sides(across_share * find_motion(fastest))) {
       const auto find_side = [&](bool is_left, int way) {
         const auto is_own = [&](int n) { return (place(n)[0] < divide->x) == is_left; };
-        add_line(find_fastest([&](int n) { return is_own(n) ? way * displace(n)[0] : 0; }), is_own, lines);
+        add_line(find_fastest([&](int n) { return is_own(n) ? way * displace(n)[0] : 0; }), way, is_own, lines);
       };
       find_side(true, divide->left);
       find_side(false, -divide->left);
@@ -64,7 +64,7 @@ class SlipLines {
       lines.clear();
     }
     add_line(
-        fastest, [](int) { return true; }, lines);
+        fastest, 0, [](int) { return true; }, lines);
     return lines;
   }
 
@@ -191,8 +191,8 @@ class SlipLines {
     return find_motion_at(steps, along - size_) - find_motion_at(steps, along + size_);
   }
 
-  /// Where the motion falls below moving_share of the fastest for good: ground that rests for a short stretch, as at
-  /// the centre of a rotation, is not the end.
+  /// Where the motion falls below moving_share of the fastest for good. A stretch that rests no longer than what moved
+  /// before it, as ground does below the centre of a rotation, is not the end.
   std::size_t find_rest(const std::vector<Step>& steps) const {
     const double limit = moving_share * steps[0].motion;
     std::size_t still = 0;
@@ -201,7 +201,7 @@ class SlipLines {
         still = 0;
       else if (still == 0)
         still = i;
-      if (still > 0 && steps[i].along > steps[still].along + bridged * size_) break;
+      if (still > 0 && steps[i].along > steps[still].along + std::max(bridged * size_, steps[still].along)) break;
     }
     return still > 0 ? still : steps.size() - 1;
   }
@@ -224,17 +224,19 @@ class SlipLines {
     return steps[rest].node;
   }
 
-  /// Adds the line of the moving ground around a node, from its upper end, where there is one.
+  /// Adds the line of the moving ground around a node, from its upper end, where there is one. `way`: that the soil
+  /// moves in; 0: towards the lower end.
   template <class Is>
-  void add_line(int from, const Is& is_own, std::vector<SlipLine>& lines) {
+  void add_line(int from, int way, const Is& is_own, std::vector<SlipLine>& lines) {
     if (from < 0) return;
-    for (const std::size_t way : {0, 1}) ends_[way] = find_end(walk(from, way, is_own));
+    for (const std::size_t i : {0, 1}) ends_[i] = find_end(walk(from, i, is_own));
     if (ends_[0] == ends_[1]) return;
     Line line = find_way();
     if (line.size() < 3) return;
     line = resample(line);
     draw_to_ridge(line);
-    if (line.front()[1] < line.back()[1]) std::reverse(line.begin(), line.end());
+    const double across = line.back()[0] - line.front()[0];
+    if (way == 0 ? line.front()[1] < line.back()[1] : way * across < 0) std::reverse(line.begin(), line.end());
     fastest_.push_back(find_motion(from));
     lines.push_back({line.back()[0] < line.front()[0] ? -1 : 1, std::move(line)});
   }
