@@ -133,8 +133,10 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
           if (!on.slip) return;
           const lines = run.slip_lines.map((line) => line.map(pen.place));
           for (const line of lines) drawSurface(pen.context, line, bandLook, 2.4);
-          if (run.factor !== null && lines.length > 0)
-            drawSurfaceLabels(pen.context, [{ line: lines[0], text: run.factor.toFixed(3), colour: bandLook.colour }]);
+          const factor = run.factor;
+          if (factor === null) return;
+          const labels = lines.slice(0, 1).map((line) => ({ line, text: factor.toFixed(3), colour: bandLook.colour }));
+          drawSurfaceLabels(pen.context, labels);
         }}
         dependsOver={[on, run, fields]}
       />
