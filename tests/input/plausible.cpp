@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is allowed and probably not meant: polygons that do not fit, numbers no soil has, slips of writing.
 
-#include <fstream>
+#include <fmt/format.h>
 
 #include "base/units.hpp"
 #include "methods_slope.hpp"
@@ -159,6 +159,33 @@ TEST(UnitsOfPractice, AreThoseOfTheirDefinitions) {
   EXPECT_DOUBLE_EQ(units::parse_as_si("33 ft", "m", "h"), 33 * ft);
   EXPECT_DOUBLE_EQ(units::parse_as_si("14.7 psi", "kPa", "c"), 14.7 * lbf * 144 / (ft * ft));
   EXPECT_THROW(units::parse_as_si("120 pcf", "kPa", "c"), Error);
+}
+
+TEST(UnitsOfPractice, GiveTheSameCaseAsSiUnits) {
+  const auto write = [](const char* points, const char* soil, const char* load) {
+    return fmt::format(
+        "geometry.polygon = [{{ name = \"a\", points = {} }}]\n"
+        "materials.s = {{ model = \"mohr_coulomb\", {}, friction_angle = 25 }}\nregions.a = \"s\"\n"
+        "surcharge = [{{ name = \"road\", {} }}]\nanalysis.methods = [\"lem\"]\n"
+        "output.stress_unit = \"psf\"\noutput.length_unit = \"ft\"\n",
+        points, soil, load);
+  };
+  // 1 psf is 47.880258980335840 Pa and 1 pcf 157.08746384624618 N/m³, as NIST SP 811 has them to seven digits.
+  const Case practice = read(write(R"([["0 ft", "0 ft"], ["150 ft", "0 ft"], ["150 ft", "20 ft"], ["0 ft", "45 ft"]])",
+                                   R"(unit_weight = "120 pcf", cohesion = "200 psf")",
+                                   R"(x = ["10 ft", "30 ft"], load = ["250 psf", "0.125 tsf"])"));
+  const Case si = read(write("[[0, 0], [45.72, 0], [45.72, 6.096], [0, 13.716]]",
+                             "unit_weight = 18.850495661549542, cohesion = 9.576051796067168",
+                             "x = [3.048, 9.144], load = [11.97006474508396, 11.97006474508396]"));
+  EXPECT_NEAR(practice.materials.at("s").cohesion, si.materials.at("s").cohesion, 1e-9);
+  EXPECT_NEAR(*practice.materials.at("s").slices.unit_weight, *si.materials.at("s").slices.unit_weight, 1e-9);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(practice.surcharges[0].load[i], si.surcharges[0].load[i], 1e-9);
+    EXPECT_NEAR(practice.surcharges[0].x[i], si.surcharges[0].x[i], 1e-12);
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t d = 0; d < 2; ++d)
+      EXPECT_NEAR(practice.mesh.polygons[0].points[i][d], si.mesh.polygons[0].points[i][d], 1e-12);
 }
 
 }  // namespace

@@ -84,6 +84,20 @@ TEST(Program, RefusesWhatNeedsMoreMemoryThanIsFree) {
   EXPECT_FALSE(std::filesystem::exists(testing::TempDir() + "talus_fine"));
 }
 
+TEST(Program, SaysItsWarningsBeforeARunAndKeepsThem) {
+  const std::string path = write_file("talus_warned.toml", slices_alone), folder = testing::TempDir() + "talus_warned";
+  const std::string sentence = "'materials.soil.friction_angle' is 0.44 deg; the usual range is 5 to 50 deg, or 0";
+  const Outcome ran = run_program(
+      "run --no-report --overwrite --set lem.noncircular=false --set lem.entry_exit.depths=3 "
+      "--set materials.soil.friction_angle=0.44 -o " +
+      folder + " " + path);
+  EXPECT_EQ(ran.code, 0) << ran.text;
+  EXPECT_EQ(ran.text.rfind("--set materials.soil.friction_angle: warning: " + sentence, 0), 0u) << ran.text;
+  std::ifstream file(folder + "/summary.json");
+  const nlohmann::json summary = nlohmann::json::parse(file);
+  EXPECT_EQ(summary.at("warnings").dump().find(sentence) == std::string::npos, false) << summary.at("warnings");
+}
+
 TEST(Program, EndsMeshingSoonAfterASignal) {
   // This mesh takes half a minute and more.
   const std::string path = write_file("talus_signal.toml", slope);

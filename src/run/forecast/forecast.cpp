@@ -157,8 +157,8 @@ std::string describe(const MethodForecast& f) {
   if (f.points > 0) add(write_count(f.points) + " points");
   if (f.bytes > 0 && f.elements > 0) add(write_bytes(f.bytes) + " of memory");
   const bool has_steps = f.method == input::Method::mpm && f.steps > 0;
-  if (has_steps) add("at most " + write_count(f.steps) + " steps");
-  if (f.seconds > 0) add((has_steps ? "at most " : "") + write_time(f.seconds));
+  if (has_steps) add("up to " + write_count(f.steps) + " steps");
+  if (f.seconds > 0) add((has_steps ? "up to " : "") + write_time(f.seconds));
   return text;
 }
 
