@@ -157,7 +157,8 @@ ends = [11.12, 32]
 
 TEST_F(MethodsTest, FaultsAreSentencesThatNameTheCulprit) {
   const std::string overhang = "[[0, 0], [44, 0], [44, 5], [32, 5], [34, 8], [12, 15], [0, 15]]";
-  EXPECT_NE(find_fault(write_case("\"lem\"", few_circles), {{"geometry.polygon.soil.points", overhang}}).find("x = 33"),
+  EXPECT_NE(find_fault(write_case("\"lem\"", few_circles), {{"geometry.polygon.soil.points", overhang}})
+                .find("overhang, or in a cavity, of 3 m² from (32, 5) to (34, 8), around (33, "),
             std::string::npos);
   EXPECT_NE(find_fault(write_case("\"lem\"", std::string(few_circles) + R"(
 [[lem.surface]]

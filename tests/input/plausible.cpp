@@ -57,6 +57,14 @@ TEST(Polygons, LeaveGapsThatAreFaultsOfSlicesAndWarningsOfOthers) {
       find_warnings("unusual = [\"geometry.polygon\"]\n" + write_layers("[0, 5.02]", "[20, 5]", "\"fem\"")).empty());
 }
 
+TEST(Polygons, ThatOverhangAreNamedAlone) {
+  const auto faults = find_faults(change(slices_alone, "[50, 35], [30, 25]", "[28, 35], [30, 25]"));
+  ASSERT_EQ(faults.size(), 1u);
+  expect_part(faults[0].sentence,
+              "polygon 'soil' has no soil below an overhang, or in a cavity, of 10 m² from (28, 25) to "
+              "(30, 35)");
+}
+
 TEST(Polygons, ThatNearlyMeetAreJoinedAndItIsSaid) {
   const LoadedCase loaded = read_case_text(write_layers("[0, 5.00002]", "[20, 5]"), "slope.toml");
   EXPECT_EQ(loaded.data.mesh.polygons[1].points[0], (std::array<double, 2>{0, 5}));

@@ -43,8 +43,9 @@ std::string write_gap(const mesh::Misfit& misfit, const mesh::Plan& plan) {
   std::string names;
   for (const int p : misfit.polygons)
     names += fmt::format("{}'{}'", names.empty() ? "" : " and ", plan.polygons[static_cast<std::size_t>(p)].name);
-  return fmt::format("there is no soil between polygon{} {} on {}", misfit.polygons.size() == 1 ? "" : "s", names,
-                     write_piece(misfit));
+  if (misfit.polygons.size() == 1)
+    return fmt::format("polygon {} has no soil below an overhang, or in a cavity, of {}", names, write_piece(misfit));
+  return fmt::format("there is no soil between polygons {} on {}", names, write_piece(misfit));
 }
 
 bool has_sound_polygons(const Case& data, const Findings& findings) {
