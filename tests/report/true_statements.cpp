@@ -117,6 +117,20 @@ TEST_F(TrueStatements, K0IsChosenOnlyWhereTheCaseGivesIt) {
   EXPECT_SAYS(tell(), "K0 = 0.45,");
 }
 
+TEST_F(TrueStatements, SoilThatMovesToBothSidesIsToldOnEach) {
+  const json side = {
+      {"moved_volume", 40}, {"front_advance", 1.5}, {"toe_distance", 2}, {"crest_retreat", 3}, {"direction", -1},
+      {"toe", 0},           {"initial_toe", 0},     {"crest", 0}};
+  json other = side;
+  other.update({{"moved_volume", 60}, {"crest_retreat", 0}, {"toe_distance", 0}, {"direction", 1}});
+  summary_["runout"].update({{"moved_volume", 100}, {"sides", {side, other}}});
+  const std::string text = tell();
+  EXPECT_SAYS(text, "100 m³ per metre move to both sides");
+  EXPECT_SAYS(text,
+              "On the left the front advances 1.5 m and lies 2 m beyond the toe, the crest retreats 3 m, and 40 m³");
+  EXPECT_SAYS(text, "On the right the front advances 1.5 m and stays behind the toe, the crest stays, and 60 m³");
+}
+
 TEST_F(TrueStatements, LengthsAreInTheUnitOfTheCase) {
   summary_["units"] = {{"length", "ft"}};
   EXPECT_SAYS(tell(), "largest displacement is 0.001 ft");

@@ -178,9 +178,9 @@ class RunoutWords {
     sentences_.push_back(fmt::format("{}, and {} {} move to both sides; {}.", largest,
                                      show_number(runout.moved_volume, 4), volume_, end));
     for (const results::RunoutSide& side : sides)
-      sentences_.push_back(fmt::format("Of the soil that moves {}, {}, {}, and {} {} move.",
-                                       results::name_side(side.direction), describe_front(side), describe_crest(side),
-                                       show_number(side.moved_volume, 4), volume_));
+      sentences_.push_back(fmt::format("On the {} {}, {}, and {} {} move.", side.direction < 0 ? "left" : "right",
+                                       describe_front(side), describe_crest(side), show_number(side.moved_volume, 4),
+                                       volume_));
   }
 
   std::string describe_front(const results::RunoutSide& runout) const {
