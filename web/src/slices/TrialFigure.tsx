@@ -117,7 +117,6 @@ export function TrialFigure({ slices, selected, lit }: Props) {
           if (trials && arrays && bands)
             clipToSoil(pen, () => drawTrials(pen, arrays.circles, trials, bands, below, show === "banded"));
           drawOutlines(pen);
-          drawWater(pen);
           drawSurcharges(pen);
         }}
         depends={[trials, show, bands, dark]}
@@ -125,6 +124,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
           const { context, place } = pen;
           drawSoilNames(pen);
           if (on.slices) drawSlices(pen, selected);
+          drawWater(pen);
           if (on.others) for (const s of others) drawSurface(context, s.points.map(place), otherLook, 1.6);
           drawCritical(pen, selected, false);
           if (on.thrust) drawThrust(pen, selected);
