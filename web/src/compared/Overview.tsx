@@ -119,6 +119,7 @@ export function Overview() {
           </ul>
         </details>
       )}
+      {layer.note && <p class="chart-note">{layer.note}</p>}
       {fields && run && shows === "strain" && (
         <p class="chart-note">Colours: shear strain of the finite elements at failure ({run.title}).</p>
       )}

@@ -40,6 +40,7 @@ export function findRoom(points: readonly Point[], over: readonly (readonly Poin
   const low = [0, 1].map((k) => Math.min(...points.map((p) => p[k]!)));
   const high = [0, 1].map((k) => Math.max(...points.map((p) => p[k]!)));
   let best: Room | null = null;
+  let most = 0;
   for (let i = 0; i < places; ++i)
     for (let j = 0; j < places; ++j) {
       const at: [number, number] = [
@@ -48,7 +49,12 @@ export function findRoom(points: readonly Point[], over: readonly (readonly Poin
       ];
       if (!isInside(at, points) || over.some((other) => isInside(at, other))) continue;
       const radius = Math.min(measure(at, points), ...over.map((other) => measure(at, other)));
-      if (!best || radius > best.radius) best = { at, radius };
+      // Of places with about the same room the one nearest to the middle.
+      const value = radius * (1 - (0.1 * Math.abs(at[0] - (low[0]! + high[0]!) / 2)) / (high[0]! - low[0]!));
+      if (!best || value > most) {
+        best = { at, radius };
+        most = value;
+      }
     }
   known.set(points, best);
   return best;

@@ -12,7 +12,13 @@ import type { Pen } from "./pen";
 export const findUsedWater = (): WaterState | undefined => report.value.model.water.at(-1);
 
 /** A text with a light edge, read over any colour. */
-export function writeLabel(context: CanvasRenderingContext2D, text: string, [x, y]: Pixel, theme: Theme, colour: string) {
+export function writeLabel(
+  context: CanvasRenderingContext2D,
+  text: string,
+  [x, y]: Pixel,
+  theme: Theme,
+  colour: string,
+): void {
   context.font = `600 11px ${fontFamily}`;
   context.textBaseline = "middle";
   context.lineWidth = 3.5;
@@ -52,7 +58,9 @@ export function joinPonds(ponds: WaterState["ponds"]): PondLine[] {
   return joined;
 }
 
-export function drawPonds({ context, place, theme }: Pick<Pen, "context" | "place" | "theme">, state: WaterState): void {
+type Sketch = Pick<Pen, "context" | "place" | "theme">;
+
+export function drawPonds({ context, place, theme }: Sketch, state: WaterState): void {
   for (const { surface, ground } of joinPonds(state.ponds)) {
     const line = surface.map(place);
     context.globalAlpha = 0.22;
@@ -65,7 +73,8 @@ export function drawPonds({ context, place, theme }: Pick<Pen, "context" | "plac
     drawWaterMark(context, line, theme);
     const [a, b] = [line[0]!, line.at(-1)!];
     context.textAlign = "left";
-    writeLabel(context, writeLevel(surface[0]![1]), [(a[0] + b[0]) / 2 + 12, (a[1] + b[1]) / 2 - 8], theme, theme.water);
+    const at: Pixel = [(a[0] + b[0]) / 2 + 12, (a[1] + b[1]) / 2 - 8];
+    writeLabel(context, writeLevel(surface[0]![1]), at, theme, theme.water);
   }
 }
 
@@ -73,11 +82,7 @@ export function drawPonds({ context, place, theme }: Pick<Pen, "context" | "plac
 export const listExits = (state: WaterState | undefined): number[][] => state?.exits.map((e) => e.highest) ?? [];
 
 /** A ring with the height of the place; with the word alone where that is known to half an element only. */
-export function drawExitMarks(
-  { context, place, theme }: Pick<Pen, "context" | "place" | "theme">,
-  exits: number[][],
-  withHeight = true,
-): void {
+export function drawExitMarks({ context, place, theme }: Sketch, exits: number[][], withHeight = true): void {
   for (const highest of exits) {
     const [x, y] = place(highest);
     context.fillStyle = theme.ground;

@@ -149,6 +149,7 @@ export function ElementsFigure({ elements, run }: { elements: FiniteElements; ru
         )}
         {on.yields && <li>× Plastic in the last step</li>}
       </ul>
+      {layer.note && <p class="chart-note">{layer.note}</p>}
       <p class="chart-note">
         Displacements and strains since the equilibrium at full strength, in the last trial without equilibrium: their
         pattern tells the mechanism, their size has no meaning.

@@ -60,8 +60,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
   const others = slices.surfaces.filter((s) => s !== selected && s.factor !== null);
   const { exit, entry } = slices.search ?? {};
   const bar = useMemo<Bar | null>(
-    () =>
-      bands && { title: "Factor of safety", ...bands, below: false, above: false },
+    () => bands && { title: "Factor of safety", ...bands, below: false, above: false },
     [bands],
   );
   const toggle = (name: keyof typeof on, title: string) => (

@@ -30,7 +30,7 @@ export function drawTrials(
     context.stroke();
     context.beginPath();
   };
-  // From the safest on: the weakest lie uppermost. A stroke for every arc would take seconds, one for each band does not.
+  // From the safest on: the weakest lie uppermost. A stroke for every arc would take seconds, one for each band not.
   for (const i of trials.order) {
     const factor = trials.factors[i]!;
     const isRest = factor > limit;

@@ -46,7 +46,11 @@ export function WaterSection() {
       <ul class="drawing-keys" aria-label="Legend">
         <GroundKeys />
       </ul>
-      {state && <p class="chart-note">Shown: {state.title}.</p>}
+      {state && (
+        <p class="chart-note">
+          Shown: {state.title}. {layer.note}
+        </p>
+      )}
     </div>
   );
 }

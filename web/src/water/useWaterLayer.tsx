@@ -37,6 +37,8 @@ export interface WaterLayer {
   /** The colours, if a quantity is chosen; and what lies over them. */
   paint: (pen: Pen, opacity: number) => void;
   drawOver: (pen: Pen) => void;
+  /** What the reader must know of the quantity; empty without one. */
+  note: string;
   /** Which state is shown, lines, arrows. */
   controls: preact.ComponentChildren;
 }
@@ -48,10 +50,14 @@ function makeBar(quantity: WaterQuantity, limits: [number, number]): { bar: Bar;
   if (quantity === "pressure") {
     const largest = Math.max(Math.abs(limits[0]), Math.abs(limits[1])) / stress.si;
     const scale = makeScale(-largest, largest);
-    return { unit: stress.si, bar: { ...flat, title: titleWithUnit("Pressure", stress.name), colours: tabulateColours("redBlue"), scale } };
+    const title = titleWithUnit("Pressure", stress.name);
+    return { unit: stress.si, bar: { ...flat, title, colours: tabulateColours("redBlue"), scale } };
   }
   const colours = tabulateColours("viridis");
-  if (quantity === "saturation") return { unit: 1, bar: { ...flat, title: "Saturation", colours, scale: makeScale(Math.min(limits[0], 0.9), 1) } };
+  if (quantity === "saturation") {
+    const scale = makeScale(Math.min(limits[0], 0.9), 1);
+    return { unit: 1, bar: { ...flat, title: "Saturation", colours, scale } };
+  }
   const scale = makeScale(limits[0] / length.si, limits[1] / length.si);
   return { unit: length.si, bar: { ...flat, title: titleWithUnit("Head", length.name), colours, scale } };
 }
@@ -70,10 +76,12 @@ export function useWaterLayer(quantity: WaterQuantity | null): WaterLayer {
       {title}
     </label>
   );
+  const hasSuction = quantity === "pressure" && shown !== null && findLimits(shown)[0] < 0;
   const hasLines = shown !== null && quantity !== "saturation";
   return {
     state,
     bar: scaled?.bar ?? null,
+    note: hasSuction ? "Negative pressure is suction. It adds strength only in soils that take it." : "",
     depends: [shown, scaled, arrays, on],
     paint: (pen, opacity) => {
       if (!shown || !scaled) return;
@@ -84,7 +92,8 @@ export function useWaterLayer(quantity: WaterQuantity | null): WaterLayer {
     drawOver: (pen) => {
       if (hasLines && on.lines && arrays && scaled && shown) {
         const [low, high] = findLimits(shown).map((v) => v / scaled.unit) as [number, number];
-        drawLevels(pen, arrays, quantity as "pressure" | "head", makeLevels(makeScale(low, high), lineCount), scaled.unit, pen.theme.ink);
+        const levels = makeLevels(makeScale(low, high), lineCount);
+        drawLevels(pen, arrays, quantity as "pressure" | "head", levels, scaled.unit, pen.theme.ink);
       }
       drawWaterState(pen, state);
       if (on.arrows && arrays) drawFlow(pen, arrays);

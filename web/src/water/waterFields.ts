@@ -54,7 +54,10 @@ export function useWaterArrays(state: WaterState | undefined): WaterArrays | nul
 }
 
 /** The mesh and a value for each of its nodes; of a quantity by triangle each triangle has nodes of its own. */
-export function takeQuantity(arrays: WaterArrays, quantity: WaterQuantity): { mesh: Triangles; values: Float32Array } | null {
+export function takeQuantity(
+  arrays: WaterArrays,
+  quantity: WaterQuantity,
+): { mesh: Triangles; values: Float32Array } | null {
   if (quantity !== "saturation") return { mesh: arrays.mesh, values: arrays[quantity] };
   const { saturation, mesh } = arrays;
   if (!saturation) return null;

@@ -236,7 +236,8 @@ export function WaterTables({ water }: { water: Water }) {
 export function WaterResults({ water }: { water: Water }) {
   const { dimension, water: states } = report.value.model;
   const last = states.at(-1);
-  if (!water.seepage && !water.season && !water.budget) return <p>The results hold no water budget: the run has not ended.</p>;
+  if (!water.seepage && !water.season && !water.budget)
+    return <p>The results hold no water budget: the run has not ended.</p>;
   return (
     <>
       {water.seepage && <Seepage seepage={water.seepage} dimension={dimension} />}
