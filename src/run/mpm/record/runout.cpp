@@ -19,10 +19,6 @@
 namespace talus::run {
 namespace {
 
-/// Height above its lower level up to which ground is level: of the relief, and of the width of a bin, as the highest
-/// point of a bin lies so much lower or higher from bin to bin [-].
-constexpr double level_of_relief = 0.02, level_of_bin = 0.2;
-
 /// Share of the moved mass that lies behind the front.
 constexpr double front_share = 0.99;
 
@@ -52,19 +48,25 @@ double find_crest(const results::Profile& profile, int direction) {
   return crest;
 }
 
+/// The lowest level of the ground over two bins: a bin at a wall may hold the side of a point alone.
+double find_lowest(const std::vector<double>& height) {
+  double lowest = height.size() == 1 ? height[0] : std::numeric_limits<double>::max();
+  for (std::size_t i = 1; i < height.size(); ++i) lowest = std::min(lowest, std::max(height[i - 1], height[i]));
+  return lowest;
+}
+
 /// Where the ground, seen from the crest, reaches its lower level (or ends). What rises beyond, be it a bin whose
 /// highest point lies a little higher, is no slope.
 double find_toe(const results::Profile& profile, double crest, int direction) {
   const double top = *std::max_element(profile.height.begin(), profile.height.end());
-  const double low = *std::min_element(profile.height.begin(), profile.height.end());
-  const double level = low + std::max(level_of_relief * (top - low), level_of_bin * profile.bin);
+  const double low = find_lowest(profile.height);
   const bool is_level = top - low < 0.02 * top;  // a column: its toe is its edge
   double toe = crest;
   const std::size_t count = profile.x.size();
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = direction > 0 ? k : count - 1 - k;
     if (direction * (profile.x[i] - toe) <= 0) continue;
-    if (!is_level && profile.height[i] <= level) break;
+    if (!is_level && profile.height[i] <= low + 0.02 * (top - low)) break;
     toe = profile.x[i];
   }
   return toe + direction * 0.5 * profile.bin;
