@@ -23,7 +23,7 @@ void check_list(const Case& data, Findings& findings) {
 }
 
 /// Slices and finite elements start from the section as the file has it.
-void check_start(const Case& data, Findings& findings) {
+void check_plain_start(const Case& data, Findings& findings) {
   if (!data.initial.result.empty() && findings.is_sound("initial.result"))
     findings.add("initial.result",
                  "'result' is not possible with the methods \"lem\" and \"fem\": only material points go on from "
@@ -204,7 +204,7 @@ void check_methods(const Case& data, Findings& findings) {
   check_list(data, findings);
   const bool has_slices = uses(data, Method::lem), has_elements = uses(data, Method::fem);
   if (has_slices || has_elements) {
-    check_start(data, findings);
+    check_plain_start(data, findings);
     check_has_strength(data, findings);
   }
   if (has_slices) check_slices_need(data, findings);
