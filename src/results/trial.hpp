@@ -31,6 +31,37 @@ void describe(V& v, R& r) {
   v.key("points_beyond_yield_surface", r.beyond, {"", "points whose stress was beyond the yield surface"});
 }
 
+/// The calculation became unstable, went back to an earlier state and on from there with other settings.
+struct Setback {
+  double time = 0, back_to = 0;  ///< [s]
+  double courant = 0;            ///< from there on
+  std::string smoothing;         ///< from there on, as the case file calls it
+  std::string reason;            ///< what moved faster than soil can, and where
+};
+template <class V, As<Setback> R>
+void describe(V& v, R& r) {
+  v.key("time", r.time, {"s", "when it became unstable"});
+  v.key("back_to", r.back_to, {"s", "where it went on from"});
+  v.key("courant", r.courant, {"", "Courant number from there on"});
+  v.key("smoothing", r.smoothing, {"", "smoothing from there on"});
+  v.key("reason", r.reason, {"", "what was unstable"});
+}
+
+/// What still moves at the end of a stage that should have come to rest.
+struct MovingSoil {
+  double speed = 0;           ///< of the fastest node [m/s]
+  std::vector<double> place;  ///< of that node [m]
+  std::string material;       ///< of the soil there
+  double share = 0;           ///< of all mass, at a tenth of that speed or more
+};
+template <class V, As<MovingSoil> R>
+void describe(V& v, R& r) {
+  v.key("speed", r.speed, {"m/s", "largest nodal speed"});
+  v.key("place", r.place, {"m", "where"});
+  v.key("material", r.material, {"", "material there"});
+  v.key("share", r.share, {"", "share of the mass that moves at a tenth of that speed or more"});
+}
+
 /// How a stage went.
 struct Stage {
   std::string name;
@@ -42,6 +73,8 @@ struct Stage {
   double force_ratio = 0, speed = 0;
   double wall = 0;  ///< [s]
   std::optional<Preconsolidation> preconsolidation;
+  std::optional<MovingSoil> moving;              ///< it was to end at rest, and did not
+  std::optional<std::vector<Setback>> setbacks;  ///< in the order in which they happened
 };
 template <class V, As<Stage> R>
 void describe(V& v, R& r) {
@@ -56,6 +89,8 @@ void describe(V& v, R& r) {
   v.key("nodal_speed", r.speed, {"m/s", "largest nodal speed"});
   v.key("wall", r.wall, {"s", "wall time"});
   v.maybe("preconsolidation", r.preconsolidation, {"", "preconsolidation that was set at its end"});
+  v.maybe("moving", r.moving, {"", "what still moved at its end, though it was to end at rest"});
+  v.maybe("setbacks", r.setbacks, {"", "where it became unstable and was calculated again"});
 }
 
 /// What a run keeps of its stages until it is finished: stages.json.
@@ -92,6 +127,7 @@ struct Trial {
   double force_ratio = 0;    ///< ‖F_ext+G-F_int‖/‖F_ext+G‖ at the end
   double speed = 0;          ///< largest nodal speed at the end [m/s]
   double largest_speed = 0;  ///< in the whole trial [m/s]
+  std::optional<std::vector<Setback>> setbacks;
 };
 template <class V, As<Trial> R>
 void describe(V& v, R& r) {
@@ -103,6 +139,7 @@ void describe(V& v, R& r) {
   v.key("force_ratio", r.force_ratio, {"", "unbalanced force over the external force"});
   v.key("nodal_speed", r.speed, {"m/s", "largest nodal speed at the end"});
   v.key("largest_nodal_speed", r.largest_speed, {"m/s", "largest nodal speed"});
+  v.maybe("setbacks", r.setbacks, {"", "where it became unstable and was calculated again"});
 }
 
 /// A trial of the curve that went on until rest.
@@ -207,9 +244,12 @@ void describe(V& v, R& r) {
 struct FrozenFactor {
   std::optional<double> factor;        ///< nothing: a mesh has none
   std::string note;                    ///< why there is none
-  double uncertainty = 0;              ///< half the width of the brackets as the extrapolation passes them on
-  std::optional<double> extrapolated;  ///< linear in h to h = 0, from two meshes
+  double uncertainty = 0;              ///< half the width of the interval: brackets, and what the mesh does
+  double bracket = 0;                  ///< of it, half the width of the brackets as the extrapolation passes them on
+  std::optional<double> mesh_effect;   ///< of it, what the mesh does; nothing: not estimated
+  std::optional<double> extrapolated;  ///< linear in h to h = 0, from the two finest meshes
   std::vector<MeshFactor> meshes;      ///< coarse to fine
+  std::optional<MeshFactor> other;     ///< the coarse mesh by another mesher
   double dilatancy_angle_min = 0, dilatancy_angle_max = 0;  ///< [deg]
   std::optional<double> lower() const { return factor ? std::optional(*factor - uncertainty) : std::nullopt; }
   std::optional<double> upper() const { return factor ? std::optional(*factor + uncertainty) : std::nullopt; }
@@ -218,9 +258,12 @@ template <class V, As<FrozenFactor> R>
 void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("note", r.note, {"", "why there is none"});
-  v.key("uncertainty", r.uncertainty, {"", "half the width of the brackets"});
+  v.key("uncertainty", r.uncertainty, {"", "half the width of the interval of brackets and mesh"});
+  v.key("bracket", r.bracket, {"", "half the width of the brackets, as the extrapolation passes them on"});
+  v.maybe("mesh_effect", r.mesh_effect, {"", "what the mesh does to the factor"});
   v.key("extrapolated", r.extrapolated, {"", "factor extrapolated to elements of no size"});
   v.key("meshes", r.meshes, {"", "factors by mesh"});
+  v.maybe("other", r.other, {"", "factor on the coarse mesh of another mesher"});
   v.key("dilatancy_angle_min", r.dilatancy_angle_min, {"deg", "smallest dilatancy angle"});
   v.key("dilatancy_angle_max", r.dilatancy_angle_max, {"deg", "largest dilatancy angle"});
 }

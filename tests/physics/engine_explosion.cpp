@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An explosion that throws every point out of the grid between two looks is an error, not a finished run.
+// An explosion that throws every point out of the grid between two looks is an error, not a finished run; a step that
+// is too long by far stays too long when it is halved.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 namespace talus {
 
 TEST(EngineGrid, ExplosionThatThrowsAllPointsOutOfTheGridIsAnError) {
-  for (const double courant : {3.0, 6.0}) {
+  for (const double courant : {30.0, 60.0}) {
     auto mesh =
         support::make_box_mesh<2>({6, 6}, {1.2, 1.2}, {"soil"}, [](const Vec<2>& x) { return x[1] < 0.8 ? 0 : -1; });
     const input::Case data = support::make_box_case<2>(support::make_elastic(10e6));

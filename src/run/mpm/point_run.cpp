@@ -16,6 +16,7 @@
 #include "mesh/quality.hpp"
 #include "mpm/body/observe.hpp"
 #include "results/json.hpp"
+#include "run/mpm/moving_soil.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "run/mpm/record/onset.hpp"
@@ -260,6 +261,8 @@ void PointRun<D>::run_stages(results::RunResult& run) {
     report.force_ratio = body_.monitor.external > 0 ? body_.monitor.out_of_balance / body_.monitor.external : 0;
     report.speed = body_.monitor.speed;
     report.wall = find_seconds(start);
+    if (plan.until_rest && report.end != results::StageEnd::rest) report.moving = find_moving_soil(body_);
+    if (!state.setbacks.empty()) report.setbacks = state.setbacks;
     warn_about(stage, report, i + 1 == count);
     if (is_equilibrium_stage(data_, i))
       if (const results::Preconsolidation done = set_preconsolidation(body_, data_); done.points > 0)
@@ -277,10 +280,11 @@ void PointRun<D>::run_stages(results::RunResult& run) {
 
 template <int D>
 void PointRun<D>::warn_about(const input::Stage& stage, const results::Stage& report, bool last) {
-  if (stage.until == input::Until::rest && report.end != results::StageEnd::rest) {
-    warnings_.push_back(
-        fmt::format("stage '{}' was not at rest after {:g} s: its unbalanced force is {:.2g} of gravity", stage.name,
-                    stage.duration, report.force_ratio));
+  if (report.setbacks)
+    for (const results::Setback& setback : *report.setbacks)
+      warnings_.push_back(describe_setback(fmt::format("stage '{}'", stage.name), setback));
+  if (report.moving) {
+    warnings_.push_back(describe_restless(stage, report));
   } else if (stage.until == input::Until::time && report.force_ratio > restless_force_ratio &&
              (!last || data_.analysis == input::AnalysisKind::strength_reduction)) {
     warnings_.push_back(fmt::format(

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 
 #include "base/error.hpp"
 #include "mpm/body/observe.hpp"
+#include "run/mpm/moving_soil.hpp"
+#include "run/mpm/setback.hpp"
 #include "run/mpm/start/drained.hpp"
 #include "run/mpm/start/prepare.hpp"
 
@@ -79,23 +80,6 @@ struct Runaway {
   std::string what;  ///< "the grid", "a point that left the grid"
 };
 
-/// Name of the material of the point nearest to `x`.
-template <int D>
-std::string find_nearest_material(const mpm::Body<D>& body, const std::type_identity_t<Vec<D>>& x) {
-  double shortest = std::numeric_limits<double>::max();
-  std::string name = "unknown";
-  for (int id = 0; id < body.points.size(); ++id) {
-    if (!mpm::is_present(body, id)) continue;
-    const auto p = mpm::view_point(body, id);
-    double square = 0;
-    for (std::size_t d = 0; d < D; ++d) square += (p.position[d] - x[d]) * (p.position[d] - x[d]);
-    if (!(square < shortest)) continue;
-    shortest = square;
-    name = body.material_names[p.material];
-  }
-  return name;
-}
-
 /// What moves faster than soil can: a node of the last monitored step, or a point that left the grid since
 /// `lost_before`.
 template <int D>
@@ -143,18 +127,28 @@ void watch_external_models(const mpm::Body<D>& body, const StagePlan<D>& plan,
   }
 }
 
+/// "the grid at (1, 2) m, in material 'sand', has 900 m/s, while compression waves run at 200 m/s".
 template <int D>
-[[noreturn]] void throw_unstable(const mpm::Body<D>& body, const mpm::Body<D>& last_good, const StagePlan<D>& plan,
-                                 const Runaway<D>& r, double wave_speed, const std::string& saved) {
+std::string describe(const Runaway<D>& r, const mpm::Body<D>& last_good, double wave_speed) {
   const std::string speed = std::isfinite(r.speed) ? fmt::format("{:.3g} m/s", r.speed) : "no finite speed";
-  throw Error(
-      ExitCode::unstable,
-      fmt::format("the calculation became unstable in stage '{}' at t = {:.4g} s (step {}): {} at {}, in material "
-                  "'{}', has {}, while "
-                  "compression waves run at {:.3g} m/s; try a smaller courant number (now {:g}){}",
-                  plan.name, body.time, body.step_count, r.what, show_place<D>(r.place),
-                  find_nearest_material<D>(last_good, r.place), speed, wave_speed, plan.step.courant,
-                  saved.empty() ? "" : "; the last good state is in " + saved));
+  return fmt::format("{} at {}, in material '{}', has {}, while compression waves run at {:.3g} m/s", r.what,
+                     show_place<D>(r.place), find_nearest_material<D>(last_good, r.place), speed, wave_speed);
+}
+
+template <int D>
+[[noreturn]] void throw_unstable(const mpm::Body<D>& body, const StagePlan<D>& plan, const StageState& state,
+                                 const std::string& reason, const std::string& saved) {
+  const std::string again =
+      state.setbacks.empty()
+          ? fmt::format("try a smaller courant number (now {:g})", plan.step.courant)
+          : fmt::format(
+                "it was calculated again {} times, at last with courant = {:g} and smoothing = \"{}\"; look at "
+                "the soil at that place",
+                state.setbacks.size(), plan.step.courant, input::get_word(plan.step.smoothing));
+  throw Error(ExitCode::unstable,
+              fmt::format("the calculation became unstable in stage '{}' at t = {:.4g} s (step {}): {}; {}{}",
+                          plan.name, body.time, body.step_count, reason, again,
+                          saved.empty() ? "" : "; the last good state is in " + saved));
 }
 
 }  // namespace
@@ -216,18 +210,37 @@ StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, doubl
   plan.until_rest = stage.until == input::Until::rest;
   plan.step = stage.step;
   plan.rest = data.rest;
-  plan.gravity = find_gravity<D>(data.gravity);
+  plan.gravity = find_acceleration<D>(data);
   plan.gravity_ramp = stage.gravity_ramp;
   plan.soil_height = soil_height;
   plan.threads = threads;
   return plan;
 }
 
+namespace {
+
+/// Whether the soil has been at rest for as long as the plan asks, by the step that was monitored last.
 template <int D>
-results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
+bool has_rested(const mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state) {
+  const bool full_gravity = body.time >= state.start_time + plan.gravity_ramp;
+  if (!full_gravity || !is_calm(body, plan)) {
+    state.calm_since = -1;
+  } else if (state.calm_since < 0) {
+    state.calm_since = body.time;
+  } else if (body.time - state.calm_since >= plan.rest.hold) {
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+template <int D>
+results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, StageState& state,
                             const StageHooks<D>& hooks) {
-  if (body.water.is_wet() && plan.step.water == input::WaterMotion::held)
-    return run_drained_stage(body, plan, state, hooks);
+  if (body.water.is_wet() && wanted.step.water == input::WaterMotion::held)
+    return run_drained_stage(body, wanted, state, hooks);
+  StagePlan<D> plan = calm_down(wanted, state.setbacks.size(), body.water.is_wet());
   mpm::StepOptions<D> options = make_options(plan);
   if (!state.started) {
     state.started = true;
@@ -237,16 +250,21 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageS
   }
   const double end = state.start_time + plan.duration;
   mpm::CriticalStep critical = find_critical_step(body, plan);
-  mpm::Body<D> last_good = body;
-  StageState last_good_state = state;
+  GoodStates<D> good(wanted, hooks);
   // That of the start: later densities may be those of an explosion.
   if (state.wave_speed == 0) state.wave_speed = find_wave_speed(body);
   const double smallest_step = find_smallest_step(body, state.wave_speed, plan);
+  good.keep(body, state);
   const auto save_last_good = [&]() -> std::string {
-    return hooks.save_last_good ? hooks.save_last_good(last_good, last_good_state) : "";
+    return hooks.save_last_good ? hooks.save_last_good(good.good_body(), good.good_state()) : "";
   };
-  const auto give_up = [&](const Runaway<D>& runaway) {
-    throw_unstable(body, last_good, plan, runaway, state.wave_speed, save_last_good());
+  // Back to a good state, or the end of the run.
+  const auto recover = [&](const Runaway<D>& runaway) {
+    const std::string reason = describe<D>(runaway, good.good_body(), state.wave_speed);
+    if (!good.go_back(body, state, reason)) throw_unstable(body, plan, state, reason, save_last_good());
+    plan = calm_down(wanted, state.setbacks.size(), body.water.is_wet());
+    options = make_options(plan);
+    mpm::gather_nodal_sums(body, options);  // smoothing may have changed
   };
   const bool watches_displacement = plan.failed_displacement > 0;
   const int step_interval = find_step_interval(body);
@@ -256,13 +274,13 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageS
       critical = find_critical_step(body, plan);
       if (critical.element < 0) return results::StageEnd::time;  // nothing is left on the grid
       state.dt = plan.step.courant * critical.dt;
-      if (!(critical.dt >= smallest_step)) give_up(find_swollen<D>(body, critical.element));
+      if (!(critical.dt >= smallest_step)) {
+        recover(find_swollen<D>(body, critical.element));
+        continue;
+      }
     }
     if (state.steps % look_interval == 0) {
-      if (state.steps % (look_interval * looks_per_copy) == 0) {
-        last_good = body;
-        last_good_state = state;
-      }
+      if (state.steps % (look_interval * looks_per_copy) == 0) good.keep(body, state);
       if (hooks.look) hooks.look(body, state);
       if (watches_displacement && mpm::find_largest_displacement(body).value > plan.failed_displacement)
         return results::StageEnd::failed;
@@ -277,19 +295,14 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageS
     mpm::step(body, options);
     ++state.steps;
     watch_external_models(body, plan, save_last_good);
-    if (const auto runaway = find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * state.wave_speed))
-      give_up(*runaway);
+    if (const auto runaway =
+            find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * state.wave_speed)) {
+      recover(*runaway);
+      continue;
+    }
     if (!options.monitor) continue;
     state.largest_speed = std::max(state.largest_speed, body.monitor.speed);
-    if (!plan.until_rest) continue;
-    const bool full_gravity = body.time >= state.start_time + plan.gravity_ramp;
-    if (!full_gravity || !is_calm(body, plan)) {
-      state.calm_since = -1;
-    } else if (state.calm_since < 0) {
-      state.calm_since = body.time;
-    } else if (body.time - state.calm_since >= plan.rest.hold) {
-      return results::StageEnd::rest;
-    }
+    if (plan.until_rest && has_rested(body, plan, state)) return results::StageEnd::rest;
   }
 }
 

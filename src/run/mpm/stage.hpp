@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "input/case/case.hpp"
 #include "mpm/step/critical_step.hpp"
@@ -38,7 +39,13 @@ struct StageState {
   double next_output = 0;    ///< simulated time of the next call of StageHooks::output [s]
   double largest_speed = 0;  ///< of a node, in the whole stage [m/s]
   double wave_speed = 0;     ///< compression waves at the start of the stage [m/s]
+  std::vector<results::Setback> setbacks;
 };
+
+/// Puts what is recorded back to where it was when the function was made, as the body now is. The plan: the changed
+/// one.
+template <int D>
+using GoBack = std::function<void(const mpm::Body<D>&, const StageState&, const StagePlan<D>&)>;
 
 /// Callbacks while a stage runs. All may be empty.
 template <int D>
@@ -49,6 +56,8 @@ struct StageHooks {
   std::function<void(const mpm::Body<D>&, const StageState&)> look;
   /// Called with the last good body before an unstable run is given up; returns where it was saved, for the message.
   std::function<std::string(const mpm::Body<D>&, const StageState&)> save_last_good;
+  /// Called when the body is kept as one to which an unstable run may return.
+  std::function<GoBack<D>()> mark;
 };
 
 /// Steps between looks at time step, progress and interruption, and between evaluations of the rest criterion.
@@ -64,7 +73,9 @@ template <int D>
 mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan);
 
 /// Advances the body to the end of the stage. Pore pressures that the plan holds are held (drained.hpp). `state` fresh
-/// or from a checkpoint; body strength must be set. Throws Error (unstable) with a sentence that says where and why.
+/// or from a checkpoint; body strength must be set. A stage that becomes unstable goes back to its last good state and
+/// on with the plan of calm_down() (setback.hpp); state.setbacks tells of it. After the last of them, Error (unstable)
+/// with a sentence that says where and why.
 template <int D>
 results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
                             const StageHooks<D>& hooks = {});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <sstream>
 
 #include "base/error.hpp"
 #include "mpm/coupled/coupled_step.hpp"
@@ -234,12 +235,30 @@ void put_stage(ArchiveWriter& archive, const StageState& s) {
   archive.put("stage/reals", reals);
   const std::vector<std::int64_t> integers{s.started ? 1 : 0, s.steps};
   archive.put("stage/integers", integers);
+  std::vector<double> setbacks;
+  std::string texts;  // two lines each
+  for (const results::Setback& b : s.setbacks) {
+    setbacks.insert(setbacks.end(), {b.time, b.back_to, b.courant});
+    texts += b.smoothing + "\n" + b.reason + "\n";
+  }
+  archive.put("stage/setbacks", setbacks);
+  archive.put("stage/setback_texts", texts);
 }
 
 StageState get_stage(const ArchiveReader& archive) {
   const auto& r = archive.reals("stage/reals");
   const auto& i = archive.long_integers("stage/integers");
-  return {i[0] != 0, r[0], i[1], r[1], r[2], r[3], r[4], r[5], r[6]};
+  StageState state{i[0] != 0, r[0], i[1], r[1], r[2], r[3], r[4], r[5], r[6], {}};
+  if (!archive.has("stage/setbacks")) return state;
+  const auto& setbacks = archive.reals("stage/setbacks");
+  std::istringstream texts(archive.text("stage/setback_texts"));
+  for (std::size_t k = 0; k + 3 <= setbacks.size(); k += 3) {
+    results::Setback b{setbacks[k], setbacks[k + 1], setbacks[k + 2], {}, {}};
+    std::getline(texts, b.smoothing);
+    std::getline(texts, b.reason);
+    state.setbacks.push_back(std::move(b));
+  }
+  return state;
 }
 
 #define TALUS_INSTANTIATE(D)                                       \

@@ -14,6 +14,7 @@
 #include "mpm/body/observe.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/frame.hpp"
+#include "run/mpm/setback.hpp"
 
 namespace talus::run {
 namespace {
@@ -170,7 +171,8 @@ template <int D>
 StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const mpm::Body<D>& body,
                                      const StageState& state) {
   leg_ = index;
-  plan_ = &plan;
+  calmed_plan_ = calm_down(plan, state.setbacks.size(), body.water.is_wet());
+  plan_ = state.setbacks.empty() ? &plan : &calmed_plan_;
   const double wanted = settings_.data->output.history_interval;
   row_interval_ = wanted > 0 ? wanted : plan.duration / rows_per_leg;
   if (!state.started) next_row_ = next_frame_ = body.time;
@@ -181,6 +183,7 @@ StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const 
   StageHooks<D> hooks;
   hooks.output = [this](const mpm::Body<D>& b, StageState& s) { on_output(b, s); };
   hooks.look = [this](const mpm::Body<D>& b, const StageState& s) { on_look(b, s); };
+  hooks.mark = [this] { return mark(); };
   hooks.save_last_good = [this](const mpm::Body<D>& b, const StageState& s) {
     // Where --resume goes on, with a smaller Courant number for instance.
     write_checkpoint(b, s, leg_, settings_.checkpoint_name);
@@ -285,6 +288,26 @@ void Recorder<D>::write_checkpoint(const mpm::Body<D>& body, const StageState& s
   put_stage(archive, state);
   make_folder(settings_.folder);
   archive.write(settings_.folder / name);
+}
+
+/// Rows and frames after now are dropped by the function that it returns, and the checkpoint becomes that of now.
+template <int D>
+GoBack<D> Recorder<D>::mark() {
+  const std::vector<double> water = water_ ? water_->save() : std::vector<double>();
+  return [this, water, frame = next_frame_, row = next_row_, last_row = last_row_, last_frame = last_frame_](
+             const mpm::Body<D>& body, const StageState& state, const StagePlan<D>& plan) {
+    next_frame_ = frame;
+    next_row_ = row;
+    last_row_ = last_row;
+    last_frame_ = last_frame;
+    if (water_) water_->restore(water);
+    if (results_) results_.emplace(output::ResultsWriter::resume(settings_.folder, last_frame));
+    if (history_) history_->truncate_after(last_row);
+    if (monitors_) monitors_->truncate_after(last_row);
+    calmed_plan_ = plan;
+    plan_ = &calmed_plan_;
+    write_checkpoint(body, state, leg_, settings_.checkpoint_name);
+  };
 }
 
 template <int D>

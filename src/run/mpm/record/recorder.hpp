@@ -57,6 +57,7 @@ class Recorder {
   void write_checkpoint(const mpm::Body<D>& body, const StageState& state, int leg, const std::string& name) const;
   void on_output(const mpm::Body<D>& body, StageState& state);
   void on_look(const mpm::Body<D>& body, const StageState& state);
+  GoBack<D> mark();
   void show_progress(const mpm::Body<D>& body, const StageState& state);
 
   RecorderSettings settings_;
@@ -67,6 +68,7 @@ class Recorder {
   std::vector<int> monitor_points_;
   int leg_ = 0;
   const StagePlan<D>* plan_ = nullptr;
+  StagePlan<D> calmed_plan_;  ///< where the leg went back to a good state: as it went on
   double next_frame_ = 0, next_row_ = 0, row_interval_ = 0, last_row_ = -1, last_frame_ = -1;
   std::chrono::steady_clock::time_point next_checkpoint_, leg_start_;
   std::int64_t leg_start_steps_ = 0;

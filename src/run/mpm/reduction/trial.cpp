@@ -29,6 +29,7 @@ results::Trial run_trial(mpm::Body<D>& body, double factor, const StagePlan<D>& 
   r.force_ratio = body.monitor.external > 0 ? body.monitor.out_of_balance / body.monitor.external : 0;
   r.speed = body.monitor.speed;
   r.largest_speed = state.largest_speed;
+  if (!state.setbacks.empty()) r.setbacks = state.setbacks;
   return r;
 }
 

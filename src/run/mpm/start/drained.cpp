@@ -139,6 +139,14 @@ results::StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan,
       return hooks.save_last_good(wet, s);
     };
   }
+  if (hooks.mark) {
+    inner.mark = [&]() -> GoBack<D> {
+      return [&wet, go_back = hooks.mark()](const mpm::Body<D>& b, const StageState& s, const StagePlan<D>& p) {
+        copy_from_drained(b, wet);
+        go_back(wet, s, p);
+      };
+    };
+  }
   const results::StageEnd end = run_stage(drained, plan, state, inner);
   copy_from_drained(drained, wet);
   if (wet.conditions.loads.empty()) wet.nodes.load.clear();  // that of the pressures; they act by themselves again
