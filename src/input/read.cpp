@@ -18,6 +18,7 @@
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/complete.hpp"
+#include "input/case/harmful.hpp"
 #include "input/case/uncertain_number.hpp"
 #include "input/echo.hpp"
 #include "input/language/apply_overrides.hpp"
@@ -138,11 +139,14 @@ std::optional<LoadedCase> read_once(const std::string& text, const std::string& 
   complete_calibration(loaded.data, name, findings);
   check_compare(loaded.data, findings);
   if (!findings.empty()) return std::nullopt;
+  std::vector<std::string> replaced;
+  if (loaded.is_whole) replaced = replace_harmful(loaded.data);
   nlohmann::json told = echo(loaded.data, findings.places);
   if (!loaded.is_whole) drop_absent_blocks(told, findings.places);
   loaded.echo = JsonTree(std::move(told));
   normalise_directions(loaded.data);
   loaded.warnings = findings.sort_warnings(loaded.data.unusual);
+  for (std::string& sentence : replaced) loaded.warnings.push_back({name, 0, 0, std::move(sentence)});
   loaded.text = text;
   loaded.file = name;
   return loaded;
