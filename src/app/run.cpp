@@ -9,6 +9,7 @@
 #include "app/case_options.hpp"
 #include "app/closing_report.hpp"
 #include "app/commands.hpp"
+#include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
 #include "run/digest.hpp"
@@ -21,8 +22,17 @@ struct RunCommand {
   CaseOptions input;
   std::string folder;
   int threads = 0;
-  bool resume = false, overwrite = false, quiet = false, no_report = false;
+  bool resume = false, overwrite = false, quiet = false, no_report = false, strict = false;
 };
+
+/// With --strict a stage that was to end at rest, and did not, is an error once everything is written.
+void refuse_restless(const results::RunResult& result) {
+  for (const results::Stage& stage : result.stages.value_or(std::vector<results::Stage>{}))
+    if (stage.moving)
+      throw Error(ExitCode::unstable, fmt::format("stage '{}' did not come to rest, which --strict asks for; the "
+                                                  "results are complete, and their warnings say what moved",
+                                                  stage.name));
+}
 
 void run(const RunCommand& command) {
   const input::LoadedCase loaded = input::read_case(command.input.file, command.input.parse_overrides());
@@ -39,9 +49,10 @@ void run(const RunCommand& command) {
   options.progress = &progress;
   results::RunResult result;
   do_and_report(options.folder, !command.no_report, [&] { result = run::run_case(loaded, options); });
-  if (command.quiet) return;
-  fmt::print("{}Results are in {}{}\n", run::write_digest(result), options.folder.string(),
-             command.no_report ? "" : "; open report.html there in a browser");
+  if (!command.quiet)
+    fmt::print("{}Results are in {}{}\n", run::write_digest(result), options.folder.string(),
+               command.no_report ? "" : "; open report.html there in a browser");
+  if (command.strict) refuse_restless(result);
 }
 
 }  // namespace
@@ -55,6 +66,7 @@ void add_run(CLI::App& app) {
   const Argument resume = command.flag("--resume", options->resume, "Go on with an interrupted run in the same folder");
   command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);
   command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
+  command.flag("--strict", options->strict, "End with code 4 when a stage that was to end at rest still moves");
   command.flag("-q,--quiet", options->quiet, "Print errors only");
   command.act([options] { run(*options); });
 }

@@ -52,14 +52,16 @@ std::string write_factors(const results::PointFactors& factors) {
   if (factors.frozen) {
     const results::FrozenFactor& f = *factors.frozen;
     text += f.factor ? fmt::format("Factor of safety {:.3f}", *f.factor) : "Factor of safety: none, " + f.note;
+    if (f.mesh_effect) text += fmt::format(" ± {:.2f}", f.uncertainty);
     if (!f.factor) {
       text += " (at frozen geometry)";
     } else if (f.extrapolated) {
       text += " (";
       for (const results::MeshFactor& m : f.meshes) text += fmt::format("{:.3f} at h = {:g} m, ", *m.factor(), m.size);
-      text += fmt::format("extrapolated to h = 0; brackets ± {:.3f})", f.uncertainty);
+      text += fmt::format("extrapolated to h = 0; brackets ± {:.3f}{})", f.bracket,
+                          f.mesh_effect ? fmt::format(", mesh ± {:.3f}", *f.mesh_effect) : "");
     } else {
-      text += fmt::format(" (one mesh, not extrapolated; bracket ± {:.3f})", f.uncertainty);
+      text += fmt::format(" (one mesh, not extrapolated; bracket ± {:.3f})", f.bracket);
     }
     text += fmt::format(", dilatancy angle {:.3g}°\n", f.dilatancy_angle_max);
   }
@@ -160,7 +162,9 @@ std::string write_digest(const results::RunResult& run) {
   if (run.stages)
     for (const results::Stage& stage : *run.stages)
       text += fmt::format("  stage '{}': {} steps to t = {:.4g} s, {}\n", stage.name, stage.steps, stage.time,
-                          stage.end == results::StageEnd::rest ? "at rest" : "time is up");
+                          stage.end == results::StageEnd::rest ? "at rest"
+                          : stage.moving                       ? "time is up, and it still moves"
+                                                               : "time is up");
   if (run.factor_of_safety) text += write_factors(*run.factor_of_safety);
   text += write_runouts(run);
   text += write_water(run);

@@ -58,8 +58,13 @@ Factor make_frozen_factor(const results::FrozenFactor& frozen, const ShownUnit& 
   factor.note =
       !frozen.factor
           ? frozen.note
-          : fmt::format("{}{}; the bracket is that of the search on these meshes only", describe_meshes(frozen, length),
-                        factor.is_extrapolated ? ", extrapolated to h = 0" : ", one mesh, not extrapolated");
+          : fmt::format("{}{}; {}", describe_meshes(frozen, length),
+                        factor.is_extrapolated ? ", extrapolated to h = 0" : ", one mesh, not extrapolated",
+                        frozen.mesh_effect
+                            ? fmt::format("the interval holds the brackets of the search, ± {:.3f}, and what the mesh "
+                                          "does, ± {:.3f}",
+                                          frozen.bracket, *frozen.mesh_effect)
+                            : "the bracket is that of the search on these meshes only");
   return factor;
 }
 
@@ -272,6 +277,17 @@ void say_state(const results::RunResult& run, json& sentences) {
                                   reason.empty() || reason.ends_with('.') ? reason : reason + "."));
 }
 
+/// Stages that were to end at rest and did not: all displacements and runouts are those of soil that still moves.
+void say_unrest(const results::RunResult& run, json& sentences) {
+  for (const results::Stage& stage : run.stages.value_or(std::vector<results::Stage>{}))
+    if (stage.moving)
+      sentences.push_back(fmt::format(
+          "Stage '{}' did not come to rest{}.", stage.name,
+          stage.moving->material.empty()
+              ? ""
+              : fmt::format(": '{}' still moves at {:.2g} m/s", stage.moving->material, stage.moving->speed)));
+}
+
 }  // namespace
 
 json make_answer(const ResultFolder& folder) {
@@ -282,6 +298,7 @@ json make_answer(const ResultFolder& folder) {
   factors.insert(factors.end(), own.begin(), own.end());
   json sentences = json::array(), listed = json::array();
   say_state(run, sentences);
+  say_unrest(run, sentences);
   const bool lone = !asks_for(folder, Method::lem) && !asks_for(folder, Method::fem);
   if (!lone) say_methods(run, factors, sentences);
   say_factor(run, own, lone, sentences);
