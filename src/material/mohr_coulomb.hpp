@@ -53,7 +53,7 @@ void describe(Visitor& v, MohrCoulombStrength& in, const Users& users) {
         "Largest tensile stress; at most c/tan φ, the apex of the yield surface.");
 }
 
-/// What slices and finite elements alone know: a cohesion that grows with depth.
+/// A cohesion that grows with depth.
 struct CohesionGradient {
   double cohesion_gradient = 0;  ///< growth of c below `cohesion_level` [Pa/m]
   double cohesion_level = 0;     ///< [m]
@@ -64,7 +64,7 @@ struct CohesionGradient {
 template <class Visitor>
 void describe(Visitor& v, CohesionGradient& in, const Users& users) {
   v.key("cohesion_gradient", in.cohesion_gradient, users.allow(quantity("kPa/m")).example("1.5"),
-        "The cohesion grows by this per metre below `cohesion_level`; slices and finite elements only.");
+        "The cohesion grows by this per metre below `cohesion_level`.");
   v.key("cohesion_level", in.cohesion_level, users.allow(quantity("m")).example("15"),
         "Level y at which that growth begins; `cohesion_gradient` needs it.");
 }

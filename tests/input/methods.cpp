@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // [analysis] methods: what a case must hold for slices, finite elements and material points, and what it may not.
 
+#include <nlohmann/json.hpp>
+
 #include "methods_slope.hpp"
 
 #include "input/case/result_names.hpp"
@@ -105,15 +107,15 @@ TEST(Methods, RockIsNoFaultButMustNotBeAll) {
       "a factor of safety needs a material with a strength");
 }
 
-TEST(Methods, WhatMaterialPointsCannotTakeIsRefusedWithAnAdvice) {
+TEST(Methods, OneInputServesAllMethods) {
   EXPECT_TRUE(find_faults(all_three).empty());
   const std::string load = "[[surcharge]]\nname = \"road\"\nx = [2, 8]\nload = [20, 20]\n";
-  expect_one_fault(all_three + load, "write the load as a [[traction]]");
-  expect_one_fault(all_three + "[earthquake]\nhorizontal = 0.1\n", "incline the 'direction' of [gravity]");
-  expect_one_fault(change(all_three, "cohesion = 2\n", "cohesion = 2\npore_pressure_ratio = 0.2\n"),
-                   "no pore pressure ratio");
-  expect_one_fault(change(all_three, "cohesion = 2\n", "cohesion = 2\ncohesion_gradient = 2\ncohesion_level = 10\n"),
-                   "no cohesion that grows with depth");
+  EXPECT_TRUE(find_faults(all_three + load).empty());
+  EXPECT_TRUE(find_faults(all_three + "[earthquake]\nhorizontal = 0.1\n").empty());
+  EXPECT_TRUE(find_faults(change(all_three, "cohesion = 2\n", "cohesion = 2\npore_pressure_ratio = 0.2\n")).empty());
+  EXPECT_TRUE(
+      find_faults(change(all_three, "cohesion = 2\n", "cohesion = 2\ncohesion_gradient = 2\ncohesion_level = 10\n"))
+          .empty());
   const std::string extra = load + "[earthquake]\nhorizontal = 0.1\nvertical = -0.05\n";
   EXPECT_TRUE(
       find_faults(change(with_elements, "cohesion = 3\n",
@@ -126,7 +128,7 @@ TEST(Methods, WaterTablesActInAnySoilOfSlicesAndElements) {
   const std::string line = "[initial]\npore_pressure = \"water_table\"\nwater_table = [[0, 25], [90, 30]]\n";
   EXPECT_TRUE(find_faults(slices_alone + line).empty());
   EXPECT_TRUE(find_faults(with_elements + line).empty());
-  expect_one_fault(all_three + line, "no material has pore water");
+  EXPECT_TRUE(find_faults(all_three + line).empty());
   expect_one_fault(slices_alone + change(line, "[0, 25], [90, 30]", "[0, 25], [0, 30]"), "x increasing");
   expect_one_fault(slices_alone + "[initial]\npore_pressure = \"seepage\"\n", "no material has pore water");
 }

@@ -178,8 +178,7 @@ TEST(Hydraulic, NeedsAWetMaterial) {
 }
 
 TEST(Start, NeedsAWetMaterial) {
-  expect_fault(slope + "[initial]\npore_pressure = @@\"water_table\"\nwater_table = [[0, 3]]\n",
-               "no material has pore water");
+  expect_fault(slope + "[initial]\npore_pressure = @@\"seepage\"\n", "no material has pore water");
 }
 
 TEST(Start, FromAWaterTableNeedsOneFromLeftToRight) {

@@ -110,9 +110,8 @@ void describe(Visitor& v, Case& c) {
           "Strength reduction by quadratic finite elements at small strain. Where there is no [[boundary]] (and no "
           "\"mpm\" among the methods), the bottom of the section is fixed, and its other sides are on rollers.");
   v.tables("surcharge", c.surcharges, 0,
-           "A vertical load on the ground, for slices and finite elements. A vertical [[traction]] on a line of the "
-           "ground is taken by all methods.");
-  v.table("earthquake", c.earthquake, "A pseudo-static acceleration, for slices and finite elements.");
+           "A vertical load on the ground. A vertical [[traction]] on a line of the ground does the same.");
+  v.table("earthquake", c.earthquake, "A pseudo-static acceleration.");
   v.table("partial_factors", c.partial_factors,
           "Partial factors of Eurocode 7: the factor of safety becomes the degree of over-design, which is to be at "
           "least 1.");

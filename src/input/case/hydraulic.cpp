@@ -143,8 +143,8 @@ void check_steps(const Hydraulic& hydraulic, const std::string& path, Findings& 
 void check_start(const Case& data, Findings& findings) {
   const InitialWater& start = data.initial.water;
   if (!findings.is_sound("initial.pore_pressure") || start.pressure == InitialPressure::zero) return;
-  // Slices and finite elements take a piezometric line in any soil.
-  const bool takes_line = start.pressure == InitialPressure::water_table && !uses(data, Method::mpm);
+  // All methods take a piezometric line in any soil.
+  const bool takes_line = start.pressure == InitialPressure::water_table;
   if (!is_wet(data) && !takes_line) {
     if (findings.is_sound("materials") && findings.is_sound("analysis.methods"))
       findings.add("initial.pore_pressure",

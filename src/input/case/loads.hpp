@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [[surcharge]] and [earthquake]: loads of slices and finite elements.
+// [[surcharge]] and [earthquake]: loads of all methods.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace talus::input {
 
-/// A vertical load on the ground, for slices and finite elements.
+/// A vertical load on the ground.
 struct Surcharge {
   std::string name;
   std::vector<double> x;     ///< from left to right [m]

@@ -94,27 +94,13 @@ void check_has_strength(const Case& data, Findings& findings) {
     findings.add("analysis.methods", "a factor of safety needs a material with a strength");
 }
 
-/// What material points cannot take; with "mpm" among the methods it would be missing from one of the answers.
-void check_points_can(const Case& data, Findings& findings) {
-  const auto report = [&](const std::string& path, const std::string& what, const std::string& instead) {
-    if (findings.is_sound(path))
-      findings.add(path, fmt::format("material points take no {}; {}, or take \"mpm\" out of 'methods' in [analysis]",
-                                     what, instead));
-  };
-  if (!data.surcharges.empty())
-    report("surcharge.0", "[[surcharge]]", "write the load as a [[traction]] on a named line, which all methods take");
-  if (data.earthquake.horizontal != 0 || data.earthquake.vertical != 0)
-    report(findings.places.is_given("earthquake.horizontal") ? "earthquake.horizontal" : "earthquake.vertical",
-           "[earthquake]", "incline the 'direction' of [gravity] in a case of their own");
-  for (const auto& [name, material] : data.materials) {
-    const std::string path = "materials." + name;
-    if (material.slices.pore_pressure_ratio != 0)
-      report(path + ".pore_pressure_ratio", "pore pressure ratio",
-             "give the pore water in [materials.NAME.water] and [initial]");
-    if (material.cohesion_gradient != 0)
-      report(path + ".cohesion_gradient", "cohesion that grows with depth",
-             "write layers of constant cohesion as polygons of their own");
-  }
+/// r_u stands in the place of pore water that moves.
+void check_pressure_ratio(const Material& m, const std::string& name, Findings& findings) {
+  const std::string path = "materials." + name + ".pore_pressure_ratio";
+  if (m.slices.pore_pressure_ratio != 0 && m.water.is_wet() && findings.is_sound(path))
+    findings.add(path, fmt::format("material '{}' has a pore pressure ratio and pore water, [materials.{}.water]; give "
+                                   "one of them where material points calculate",
+                                   name, name));
 }
 
 /// Lowest level of a material's regions [m]; infinite where it has none.
@@ -209,7 +195,8 @@ void check_methods(const Case& data, Findings& findings) {
   }
   if (has_slices) check_slices_need(data, findings);
   if (has_elements) check_elements_need(data, findings);
-  if (uses(data, Method::mpm)) check_points_can(data, findings);
+  if (uses(data, Method::mpm))
+    for (const auto& [name, material] : data.materials) check_pressure_ratio(material, name, findings);
   if (!is_wet(data)) return;
   const bool needs_seepage = data.initial.water.pressure == InitialPressure::seepage || data.initial.water.season > 0;
   if (needs_seepage && !has_elements && data.mesh.file.empty() && data.mesh.size == 0 && findings.is_sound("mesh.size"))

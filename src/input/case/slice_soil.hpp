@@ -45,10 +45,10 @@ void describe_slice_soil(Visitor& v, SliceSoil& s) {
       quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("20"),
       "Weight of the soil with its water below the water table, for slices and finite elements; if not given, that of "
       "grains and water where `grain_density` is given, else `unit_weight`.");
-  v.key(
-      "pore_pressure_ratio", s.pore_pressure_ratio, plain().at_least(0).below(1),
-      "r_u, pore pressure over the weight of the soil above, in the place of a water table; slices and finite elements "
-      "only.");
+  v.key("pore_pressure_ratio", s.pore_pressure_ratio, plain().at_least(0).below(1),
+        "r_u, pore pressure over the weight of the soil above, in the place of a water table. Material points hold it, "
+        "at "
+        "frozen geometry.");
   v.key("suction_strength", s.suction_strength, plain(),
         "What suction s adds to the strength above the water table; slices and finite elements only. Material points "
         "follow [materials.NAME.water].");

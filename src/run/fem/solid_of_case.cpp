@@ -9,11 +9,11 @@
 #include "base/error.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/ground_load.hpp"
+#include "ground/held_water.hpp"
 #include "ground/plane_water.hpp"
 #include "ground/pore_water.hpp"
 #include "ground/root_content.hpp"
 #include "ground/side_normals.hpp"
-#include "ground/soil_weight.hpp"
 #include "mesh/column.hpp"
 #include "mesh/generate.hpp"
 
@@ -22,8 +22,6 @@ namespace {
 
 /// A normal that points along an axis to this is along it.
 constexpr double along_axis = 1 - 1e-9;
-/// Parts of an element's edge, for means over elements that the water table cuts.
-constexpr int element_parts = 5;
 
 /// What a region's law is made of: the material, and as what model.
 struct RegionSoil {
@@ -84,28 +82,6 @@ fem::Support<D> make_support(const input::Boundary& b, const mesh::Mesh<D>& mesh
   return support;
 }
 
-/// The mean over an element of something that follows from the pore pressure, linear between its corners.
-template <int D, class F>
-double find_mean(const std::array<double, D + 1>& corners, const F& find) {
-  double sum = 0;
-  int count = 0;
-  const auto add = [&](double p) { sum += find(p), ++count; };
-  constexpr double n = element_parts;
-  for (int i = 0; i < element_parts; ++i)
-    for (int j = 0; i + j < element_parts; ++j) {
-      if constexpr (D == 2) {
-        const double a = (i + 1.0 / 3) / n, b = (j + 1.0 / 3) / n;
-        add(a * corners[0] + b * corners[1] + (1 - a - b) * corners[2]);
-      } else {
-        for (int k = 0; i + j + k < element_parts; ++k) {
-          const double a = (i + 0.25) / n, b = (j + 0.25) / n, c = (k + 0.25) / n;
-          add(a * corners[0] + b * corners[1] + c * corners[2] + (1 - a - b - c) * corners[3]);
-        }
-      }
-    }
-  return sum / count;
-}
-
 template <int D>
 class SolidBuilder {
  public:
@@ -139,53 +115,12 @@ class SolidBuilder {
 
   /// Weights, χ p, saturation.
   void set_water() {
-    const std::vector<double> pressure = ground::find_nodal_pressure<D>(data_, mesh_, &solid_.water);
-    const bool has_pressure = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p != 0; });
-    const auto n = mesh_.elements.size();
+    ground::HeldWater<D> water = ground::find_held_water<D>(data_, mesh_, &solid_.water);
     fem::SolidModel<D>& model = solid_.model;
-    model.unit_weight.assign(n, 0.0);
-    model.saturation.assign(n, 1.0);
-    pore_.assign(n, {});
-    bool acts = false;
-    for (int e = 0; e < mesh_.element_count(); ++e) {
-      if (!is_soil(e)) continue;
-      const input::Material& m = get_soil(e);
-      const bool wet = ground::takes_water(data_, m);
-      std::array<double, D + 1> p{};
-      for (std::size_t c = 0; c <= D; ++c) p[c] = wet && has_pressure ? pressure[mesh_.elements[e][c]] : 0;
-      // Without water in the case the soil is dry.
-      const bool is_dry = !m.water.is_wet() && !(wet && has_pressure);
-      model.unit_weight[e] = is_dry ? ground::find_unit_weight(data_, m, 1)
-                                    : find_mean<D>(p, [&](double q) { return ground::find_unit_weight(data_, m, q); });
-      if (material::is_total_stress(m.model, m)) continue;
-      for (std::size_t c = 0; c <= D; ++c) {
-        pore_[e][c] = p[c] > 0 ? ground::find_suction_stress(m, p[c]) : p[c];
-        acts = acts || pore_[e][c] != 0;
-      }
-    }
-    acts = add_pressure_ratio() || acts;
-    if (acts) model.pore_stress = pore_;
-  }
-
-  /// u = r_u σ_v of the soils that have one.
-  bool add_pressure_ratio() {
-    std::vector<mesh::LocalPoint<D>> places;
-    for (int e = 0; e < mesh_.element_count(); ++e) {
-      if (!is_soil(e) || get_soil(e).slices.pore_pressure_ratio == 0) continue;
-      for (std::size_t c = 0; c <= D; ++c) {
-        std::array<double, D> xi{};
-        if (c > 0) xi[c - 1] = 1;
-        places.push_back({e, xi});
-      }
-    }
-    if (places.empty()) return false;
-    const std::vector<double> overburden =
-        mesh::overburden_integral<D>(mesh_, solid_.model.unit_weight, places, find_up());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const int e = places[i].element;
-      pore_[e][i % (D + 1)] = -get_soil(e).slices.pore_pressure_ratio * overburden[i];
-    }
-    return true;
+    model.unit_weight = std::move(water.unit_weight);
+    model.saturation.assign(mesh_.elements.size(), 1.0);
+    pore_ = std::move(water.pore);
+    if (water.acts) model.pore_stress = pore_;
   }
 
   Vec<D> find_up() const {
@@ -198,10 +133,8 @@ class SolidBuilder {
   void add_earthquake() {
     const input::Earthquake& quake = data_.earthquake;
     if (quake.horizontal == 0 && quake.vertical == 0) return;
-    double out = 1;
-    if (!ground_.empty() && ground_.front()[1] < ground_.back()[1]) out = -1;
-    solid_.model.direction[0] += out * quake.horizontal;
-    solid_.model.direction[1] -= quake.vertical;
+    const Vec<D> added = ground::find_earthquake<D>(data_, ground_);
+    for (std::size_t d = 0; d < D; ++d) solid_.model.direction[d] += added[d];
     if (ground_.empty() || ground_.front()[1] == ground_.back()[1])
       solid_.notes.push_back(
           "the earthquake acts towards larger x in the finite elements: both ends of the ground are "
@@ -282,15 +215,15 @@ void set_laws(const input::Case& data, SolidOfCase<D>& solid, bool associated) {
 
 }  // namespace
 
-mesh::Plan make_fem_plan(const input::Case& data) {
+mesh::Plan make_fem_plan(const input::Case& data, double share) {
   mesh::Plan plan = data.mesh;
   if (!plan.file.empty()) return plan;
   plan.algorithm = data.fem.algorithm;
-  if (!data.fem.size) return plan;
+  if (!data.fem.size && share == 1) return plan;
   // Finer places stay as much finer as they are.
-  const double share = plan.size > 0 ? *data.fem.size / plan.size : 1;
-  plan.size = *data.fem.size;
-  for (mesh::Refinement& r : plan.refinements) r.size *= share;
+  const double size = share * data.fem.size.value_or(plan.size), finer = plan.size > 0 ? size / plan.size : 1;
+  plan.size = size;
+  for (mesh::Refinement& r : plan.refinements) r.size *= finer;
   return plan;
 }
 
@@ -300,9 +233,9 @@ void check_solid(const input::Case& data) {
 }
 
 template <int D>
-SolidOfCase<D> make_solid(const input::Case& data) {
+SolidOfCase<D> make_solid(const input::Case& data, double share) {
   SolidOfCase<D> solid;
-  solid.mesh = std::make_shared<const mesh::Mesh<D>>(mesh::generate<D>(make_fem_plan(data)));
+  solid.mesh = std::make_shared<const mesh::Mesh<D>>(mesh::generate<D>(make_fem_plan(data, share)));
   set_laws<D>(data, solid, false);
   SolidBuilder<D>(data, solid).build();
   return solid;
@@ -313,8 +246,8 @@ void set_associated_flow(const input::Case& data, SolidOfCase<D>& solid) {
   set_laws<D>(data, solid, true);
 }
 
-#define TALUS_INSTANTIATE(D)                                 \
-  template SolidOfCase<D> make_solid<D>(const input::Case&); \
+#define TALUS_INSTANTIATE(D)                                         \
+  template SolidOfCase<D> make_solid<D>(const input::Case&, double); \
   template void set_associated_flow<D>(const input::Case&, SolidOfCase<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -21,10 +21,10 @@ struct SolidOfCase {
 };
 
 /// Mesh, supports, weights, water and loads of a case. Pore pressures of steady seepage are calculated on the same
-/// mesh. Throws Error (wrong_input) for a material or a boundary that finite elements at small strain do not have; what
-/// mesh::generate() and find_initial_water() throw.
+/// mesh. `share` of the element size. Throws Error (wrong_input) for a material or a boundary that finite elements at
+/// small strain do not have; what mesh::generate() and find_initial_water() throw.
 template <int D>
-SolidOfCase<D> make_solid(const input::Case& data);
+SolidOfCase<D> make_solid(const input::Case& data, double share = 1);
 
 /// The laws of the case with ψ = φ instead of ψ as given.
 template <int D>
@@ -33,7 +33,7 @@ void set_associated_flow(const input::Case& data, SolidOfCase<D>& solid);
 /// Throws Error (wrong_input) for materials and boundaries that make_solid() refuses, without a mesh.
 void check_solid(const input::Case& data);
 
-/// The plan that make_solid() meshes: the case's with the element size and algorithm of [fem].
-mesh::Plan make_fem_plan(const input::Case& data);
+/// The plan that make_solid() meshes: the case's with that share of the element size, and the algorithm, of [fem].
+mesh::Plan make_fem_plan(const input::Case& data, double share = 1);
 
 }  // namespace talus::run

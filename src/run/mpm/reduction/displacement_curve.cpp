@@ -45,7 +45,7 @@ StagePlan<D> make_trial_plan(const input::Case& data, double slope_height, int t
   plan.duration = curve.window;
   plan.step = curve.step_settings;
   plan.rest = data.rest;
-  plan.gravity = find_gravity<D>(data.gravity);
+  plan.gravity = find_acceleration<D>(data);
   plan.soil_height = slope_height;
   plan.threads = threads;
   return plan;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "ground/side_normals.hpp"
 #include "mpm/body/observe.hpp"
 
 namespace talus::run {
@@ -78,22 +77,8 @@ void apply_traction(mpm::Body<D>& body, const input::Traction& traction) {
     }
     for (const ground::SideElement& s : elements) {
       if (body.points.count[s.element] == 0) continue;
-      // The points nearest to the side carry it (2.32): smallest shape function of the opposite node.
-      std::vector<std::pair<double, int>> near;
-      const int block = s.element / lane_width;
-      for (int k = 0; k < static_cast<int>(body.points.count[s.element]); ++k) {
-        const int id = body.points.id[static_cast<std::size_t>((body.points.block_start[block] + k) * lane_width +
-                                                               s.element % lane_width)];
-        const auto xi = mesh::to_local(mesh, s.element, mpm::view_point(body, id).position);
-        double shape = 1;
-        for (double x : xi) shape -= x;
-        if (s.opposite > 0) shape = xi[s.opposite - 1];
-        near.emplace_back(shape, id);
-      }
-      const double nearest = std::min_element(near.begin(), near.end())->first;
-      std::erase_if(near, [&](const auto& n) { return n.first > nearest + 1e-6; });
-      for (std::size_t d = 0; d < D; ++d) force[d] = t[d] * area / static_cast<double>(near.size());
-      for (const auto& [shape, id] : near) load.entries.push_back({id, force});
+      for (std::size_t d = 0; d < D; ++d) force[d] = t[d] * area;
+      load_nearest_points(body, s, force, load);
       break;
     }
   }
@@ -101,6 +86,28 @@ void apply_traction(mpm::Body<D>& body, const input::Traction& traction) {
 }
 
 }  // namespace
+
+template <int D>
+void load_nearest_points(const mpm::Body<D>& body, const ground::SideElement& side,
+                         const std::type_identity_t<Vec<D>>& force, mpm::Load<D>& load) {
+  // Nearest: smallest shape function of the opposite node.
+  std::vector<std::pair<double, int>> near;
+  const int block = side.element / lane_width;
+  for (int k = 0; k < static_cast<int>(body.points.count[side.element]); ++k) {
+    const int id = body.points.id[static_cast<std::size_t>((body.points.block_start[block] + k) * lane_width +
+                                                           side.element % lane_width)];
+    const auto xi = mesh::to_local(body.mesh(), side.element, mpm::view_point(body, id).position);
+    double shape = 1;
+    for (double x : xi) shape -= x;
+    if (side.opposite > 0) shape = xi[side.opposite - 1];
+    near.emplace_back(shape, id);
+  }
+  const double nearest = std::min_element(near.begin(), near.end())->first;
+  std::erase_if(near, [&](const auto& n) { return n.first > nearest + 1e-6; });
+  Vec<D> share = force;
+  for (double& f : share) f /= static_cast<double>(near.size());
+  for (const auto& [shape, id] : near) load.entries.push_back({id, share});
+}
 
 template <int D>
 void resolve_conditions(mpm::Body<D>& body, const input::Case& data) {
@@ -113,5 +120,7 @@ void resolve_conditions(mpm::Body<D>& body, const input::Case& data) {
 
 template void resolve_conditions<2>(mpm::Body<2>&, const input::Case&);
 template void resolve_conditions<3>(mpm::Body<3>&, const input::Case&);
+template void load_nearest_points<2>(const mpm::Body<2>&, const ground::SideElement&, const Vec<2>&, mpm::Load<2>&);
+template void load_nearest_points<3>(const mpm::Body<3>&, const ground::SideElement&, const Vec<3>&, mpm::Load<3>&);
 
 }  // namespace talus::run

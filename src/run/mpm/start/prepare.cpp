@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "ground/ground_line.hpp"
 #include "ground/initial_water.hpp"
 #include "ground/pore_water.hpp"
 #include "ground/root_sink.hpp"
@@ -16,6 +17,7 @@
 #include "mpm/coupled/pore_state.hpp"
 #include "run/mpm/start/conditions.hpp"
 #include "run/mpm/start/end_state.hpp"
+#include "run/mpm/start/ground_loads.hpp"
 #include "run/mpm/start/initial_state.hpp"
 #include "run/mpm/start/water_conditions.hpp"
 
@@ -26,6 +28,15 @@ int find_material(const std::vector<std::string>& names, const std::string& name
   const auto at = std::find(names.begin(), names.end(), name);
   if (at == names.end()) throw Error(ExitCode::wrong_input, fmt::format("there is no material '{}'", name));
   return static_cast<int>(at - names.begin());
+}
+
+/// The law of a material; where its cohesion varies from place to place, the one that has it as a state variable.
+material::Law make_point_law(const input::Material& soil, std::optional<double> cohesion, double factor) {
+  const auto local = material::find_local_model(soil.model, soil);
+  if (!local || *local == soil.model) return input::make_law(soil, cohesion, factor);
+  input::Material varied = soil;
+  varied.model = *local;
+  return input::make_law(varied, cohesion, factor);
 }
 
 /// Material number of each region of the mesh.
@@ -48,7 +59,7 @@ std::vector<int> assign_materials(const input::Case& data, const mesh::Mesh<D>& 
 template <int D>
 void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<std::string>& names,
                    const std::vector<mpm::WaterLaw>& laws, const ground::InitialWater<D>& water,
-                   std::vector<mpm::InitialPoint<D>>& points) {
+                   const ground::HeldWater<D>& held, std::vector<mpm::InitialPoint<D>>& points) {
   std::vector<double> unit_weight(mesh.elements.size(), 0.0), bishop(mesh.elements.size(), 0.0);
   for (const mpm::InitialPoint<D>& p : points) {
     const input::Material& m = data.materials.at(names[p.material]);
@@ -59,7 +70,12 @@ void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std
       density += m.porosity * mpm::find_content(law, pressure) * law.density;
       bishop[p.element] = mpm::find_state_at_pressure(law, pressure).bishop;
     }
-    unit_weight[p.element] = density * data.gravity.acceleration;
+    unit_weight[p.element] =
+        held.unit_weight.empty() ? density * data.gravity.acceleration : held.unit_weight[p.element];
+    if (!held.acts) continue;
+    double pore = 0;
+    for (const double corner : held.pore[p.element]) pore += corner / (D + 1);
+    if (pore != 0) bishop[p.element] = pore;
   }
   Vec<D> up = find_gravity<D>(data.gravity);
   const double g = norm(up);
@@ -71,7 +87,11 @@ void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std
     const std::vector<double> ponded = ground::find_ponded_load<D>(data, mesh, points);
     for (std::size_t i = 0; i < points.size(); ++i) overburden[i] += ponded[i];
   }
+  std::vector<Vec<D>> at;
+  for (const auto& p : points) at.push_back(mesh::to_global(mesh, p.element, p.xi));
+  const std::vector<double> above = find_ground_load<D>(data, at);
   for (std::size_t i = 0; i < points.size(); ++i) {
+    overburden[i] += above[i];
     const input::Material& m = data.materials.at(names[points[i].material]);
     const double k0 = data.initial.k0.value_or(m.poisson_ratio / (1 - m.poisson_ratio));
     const double vertical = -overburden[i] - bishop[points[i].element], sideways = k0 * vertical;  // σ = σ' + χp
@@ -98,6 +118,7 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   const std::vector<int> material_of_region = assign_materials(data, mesh, names);
   const std::vector<mpm::WaterLaw> water_laws = ground::make_water_laws(data);
   ground::InitialWater<D> water = ground::find_initial_water<D>(data, mesh);
+  const ground::HeldWater<D> held = find_carried_water<D>(data, mesh);
   const auto positions = mesh::point_positions<D>(points_per_element);
   std::vector<mpm::InitialPoint<D>> points;
   std::vector<int> in_element(mesh.elements.size(), 0);
@@ -109,7 +130,8 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
     point.element = e;
     point.material = material_of_region[region];
     point.volume = mesh.volumes[e] / points_per_element;
-    point.mass = point.volume * data.materials.at(names[point.material]).density();
+    point.mass = point.volume * (held.unit_weight.empty() ? data.materials.at(names[point.material]).density()
+                                                          : held.unit_weight[e] / data.gravity.acceleration);
     if (const auto v = data.initial.velocity.find(region_name); v != data.initial.velocity.end()) {
       for (std::size_t d = 0; d < D; ++d) point.velocity[d] = v->second[d];
     }
@@ -123,14 +145,16 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   }
   if (points.empty())
     throw Error(ExitCode::wrong_input, "no element of the mesh holds soil; check the polygons and the mesh size");
-  if (data.initial.stress == input::InitialStress::k0) set_k0_stress<D>(data, mesh, names, water_laws, water, points);
+  if (data.initial.stress == input::InitialStress::k0)
+    set_k0_stress<D>(data, mesh, names, water_laws, water, held, points);
 
   std::vector<material::Law> laws;
-  for (const std::string& name : names) laws.push_back(input::make_law(data.materials.at(name)));
+  for (const std::string& name : names) laws.push_back(make_point_law(data.materials.at(name), {}, 1));
   set_initial_state<D>(data, mesh, laws, names, water_laws, points);
   auto layout = mpm::make_layout<D>(std::move(mesh), in_element, chunks);
   mpm::Body<D> body = mpm::make_body<D>(std::move(layout), std::move(laws), names, points, water_laws);
   resolve_conditions(body, data);
+  add_ground_loads(body, data, held);
   resolve_water_conditions(body, data);
   ground::resolve_root_uptakes(body, data);
   if (seepage != nullptr) *seepage = std::move(water.seepage);
@@ -150,13 +174,24 @@ template <int D>
 void set_strength(mpm::Body<D>& body, const input::Case& data, std::optional<double> cohesion, double factor) {
   body.laws.clear();
   for (const std::string& name : body.material_names)
-    body.laws.push_back(input::make_law(data.materials.at(name), cohesion, factor));
+    body.laws.push_back(make_point_law(data.materials.at(name), cohesion, factor));
 }
 
 template <int D>
 Vec<D> find_gravity(const input::Gravity& gravity) {
   Vec<D> g;
   for (std::size_t d = 0; d < D; ++d) g[d] = gravity.acceleration * gravity.direction[d];
+  return g;
+}
+
+template <int D>
+Vec<D> find_acceleration(const input::Case& data) {
+  Vec<D> g = find_gravity<D>(data.gravity);
+  if (data.earthquake.horizontal == 0 && data.earthquake.vertical == 0) return g;
+  ground::Polyline ground;
+  if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) ground = ground::find_ground(data.mesh);
+  const Vec<D> added = ground::find_earthquake<D>(data, ground);
+  for (std::size_t d = 0; d < D; ++d) g[d] += data.gravity.acceleration * added[d];
   return g;
 }
 
@@ -196,6 +231,7 @@ double find_soil_height(const mpm::Body<D>& body, const input::Gravity& gravity)
 #define TALUS_INSTANTIATE(D)                                                                                      \
   template void set_strength<D>(mpm::Body<D>&, const input::Case&, std::optional<double>, double);                \
   template Vec<D> find_gravity<D>(const input::Gravity&);                                                         \
+  template Vec<D> find_acceleration<D>(const input::Case&);                                                       \
   template mpm::Body<D> prepare<D>(const input::Case&, mesh::Mesh<D>, int, std::optional<fem::SeepageResult<D>>*, \
                                    std::optional<ground::SeasonRecord>*);                                         \
   template double find_soil_height<D>(const mpm::Body<D>&, const input::Gravity&);

@@ -37,4 +37,8 @@ double find_soil_height(const mpm::Body<D>& body, const input::Gravity& gravity)
 template <int D>
 Vec<D> find_gravity(const input::Gravity& gravity);
 
+/// Gravity and the acceleration of a pseudo-static earthquake [m/s²].
+template <int D>
+Vec<D> find_acceleration(const input::Case& data);
+
 }  // namespace talus::run

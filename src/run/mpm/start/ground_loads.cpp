@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "run/mpm/start/ground_loads.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "ground/ground_line.hpp"
+#include "ground/ground_load.hpp"
+#include "ground/plane_water.hpp"
+#include "ground/pore_water.hpp"
+#include "ground/side_normals.hpp"
+#include "mesh/shape_gradient.hpp"
+#include "mpm/body/observe.hpp"
+#include "run/mpm/start/conditions.hpp"
+
+namespace talus::run {
+namespace {
+
+bool has_ratio(const input::Case& data) {
+  return std::any_of(data.materials.begin(), data.materials.end(),
+                     [](const auto& entry) { return entry.second.slices.pore_pressure_ratio != 0; });
+}
+
+/// Where water stands over the ground by the water table.
+struct Standing {
+  ground::Polyline ground, table;  ///< both empty: nowhere
+};
+
+Standing find_standing(const input::Case& data) {
+  if (data.mesh.polygons.empty() || data.mesh.dimension != 2 ||
+      data.initial.water.pressure != input::InitialPressure::water_table)
+    return {};
+  try {
+    Standing standing{ground::find_ground(data.mesh), data.initial.water.water_table};
+    if (!ground::find_ponds(data, standing.ground).empty()) return {};
+    return standing;
+  } catch (const Error&) {
+    return {};  // an overhang: there is no one level of the ground
+  }
+}
+
+bool moves(const input::Case& data) {
+  return std::any_of(data.stages.begin(), data.stages.end(),
+                     [](const input::Stage& stage) { return stage.step.geometry == input::Geometry::moving; });
+}
+
+/// The weight's growth in the first stage.
+input::TimeTable make_growth(const input::Case& data) {
+  const double ramp = data.stages.empty() || !data.initial.result.empty() ? 0 : data.stages.front().gravity_ramp;
+  if (ramp <= 0) return {};
+  return {{0.0, ramp}, {0.0, 1.0}};
+}
+
+/// Forces at the corners of a side from a traction that is linear on it: ∫ N_i N_j = (1 + δ_ij)/(D(D+1)) of its area.
+template <int D>
+std::array<Vec<D>, D> integrate(const std::array<Vec<D>, D>& traction, double area) {
+  Vec<D> sum{};
+  for (const Vec<D>& t : traction)
+    for (std::size_t d = 0; d < D; ++d) sum[d] += t[d];
+  std::array<Vec<D>, D> force;
+  for (std::size_t c = 0; c < D; ++c)
+    for (std::size_t d = 0; d < D; ++d) force[c][d] = area * (sum[d] + traction[c][d]) / (D * (D + 1));
+  return force;
+}
+
+template <int D>
+mpm::Load<D> make_side_load(const mpm::Body<D>& body, const fem::SurfaceLoad<D>& surface, bool on_points) {
+  mpm::Load<D> load;
+  load.on_points = on_points;
+  const auto elements_of = ground::map_sides<D>(body.mesh(), surface.sides);
+  for (std::size_t s = 0; s < surface.sides.size(); ++s) {
+    std::array<int, D> key = surface.sides[s];
+    std::sort(key.begin(), key.end());
+    const auto& elements = elements_of.at(key);
+    const auto soil = std::find_if(elements.begin(), elements.end(),
+                                   [&](const ground::SideElement& e) { return body.points.count[e.element] > 0; });
+    if (soil == elements.end()) continue;
+    const double area = ground::find_outward_normal(body.mesh(), soil->element, soil->opposite).second;
+    const std::array<Vec<D>, D> force = integrate<D>(surface.traction[s], area);
+    if (!on_points) {
+      for (std::size_t c = 0; c < D; ++c) load.entries.push_back({surface.sides[s][c], force[c]});
+      continue;
+    }
+    Vec<D> sum{};
+    for (const Vec<D>& f : force)
+      for (std::size_t d = 0; d < D; ++d) sum[d] += f[d];
+    load_nearest_points(body, *soil, sum, load);
+  }
+  return load;
+}
+
+/// Nodal forces -V p ∇N of pressures that are positive in tension.
+template <int D>
+mpm::Load<D> make_pore_load(const mpm::Body<D>& body, const std::vector<std::array<double, D + 1>>& pore) {
+  mpm::Load<D> load;
+  for (int e = 0; e < body.mesh().element_count(); ++e) {
+    if (body.points.count[e] == 0) continue;
+    double mean = 0;
+    for (const double p : pore[e]) mean += p / (D + 1);
+    if (mean == 0) continue;
+    for (int k = 0; k <= D; ++k) {
+      const std::array<double, D> gradient = mesh::find_shape_gradient(body.mesh(), e, k);
+      Vec<D> force;
+      for (std::size_t d = 0; d < D; ++d) force[d] = -body.mesh().volumes[e] * mean * gradient[d];
+      load.entries.push_back({body.mesh().elements[e][k], force});
+    }
+  }
+  return load;
+}
+
+}  // namespace
+
+template <int D>
+ground::HeldWater<D> find_carried_water(const input::Case& data, const mesh::Mesh<D>& mesh) {
+  if (data.gravity.acceleration == 0) return {};
+  if (!ground::has_water(data)) {
+    const bool has_table = data.initial.water.pressure == input::InitialPressure::water_table;
+    if (!has_table && !has_ratio(data)) return {};
+    return ground::find_held_water<D>(data, mesh);
+  }
+  if (!has_ratio(data)) return {};
+  ground::HeldWater<D> held = ground::find_held_water<D>(data, mesh);
+  held.pore.assign(mesh.elements.size(), {});
+  held.acts = ground::add_pressure_ratio<D>(data, mesh, held.unit_weight, held.pore);
+  held.unit_weight.clear();
+  return held;
+}
+
+template <int D>
+std::vector<double> find_ground_load(const input::Case& data, const std::vector<Vec<D>>& places) {
+  std::vector<double> load(places.size(), 0.0);
+  const Standing standing = find_standing(data);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double x = places[i][0];
+    if (!data.surcharges.empty()) load[i] += ground::find_surcharge(data, x);
+    if (standing.ground.empty()) continue;
+    if (const auto level = ground::find_standing_level({}, standing.table, standing.ground, x))
+      load[i] += ground::find_water_weight(data) * std::max(0.0, *level - ground::find_level(standing.ground, x));
+  }
+  return load;
+}
+
+template <int D>
+void add_ground_loads(mpm::Body<D>& body, const input::Case& data, const ground::HeldWater<D>& held) {
+  const auto add = [&](mpm::Load<D> load) {
+    if (load.entries.empty()) return;
+    load.factor = make_growth(data);
+    body.conditions.loads.push_back(std::move(load));
+  };
+  const Standing standing = find_standing(data);
+  if (!data.surcharges.empty() || !standing.ground.empty()) {
+    input::Case alone = data;
+    alone.tractions.clear();
+    for (const fem::SurfaceLoad<D>& surface :
+         ground::make_surface_loads<D>(alone, body.mesh(), {}, standing.table, standing.ground))
+      add(make_side_load<D>(body, surface, moves(data)));
+  }
+  if (held.acts) add(make_pore_load<D>(body, held.pore));
+}
+
+#define TALUS_INSTANTIATE(D)                                                                        \
+  template ground::HeldWater<D> find_carried_water<D>(const input::Case&, const mesh::Mesh<D>&);    \
+  template std::vector<double> find_ground_load<D>(const input::Case&, const std::vector<Vec<D>>&); \
+  template void add_ground_loads<D>(mpm::Body<D>&, const input::Case&, const ground::HeldWater<D>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::run
