@@ -37,6 +37,19 @@ void describe(V& v, R& r) {
   v.key("seconds", r.seconds, {"s", "seconds"});
 }
 
+/// The factor on one of two meshes.
+struct ElementMeshFactor {
+  double size = 0;  ///< mean, of its elements [m]
+  double factor = 0, stable = 0, failed = 0;
+};
+template <class V, As<ElementMeshFactor> R>
+void describe(V& v, R& r) {
+  v.key("size", r.size, {"m", "mean size of the elements"});
+  v.key("factor", r.factor, {"", "factor of safety on this mesh"});
+  v.key("stable", r.stable, {"", "largest factor with equilibrium"});
+  v.key("failed", r.failed, {"", "smallest factor without equilibrium"});
+}
+
 /// One strength reduction.
 struct ElementRun {
   Flow flow = Flow::as_given;
@@ -48,6 +61,7 @@ struct ElementRun {
   std::optional<std::vector<SideLine>> sides;  ///< to smaller and to larger x; nothing: the soil moves one way
   double seconds = 0;
   std::vector<std::string> warnings;
+  std::optional<std::vector<ElementMeshFactor>> meshes;  ///< coarse to fine; then `factor` is extrapolated from them
 };
 template <class V, As<ElementRun> R>
 void describe(V& v, R& r) {
@@ -56,6 +70,7 @@ void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("stable", r.stable, {"", "largest factor with equilibrium"});
   v.key("failed", r.failed, {"", "smallest factor without equilibrium"});
+  v.maybe("meshes", r.meshes, {"", "factors on two meshes, from which the factor is extrapolated"});
   v.key("by_displacement", r.by_displacement, {"", "factor where displacements run away"});
   v.key("trials", r.trials, {"", "trials"});
   v.key("slip_line", r.slip_line, {"m", "line along the band of shear strain"});

@@ -171,6 +171,60 @@ TEST(FrozenSearch, TriesTheSameFactorsForAnyNumberOfThreads) {
   EXPECT_EQ(list(1), list(2));
 }
 
+results::MeshFactor make_mesh(double size, double factor) {
+  results::MeshFactor mesh;
+  mesh.size = size;
+  mesh.lower = factor - 0.002;
+  mesh.upper = factor + 0.002;
+  return mesh;
+}
+
+TEST(FrozenInterval, HoldsBracketsAndWhatTheMeshDoes) {
+  const auto pair = [] { return std::vector{make_mesh(0.75, 1.459), make_mesh(0.375, 1.426)}; };
+  const results::FrozenFactor plain = join_meshes(pair());
+  EXPECT_NEAR(*plain.factor, 1.393, 1e-12);
+  EXPECT_NEAR(plain.bracket, 0.006, 1e-12) << "(2 + 1) times half a bracket";
+  EXPECT_FALSE(plain.mesh_effect.has_value());
+  EXPECT_NEAR(plain.uncertainty, 0.006, 1e-12);
+  const results::FrozenFactor apart = join_meshes(pair(), make_mesh(0.75, 1.496));
+  EXPECT_EQ(apart.factor, plain.factor) << "the other mesher moves no factor";
+  EXPECT_NEAR(apart.mesh_effect.value(), 0.037, 1e-12);
+  EXPECT_NEAR(apart.uncertainty, 0.043, 1e-12);
+  const results::FrozenFactor close = join_meshes(pair(), make_mesh(0.75, 1.459));
+  EXPECT_NEAR(close.mesh_effect.value(), 0.02 * 1.393, 1e-12) << "two that agree by chance";
+  const results::FrozenFactor guessed =
+      join_meshes({make_mesh(0.56, 1.282), make_mesh(0.28, 1.064)}, make_mesh(0.56, 1.29));
+  EXPECT_NEAR(guessed.mesh_effect.value(), 0.218, 1e-12) << "so far apart a straight line is a guess";
+  auto three = pair();
+  three.push_back(make_mesh(0.1875, 1.415));
+  const results::FrozenFactor finest = join_meshes(three);
+  EXPECT_NEAR(*finest.factor, 1.404, 1e-12);
+  EXPECT_NEAR(finest.mesh_effect.value(), 0.01 * 1.404, 1e-12);
+}
+
+/// Pairs of the study of the dry slope (docs/verification_data/frozen_factor_study.csv) and where each question's
+/// factor lies by the line through five meshes: the interval of nearly all pairs holds it.
+TEST(FrozenInterval, HoldsTheLimitOfTheStudiedSlope) {
+  struct Pair {
+    double limit, coarse, fine, other;
+  };
+  for (const Pair& p : {Pair{1.439, 1.603, 1.508, 1.619},
+                        {1.439, 1.521, 1.496, 1.549},
+                        {1.439, 1.508, 1.479, 1.533},
+                        {1.439, 1.619, 1.533, 1.603},
+                        {1.439, 1.549, 1.504, 1.521},
+                        {1.439, 1.533, 1.488, 1.508},
+                        {1.393, 1.549, 1.459, 1.574},
+                        {1.393, 1.467, 1.447, 1.504},
+                        {1.393, 1.459, 1.426, 1.496},
+                        {1.393, 1.574, 1.496, 1.549},
+                        {1.393, 1.504, 1.467, 1.467},
+                        {1.393, 1.496, 1.455, 1.459}}) {
+    const results::FrozenFactor f = join_meshes({make_mesh(2, p.coarse), make_mesh(1, p.fine)}, make_mesh(2, p.other));
+    EXPECT_LT(std::abs(*f.factor - p.limit), f.uncertainty) << p.coarse << ", " << p.fine;
+  }
+}
+
 TEST(Extrapolation, IsExactForALineInMeshSize) {
   const auto factor = [](double h) { return 1.44 + 0.08 * h; };
   EXPECT_NEAR(extrapolate_to_zero(0.75, factor(0.75), 0.375, factor(0.375)), 1.44, 1e-12);

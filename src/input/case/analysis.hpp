@@ -35,7 +35,8 @@ struct FrozenFactor {
   bool enabled = true;
   double from = 1.0, to = 2.0;  ///< bracket to start from [-]; widened when it does not hold the factor
   double resolution = 0.01;     ///< width of the final bracket [-]
-  int meshes = 2;               ///< 1: one mesh of the case's size; 2: and one of half its size, extrapolated linearly
+  int meshes = 2;            ///< 1: one of the case's size; 2: and one of half its size, extrapolated; 3: and a quarter
+  bool mesh_scatter = true;  ///< the coarse mesh by another mesher as well, for the interval
   mesh::Algorithm algorithm = mesh::Algorithm::meshadapt;  ///< of both meshes
   double window = 60;                ///< a trial without decision by then is reported as undecided [s]
   double failed_displacement = 0.1;  ///< u/H that decides "failed" [-]
@@ -102,9 +103,13 @@ void describe(Visitor& v, FrozenFactor& f) {
   v.key("from", f.from, plain().above(0), "Lower end of the first bracket; widened when the factor is not in it.");
   v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");
   v.key("resolution", f.resolution, plain().above(0), "Width of the last bracket.");
-  v.key("meshes", f.meshes, plain().at_least(1).at_most(2),
+  v.key("meshes", f.meshes, plain().at_least(1).at_most(3),
         "1: one mesh of the case's element size. 2: also one of half that size, and the factor extrapolated to size "
-        "zero.");
+        "zero. 3: and one of a quarter; the two finest are extrapolated, and the two coarsest show how far that can be "
+        "trusted.");
+  v.key("mesh_scatter", f.mesh_scatter, plain(),
+        "With two meshes, calculate the coarse one by another mesher too: the distance of the two factors is what the "
+        "mesh does, and a part of the interval that is printed.");
   v.key("algorithm", f.algorithm, plain(),
         "Gmsh's algorithm for these meshes (a ready mesh file is used as it is). Irregular ones lock least.");
   v.key("window", f.window, quantity("s").above(0), "A trial that has not decided by then is reported as undecided.");

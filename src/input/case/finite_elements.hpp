@@ -16,6 +16,7 @@ enum class FlowRule { as_given, associated, both };
 struct FiniteElements {
   std::optional<double> size;  ///< element size [m]; not given: that of the mesh
   mesh::Algorithm algorithm = mesh::Algorithm::delaunay;
+  int meshes = 1;                        ///< 2: and one of half the size, extrapolated linearly
   FlowRule flow = FlowRule::as_given;    ///< both: with ψ as given and with ψ = φ
   double from = 1.0, to = 2.0;           ///< first bracket [-]
   double resolution = 0.005;             ///< of the last [-]
@@ -37,6 +38,8 @@ void describe(Visitor& v, FiniteElements& f) {
   v.key("size", f.size, quantity("m").above(0).example("1.0"),
         "Size of the quadratic elements; if not given, that of [mesh].");
   v.key("algorithm", f.algorithm, plain(), "Gmsh's algorithm for their mesh.");
+  v.key("meshes", f.meshes, plain().at_least(1).at_most(2),
+        "1: one mesh. 2: also one of half its element size, and the factor extrapolated to size zero.");
   v.key("flow", f.flow, plain(), "Plastic flow of the trials.");
   v.key("from", f.from, plain().above(0), "Lower end of the first bracket; widened when the factor is not in it.");
   v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");

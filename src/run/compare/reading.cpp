@@ -250,7 +250,7 @@ class Reading {
     const results::FrozenFactor& frozen = *run_.factor_of_safety->frozen;
     const std::vector<results::MeshFactor>& meshes = frozen.meshes;
     if (meshes.size() < 2) return;
-    const double coarse = *meshes[0].factor(), fine = *meshes[1].factor(), bracket = frozen.uncertainty;
+    const double coarse = *meshes[0].factor(), fine = *meshes[1].factor(), bracket = frozen.bracket;
     if (std::abs(coarse - fine) <= bracket)
       say("Material points: halving the elements changes the factor by less than the width of the bracket ({:.3f} and "
           "{:.3f}).",

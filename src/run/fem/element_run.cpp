@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/extrapolate.hpp"
 #include "base/interrupt.hpp"
 #include "mesh/quality.hpp"
 #include "results/json.hpp"
@@ -17,6 +18,9 @@ namespace talus::run {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Share of the element size of [fem] in the finer of two meshes.
+constexpr double finer = 0.5;
 
 constexpr const char *element_file = "fem.json", *element_title = "finite elements";
 
@@ -71,13 +75,22 @@ template <int D>
 void ElementRun<D>::prepare() {
   attempt([&] {
     show("mesh");
-    SolidOfCase<D> solid = make_solid<D>(data_);
-    fem::QuadraticMesh<D> mesh = fem::make_quadratic<D>(*solid.mesh);
-    water_ = std::move(solid.water);
-    model_ = std::make_unique<Model>(Model{std::move(solid), std::move(mesh)});
+    // The finer of two meshes gives fields and slip line.
+    model_ = make_model(data_.fem.meshes > 1 && data_.mesh.file.empty() ? finer : 1);
+    water_ = std::move(model_->solid.water);
     begin();
+    if (data_.fem.meshes > 1 && !data_.mesh.file.empty())
+      file_.summary.warnings.push_back(
+          "the mesh is a ready file, which cannot be halved: the factor is that of one mesh and not extrapolated");
     if (options_.progress) options_.progress->clear();
   });
+}
+
+template <int D>
+auto ElementRun<D>::make_model(double share) const -> std::unique_ptr<Model> {
+  SolidOfCase<D> solid = make_solid<D>(data_, share);
+  fem::QuadraticMesh<D> mesh = fem::make_quadratic<D>(*solid.mesh);
+  return std::make_unique<Model>(Model{std::move(solid), std::move(mesh)});
 }
 
 /// The state of an interrupted run, or the one before the first trial.
@@ -128,15 +141,37 @@ void ElementRun<D>::show(const std::string& what) const {
 }
 
 template <int D>
+fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::string& words) const {
+  show(fmt::format("{}, equilibrium at full strength", words));
+  return fem::reduce_strength<D>(model.solid.model, make_options(data_.fem, options_.threads),
+                                 [&](const fem::ReductionTrial& t) {
+                                   show(fmt::format("{}, strength divided by {:.4g}: {} after {} iterations", words,
+                                                    t.factor, t.converged ? "stands" : "fails", t.iterations));
+                                 });
+}
+
+/// The same on a mesh of the size of [fem], twice that of the first one, and both factors extrapolated to h = 0.
+template <int D>
+void ElementRun<D>::extrapolate(results::Flow flow, const std::string& words, results::ElementRun& run) const {
+  const std::unique_ptr<Model> model = make_model(1);
+  if (flow == results::Flow::associated) set_associated_flow<D>(data_, model->solid);
+  const auto coarse = search(*model, words + ", coarse mesh");
+  const double size = mesh::measure_quality(*model->solid.mesh).mean_size, fine = file_.summary.size;
+  run.meshes = std::vector<results::ElementMeshFactor>{{size, coarse.factor, coarse.stable, coarse.failed},
+                                                       {fine, run.factor, run.stable, run.failed}};
+  run.factor = extrapolate_to_zero(size, coarse.factor, fine, run.factor);
+  if (run.by_displacement && coarse.by_displacement > 0)
+    run.by_displacement = extrapolate_to_zero(size, coarse.by_displacement, fine, *run.by_displacement);
+  else
+    run.by_displacement.reset();
+  run.seconds += coarse.seconds;
+}
+
+template <int D>
 void ElementRun<D>::reduce(results::Flow flow) {
   const bool associated = flow == results::Flow::associated;
   const char* words = associated ? "ψ = φ" : "ψ as given";
-  show(fmt::format("{}, equilibrium at full strength", words));
-  const auto found = fem::reduce_strength<D>(
-      model_->solid.model, make_options(data_.fem, options_.threads), [&](const fem::ReductionTrial& t) {
-        show(fmt::format("{}, strength divided by {:.4g}: {} after {} iterations", words, t.factor,
-                         t.converged ? "stands" : "fails", t.iterations));
-      });
+  const auto found = search(*model_, words);
   results::ElementRun run;
   run.flow = flow;
   run.psi = find_dilatancy(data_, associated);
@@ -165,6 +200,7 @@ void ElementRun<D>::reduce(results::Flow flow) {
                       t.factor, t.iterations));
   if (found.stable < 1)
     run.warnings.push_back("the slope does not stand with its full strength: the factor is below 1");
+  if (data_.fem.meshes > 1 && data_.mesh.file.empty()) extrapolate(flow, words, run);
   file_.summary.unknowns = found.unknowns;
   file_.summary.runs.push_back(std::move(run));
   file_.mesh.runs.push_back(tell_fields<D>(model_->mesh, found.at_failure, flow));

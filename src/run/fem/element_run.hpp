@@ -41,6 +41,9 @@ class ElementRun {
   void attempt(Part part);
   void begin();
   void reduce(results::Flow flow);
+  std::unique_ptr<Model> make_model(double share) const;
+  fem::ReductionResult<D> search(const Model& model, const std::string& words) const;
+  void extrapolate(results::Flow flow, const std::string& words, results::ElementRun& run) const;
   void keep() const;
   void show(const std::string& what) const;
 

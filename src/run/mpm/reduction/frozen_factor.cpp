@@ -15,14 +15,6 @@ namespace {
 /// A bracket is widened at most this often in one direction.
 constexpr int most_widenings = 6;
 
-}  // namespace
-
-double extrapolate_to_zero(double coarse, double factor_coarse, double fine, double factor_fine) {
-  return factor_fine - (factor_coarse - factor_fine) * fine / (coarse - fine);
-}
-
-namespace {
-
 /// Why a mesh has no factor; empty where it has one.
 std::string explain(const results::MeshFactor& mesh) {
   if (mesh.factor()) return "";
@@ -38,23 +30,56 @@ std::string explain(const results::MeshFactor& mesh) {
 
 }  // namespace
 
-results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes) {
+namespace {
+
+/// Factors that are extrapolated from h and h/2 scatter by this over sizes and meshers, whatever two meshers happen to
+/// say (docs/theory/factor-of-safety.md) [-].
+constexpr double known_scatter = 0.02;
+
+/// The two finest meshes to h = 0.
+double extrapolate(const results::MeshFactor& coarse, const results::MeshFactor& fine) {
+  return extrapolate_to_zero(coarse.size, *coarse.factor(), fine.size, *fine.factor());
+}
+
+/// What the individual mesh does to the extrapolated factor. It is 2F(h/2) - F(h); a scatter of the meshes that falls
+/// with h makes √2 times that of the coarse mesh, which is the mean square of the distance of two meshers there. Of
+/// three meshes, the two extrapolations lie as far apart as the coarser of them is wrong, and the finer one is half
+/// that.
+std::optional<double> find_mesh_effect(const std::vector<results::MeshFactor>& meshes,
+                                       const std::optional<results::MeshFactor>& other, double factor) {
+  if (meshes.size() == 3) {
+    const double distance = std::abs(extrapolate(meshes[0], meshes[1]) - extrapolate(meshes[1], meshes[2]));
+    return 0.5 * std::max(distance, known_scatter * factor);
+  }
+  if (meshes.size() != 2 || !other || !other->factor()) return std::nullopt;
+  const double coarse = *meshes[0].factor(), correction = std::abs(coarse - *meshes[1].factor());
+  const double guess = correction > far_apart * *meshes[1].factor() ? correction : 0;
+  return std::max({std::abs(coarse - *other->factor()), known_scatter * factor, guess});
+}
+
+}  // namespace
+
+results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::optional<results::MeshFactor> other) {
   results::FrozenFactor frozen;
   for (const results::MeshFactor& mesh : meshes)
     if (frozen.note.empty()) frozen.note = explain(mesh);
   if (frozen.note.empty()) {
     const auto half = [](const results::MeshFactor& m) { return 0.5 * (*m.upper - *m.lower); };
-    const results::MeshFactor &coarse = meshes.front(), &fine = meshes.back();
+    const results::MeshFactor& fine = meshes.back();
     frozen.factor = fine.factor();
-    frozen.uncertainty = half(fine);
-    if (meshes.size() == 2) {
-      frozen.factor = extrapolate_to_zero(coarse.size, *coarse.factor(), fine.size, *fine.factor());
+    frozen.bracket = half(fine);
+    if (meshes.size() > 1) {
+      const results::MeshFactor& coarse = meshes[meshes.size() - 2];
+      frozen.factor = extrapolate(coarse, fine);
       frozen.extrapolated = frozen.factor;
       const double share = fine.size / (coarse.size - fine.size);
-      frozen.uncertainty = half(fine) * (1 + share) + half(coarse) * share;
+      frozen.bracket = half(fine) * (1 + share) + half(coarse) * share;
     }
+    frozen.mesh_effect = find_mesh_effect(meshes, other, *frozen.factor);
+    frozen.uncertainty = frozen.bracket + frozen.mesh_effect.value_or(0);
   }
   frozen.meshes = std::move(meshes);
+  frozen.other = std::move(other);
   return frozen;
 }
 
@@ -67,7 +92,7 @@ StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor
   plan.until_rest = true;
   plan.step = settings.step_settings;
   plan.rest = settings.rest;
-  plan.gravity = find_gravity<D>(data.gravity);
+  plan.gravity = find_acceleration<D>(data);
   plan.soil_height = slope_height;
   plan.failed_displacement = settings.failed_displacement * slope_height;
   plan.threads = threads;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/extrapolate.hpp"
 #include "run/mpm/reduction/trial.hpp"
 
 namespace talus::run {
@@ -30,11 +31,15 @@ template <int D>
 results::MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data,
                                        const input::FrozenFactor& settings, double slope_height, int threads);
 
-/// The factor of one mesh, or of two extrapolated to elements of no size, with half the width of the final brackets as
-/// the extrapolation passes them on. `meshes`: coarse to fine. Angles of dilatancy are left to the caller.
-results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes);
+/// Factors of the two meshes farther apart than this make a straight line a guess [-].
+inline constexpr double far_apart = 0.1;
 
-/// Linear extrapolation of two factors at sizes `coarse` > `fine` to size 0.
-double extrapolate_to_zero(double coarse, double factor_coarse, double fine, double factor_fine);
+/// The factor of one mesh, or of the two finest extrapolated to elements of no size. Its interval: half the width of
+/// the final brackets as the extrapolation passes them on, and what the mesh does. `meshes`: coarse to fine. `other`:
+/// the coarsest by another mesher, where it was calculated. Angles of dilatancy are left to the caller.
+results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes,
+                                  std::optional<results::MeshFactor> other = {});
+
+using talus::extrapolate_to_zero;
 
 }  // namespace talus::run

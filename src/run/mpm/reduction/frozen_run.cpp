@@ -12,6 +12,7 @@
 #include "mesh/quality.hpp"
 #include "mpm/body/observe.hpp"
 #include "results/json.hpp"
+#include "run/mpm/moving_soil.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/moved_limit.hpp"
 #include "run/mpm/record/runout.hpp"
@@ -28,16 +29,33 @@ namespace fs = std::filesystem;
 constexpr double longest_frozen_stage = 60;
 /// The state at the start of the stage that runs, beside its checkpoint.
 constexpr const char* stage_start = "stage_start.h5";
-/// Factors of the two meshes farther apart than this make a straight line a guess.
-constexpr double far_apart = 0.1;
 
-/// The case's plan for mesh `i` of the frozen factor: every element size halved i times, by that factor's mesher.
-mesh::Plan plan_mesh(mesh::Plan plan, const input::FrozenFactor& settings, int i) {
-  plan.algorithm = settings.algorithm;
-  const double share = std::pow(0.5, i);
+/// One of the meshes of the factor.
+struct MeshChoice {
+  std::string name;  ///< of its folder: "mesh_0"
+  std::string label;
+  int halvings = 0;  ///< of the case's element size
+  mesh::Algorithm algorithm = mesh::Algorithm::meshadapt;
+};
+
+/// The case's plan for such a mesh: every element size halved as often, by its mesher.
+mesh::Plan plan_mesh(mesh::Plan plan, const MeshChoice& choice) {
+  plan.algorithm = choice.algorithm;
+  const double share = std::pow(0.5, choice.halvings);
   plan.size *= share;
   for (mesh::Refinement& r : plan.refinements) r.size *= share;
   return plan;
+}
+
+/// A mesher that makes other meshes than `algorithm`.
+mesh::Algorithm choose_other(mesh::Algorithm algorithm) {
+  return algorithm == mesh::Algorithm::delaunay ? mesh::Algorithm::meshadapt : mesh::Algorithm::delaunay;
+}
+
+/// The case with all stages at frozen geometry, where loads on the ground keep to the sides of the mesh.
+input::Case freeze(input::Case data) {
+  for (input::Stage& stage : data.stages) stage.step.geometry = input::Geometry::frozen;
+  return data;
 }
 
 /// A stage of the case at frozen geometry, to rest.
@@ -63,19 +81,19 @@ StagePlan<D> make_frozen_stage(const input::Case& data, const input::Stage& stag
 template <int D>
 class FrozenMesh {
  public:
-  FrozenMesh(const TrialContext& context, int number, int count, int threads)
+  FrozenMesh(const TrialContext& context, const MeshChoice& choice, int threads)
       : context_(context),
-        data_(*context.data),
+        data_(freeze(*context.data)),
         settings_(data_.strength_reduction.frozen),
-        number_(number),
+        choice_(choice),
         threads_(threads),
-        folder_(context.folder / "frozen" / fmt::format("mesh_{}", number)) {
+        folder_(context.folder / "frozen" / choice.name) {
     recording_.folder = folder_;
     recording_.input_hash = context.input_hash;
     recording_.data = &data_;
     recording_.keeps_frames = recording_.keeps_history = false;
     recording_.progress = context.progress;
-    recording_.label = fmt::format("mesh {} of {}: ", number + 1, count);
+    recording_.label = choice.label;
   }
 
   results::MeshFactor compute(const mesh::Mesh<D>& base, std::vector<std::string>& warnings) {
@@ -89,13 +107,18 @@ class FrozenMesh {
     results::MeshFactor factor =
         search_frozen_factor(settings_, side_by_side, [&](double f) { return run_one(f, plan); });
     factor.points = state_.points.size();
-    factor.size = data_.mesh.file.empty() ? data_.mesh.size * std::pow(0.5, number_)
+    factor.size = data_.mesh.file.empty() ? data_.mesh.size * std::pow(0.5, choice_.halvings)
                                           : mesh::measure_quality(state_.mesh()).mean_size;
     if (factor.undecided) {
       warnings.push_back(
           fmt::format("at h = {:g} m a trial neither rested nor ran away within {:g} s; it is counted as failed",
                       factor.size, settings_.window));
     }
+    for (const results::Trial& trial : factor.trials)
+      if (trial.setbacks)
+        for (const results::Setback& setback : *trial.setbacks)
+          warnings.push_back(describe_setback(
+              fmt::format("at h = {:g} m the frozen trial at SRF {:.4g}", factor.size, trial.factor), setback));
     fs::remove(folder_ / recording_.checkpoint_name);
     fs::remove(folder_ / stage_start);
     return factor;
@@ -108,7 +131,7 @@ class FrozenMesh {
     const bool ready = !data_.mesh.file.empty() || !data_.initial.result.empty();
     state_ = prepare<D>(data_, checkpoint ? get_mesh<D>(*checkpoint)
                                : ready    ? base
-                                          : mesh::generate<D>(plan_mesh(data_.mesh, settings_, number_)));
+                                          : mesh::generate<D>(plan_mesh(data_.mesh, choice_)));
     // Held pressures are those of the start, whenever a trial runs; so is the water outside.
     if (settings_.step_settings.water == input::WaterMotion::held) hold_surfaces(state_, 0);
     height_ = find_slope_height(state_, data_.gravity);
@@ -197,9 +220,10 @@ class FrozenMesh {
   }
 
   const TrialContext& context_;
-  const input::Case& data_;
+  const input::Case data_;
   const input::FrozenFactor& settings_;
-  int number_, threads_;
+  const MeshChoice choice_;
+  int threads_;
   fs::path folder_;
   RecorderSettings recording_;
   mpm::Body<D> state_;
@@ -214,27 +238,37 @@ class FrozenMesh {
 template <int D>
 results::FrozenFactor compute_frozen_factor(const mesh::Mesh<D>& base, const TrialContext& context, int threads,
                                             std::vector<std::string>& warnings) {
+  const input::FrozenFactor& settings = context.data->strength_reduction.frozen;
   std::vector<results::MeshFactor> found;
-  int meshes = context.data->strength_reduction.frozen.meshes;
+  int meshes = settings.meshes;
   if (!context.data->mesh.file.empty() && meshes > 1) {
     warnings.push_back(
         "the mesh is a ready file, which cannot be halved: the factor of safety is that of one mesh and not "
         "extrapolated");
     meshes = 1;
   }
-  for (int i = 0; i < meshes; ++i) {
-    found.push_back(FrozenMesh<D>(context, i, meshes, threads).compute(base, warnings));
+  for (int i = 0; i < meshes; ++i)
+    found.push_back(
+        FrozenMesh<D>(context,
+                      {fmt::format("mesh_{}", i), fmt::format("mesh {} of {}: ", i + 1, meshes), i, settings.algorithm},
+                      threads)
+            .compute(base, warnings));
+  std::optional<results::MeshFactor> other;
+  const bool all_found =
+      std::all_of(found.begin(), found.end(), [](const results::MeshFactor& m) { return m.factor().has_value(); });
+  if (meshes == 2 && settings.mesh_scatter && all_found) {
+    std::vector<std::string> same;  // what is said of its stages was said of the others
+    other = FrozenMesh<D>(context, {"mesh_other", "another mesher: ", 0, choose_other(settings.algorithm)}, threads)
+                .compute(base, same);
   }
-  if (found.size() == 2) {
-    const results::MeshFactor &coarse = found[0], &fine = found[1];
-    const auto f = coarse.factor(), finer = fine.factor();
-    if (f && finer && std::abs(*f - *finer) > far_apart * *finer) {
+  if (found.size() > 1 && all_found) {
+    const double f = *found[found.size() - 2].factor(), finer = *found.back().factor();
+    if (std::abs(f - finer) > far_apart * finer)
       warnings.push_back(fmt::format(
           "the factors of the two meshes differ by {:.0f} %: refine the mesh before trusting the extrapolated factor",
-          100 * std::abs(*f / *finer - 1)));
-    }
+          100 * std::abs(f / finer - 1)));
   }
-  results::FrozenFactor frozen = join_meshes(std::move(found));
+  results::FrozenFactor frozen = join_meshes(std::move(found), std::move(other));
   if (!frozen.factor) warnings.push_back("Material points, rest or run-away at frozen geometry: " + frozen.note);
   return frozen;
 }

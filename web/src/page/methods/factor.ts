@@ -61,6 +61,7 @@ export const writeFrozenFactor: Writer = ({ input }) => {
   const meshes = findSetting(input, `${base}.meshes`);
   const ready = findSetting(input, "mesh.file");
   const extrapolated = meshes !== 1 && !ready;
+  const scattered = meshes === 3 || findSetting(input, `${base}.mesh_scatter`) !== false;
   return [
     {
       text:
@@ -86,15 +87,23 @@ export const writeFrozenFactor: Writer = ({ input }) => {
       ? [
           {
             text:
-              "The search was done on two meshes, of element size $h$ and $h/2$, and the factor extrapolated " +
+              (meshes === 3
+                ? "The search was done on three meshes, each of half the element size of the one before, and the factor " +
+                  "of the two finest, $h$ and $h/2$, extrapolated "
+                : "The search was done on two meshes, of element size $h$ and $h/2$, and the factor extrapolated ") +
               "along a straight line to $h=0$:",
           },
           { tex: "F=F_{h/2}-\\left(F_h-F_{h/2}\\right)", plain: "F = F_h/2 − (F_h − F_h/2)" },
           {
             text:
               "The bracket given with the factor is the width of the last intervals, carried through the " +
-              "extrapolation. It is not the error of the mesh: the individual mesh moves the extrapolated factor " +
-              "by about 2 %.",
+              "extrapolation. " +
+              (scattered
+                ? "What the individual mesh does is added: " +
+                  (meshes === 3
+                    ? "half the distance of the two extrapolations, but at least 1 %."
+                    : "the distance of the factors of two meshers at the size $h$, but at least 2 %.")
+                : "It is not the error of the mesh: the individual mesh moves the extrapolated factor by about 2 %."),
           },
         ]
       : [

@@ -15,7 +15,8 @@ function describeSpread(factors: Factor[]): string {
   const apart = formatNumber((100 * (high - low)) / low, 2);
   return (
     `The criteria lie between ${formatFactor(low)} and ${formatFactor(high)}, ${apart} % apart. ` +
-    "They answer different questions; the brackets are the width of each search and not the error of the mesh."
+    "They answer different questions; brackets are the width of each search, and only the interval at frozen geometry " +
+    "holds the error of the mesh."
   );
 }
 
