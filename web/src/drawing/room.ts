@@ -31,6 +31,8 @@ function measure(p: Point, points: readonly Point[]): number {
 }
 
 const places = 24;
+/** As a share of the width. */
+const preferred = 0.15;
 const known = new WeakMap<object, Room | null>();
 
 /** Of a grid of places the one farthest from the edges, and outside the polygons that lie over it; null for none. */
@@ -49,8 +51,8 @@ export function findRoom(points: readonly Point[], over: readonly (readonly Poin
       ];
       if (!isInside(at, points) || over.some((other) => isInside(at, other))) continue;
       const radius = Math.min(measure(at, points), ...over.map((other) => measure(at, other)));
-      // Of places with about the same room the one nearest to the middle.
-      const value = radius * (1 - (0.1 * Math.abs(at[0] - (low[0]! + high[0]!) / 2)) / (high[0]! - low[0]!));
+      // Of places with about the same room one left of the middle, where fewer surfaces and their factors stand.
+      const value = radius * (1 - 0.1 * Math.abs((at[0] - low[0]!) / (high[0]! - low[0]!) - preferred));
       if (!best || value > most) {
         best = { at, radius };
         most = value;
