@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Share of the element size of [fem] in the finer of two meshes.
-constexpr double finer = 0.5;
+constexpr double fine_share = 0.5;
 
 constexpr const char *element_file = "fem.json", *element_title = "finite elements";
 
@@ -76,7 +76,7 @@ void ElementRun<D>::prepare() {
   attempt([&] {
     show("mesh");
     // The finer of two meshes gives fields and slip line.
-    model_ = make_model(data_.fem.meshes > 1 && data_.mesh.file.empty() ? finer : 1);
+    model_ = make_model(data_.fem.meshes > 1 && data_.mesh.file.empty() ? fine_share : 1);
     water_ = std::move(model_->solid.water);
     begin();
     if (data_.fem.meshes > 1 && !data_.mesh.file.empty())
