@@ -266,5 +266,16 @@ TEST_F(Misleading, TheLineOfTheUnsaturatedSlopeReachesTheCrest) {
   }
 }
 
+TEST_F(Misleading, StandingWaterPressesOnTheGroundOfMaterialPointsToo) {
+  // Its pore pressures alone lifted the toe, and no trial came to rest.
+  const json summary = run_case("standing_water", {{"analysis.methods", "[\"lem\", \"mpm\"]"},
+                                                   {"lem.methods", "[\"spencer\"]"},
+                                                   {"strength_reduction.curve.enabled", "false"},
+                                                   {"strength_reduction.frozen.meshes", "2"},
+                                                   {"strength_reduction.frozen.mesh_scatter", "false"}});
+  const double slices = find_factor(summary, "spencer");
+  EXPECT_NEAR(summary.at("factor_of_safety").at("value").get<double>(), slices, 0.05 * slices);
+}
+
 }  // namespace
 }  // namespace talus
