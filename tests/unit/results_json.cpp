@@ -42,8 +42,8 @@ TEST(ResultsJson, WhatIsWrittenIsReadBack) {
   run.error = "stopped";
   run.slope_height = 10;
   run.slices.emplace().critical.push_back(make_surface(SliceMethod::morgenstern_price, 1.4375));
-  run.stages.emplace().push_back({"gravity", StageEnd::rest, 0, 3.25, 1234, 1e-4, 0.01, 1e-5, 1e-6, 0.5, {}});
-  run.curve.emplace().points.push_back({1.25, StageEnd::time, 0.125, 5, 99, 0, 0, 0});
+  run.stages.emplace().push_back({"gravity", StageEnd::rest, 0, 3.25, 1234, 1e-4, 0.01, 1e-5, 1e-6, 0.5, {}, {}, {}});
+  run.curve.emplace().points.push_back({1.25, StageEnd::time, 0.125, 5, 99, 0, 0, 0, {}});
   run.methods.emplace().remarks.push_back({Topic::mechanism, "One mechanism."});
   const json written = to_json(run);
   EXPECT_EQ(to_json(from_json<RunResult>(written, "summary.json")), written);
