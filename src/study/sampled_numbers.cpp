@@ -36,11 +36,10 @@ std::string describe(const results::UncertainNumber& number, const Marginal& m, 
   if (!given.lowest.empty()) text += fmt::format(", cut below {:.6g}", m.lowest);
   if (!given.highest.empty()) text += fmt::format(", cut above {:.6g}", m.highest);
   if (const double share = m.find_cut_share(); share > worth_telling)
-    notes.push_back(
-        fmt::format("{:.2g} % of the distribution of {} lies beyond {}: it is cut there, and its mean is {} then.",
-                    100 * share, number.key,
-                    given.lowest.empty() && given.highest.empty() ? "what the key allows" : "its limits",
-                    write_value(number.mean, number.unit, 4)));
+    notes.push_back(fmt::format(
+        "{:.2g} % of the distribution of {} lies beyond {}: it is cut there, and its mean is {} then.", 100 * share,
+        number.key, given.lowest.empty() && given.highest.empty() ? "what the key allows" : "its limits",
+        write_value(number.mean, number.unit, 4)));
   return text;
 }
 

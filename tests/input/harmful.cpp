@@ -18,10 +18,9 @@ TEST(Harmful, StableSmoothingIsLeftOutWhereWaterFlowsThroughMovingSoil) {
     EXPECT_NE(loaded.warnings[0].sentence.find(part), std::string::npos) << part << ": " << loaded.warnings[0].sentence;
   EXPECT_EQ(loaded.data.stages[0].step.smoothing, Smoothing::none);
   EXPECT_TRUE(load(wet_slope, {{"stage.0.smoothing", "strain"}}).warnings.empty());
-  EXPECT_TRUE(load(wet_slope, {{"stage.0.smoothing", "stable"},
-                               {"stage.0.geometry", "frozen"},
-                               {"stage.0.water", "held"}})
-                  .warnings.empty());
+  EXPECT_TRUE(
+      load(wet_slope, {{"stage.0.smoothing", "stable"}, {"stage.0.geometry", "frozen"}, {"stage.0.water", "held"}})
+          .warnings.empty());
   EXPECT_TRUE(load(slope, {{"stage.0.smoothing", "stable"}}).warnings.empty()) << "dry soil";
 }
 
@@ -41,7 +40,8 @@ TEST(Harmful, PressuresWithoutWaterAreHeldAtFrozenGeometry) {
         {{"initial.pore_pressure", "water_table"}, {"initial.water_table", "[[0, 8], [44, 4]]"}}}) {
     const LoadedCase loaded = load(slope, held);
     ASSERT_EQ(loaded.warnings.size(), 1u) << "one sentence for all stages";
-    EXPECT_NE(loaded.warnings[0].sentence.find("stage 'gravity', stage 'failure'"), std::string::npos) << loaded.warnings[0].sentence;
+    EXPECT_NE(loaded.warnings[0].sentence.find("stage 'gravity', stage 'failure'"), std::string::npos)
+        << loaded.warnings[0].sentence;
     for (const Stage& stage : loaded.data.stages) EXPECT_EQ(stage.step.geometry, Geometry::frozen);
   }
   EXPECT_TRUE(load(slope).warnings.empty());

@@ -59,8 +59,8 @@ struct Forces {
 };
 void find_forces(const Mass& mass, double factor, double lambda, std::vector<Forces>& forces);
 
-/// What is left of the equations that a method is to meet, over the weight (and the radius): E at the lower end, and the
-/// moments about the centre [-].
+/// What is left of the equations that a method is to meet, over the weight (and the radius): E at the lower end, and
+/// the moments about the centre [-].
 double measure_residual(const Mass& mass, const std::vector<Forces>& forces, bool of_forces, bool of_moments);
 
 /// Elevation of E at the side of each slice towards the lower end, from the slices' moments; NaN where E vanishes.
