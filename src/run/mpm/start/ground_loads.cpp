@@ -21,6 +21,14 @@ bool has_ratio(const input::Case& data) {
                      [](const auto& entry) { return entry.second.slices.pore_pressure_ratio != 0; });
 }
 
+/// Whether a [[hydraulic]] says the pressure on the top of the box: the engine puts it on the soil there.
+bool has_pressure_on_top(const input::Case& data) {
+  return std::any_of(data.hydraulics.begin(), data.hydraulics.end(), [](const input::Hydraulic& h) {
+    using enum input::WaterCondition;
+    return h.on == "top" && (h.condition == total_head || h.condition == pressure);
+  });
+}
+
 /// Where water stands over the ground by the water table.
 struct Standing {
   ground::Polyline ground, table;  ///< both empty: nowhere
@@ -28,7 +36,7 @@ struct Standing {
 
 Standing find_standing(const input::Case& data) {
   if (data.mesh.polygons.empty() || data.mesh.dimension != 2 ||
-      data.initial.water.pressure != input::InitialPressure::water_table)
+      data.initial.water.pressure != input::InitialPressure::water_table || has_pressure_on_top(data))
     return {};
   try {
     Standing standing{ground::find_ground(data.mesh), data.initial.water.water_table};
