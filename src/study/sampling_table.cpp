@@ -134,7 +134,7 @@ void tell_runout(const input::Sampling& asked, const SampleSet& set, results::Sa
   runout.values = describe_values(set.runout);
   const double end = runout.values.largest;
   for (std::size_t k = 0; k <= distances_of_curve; ++k) {
-    const double distance = end * static_cast<double>(k) / distances_of_curve;
+    const double distance = end * (static_cast<double>(k) / distances_of_curve);  // the last is the end to the last bit
     const results::SampleShare s = exceed(distance);
     runout.curve.push_back({distance, s.probability, s.lower, s.upper});
   }
