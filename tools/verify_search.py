@@ -5,9 +5,9 @@
 Usage: tools/verify_search.py PROGRAM [--starts 20] [--out FOLDER] [--jobs N]
 
 Runs every published problem with a non-circular search (tests/data/published/problems.json), and a weak bed under a storm
-(tests/data/misleading/bedding_storm.toml), with seeds 1 to --starts, and seed 0, the default. Prints a table: the smallest and the largest factor of
-each method over the seeds, their scatter, and how far seed 0 lies above the smallest. Writes it to docs/verification_data/search.md with
---write. Ends with 1 where rigorous methods scatter by more than 0.2 %.
+(tests/data/misleading/bedding_storm.toml), with seeds 1 to --starts, and seed 0, the default, by Spencer and by Morgenstern and Price. Prints a table: the smallest and the
+largest factor over the seeds, their scatter, and how far seed 0 lies above the smallest. Writes it to docs/verification_data/search.md with
+--write. Ends with 1 where a published problem scatters by more than 0.2 %.
 """
 import argparse
 import concurrent.futures
@@ -25,14 +25,16 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "docs" / "verification_data" / "search.md"
 RIGOROUS = ("spencer", "morgenstern_price")
 MOST_SCATTER = 0.002
+SLICES = 50
+STORM = "bedding_storm"
 
 
 def collect_cases():
     """{name: text of the case} of what is searched along polylines."""
     problems = json.loads((ROOT / "tests" / "data" / "published" / "problems.json").read_text())["lem"]
-    cases = {e["id"]: make_case(read_problem(e), search=True, noncircular=True) for e in problems
+    cases = {e["id"]: make_case(read_problem(e), SLICES, search=True, noncircular=True) for e in problems
              if (e.get("recomputed") or {}).get("noncircular_search")}
-    cases["bedding_storm"] = (ROOT / "tests" / "data" / "misleading" / "bedding_storm.toml").read_text()
+    cases[STORM] = (ROOT / "tests" / "data" / "misleading" / "bedding_storm.toml").read_text()
     return cases
 
 
@@ -82,7 +84,7 @@ def main():
 
         def run(job):
             name, seed = job
-            return job, read_polylines(runner.run(f"{name}={seed}", cases[name], [f"lem.seed={seed}"]))
+            return job, read_polylines(runner.run(f"{name}={seed}", cases[name], [f"lem.seed={seed}", f"lem.methods={json.dumps(RIGOROUS)}"]))
 
         with concurrent.futures.ThreadPoolExecutor(max(1, options.jobs)) as pool:
             found = dict(pool.map(run, [(name, seed) for name in cases for seed in range(options.starts + 1)]))
@@ -92,7 +94,7 @@ def main():
     print(table)
     if options.write:
         TABLE.write_text(table)
-    wide = [r for r in rows if r["method"] in RIGOROUS and r["scatter"] > MOST_SCATTER]
+    wide = [r for r in rows if r["problem"] != STORM and r["scatter"] > MOST_SCATTER]
     for r in wide:
         print(f"{r['problem']} {r['method']}: scatter {100 * r['scatter']:.2f} %", file=sys.stderr)
     return 1 if wide else 0
