@@ -206,6 +206,28 @@ TEST_F(OtherMethods, AreNamedAlikeWhereAnOlderVersionSaysLessOfThem) {
     EXPECT_EQ(std::count(changed.begin(), changed.end(), none), 0) << none << " is of another kind";
 }
 
+TEST_F(OtherMethods, AreInPoundsAndFeetWhereTheCaseAsks) {
+  const fs::path folder = make_test_folder("other_methods_pounds");
+  run(folder, {{"analysis.methods", "[\"lem\"]"},
+               {"output.stress_unit", "psf"},
+               {"output.length_unit", "ft"},
+               {"output.displacement_unit", "in"}});
+  const ReadPage page(read_text(write_report(folder)));
+  fs::remove_all(folder);
+  EXPECT_EQ(find_schema_faults(page.document), "");
+  const json& units = page.document.at("units");
+  EXPECT_EQ(units.at("line_force").at("name"), "plf");
+  EXPECT_NEAR(units.at("line_force").at("si").get<double>(), 4.4482216152605 / 0.3048, 1e-9);
+  // 18 kN/m³ and 8 kPa.
+  std::map<std::string, json> rows;
+  for (const json& row : page.document.at("materials").at(1).at("properties")) rows[row.at("key")] = row;
+  EXPECT_EQ(rows.at("unit_weight").at("unit"), "pcf");
+  EXPECT_NEAR(rows.at("unit_weight").at("characteristic").get<double>(), 18000 / 157.08746384624618, 1e-6);
+  EXPECT_EQ(rows.at("cohesion").at("unit"), "psf");
+  EXPECT_NEAR(rows.at("cohesion").at("characteristic").get<double>(), 8000 / 47.880258980335840, 1e-6);
+  EXPECT_EQ(rows.at("young_modulus").at("unit"), "ksf");
+}
+
 TEST_F(OtherMethods, SayHowFarTheMethodsLieApart) {
   const auto tell = [&](double elements) {
     const fs::path folder = make_test_folder("agreement");

@@ -27,6 +27,7 @@ void add_weights(const ResultFolder& folder, const input::Material& soil, Proper
   const auto porosity = find_porosity(soil);
   const auto& unit_weight = soil.slices.unit_weight;
   const bool has_grains = soil.grain_density > 0 && porosity;
+  const ShownUnit weight = read_units(folder.run).unit_weight;
   // A unit weight stands for both.
   if (!unit_weight) {
     if (soil.grain_density > 0)
@@ -37,20 +38,22 @@ void add_weights(const ResultFolder& folder, const input::Material& soil, Proper
     properties.add("void_ratio", "void ratio at the start", "e₀", {"-", 1},
                    soil.given_void_ratio.value_or(soil.void_ratio()));
   if (unit_weight) {
-    properties.add("unit_weight", "unit weight above the water table", "γ", {"kN/m³", 1000}, unit_weight);
-    properties.add("saturated_unit_weight", "unit weight below the water table", "γ_r", {"kN/m³", 1000},
+    properties.add("unit_weight", "unit weight above the water table", "γ", weight, unit_weight);
+    properties.add("saturated_unit_weight", "unit weight below the water table", "γ_r", weight,
                    soil.slices.saturated_unit_weight);
   } else if (has_grains) {
-    properties.add("unit_weight", "unit weight (dry)", "γ", {"kN/m³", 1000}, soil.density() * gravity);
+    properties.add("unit_weight", "unit weight (dry)", "γ", weight, soil.density() * gravity);
   }
   if (has_grains && soil.water.is_wet()) properties.add_wet_weights(folder, soil);
 }
 
 Properties list_properties(const ResultFolder& folder, const input::Material& soil, std::optional<double> stage_factor,
                            std::optional<double> factor_of_safety) {
-  Properties properties(read_units(folder.run).stress, stage_factor, factor_of_safety);
+  const ShownUnits units = read_units(folder.run);
+  Properties properties(units, stage_factor, factor_of_safety);
   add_weights(folder, soil, properties);
-  if (soil.young_modulus > 0) properties.add("young_modulus", "Young's modulus", "E", {"MPa", 1e6}, soil.young_modulus);
+  if (soil.young_modulus > 0)
+    properties.add("young_modulus", "Young's modulus", "E", units.stiffness, soil.young_modulus);
   if (has_poisson_ratio(folder.data, soil))
     properties.add("poisson_ratio", "Poisson's ratio", "ν", {"-", 1}, soil.poisson_ratio);
   properties.add(material::list_properties(soil.model, soil));

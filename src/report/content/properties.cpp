@@ -66,15 +66,15 @@ ShownUnit Properties::find_unit(material::ShownAs shown_as) const {
     case ShownAs::angle:
       return {"°", degree};
     case ShownAs::stress:
-      return stress_;
+      return units_.stress;
     case ShownAs::stiffness:
-      return {"MPa", 1e6};
+      return units_.stiffness;
     case ShownAs::per_cent:
       return {"%", 1};
     case ShownAs::per_per_cent:
       return {"1/%", 1};
     case ShownAs::stress_per_length:
-      return {"kPa/m", 1000};
+      return {units_.stress.name + "/" + units_.length.name, units_.stress.si / units_.length.si};
     case ShownAs::si:
       return {"SI", 1};
     case ShownAs::number:
@@ -115,7 +115,7 @@ void Properties::add_roots(const std::vector<input::Roots>& blocks, const input:
 }
 
 void Properties::add_wet_weights(const ResultFolder& folder, const input::Material& soil) {
-  const ShownUnit weight{"kN/m³", 1000};
+  const ShownUnit& weight = units_.unit_weight;
   const auto weigh = [&](double suction) {
     const double water = soil.porosity * find_saturation(soil.water, suction) * folder.data.water.density;
     return (soil.density() + water) * folder.data.gravity.acceleration;

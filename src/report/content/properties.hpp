@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/folder.hpp"
@@ -20,8 +21,8 @@ std::optional<double> find_porosity(const input::Material& soil);
 class Properties {
  public:
   /// `design`, `failure`: what the strength is divided by in the last stage, and at failure.
-  Properties(const ShownUnit& stress, std::optional<double> design, std::optional<double> failure)
-      : stress_(stress), design_(design), failure_(failure) {}
+  Properties(ShownUnits units, std::optional<double> design, std::optional<double> failure)
+      : units_(std::move(units)), design_(design), failure_(failure) {}
 
   void add(const std::string& key, const std::string& title, const std::string& symbol, const ShownUnit& unit,
            std::optional<double> value, std::optional<double> design = {}, std::optional<double> at_failure = {});
@@ -42,7 +43,7 @@ class Properties {
 
   ShownUnit find_unit(material::ShownAs shown_as) const;
 
-  ShownUnit stress_;
+  ShownUnits units_;
   std::optional<double> design_, failure_;
   std::vector<Row> rows_;
 };

@@ -3,12 +3,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/units.hpp"
 
 namespace talus::report {
+namespace {
+
+/// The units of practice that an engineer uses beside one of stress.
+struct Companions {
+  const char *stress, *stiffness, *unit_weight, *unit_weight_title, *line_force;
+};
+
+const Companions& find_companions(const std::string& stress) {
+  static constexpr std::array all{
+      Companions{"kPa", "MPa", "kN/m3", "kN/m³", "kN/m"}, Companions{"Pa", "MPa", "kN/m3", "kN/m³", "N/m"},
+      Companions{"MPa", "MPa", "kN/m3", "kN/m³", "MN/m"}, Companions{"psf", "ksf", "pcf", "pcf", "plf"},
+      Companions{"psi", "ksf", "pcf", "pcf", "plf"},      Companions{"ksf", "ksf", "pcf", "pcf", "klf"},
+      Companions{"tsf", "tsf", "pcf", "pcf", "klf"}};
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Companions& c) { return stress == c.stress; });
+  return found == all.end() ? all.front() : *found;
+}
+
+}  // namespace
 
 nlohmann::json to_json(const ShownUnit& unit) {
   return {{"name", unit.name}, {"si", unit.si}};
@@ -16,7 +36,10 @@ nlohmann::json to_json(const ShownUnit& unit) {
 
 ShownUnits read_units(const results::RunResult& run) {
   const auto read = [](const std::string& name) { return ShownUnit{name, units::get_si_factor(name)}; };
-  return {read(run.units.length), read(run.units.displacement), read(run.units.stress)};
+  const Companions& others = find_companions(run.units.stress);
+  const ShownUnit weight{others.unit_weight_title, units::get_si_factor(others.unit_weight)};
+  return {read(run.units.length), read(run.units.displacement), read(run.units.stress), read(others.stiffness), weight,
+          read(others.line_force)};
 }
 
 std::string show_number(double value, int digits) {

@@ -21,6 +21,8 @@ struct ShownUnit {
 nlohmann::json to_json(const ShownUnit& unit);
 struct ShownUnits {
   ShownUnit length{"m", 1}, displacement{"mm", 1e-3}, stress{"kPa", 1e3};
+  // They go with the stress: pounds with psf.
+  ShownUnit stiffness{"MPa", 1e6}, unit_weight{"kN/m³", 1e3}, line_force{"kN/m", 1e3};
 };
 ShownUnits read_units(const results::RunResult& run);
 /// "3.23", "−0.061", "4.06 × 10⁻⁶": `digits` significant digits, and all before the point; "–" for a value that is

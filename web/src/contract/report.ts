@@ -25,7 +25,8 @@ export interface Report {
   status: "finished" | "interrupted" | "unstable" | "failed" | "unfinished";
   /** Why the run did not finish. */
   error?: string;
-  units: { length: Unit; displacement: Unit; stress: Unit };
+  /** `line_force`: per metre of thickness. */
+  units: { length: Unit; displacement: Unit; stress: Unit; line_force: Unit };
   answer: Answer;
   warnings: string[];
   model: Model;

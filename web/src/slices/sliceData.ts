@@ -15,13 +15,6 @@ export function nameSurface(surface: SlicedSurface): string {
 
 export const titleMethod = (slices: Slices, name: string) => slices.methods.find((m) => m.name === name)?.title ?? name;
 
-/** Unit of forces per metre of thickness that goes with the report's unit of stress: kPa and kN/m. */
-export function findForceUnit(): { name: string; si: number } {
-  const { name, si } = report.value.units.stress;
-  const known: { [stress: string]: string } = { Pa: "N/m", kPa: "kN/m", MPa: "MN/m", GPa: "GN/m" };
-  return known[name] ? { name: known[name], si } : { name: "kN/m", si: 1000 };
-}
-
 export interface SliceColumn {
   name: string;
   title: string;
@@ -38,8 +31,7 @@ const degrees = 180 / Math.PI;
 export function makeSliceTable(surface: SlicedSurface): SliceColumn[] {
   const s = surface.slices;
   if (!s) return [];
-  const { length, stress } = report.value.units;
-  const force = findForceUnit();
+  const { length, stress, line_force: force } = report.value.units;
   const count = s.left.length;
   const effective = s.normal.map((n, i) => (n === null ? null : n - Math.max(0, s.pore_pressure[i]!) * s.length[i]!));
   const column = (

@@ -16,6 +16,7 @@ const units = {
   length: { name: "m", si: 1 },
   displacement: { name: "mm", si: 1e-3 },
   stress: { name: "kPa", si: 1e3 },
+  line_force: { name: "kN/m", si: 1e3 },
 };
 
 beforeEach(() => {
