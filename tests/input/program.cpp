@@ -82,6 +82,9 @@ TEST(Program, RefusesWhatNeedsMoreMemoryThanIsFree) {
     EXPECT_NE(refused.text.find(" m would fit"), std::string::npos) << refused.text;
   }
   EXPECT_FALSE(std::filesystem::exists(testing::TempDir() + "talus_fine"));
+  const Outcome hopeless = run_program("check --set mesh.size=1e-300 " + path);
+  EXPECT_EQ(hopeless.code, 2) << hopeless.text;
+  EXPECT_NE(hopeless.text.find("need more memory than any machine has"), std::string::npos) << hopeless.text;
 }
 
 TEST(Program, SaysItsWarningsBeforeARunAndKeepsThem) {

@@ -139,6 +139,14 @@ std::string write_time(double seconds) {
   return fmt::format("{:.0f} days", seconds / 86400);
 }
 
+/// "about 34 TB of memory (8e9 elements, 2e10 points)".
+std::string write_need(const MethodForecast& f) {
+  constexpr double countable = 1e20;
+  if (!(f.bytes < countable)) return "more memory than any machine has";
+  return fmt::format("about {} of memory ({} elements{})", write_bytes(f.bytes), write_count(f.elements),
+                     f.points > 0 ? fmt::format(", {} points", write_count(f.points)) : "");
+}
+
 }  // namespace
 
 std::vector<MethodForecast> forecast(const input::Case& data, bool with_time) {
@@ -187,14 +195,12 @@ void refuse_above_memory(const input::LoadedCase& loaded) {
     const std::string key = has_own ? "fem.size" : "mesh.size";
     const input::Place place = loaded.places.find(key);
     const auto fitting = find_size_that_fits(loaded.data, f.method, *free);
-    faults.push_back(
-        {place.file, place.line, place.column,
-         fmt::format("{} with elements of {:g} m need about {} of memory ({} elements{}), and {} are free: {}",
-                     f.method == input::Method::fem ? "finite elements" : "material points", f.size,
-                     write_bytes(f.bytes), write_count(f.elements),
-                     f.points > 0 ? fmt::format(", {} points", write_count(f.points)) : "", write_bytes(*free),
-                     fitting ? fmt::format("'{}' of {:.2g} m would fit", key, *fitting)
-                             : std::string("make [[mesh.refine]] coarser"))});
+    faults.push_back({place.file, place.line, place.column,
+                      fmt::format("{} with elements of {:g} m need {}, and {} are free: {}",
+                                  f.method == input::Method::fem ? "finite elements" : "material points", f.size,
+                                  write_need(f), write_bytes(*free),
+                                  fitting ? fmt::format("'{}' of {:.2g} m would fit", key, *fitting)
+                                          : std::string("make [[mesh.refine]] coarser"))});
   }
   if (!faults.empty()) throw InputError(std::move(faults));
 }
