@@ -82,6 +82,30 @@ class Resume : public testing::Test {
     }
   }
 
+  /// Waits until the process catches SIGTERM and has calculated for `seconds` of its own time, or has ended: on a busy
+  /// machine it may start slowly.
+  static void wait_for_work(pid_t child, double seconds) {
+    constexpr unsigned long long term = 1ULL << (SIGTERM - 1);
+    for (int i = 0; i < 100000; ++i) {
+      const fs::path about = "/proc/" + std::to_string(child);
+      std::ifstream stat(about / "stat"), status(about / "status");
+      std::string word;
+      // After the name in brackets: the state, ten numbers, user and system time in ticks.
+      for (stat >> word; stat && word.back() != ')';) stat >> word;
+      std::string state;
+      stat >> state;
+      if (!stat || state == "Z") return;
+      for (int k = 0; k < 10; ++k) stat >> word;
+      double user = 0, system = 0;
+      stat >> user >> system;
+      unsigned long long caught = 0;
+      while (status >> word)
+        if (word == "SigCgt:") status >> std::hex >> caught;
+      if ((caught & term) != 0 && user + system >= seconds * static_cast<double>(sysconf(_SC_CLK_TCK))) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
   std::string read(const fs::path& path) const {
     std::ifstream file(folder_ / path);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -102,9 +126,9 @@ class Resume : public testing::Test {
     EXPECT_TRUE(read(fs::path(a) / "monitors.csv") == read(fs::path(b) / "monitors.csv"));
   }
 
-  /// Runs `result`, ends it with `signal` after every `pause` until it finishes by itself; returns how often it was
-  /// ended.
-  int run_with_interruptions(const std::string& result, int signal, std::chrono::milliseconds pause) {
+  /// Runs `result`, ends it with `signal` after every `pause` of its own seconds until it finishes by itself; returns
+  /// how often it was ended.
+  int run_with_interruptions(const std::string& result, int signal, double pause) {
     int ended = 0;
     std::string flag;
     for (int attempt = 0; attempt < 60; ++attempt) {
@@ -112,7 +136,7 @@ class Resume : public testing::Test {
       if (attempt == 0)
         wait_for_checkpoint(result);
       else
-        std::this_thread::sleep_for(pause);
+        wait_for_work(child, pause);
       kill(child, signal);
       const int code = wait_for(child);
       if (code == 0) return ended;
@@ -120,7 +144,7 @@ class Resume : public testing::Test {
           << "SIGTERM must save and end with the code for an interruption";
       ++ended;
       flag = "--resume";
-      pause += std::chrono::milliseconds(150);  // so that a slow machine gets on as well
+      pause += 0.15;  // so that a slow machine gets on as well
     }
     ADD_FAILURE() << "the run never finished";
     return ended;
@@ -131,15 +155,13 @@ class Resume : public testing::Test {
 
 TEST_F(Resume, AfterSignalsEqualsContinuousBitForBit) {
   ASSERT_EQ(wait_for(start("whole", "")), 0);
-  EXPECT_GE(run_with_interruptions("parts", SIGTERM, std::chrono::milliseconds(300)), 1)
-      << "the case must be long enough to be interrupted";
+  EXPECT_GE(run_with_interruptions("parts", SIGTERM, 0.3), 1) << "the case must be long enough to be interrupted";
   expect_same_results("whole", "parts");
 }
 
 TEST_F(Resume, AfterKillEqualsContinuousBitForBit) {
   ASSERT_EQ(wait_for(start("whole", "")), 0);
-  EXPECT_GE(run_with_interruptions("parts", SIGKILL, std::chrono::milliseconds(300)), 1)
-      << "the case must be long enough to be killed";
+  EXPECT_GE(run_with_interruptions("parts", SIGKILL, 0.3), 1) << "the case must be long enough to be killed";
   expect_same_results("whole", "parts");
 }
 
@@ -165,7 +187,7 @@ meshes = 1
 resolution = 0.05
 )";
   ASSERT_EQ(wait_for(start("whole", "")), 0);
-  EXPECT_GE(run_with_interruptions("parts", SIGKILL, std::chrono::milliseconds(200)), 1);
+  EXPECT_GE(run_with_interruptions("parts", SIGKILL, 0.2), 1);
   const auto whole = nlohmann::json::parse(read("whole/summary.json")),
              parts = nlohmann::json::parse(read("parts/summary.json"));
   EXPECT_EQ(whole.at("factor_of_safety"), parts.at("factor_of_safety"));
