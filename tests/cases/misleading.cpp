@@ -60,6 +60,33 @@ TEST_F(Misleading, NoFactorHasForcesThatNoSoilBears) {
   EXPECT_GE(count, 3);
 }
 
+TEST_F(Misleading, TheTableOfAnEmbankmentHoldsPlausibleFactorsOnly) {
+  const json summary = run_case("embankment");
+  const double governing = summary.at("main_factor").get<double>();
+  EXPECT_GT(governing, 1.1);
+  EXPECT_LT(governing, 1.25);
+  int count = 0;
+  for (const json& row : summary.at("methods").at("table")) {
+    if (row.at("factor").is_null()) continue;
+    EXPECT_GE(row.at("factor").get<double>(), governing) << row;
+    EXPECT_LT(row.at("factor").get<double>(), 1.2 * governing) << row;
+    ++count;
+  }
+  EXPECT_GE(count, 3);
+}
+
+TEST_F(Misleading, RainMakesNoSlopeSafer) {
+  double before = 0;
+  for (const char* hours : {"24 h", "48 h", "60 h", "72 h"}) {
+    const json summary =
+        run_case("bedding_storm_19", {{"initial.season", "\"" + std::string(hours) + "\""}, {"mesh.size", "3"}});
+    const double factor = summary.at("main_factor").get<double>();
+    EXPECT_GT(factor, 1);
+    if (before > 0) EXPECT_LT(factor, 1.001 * before) << "after " << hours;
+    before = factor;
+  }
+}
+
 TEST_F(Misleading, MethodsOnBothSidesOfOneAreTheFirstWarningAndTheSmallestFactorGoverns) {
   const json summary = run_case("methods_on_both_sides_of_one");
   EXPECT_LT(summary.at("main_factor").get<double>(), 0.75);
