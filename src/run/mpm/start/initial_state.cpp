@@ -151,12 +151,13 @@ results::Preconsolidation set_preconsolidation(mpm::Body<D>& body, const input::
   return done;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                                      \
-  template void set_initial_state<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<material::Law>&, \
-                                     const std::vector<std::string>&, const std::vector<mpm::WaterLaw>&,          \
-                                     std::vector<mpm::InitialPoint<D>>&);                                         \
-  template void adopt_state<D>(mpm::Body<D>&, const input::Case&, const mpm::Body<D>&,                            \
-                               const std::vector<input::MaterialModel>&, bool);                                   \
+template <int D>
+using Points = std::vector<mpm::InitialPoint<D>>;
+#define TALUS_INSTANTIATE(D)                                                                                          \
+  template void set_initial_state<D>(const input::Case&, const mesh::Mesh<D>&, const std::vector<material::Law>&,     \
+                                     const std::vector<std::string>&, const std::vector<mpm::WaterLaw>&, Points<D>&); \
+  template void adopt_state<D>(mpm::Body<D>&, const input::Case&, const mpm::Body<D>&,                                \
+                               const std::vector<input::MaterialModel>&, bool);                                       \
   template results::Preconsolidation set_preconsolidation<D>(mpm::Body<D>&, const input::Case&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
