@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "output/files/frames_reader.hpp"
+#include "support/child.hpp"
 #include "support/slopes.hpp"
 
 namespace talus {
@@ -82,30 +83,6 @@ class Resume : public testing::Test {
     }
   }
 
-  /// Waits until the process catches SIGTERM and has calculated for `seconds` of its own time, or has ended: on a busy
-  /// machine it may start slowly.
-  static void wait_for_work(pid_t child, double seconds) {
-    constexpr unsigned long long term = 1ULL << (SIGTERM - 1);
-    for (int i = 0; i < 100000; ++i) {
-      const fs::path about = "/proc/" + std::to_string(child);
-      std::ifstream stat(about / "stat"), status(about / "status");
-      std::string word;
-      // After the name in brackets: the state, ten numbers, user and system time in ticks.
-      for (stat >> word; stat && word.back() != ')';) stat >> word;
-      std::string state;
-      stat >> state;
-      if (!stat || state == "Z") return;
-      for (int k = 0; k < 10; ++k) stat >> word;
-      double user = 0, system = 0;
-      stat >> user >> system;
-      unsigned long long caught = 0;
-      while (status >> word)
-        if (word == "SigCgt:") status >> std::hex >> caught;
-      if ((caught & term) != 0 && user + system >= seconds * static_cast<double>(sysconf(_SC_CLK_TCK))) return;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-
   std::string read(const fs::path& path) const {
     std::ifstream file(folder_ / path);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -136,7 +113,7 @@ class Resume : public testing::Test {
       if (attempt == 0)
         wait_for_checkpoint(result);
       else
-        wait_for_work(child, pause);
+        support::wait_for_work(child, pause);
       kill(child, signal);
       const int code = wait_for(child);
       if (code == 0) return ended;
