@@ -220,7 +220,7 @@ TEST_F(OtherMethods, AreInPoundsAndFeetWhereTheCaseAsks) {
   EXPECT_NEAR(units.at("line_force").at("si").get<double>(), 4.4482216152605 / 0.3048, 1e-9);
   // 18 kN/m³ and 8 kPa.
   std::map<std::string, json> rows;
-  for (const json& row : page.document.at("materials").at(1).at("properties")) rows[row.at("key")] = row;
+  for (const json& row : page.document.at("model").at("materials").at(1).at("properties")) rows[row.at("key")] = row;
   EXPECT_EQ(rows.at("unit_weight").at("unit"), "pcf");
   EXPECT_NEAR(rows.at("unit_weight").at("characteristic").get<double>(), 18000 / 157.08746384624618, 1e-6);
   EXPECT_EQ(rows.at("cohesion").at("unit"), "psf");
