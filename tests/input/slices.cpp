@@ -22,7 +22,7 @@ TEST(Slices, ReadTheirSettings) {
            circle + polyline);
   EXPECT_EQ(data.lem.methods, (std::vector{SliceMethod::fellenius, SliceMethod::morgenstern_price_constant}));
   EXPECT_EQ(data.lem.search, SurfaceSearch::grid);
-  EXPECT_DOUBLE_EQ(data.lem.smallest_depth, 0.5);
+  EXPECT_DOUBLE_EQ(data.lem.smallest_depth.value(), 0.5);
   EXPECT_EQ(data.lem.grid.columns, 7);
   EXPECT_EQ(data.lem.grid.corners[1], (std::array{40.0, 60.0}));
   EXPECT_DOUBLE_EQ(data.lem.crack.water, 1);

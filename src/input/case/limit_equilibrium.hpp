@@ -54,7 +54,7 @@ struct LimitEquilibrium {
   int vertices = 12;                                     ///< of that polyline
   int minima = 5;                                        ///< local minima that are shown
   int seed = 0;                                          ///< of the starts of the search
-  double smallest_depth = 0;                             ///< of a sliding mass [m]
+  std::optional<double> smallest_depth;                  ///< of a sliding mass [m]
   double smallest_m_alpha = 0.2;                         ///< [-]
   double most_tension = 0.2;                             ///< share of the base with tensile N' [-]
   double most_thrust_outside = 0.3;                      ///< share of E whose thrust acts outside the mass [-]
@@ -139,7 +139,8 @@ void describe(Visitor& v, LimitEquilibrium& l) {
         "Another number begins the search elsewhere: entries, exits and blocks along layers move by random parts of "
         "the distance to their neighbours. A minimum that moves with it was not found; 0: they stand evenly.");
   v.key("smallest_depth", l.smallest_depth, quantity("m").at_least(0),
-        "Surfaces whose sliding mass is nowhere deeper than this are refused.");
+        "Surfaces whose sliding mass is nowhere deeper than this are refused; if not given, the search refuses those "
+        "below a hundredth of the ground's relief, or below 0.1 m where that is less.");
   v.key("smallest_m_alpha", l.smallest_m_alpha, plain().at_least(0).below(1),
         "A surface with a smaller m_α at one of its slices fails the checks.");
   v.key("most_tension", l.most_tension, plain().at_least(0).at_most(1),

@@ -124,9 +124,13 @@ std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const
   return minima;
 }
 
-SearchOptions settle(const SearchOptions& asked) {
+SearchOptions settle(const Slope& slope, const SearchOptions& asked) {
   SearchOptions options = asked;
   options.checks.composite = asked.composite;
+  constexpr double share = 0.01, thickest = 0.1;  // [m]: skins that no one means
+  if (!options.finds_skins)
+    options.checks.smallest_depth =
+        std::max(options.checks.smallest_depth, std::min(share * find_relief(slope.section()), thickest));
   return options;
 }
 
@@ -134,7 +138,7 @@ SearchOptions settle(const SearchOptions& asked) {
 
 SearchResult search(const Slope& slope, const SearchOptions& asked) {
   const auto begin = std::chrono::steady_clock::now();
-  const SearchOptions options = settle(asked);
+  const SearchOptions options = settle(slope, asked);
   SearchResult result;
   const Arcs arcs(slope, options.checks.smallest_depth, options.composite);
   TrialCircles circles;
@@ -191,7 +195,7 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
 }
 
 Critical optimise(const Slope& slope, const Surface& start, Method method, const SearchOptions& asked) {
-  const SearchOptions options = settle(asked);
+  const SearchOptions options = settle(slope, asked);
   Evaluator evaluate(slope, method, options.checks, options.slices);
   const std::array<double, 2> ground{slope.left(), slope.right()};
   if (!start.circle) {

@@ -111,10 +111,7 @@ std::vector<std::string> find_warnings(const Slope& slope, const Checks& checks,
   if (forces && s.thrust_outside > 0.5 * checks.most_thrust_outside)
     warnings.push_back(
         fmt::format("{:.0f} % of the interslice forces act outside the sliding mass", 100 * s.thrust_outside));
-  const auto& ground = slope.section().ground;
-  const auto [low, high] =
-      std::minmax_element(ground.begin(), ground.end(), [](const Point& a, const Point& b) { return a[1] < b[1]; });
-  if (critical.cut.depth < 0.02 * ((*high)[1] - (*low)[1]))
+  if (critical.cut.depth < 0.02 * find_relief(slope.section()))
     warnings.push_back(
         fmt::format("the surface is a skin of {:.2g} m: without cohesion the shallowest surface is critical; "
                     "give a smallest_depth",

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -116,6 +117,12 @@ void check_loads(const Section& section, Faults& faults) {
 }
 
 }  // namespace
+
+double find_relief(const Section& section) {
+  const auto [low, high] = std::minmax_element(section.ground.begin(), section.ground.end(),
+                                               [](const Point& a, const Point& b) { return a[1] < b[1]; });
+  return section.ground.empty() ? 0 : (*high)[1] - (*low)[1];
+}
 
 std::vector<std::string> find_faults(const Section& section) {
   Faults faults;

@@ -94,6 +94,9 @@ struct Section {
   ~Section();
 };
 
+/// Height of the highest point of the ground above its lowest [m].
+double find_relief(const Section& section);
+
 /// Faults of a section that no surface could be calculated in, each a sentence that names its item: a polygon that
 /// crosses itself, ground that runs backwards, soil without region, weight that is not positive …
 std::vector<std::string> find_faults(const Section& section);

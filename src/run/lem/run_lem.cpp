@@ -95,7 +95,10 @@ lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, 
   options.checks.most_thrust_outside = settings.most_thrust_outside;
   options.checks.smallest_lambda = settings.smallest_lambda;
   options.checks.largest_lambda = settings.largest_lambda;
-  options.checks.smallest_depth = settings.smallest_depth;
+  if (settings.smallest_depth) {
+    options.checks.smallest_depth = *settings.smallest_depth;
+    options.finds_skins = true;
+  }
   options.checks.composite = settings.composite;
   options.checks.reject = settings.reject;
   options.composite = settings.composite;
