@@ -138,9 +138,9 @@ void describe(Visitor& v, LimitEquilibrium& l) {
   v.key("seed", l.seed, plain().at_least(0),
         "Another number begins the search elsewhere: entries, exits and blocks along layers move by random parts of "
         "the distance to their neighbours. A minimum that moves with it was not found; 0: they stand evenly.");
-  v.key("smallest_depth", l.smallest_depth, quantity("m").at_least(0),
+  v.key("smallest_depth", l.smallest_depth, quantity("m").at_least(0).example("1"),
         "Surfaces whose sliding mass is nowhere deeper than this are refused; if not given, the search refuses those "
-        "below a hundredth of the ground's relief, or below 0.1 m where that is less.");
+        "below a fiftieth of the ground's relief, or below 0.5 m where that is less.");
   v.key("smallest_m_alpha", l.smallest_m_alpha, plain().at_least(0).below(1),
         "A surface with a smaller m_α at one of its slices fails the checks.");
   v.key("most_tension", l.most_tension, plain().at_least(0).at_most(1),

@@ -127,7 +127,7 @@ std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const
 SearchOptions settle(const Slope& slope, const SearchOptions& asked) {
   SearchOptions options = asked;
   options.checks.composite = asked.composite;
-  constexpr double share = 0.01, thickest = 0.1;  // [m]: skins that no one means
+  constexpr double share = 0.02, thickest = 0.5;  // [m]: skins that no one means
   if (!options.finds_skins)
     options.checks.smallest_depth =
         std::max(options.checks.smallest_depth, std::min(share * find_relief(slope.section()), thickest));

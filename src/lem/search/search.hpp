@@ -42,7 +42,7 @@ struct SearchOptions {
   bool optimise_surface = true;  ///< and of a non-circular surface from the critical circle
   int vertices = 12;             ///< of the non-circular surface
   int kept_minima = 5;           ///< local minima shown
-  /// Otherwise a searched mass is somewhere deeper than a hundredth of the ground's relief, or than 0.1 m: at the edge
+  /// Otherwise a searched mass is somewhere deeper than a fiftieth of the ground's relief, or than 0.5 m: at the edge
   /// of a load, and in soil without cohesion, ever smaller ones have ever smaller factors.
   bool finds_skins = false;
   /// 0: entries, exits and blocks stand where the ground wants them; another number moves each by a random part of the
