@@ -105,7 +105,6 @@ def test_ctrl_c_leaves_a_folder_that_can_be_resumed(mode, slope, tmp_path):
         deadline = time.monotonic() + 60
         while not (tmp_path / "parts/history.csv").exists() and time.monotonic() < deadline:
             time.sleep(0.02)
-        time.sleep(0.3)
         child.send_signal(signal.SIGINT)
         sent = time.monotonic()
         output = child.communicate(timeout=60)[0]

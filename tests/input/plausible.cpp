@@ -28,7 +28,14 @@ std::string write_layers(const std::string& left, const std::string& right, cons
          left + ", " + right + R"(, [30, 5], [18, 12], [0, 12]] }]
 geometry.box = [[0, 0], [40, 20]]
 mesh.size = 1
-materials.s = { model = "mohr_coulomb", unit_weight = 18, cohesion = 5, friction_angle = 28, young_modulus = "20 MPa", poisson_ratio = 0.3, dilatancy_angle = 0, tensile_strength = 0 }
+materials.s.model = "mohr_coulomb"
+materials.s.unit_weight = 18
+materials.s.cohesion = 5
+materials.s.friction_angle = 28
+materials.s.young_modulus = "20 MPa"
+materials.s.poisson_ratio = 0.3
+materials.s.dilatancy_angle = 0
+materials.s.tensile_strength = 0
 regions = { a = "s", b = "s" }
 analysis.methods = [)" +
          methods + "]\n";
