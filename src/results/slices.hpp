@@ -186,6 +186,7 @@ struct SliceSearch {
   std::map<std::string, std::map<std::string, long>> refused;  ///< by method and reason
   std::vector<LimitHit> limit_hits;
   SearchRanges ranges;
+  double smallest_depth = 0;  ///< [m]
   double seconds = 0, circles_per_second = 0;
 };
 template <class V, As<SliceSearch> R>
@@ -195,6 +196,7 @@ void describe(V& v, R& r) {
   v.key("refused", r.refused, {"", "refused surfaces by method and reason"});
   v.key("limits", r.limit_hits, {"", "critical surfaces at a limit of the search"});
   v.key("ranges", r.ranges, {"", "where it looked"});
+  v.key("smallest_depth", r.smallest_depth, {"m", "smallest depth of a mass that it took"});
   v.key("seconds", r.seconds, {"s", "seconds"});
   v.key("circles_per_second", r.circles_per_second, {"1/s", "circles per second"});
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <numbers>
 
 #include "cases/methods_slope.hpp"
 #include "run/compare/slip_line.hpp"
@@ -74,6 +75,27 @@ TEST_F(Misleading, TheTableOfAnEmbankmentHoldsPlausibleFactorsOnly) {
     ++count;
   }
   EXPECT_GE(count, 3);
+}
+
+TEST_F(Misleading, AMassOfNoSizeBesideTheEdgeOfALoadDoesNotGovern) {
+  const json summary = run_case("crest_load");
+  // Finite elements with ψ = φ have 2.604, from two meshes.
+  EXPECT_NEAR(summary.at("main_factor").get<double>(), 2.60, 0.03);
+  EXPECT_GT(summary.at("lem").at("noncircular").back().at("depth").get<double>(), 3);
+}
+
+TEST_F(Misleading, ASkinThatGovernsIsAWarning) {
+  const std::vector<input::Override> sand{{"materials.soil.cohesion", "0"}, {"surcharge", "[]"}};
+  const json summary = run_case("crest_load", sand);
+  // The dry face of 1 in 3.17, tan φ over tan β.
+  EXPECT_NEAR(summary.at("main_factor").get<double>(), std::tan(35.5 * std::numbers::pi / 180) * 58.393 / 18.42, 0.01);
+  EXPECT_NEAR(summary.at("lem").at("search").at("smallest_depth").get<double>(), 0.02 * 18.42, 1e-9);
+  EXPECT_TRUE(warns(summary, {"Spencer", "is a skin of 0.37 m", "smallest_depth"})) << summary.at("warnings");
+
+  std::vector<input::Override> deep = sand;
+  deep.push_back({"lem.smallest_depth", "0"});
+  const json any = run_case("crest_load", deep);
+  EXPECT_LT(any.at("lem").at("critical").back().at("depth").get<double>(), 0.3) << "asked for, skins are found";
 }
 
 TEST_F(Misleading, RainMakesNoSlopeSafer) {

@@ -140,6 +140,7 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
   const auto begin = std::chrono::steady_clock::now();
   const SearchOptions options = settle(slope, asked);
   SearchResult result;
+  result.smallest_depth = options.checks.smallest_depth;
   const Arcs arcs(slope, options.checks.smallest_depth, options.composite);
   TrialCircles circles;
   if (options.kind == SearchKind::grid) {

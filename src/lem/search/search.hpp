@@ -88,6 +88,7 @@ struct SearchResult {
   std::vector<Map> maps;
   std::vector<std::map<Refusal, long>> refused;  ///< per method
   long tried = 0;
+  double smallest_depth = 0;  ///< of a mass that the search took [m]
   std::vector<LimitHit> limit_hits;
   double seconds = 0;
   /// Where it was searched, as used.

@@ -68,9 +68,9 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
   }
   if (options.checks.smallest_depth > 0 && critical.cut.depth < 1.005 * options.checks.smallest_depth)
     add(
-        fmt::format("the critical circle is as shallow as the smallest depth of {:.4g} m allows; the "
+        fmt::format("the critical {} is as shallow as the smallest depth of {:.4g} m allows; the "
                     "factor depends on it",
-                    options.checks.smallest_depth));
+                    critical.surface.circle ? "circle" : "polyline", options.checks.smallest_depth));
   if (result.grid && best_trial >= 0 && critical.circular) {
     const Circle& c = *circles.surfaces[static_cast<std::size_t>(best_trial)].circle;
     const GridSearch& g = *result.grid;

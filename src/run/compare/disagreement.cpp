@@ -56,6 +56,7 @@ class Warnings {
   std::vector<std::string> list() {
     warn_of_methods();
     warn_of_surfaces();
+    warn_of_skin();
     warn_of_criteria();
     return std::move(warnings_);
   }
@@ -110,6 +111,18 @@ class Warnings {
           "{}: the best polyline has the factor {:.3f}, the critical circle {:.3f}. Polylines can come near every "
           "circle, so their search ended too early; the circle governs. More [lem] vertices help.",
           title, *polyline->surface.factor, of_circle));
+  }
+
+  /// A surface that the search would have left through its smallest depth is no minimum.
+  void warn_of_skin() {
+    if (!governing_ || !run_.slices || !run_.slices->search) return;
+    const double smallest = run_.slices->search->smallest_depth, depth = governing_->found->depth;
+    constexpr double at_limit = 1.005;
+    if (!(smallest > 0) || depth > at_limit * smallest) return;
+    warnings_.push_back(fmt::format(
+        "{}: the {} is a skin of {:.2g} m, and the search took no shallower one. Soil without cohesion slides so, and "
+        "soil beside the edge of a load. If such slides do not matter, give a larger smallest_depth in [lem].",
+        get_title(governing_->found->surface.method), results::name_surface(*governing_), depth));
   }
 
   struct Part {

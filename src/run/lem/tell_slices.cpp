@@ -99,6 +99,7 @@ results::SliceSearch tell_search(const lem::SearchOptions& options, const lem::S
     told.ranges.grid = {g->from, g->to, g->columns, g->rows, g->radii, std::nullopt};
     if (g->lowest && g->highest) told.ranges.grid->levels = {*g->lowest, *g->highest};
   }
+  told.smallest_depth = result.smallest_depth;
   told.seconds = result.seconds;
   told.circles_per_second = result.seconds > 0 ? static_cast<double>(result.tried) / result.seconds : 0;
   return told;
