@@ -10,20 +10,16 @@ Draws sensible slopes (number N is always the same slope), runs slices and finit
 Prints those that do not, with what is known of them (tests/data/random_slopes.json: the reason, slope by slope). --write writes
 docs/verification_data/random_slopes.csv and .md. Ends with 1 where a gate failed, or fewer than 95 % agree, or one that does not has no reason.
 """
-import argparse
-import concurrent.futures
 import csv
-import json
-import os
 import pathlib
 import random
 import sys
-import tempfile
 
+from published.campaign import judge_all, parse_options, read_reasons, show
 from published.case_file import make_case
 from published.elements import choose_level, find_height
 from published.problem import read_problem
-from published.runs import Broken, Runner
+from published.runs import Broken
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "docs" / "verification_data"
@@ -150,10 +146,6 @@ def is_apart(row):
     return row["difference"] is None or abs(row["difference"]) > AGREE
 
 
-def show(value, form):
-    return "–" if value is None else form.format(value)
-
-
 def write_page(rows, reasons):
     apart = [r for r in rows if is_apart(r)]
     faulty = [r for r in rows if r["faults"]]
@@ -185,21 +177,9 @@ def write_csv(rows, path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--count", type=int, default=200)
-    parser.add_argument("--only", nargs="+", type=int, default=[], metavar="N")
-    parser.add_argument("--out", type=pathlib.Path)
-    parser.add_argument("--keep", action="store_true", help="take results that are in --out as they are")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    parser.add_argument("--write", action="store_true", help=f"write random_slopes.csv and .md in {FOLDER.relative_to(ROOT)}")
-    options = parser.parse_args()
-    numbers = options.only or range(1, options.count + 1)
-    with tempfile.TemporaryDirectory() as scratch:
-        runner = Runner(os.path.abspath(options.program), options.out or pathlib.Path(scratch), keep=options.keep)
-        with concurrent.futures.ThreadPoolExecutor(max(1, options.jobs)) as pool:
-            rows = list(pool.map(lambda n: judge(runner, n), numbers))
-    reasons = json.loads(REASONS.read_text()) if REASONS.exists() else {}
+    options = parse_options(__doc__, 200, f"random_slopes.csv and .md in {FOLDER.relative_to(ROOT)}")
+    rows = judge_all(options, judge)
+    reasons = read_reasons(REASONS)
     page = write_page(rows, reasons)
     print(page)
     if options.write:

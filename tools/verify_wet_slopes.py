@@ -10,17 +10,13 @@ factor and that of the elements with the same ψ may differ by 5 %; so may it an
 every slope, with what is known of those that differ (tests/data/wet_slopes.json). --write writes docs/verification_data/wet_slopes.md. Ends with 1 where a slope
 without a reason is apart, or has no factor.
 """
-import argparse
-import concurrent.futures
-import json
 import math
-import os
 import pathlib
 import random
 import sys
-import tempfile
 
-from published.runs import Broken, Runner
+from published.campaign import judge_all, parse_options, read_reasons, show
+from published.runs import Broken
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "verification_data" / "wet_slopes.md"
@@ -131,10 +127,6 @@ def is_apart(row):
     return any(d is None or abs(d) > AGREE for d in differences)
 
 
-def show(value, form):
-    return "–" if value is None else form.format(value)
-
-
 def write_page(rows, reasons):
     apart = [r for r in rows if is_apart(r)]
     lines = ["# Random wet slopes through points, elements and slices", "",
@@ -155,20 +147,9 @@ def write_page(rows, reasons):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--count", type=int, default=20)
-    parser.add_argument("--only", nargs="+", type=int, default=[], metavar="N")
-    parser.add_argument("--out", type=pathlib.Path)
-    parser.add_argument("--keep", action="store_true", help="take results that are in --out as they are")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    parser.add_argument("--write", action="store_true", help=f"write {PAGE.relative_to(ROOT)}")
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as scratch:
-        runner = Runner(os.path.abspath(options.program), options.out or pathlib.Path(scratch), keep=options.keep)
-        with concurrent.futures.ThreadPoolExecutor(max(1, options.jobs)) as pool:
-            rows = list(pool.map(lambda n: judge(runner, n), options.only or range(1, options.count + 1)))
-    reasons = json.loads(REASONS.read_text()) if REASONS.exists() else {}
+    options = parse_options(__doc__, 20, str(PAGE.relative_to(ROOT)))
+    rows = judge_all(options, judge)
+    reasons = read_reasons(REASONS)
     page = write_page(rows, reasons)
     print(page)
     if options.write:
