@@ -20,8 +20,14 @@ function tracePolygons({ context, place }: Pen): void {
   }
 }
 
-/** The name of each soil where its polygon is widest; none where it would not fit. */
-export function drawSoilNames({ context, camera, place, theme }: Pen): void {
+/**
+ * The name of each soil where its polygon is widest; none where it would not fit. `follow`: where the soil that lay at
+ * a place stands now [m].
+ */
+export function drawSoilNames(
+  { context, camera, place, theme }: Pick<Pen, "context" | "camera" | "place" | "theme">,
+  follow: (at: [number, number]) => readonly number[] = (at) => at,
+): void {
   const { polygons } = report.value.model;
   polygons.forEach(({ material, points }, i) => {
     if (!material) return;
@@ -30,7 +36,7 @@ export function drawSoilNames({ context, camera, place, theme }: Pen): void {
     const width = 6.5 * material.length;
     if (width > 2.4 * room.radius * camera.scale || room.radius * camera.scale < 8) return;
     context.textAlign = "center";
-    writeLabel(context, material, place(room.at), theme, theme.ink);
+    writeLabel(context, material, place(follow(room.at)), theme, theme.ink);
   });
 }
 

@@ -16,6 +16,7 @@ function hasLayer(name: LayerName): boolean {
   const hasStrain = sequence.value?.fields.some((f) => f.name === "deviatoric_strain") ?? false;
   if (name === "ridge") return model.dimension === 2 && hasStrain;
   if (name === "otherSurfaces") return model.dimension === 2 && listOtherSurfaces().length > 0;
+  if (name === "soils") return model.dimension === 2 && model.polygons.some((p) => p.material);
   if (name === "slip" || name === "present") return model.dimension === 2;
   if (name === "boundaries") return model.boundaries.some((b) => b.lines.length > 0);
   if (name === "monitors") return model.monitors.length > 0;

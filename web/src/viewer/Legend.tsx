@@ -10,7 +10,7 @@ import { inSpace, layers } from "./settings";
 import { frame, shown } from "./shown";
 import { hasNoValue } from "./sizes";
 import { chooseSymbol } from "./supports";
-import { movedThreshold, slipSurface, strainRidge, waterTables } from "./tracedLines";
+import { movedThreshold, slipSurfaces, strainRidge, waterTables } from "./tracedLines";
 
 const symbols = {
   hatching: "M1 3h24M5 3 1 11M11 3l-4 8M17 3l-4 8M23 3l-4 8",
@@ -69,7 +69,7 @@ export function Legend() {
   const limit = `${writeNumber(movedThreshold.value / length.si)} ${writeUnit(length)}`;
   return (
     <ul class="viewer-legend" aria-label="Legend">
-      {on.slip && slipSurface.value.length > 0 && (
+      {on.slip && slipSurfaces.value.length > 0 && (
         <Entry path={bar} colour="#c2185b" width={2.4} text={`Slip surface: above it soil moved over ${limit}`} />
       )}
       {on.otherSurfaces &&

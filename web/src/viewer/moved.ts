@@ -1,6 +1,57 @@
 // SPDX-License-Identifier: MIT
 /** The slip surface as the lower limit of the soil that moved. */
+import { findDivide, type Divide } from "./divide";
 import { smooth } from "./smooth";
+
+type Line = [number, number][];
+/** Rise of the plane that a wedge of soil sinks along, 45° + φ/2, for φ = 30°. */
+const wedgeSlope = Math.sqrt(3);
+
+/** Leads the line of a side that ends under the divide, where the other side begins, up to the ground beyond it. */
+function leadUp(line: Line, positions: Float32Array, spacing: number, divide: Divide, isLeft: boolean): Line {
+  const end = (isLeft ? line.at(-1) : line[0])!;
+  const width = 1.5 * spacing;
+  if (Math.abs(end[0] - divide.x) > 2 * width) return line; // the soil between the sides stayed
+  const tops = new Map<number, number>();
+  for (let i = 0; i < positions.length; i += 2) {
+    const c = Math.floor(positions[i]! / width);
+    tops.set(c, Math.max(tops.get(c) ?? -Infinity, positions[i + 1]!));
+  }
+  const added: Line = [];
+  for (let k = 1; ; ++k) {
+    const rise = (k * spacing) / 2;
+    const next: [number, number] = [end[0] + (isLeft ? rise : -rise), end[1] + wedgeSlope * rise];
+    const top = tops.get(Math.floor(next[0] / width));
+    if (top === undefined) break;
+    added.push(next);
+    if (next[1] >= top) break;
+  }
+  return isLeft ? [...line, ...added] : [...added.reverse(), ...line];
+}
+
+/**
+ * The lower limits of the soil that moved: one, or one of each side where the soil moves to both, which goes on from the
+ * divide to the ground as steep as an active wedge where the sides move apart. `across` [point]: how far points moved
+ * along x [m]; null: not known, and one limit is drawn. The rest as for findMovedLimit().
+ */
+export function findMovedLimits(
+  positions: Float32Array,
+  displacement: Float32Array,
+  across: Float32Array | null,
+  spacing: number,
+  threshold: number,
+): Line[] {
+  const keep = (lines: Line[]) => lines.filter((line) => line.length > 0);
+  const xs = displacement.map((_, i) => positions[2 * i]!);
+  const divide = across && findDivide(xs, across, threshold);
+  if (!divide) return keep([findMovedLimit(positions, displacement, spacing, threshold)]);
+  const sides = [true, false].map((isLeft) => {
+    const own = displacement.map((u, i) => (xs[i]! < divide.x === isLeft ? u : NaN));
+    const line = findMovedLimit(positions, own, spacing, threshold);
+    return line.length && divide.left < 0 ? leadUp(line, positions, spacing, divide, isLeft) : line;
+  });
+  return keep(sides);
+}
 
 /**
  * For each column of the section with soil that moved by more than `threshold` [m]: the height that parts best what

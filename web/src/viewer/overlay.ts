@@ -4,6 +4,7 @@ import type { HydraulicCondition, Model } from "../contract";
 import type { ArrowField } from "./arrows";
 import type { Camera, Vec } from "./camera";
 import { drawHydraulic } from "./hydraulics";
+import { drawSoilNames } from "../drawing/ground";
 import { drawExitMarks, drawPonds, listExits } from "../drawing/standingWater";
 import { chooseLook, drawSurface } from "../drawing/surfaceLines";
 import { drawArrows, drawMonitor, drawPath, drawPicked, drawWaterMark, strokeLine, type Pixel } from "./lines";
@@ -21,7 +22,8 @@ export interface Overlay {
   /** Front and back of the body along z [m]; equal for a section seen from the front. */
   depth: [number, number];
   box: [Vec, Vec];
-  slip: [number, number][];
+  /** One, or one of each side. */
+  slips: [number, number][][];
   ridge: [number, number][];
   /** Of slices and finite elements. */
   otherSurfaces: OtherSurface[];
@@ -32,6 +34,8 @@ export interface Overlay {
   time: number;
   /** Closed lines around the body as it is now. */
   present: [number, number][][];
+  /** Where the point is now that lay nearest to a place at first [m]. */
+  follow: (at: readonly number[]) => Vec;
   arrows: ArrowField | null;
   monitors: { name: string; at: Vec }[];
   picked: Vec | null;
@@ -125,16 +129,20 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
     for (const surface of overlay.otherSurfaces.filter((s) => s.shown).reverse())
       drawSurface(context, surface.points.map((p) => place(p, sides.at(-1)!)), chooseLook(surface.look), 2);
   }
-  if (layers.slip && overlay.slip.length) {
-    const line = overlay.slip.map((p) => place(p, sides.at(-1)!));
-    strokeLine(context, line, { colour: "#ffffff", width: 4 });
-    strokeLine(context, line, { colour: "#c2185b", width: 2 });
+  if (layers.slip) {
+    for (const slip of overlay.slips) {
+      const line = slip.map((p) => place(p, sides.at(-1)!));
+      strokeLine(context, line, { colour: "#ffffff", width: 4 });
+      strokeLine(context, line, { colour: "#c2185b", width: 2 });
+    }
   }
   if (layers.ridge && overlay.ridge.length) {
     const line = overlay.ridge.map((p) => place(p, sides.at(-1)!));
     strokeLine(context, line, { colour: "#ffffff", width: 3.5 });
     strokeLine(context, line, { colour: "#b35900", width: 1.8, dash: [7, 4] });
   }
+  if (layers.soils && model.dimension === 2 && !inSpace)
+    drawSoilNames({ context, camera, place: (at) => place(at, sides.at(-1)!), theme }, overlay.follow);
   if (overlay.arrows) drawArrows(context, overlay.arrows, camera.width, theme);
   if (layers.path) drawPath(context, overlay.path.map((at) => place(at)), theme);
   if (layers.monitors) {

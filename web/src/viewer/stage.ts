@@ -20,7 +20,7 @@ import { chosenSurfaces, cut, inSpace, layers, limitMode } from "./settings";
 import { frame, scale, shown } from "./shown";
 import { cells } from "./sizes";
 import { readTheme, watchTheme, type Theme } from "./theme";
-import { slipSurface, strainRidge, waterTables } from "./tracedLines";
+import { slipSurfaces, strainRidge, waterTables } from "./tracedLines";
 
 /** Device pixels that the distance of two points may be zoomed to: many devices draw points of some 500 at most. */
 const largestSpacing = 160;
@@ -36,6 +36,8 @@ export class Stage {
   private fitted: { id: string; space: boolean } | null = null;
   private touched = false;
   private theme: Theme = readTheme();
+  /** Index of the point that lay nearest to a place, by the sequence and the place. */
+  private readonly nearest = new Map<string, number>();
   private indexOf: { ids: ArrayLike<number>; map: Map<number, number> } | null = null;
 
   constructor(private readonly host: HTMLElement) {
@@ -53,7 +55,7 @@ export class Stage {
     this.ends.push(
       effect(() => {
         void [shown.value, frame.value, scale.value, colourTable.value, layers.value, inSpace.value, cut.value];
-        void [meshEdges.value, slipSurface.value, strainRidge.value, pickedPoint.value, arrowArrays.value];
+        void [meshEdges.value, slipSurfaces.value, strainRidge.value, pickedPoint.value, arrowArrays.value];
         void [limitMode.value, waterTables.value, chosenSurfaces.value];
         this.request();
       }),
@@ -159,6 +161,24 @@ export class Stage {
     return [now.positions[from]!, now.positions[from + 1]!, dimension === 3 ? now.positions[from + 2]! : 0];
   }
 
+  /** Where the point is now that lay nearest to a place in the first frame [m]. */
+  private follow(at: readonly number[]): Vec {
+    const now = shown.value!;
+    const key = `${now.sequence.id} ${at.join(" ")}`;
+    let nearest = this.nearest.get(key);
+    if (nearest === undefined) {
+      nearest = 0;
+      let least = Infinity;
+      for (let i = 0; i < now.sequence.point_count; ++i) {
+        const [x, y] = this.locate(i, 0);
+        const distance = Math.hypot(x - at[0]!, y - at[1]!);
+        if (distance < least) [least, nearest] = [distance, i];
+      }
+      this.nearest.set(key, nearest);
+    }
+    return this.locate(nearest);
+  }
+
   /** Index of the point with a number, or undefined. */
   findIndex(id: number): number | undefined {
     const ids = shown.value!.ids;
@@ -182,13 +202,14 @@ export class Stage {
       inSpace: inSpace.value,
       depth: findDepth(),
       box: now.box,
-      slip: slipSurface.value,
+      slips: slipSurfaces.value,
       ridge: strainRidge.value,
       otherSurfaces: model.dimension === 2 ? listOtherSurfaces() : [],
       waterTables: waterTables.value,
       hydraulics: report.value.water?.conditions ?? [],
       time: now.sequence.frames[frame.value]?.time ?? 0,
       present: cells.value?.outlines ?? [],
+      follow: (at) => this.follow(at),
       arrows: chooseArrows(this.camera),
       monitors,
       picked: picked === null ? null : this.locate(picked),

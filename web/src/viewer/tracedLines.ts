@@ -3,7 +3,7 @@
 import { computed, effect, signal } from "@preact/signals";
 
 import { load, report } from "../state";
-import { findMovedLimit } from "./moved";
+import { findMovedLimits } from "./moved";
 import { findStrainRidge } from "./ridge";
 import { layers } from "./settings";
 import { fail, frame, shown, takeFrame, takePositions, type Shown } from "./shown";
@@ -11,9 +11,9 @@ import { findWaterTable } from "./waterTable";
 
 export type Line = [number, number][];
 
-/** Corners of the slip surface in the shown frame [m]; empty where there is none. */
-export const slipSurface = signal<Line>([]);
-/** Likewise the ridge of the deviatoric strain. */
+/** Corners of the slip surfaces in the shown frame [m]: one, or one of each side where the soil moves to both. */
+export const slipSurfaces = signal<Line[]>([]);
+/** Corners of the ridge of the deviatoric strain in the shown frame [m]; empty where there is none. */
 export const strainRidge = signal<Line>([]);
 
 /** Lines of zero pore pressure in the shown frame; null where the frame tells no pressures. */
@@ -22,18 +22,31 @@ export const waterTables = signal<Line[] | null>(null);
 /** Displacement above which soil counts as moved [m]: a hundredth of the slope's height, as for the moved volume. */
 export const movedThreshold = computed(() => 0.01 * report.value.model.slope_height);
 
-type Tracer = (positions: Float32Array, values: Float32Array, spacing: number) => Line;
-
-/** Draws `line` from the field called `name`; only in a section. */
-async function trace(now: Shown, index: number, line: { value: Line }, name: string, find: Tracer): Promise<void> {
-  const found = now.sequence.fields.find((f) => f.name === name);
-  if (!found || report.value.model.dimension === 3) return void (line.value = []);
-  const values = await load(found.values);
-  if (shown.peek()?.sequence !== now.sequence || frame.peek() !== index) return;
-  line.value = find(takePositions(now, index), takeFrame(values, index, now.sequence.point_count), now.spacing);
+/** The values of stored fields in a frame, null for one that is not stored; undefined when another frame is shown by then. */
+async function takeFields(now: Shown, index: number, names: string[]): Promise<(Float32Array | null)[] | undefined> {
+  const stored = names.map((name) => now.sequence.fields.find((f) => f.name === name));
+  const values = await Promise.all(stored.map(async (f) => (f ? load(f.values) : null)));
+  if (shown.peek()?.sequence !== now.sequence || frame.peek() !== index) return undefined;
+  return values.map((v) => (v ? takeFrame(v, index, now.sequence.point_count) : null));
 }
 
-const findLimit: Tracer = (x, u, spacing) => findMovedLimit(x, u, spacing, movedThreshold.value);
+const isSection = () => report.value.model.dimension === 2;
+
+async function traceSlip(now: Shown, index: number): Promise<void> {
+  const fields = isSection() ? await takeFields(now, index, ["displacement", "displacement_x"]) : [null];
+  if (!fields) return;
+  const [displacement, across] = fields;
+  slipSurfaces.value = displacement
+    ? findMovedLimits(takePositions(now, index), displacement, across ?? null, now.spacing, movedThreshold.value)
+    : [];
+}
+
+async function traceRidge(now: Shown, index: number): Promise<void> {
+  const fields = isSection() ? await takeFields(now, index, ["deviatoric_strain"]) : [null];
+  if (!fields) return;
+  const [strain] = fields;
+  strainRidge.value = strain ? findStrainRidge(takePositions(now, index), strain, now.spacing) : [];
+}
 
 async function traceWater(now: Shown, index: number): Promise<void> {
   const { model } = report.value;
@@ -51,12 +64,11 @@ export function startTracing(): () => void {
   const ends = [
     effect(() => {
       const now = shown.value;
-      if (layers.value.slip && now) trace(now, frame.value, slipSurface, "displacement", findLimit).catch(fail);
+      if (layers.value.slip && now) traceSlip(now, frame.value).catch(fail);
     }),
     effect(() => {
       const now = shown.value;
-      if (layers.value.ridge && now)
-        trace(now, frame.value, strainRidge, "deviatoric_strain", findStrainRidge).catch(fail);
+      if (layers.value.ridge && now) traceRidge(now, frame.value).catch(fail);
     }),
     effect(() => {
       const now = shown.value;

@@ -6,7 +6,7 @@ import { Camera } from "./camera";
 import { findColour, tabulateColours } from "./colours";
 import { makeTicks, writeNumber } from "./format";
 import { measureSpacing } from "./extent";
-import { findMovedLimit } from "./moved";
+import { findMovedLimit, findMovedLimits } from "./moved";
 import { findStrainRidge } from "./ridge";
 import { makeScale } from "./scale";
 
@@ -35,6 +35,33 @@ describe("slip surface", () => {
     expect(line.length).toBeGreaterThan(40);
     for (const [x, y] of line.slice(3, -3)) expect(Math.abs(y - circle(x))).toBeLessThan(spacing);
     expect(findMovedLimit(positions, displacement, spacing, 0.6)).toEqual([]);
+  });
+});
+
+describe("slip surfaces of soil that moves to both sides", () => {
+  const { positions, spacing } = makeBand(() => 0, 0);
+  const limit = (x: number) => 3 + 0.05 * (x - 20) ** 2; // a bowl, lowest in the middle
+  const heights = Array.from({ length: positions.length / 2 }, (_, i) => [positions[2 * i]!, positions[2 * i + 1]!]);
+  const displacement = Float32Array.from(heights, ([x, y]) => (y! > limit(x!) ? 0.5 : 0));
+
+  it("are two, which go up to the ground where they meet", () => {
+    const across = Float32Array.from(heights, ([x], i) => (x! < 20 ? -0.8 : 0.8) * displacement[i]!);
+    const lines = findMovedLimits(positions, displacement, across, spacing, 0.1);
+    expect(lines).toHaveLength(2);
+    const [left, right] = lines;
+    expect(left![0]![0]).toBeLessThan(8);
+    expect(right!.at(-1)![0]).toBeGreaterThan(32);
+    for (const top of [left!.at(-1)!, right![0]!]) expect(top[1]).toBeGreaterThan(14);
+    expect(left!.at(-1)![0]).toBeGreaterThan(right![0]![0]); // each wedge lies on the other side of the divide
+    for (const [x, y] of left!.filter(([at]) => at > 6 && at < 19)) expect(Math.abs(y - limit(x))).toBeLessThan(0.4);
+  });
+
+  it("are one where all moves one way, or where that is not known", () => {
+    const across = displacement.map((u) => 0.8 * u);
+    const one = [findMovedLimit(positions, displacement, spacing, 0.1)];
+    expect(findMovedLimits(positions, displacement, across, spacing, 0.1)).toEqual(one);
+    expect(findMovedLimits(positions, displacement, null, spacing, 0.1)).toEqual(one);
+    expect(findMovedLimits(positions, displacement, across, spacing, 0.6)).toEqual([]);
   });
 });
 
