@@ -110,6 +110,15 @@ TEST_F(Misleading, RainMakesNoSlopeSafer) {
   }
 }
 
+TEST_F(Misleading, AWetSlideUnderStableSmoothingDoesNotBurst) {
+  const json summary = run_case("bedding_slide_unstable", {{"mesh.size", "3"}});
+  const json& slide = summary.at("stages").at(1);
+  EXPECT_EQ(slide.at("end"), "rest");
+  EXPECT_LT(slide.at("displacement").get<double>(), 10);
+  EXPECT_LT(slide.at("nodal_speed").get<double>(), 0.01);
+  EXPECT_TRUE(warns(summary, {"'slide'", "smoothing = \"none\" instead"})) << summary.at("warnings");
+}
+
 TEST_F(Misleading, MethodsOnBothSidesOfOneAreTheFirstWarningAndTheSmallestFactorGoverns) {
   const json summary = run_case("methods_on_both_sides_of_one");
   EXPECT_LT(summary.at("main_factor").get<double>(), 0.75);
