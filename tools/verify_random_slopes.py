@@ -102,7 +102,7 @@ def find_gate_faults(slices, main, others):
                 faults.append(f"{name}: factor {factor:.4g}")
             if checks.get("refusal"):
                 faults.append(f"{name}: printed though {checks['refusal']}")
-            if result.get("lambda") is not None and not -0.25 <= result["lambda"] <= 1.5:
+            if result.get("lambda") is not None and not -0.1 <= result["lambda"] <= 1.5:
                 faults.append(f"{name}: λ = {result['lambda']:.3g}")
             if (checks.get("thrust_outside") or 0) > 0.3:
                 faults.append(f"{name}: {100 * checks['thrust_outside']:.0f} % of the thrust outside")

@@ -77,6 +77,15 @@ TEST_F(Misleading, TheTableOfAnEmbankmentHoldsPlausibleFactorsOnly) {
   EXPECT_GE(count, 3);
 }
 
+TEST_F(Misleading, NoPartOfASlideHoldsUpTheOneBelowIt) {
+  const json summary = run_case("clay_over_rock");
+  for (const char* list : {"critical", "noncircular"})
+    for (const json& c : summary.at("lem").at(list)) EXPECT_GE(c.at("lambda").get<double>(), -0.1) << c.at("method");
+  EXPECT_GT(summary.at("main_factor").get<double>(), 1.5);
+  EXPECT_TRUE(warns(summary, {"In one soil the weakest surface is close to a circle", "finite elements"}))
+      << summary.at("warnings");
+}
+
 TEST_F(Misleading, AMassOfNoSizeBesideTheEdgeOfALoadDoesNotGovern) {
   const json summary = run_case("crest_load");
   // Finite elements with ψ = φ have 2.604, from two meshes.

@@ -49,18 +49,18 @@ struct LimitEquilibrium {
   SurfaceSearch search = SurfaceSearch::entry_exit;
   EntryExit entry_exit;
   CentreGrid grid;
-  bool composite = false;                                ///< circles that reach the bottom of the model follow it
-  bool noncircular = true;                               ///< also optimise a polyline
-  int vertices = 12;                                     ///< of that polyline
-  int minima = 5;                                        ///< local minima that are shown
-  int seed = 0;                                          ///< of the starts of the search
-  std::optional<double> smallest_depth;                  ///< of a sliding mass [m]
-  double smallest_m_alpha = 0.2;                         ///< [-]
-  double most_tension = 0.2;                             ///< share of the base with tensile N' [-]
-  double most_thrust_outside = 0.3;                      ///< share of E whose thrust acts outside the mass [-]
-  double smallest_lambda = -0.25, largest_lambda = 1.5;  ///< λ of Spencer and Morgenstern–Price [-]
-  bool reject = true;                                    ///< surfaces that fail these checks
-  bool yield_acceleration = true;                        ///< k_y of the critical surfaces
+  bool composite = false;                               ///< circles that reach the bottom of the model follow it
+  bool noncircular = true;                              ///< also optimise a polyline
+  int vertices = 12;                                    ///< of that polyline
+  int minima = 5;                                       ///< local minima that are shown
+  int seed = 0;                                         ///< of the starts of the search
+  std::optional<double> smallest_depth;                 ///< of a sliding mass [m]
+  double smallest_m_alpha = 0.2;                        ///< [-]
+  double most_tension = 0.2;                            ///< share of the base with tensile N' [-]
+  double most_thrust_outside = 0.3;                     ///< share of E whose thrust acts outside the mass [-]
+  double smallest_lambda = -0.1, largest_lambda = 1.5;  ///< λ of Spencer and Morgenstern–Price [-]
+  bool reject = true;                                   ///< surfaces that fail these checks
+  bool yield_acceleration = true;                       ///< k_y of the critical surfaces
   TensionCrack crack;
   std::vector<SlipSurface> surfaces;
 };
@@ -154,7 +154,8 @@ void describe(Visitor& v, LimitEquilibrium& l) {
         "A solution of Spencer or Morgenstern–Price with a larger λ has no factor, whatever `reject` says: the forces "
         "between its slices are steeper than soil can bear.");
   v.key("smallest_lambda", l.smallest_lambda, plain().at_most(0),
-        "Nor has one with a smaller λ: the upper part would hold up the lower.");
+        "Nor has one with a smaller λ: the upper part would hold up the lower, against the shear that a slide "
+        "mobilises.");
   v.key("yield_acceleration", l.yield_acceleration, plain(),
         "Find the horizontal acceleration with factor 1 of the critical surfaces.");
   v.table("entry_exit", l.entry_exit, "Where search = \"entry_exit\" looks.");

@@ -63,7 +63,7 @@ struct Checks {
   double most_thrust_outside = 0.3;  ///< share of E that may act outside the mass; Spencer, Morgenstern–Price [-]
   /// λ; beyond these the forces between slices are steeper than soil can bear, or the upper part holds up the lower
   /// [-].
-  double smallest_lambda = -0.25, largest_lambda = 1.5;
+  double smallest_lambda = -0.1, largest_lambda = 1.5;
   bool has_sensible_lambda(double lambda) const { return lambda >= smallest_lambda && lambda <= largest_lambda; }
   double smallest_depth = 0;                   ///< of the sliding mass [m]
   double steepest_toe = std::numbers::pi / 2;  ///< rise of the base at the lower end, e.g. 45° - φ/2 [rad]
