@@ -133,8 +133,8 @@ def judge(runner, number):
         row["faults"].append(str(fault))
         return row
     rigorous = [r for r in summary["methods"]["table"] if r["method"] == "lem" and r["name"] in RIGOROUS and r["factor"]]
-    best = min(rigorous, key=lambda r: r["factor"], default={"factor": None, "surface": ""})
-    row["slices"], row["surface"] = best["factor"], best["surface"]
+    if best := min(rigorous, key=lambda r: r["factor"], default=None):
+        row["slices"], row["surface"] = best["factor"], f"{best['label']}, {'polyline' if 'noncircular' in best['surface'] else 'circle'}"
     row["elements"] = next((r["factor"] for r in summary["fem"]["runs"] if r.get("factor")), None)
     if row["slices"] and row["elements"]:
         row["difference"] = row["slices"] / row["elements"] - 1
