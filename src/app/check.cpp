@@ -7,6 +7,7 @@
 
 #include "app/case_options.hpp"
 #include "app/commands.hpp"
+#include "base/units.hpp"
 #include "input/case/partial_factors.hpp"
 #include "input/read.hpp"
 #include "run/forecast/forecast.hpp"
@@ -20,6 +21,12 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
+/// In the unit that the case's histories and plots have.
+std::string show_length(const input::Case& data, double metres) {
+  const std::string& unit = data.output.length_unit;
+  return fmt::format("{:.4g} {}", metres / units::get_si_factor(unit), unit);
+}
+
 /// What the soil is.
 std::string describe_soil(const input::Case& data) {
   const bool has_points = input::uses(data, input::Method::mpm);
@@ -27,7 +34,7 @@ std::string describe_soil(const input::Case& data) {
   if (!data.mesh.file.empty())
     mesh = fmt::format(", mesh '{}'", data.mesh.file);
   else if (has_points)
-    mesh = fmt::format(", elements of {:g} m", data.mesh.size);
+    mesh = ", elements of " + show_length(data, data.mesh.size);
   if (has_points) mesh += fmt::format(", {} points per element", data.points_per_element);
   const std::string hydraulics =
       data.hydraulics.empty() ? ""
@@ -57,7 +64,7 @@ std::string describe_elements(const input::Case& data) {
                      : data.fem.flow == input::FlowRule::associated ? "ψ = φ"
                                                                     : "ψ as given and ψ = φ";
   return fmt::format("  finite elements: strength reduction{}, {}\n",
-                     data.mesh.file.empty() ? fmt::format(" with elements of {:g} m", size) : "", flow);
+                     data.mesh.file.empty() ? " with elements of " + show_length(data, size) : "", flow);
 }
 
 std::string describe_points(const input::Case& data) {
