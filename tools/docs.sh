@@ -16,6 +16,8 @@ fi
 rm -rf "$TALUS_SITE"
 mkdir -p "$TALUS_SITE"
 $modules/.bin/eleventy --config=docs/site/eleventy.config.js
-"$TALUS" schema >"$TALUS_SITE/case.schema.json"
+# Editors read it, so it needs no spaces.
+"$TALUS" schema | python3 -c 'import json, sys; json.dump(json.load(sys.stdin), sys.stdout, ensure_ascii=False, separators=(",", ":"))' \
+  >"$TALUS_SITE/case.schema.json"
 "$TALUS" template >"$TALUS_SITE/template.toml"
 echo "docs: the manual is in $TALUS_SITE/index.html"
