@@ -6,7 +6,6 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <thread>
@@ -15,6 +14,7 @@
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
 #include "output/files/frames_reader.hpp"
+#include "support/child.hpp"
 #include "support/run_json.hpp"
 #include "support/slopes.hpp"
 
@@ -89,8 +89,7 @@ TEST_F(PreconsolidationOfARun, IsSetAtTheEndOfTheStageAndSoOnlyOnceWhenTheRunIsR
   EXPECT_THROW(run(text, "parts"), Error);
   request_interrupt(false);
   std::thread watch([&] {
-    for (int i = 0; i < 20000 && !fs::exists(folder_ / "parts" / "stages.json"); ++i)
-      std::this_thread::sleep_for(std::chrono::microseconds(500));
+    support::wait_for_file(folder_ / "parts" / "stages.json", getpid());
     request_interrupt();
   });
   EXPECT_THROW(run(text, "parts", true), Error);

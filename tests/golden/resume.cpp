@@ -6,11 +6,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "output/files/frames_reader.hpp"
 #include "support/child.hpp"
@@ -76,13 +74,6 @@ class Resume : public testing::Test {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
 
-  /// Waits until the run has saved a checkpoint, however fast the machine is.
-  void wait_for_checkpoint(const std::string& result) const {
-    for (int i = 0; i < 10000 && !fs::exists(folder_ / result / "checkpoint.h5"); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-
   std::string read(const fs::path& path) const {
     std::ifstream file(folder_ / path);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -111,7 +102,7 @@ class Resume : public testing::Test {
     for (int attempt = 0; attempt < 60; ++attempt) {
       const pid_t child = start(result, flag);
       if (attempt == 0)
-        wait_for_checkpoint(result);
+        support::wait_for_file(folder_ / result / "checkpoint.h5", child);
       else
         support::wait_for_work(child, pause);
       kill(child, signal);
@@ -174,7 +165,7 @@ resolution = 0.05
 
 TEST_F(Resume, OfAChangedCaseIsRefused) {
   const pid_t child = start("changed", "");
-  wait_for_checkpoint("changed");
+  support::wait_for_file(folder_ / "changed" / "checkpoint.h5", child);
   kill(child, SIGTERM);
   ASSERT_EQ(wait_for(child), 5);
   std::ofstream(folder_ / "case.toml") << slope + "\n[gravity]\nacceleration = 5\n";
