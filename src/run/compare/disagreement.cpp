@@ -101,7 +101,7 @@ class Warnings {
           title, results::name_surface(*governing_), f, of_circle, 100 * (of_circle / f - 1),
           followed   ? fmt::format("The weaker surface lies in '{}' for {:.0f} % of its length, which no circle can.",
                                    followed->soil, 100 * followed->share)
-          : is_alone ? "In one soil the weakest surface is close to a circle, and slices leave out most of the shear "
+          : is_alone ? "In one soil the weakest surface is close to a circle. Slices leave out most of the shear "
                        "between wedges."
                      : "The weaker surface is no circle.",
           followed ? fmt::format("check the strength and the extent of '{}'.", followed->soil)
