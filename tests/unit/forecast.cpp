@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/memory.hpp"
 #include "mesh/generate.hpp"
 #include "run/forecast/counts.hpp"
-#include "run/forecast/free_memory.hpp"
 #include "run/forecast/probe.hpp"
 #include "run/mpm/stage.hpp"
 #include "run/mpm/start/prepare.hpp"

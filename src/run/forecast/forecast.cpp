@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/forecast/counts.hpp"
-#include "run/forecast/free_memory.hpp"
 #include "run/forecast/probe.hpp"
 #include "run/mpm/reduction/trial.hpp"
 

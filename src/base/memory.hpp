@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How much memory is free for a run.
+// How much memory is free.
 
 #include <optional>
 #include <string>
 
-namespace talus::run {
+namespace talus {
 
 /// Bytes that can be taken without swapping: the kernel's MemAvailable, or what a container's limit leaves if that is
 /// less. Nothing where the system does not say.
@@ -15,7 +15,10 @@ std::optional<double> find_free_memory();
 /// empty.
 std::optional<double> find_free_memory(const std::string& meminfo, const std::string& limit, const std::string& used);
 
+/// The size [bytes] that this process's address space would have with all that memory; nothing where it is not known.
+std::optional<double> find_address_room();
+
 /// "1.2 GB", "340 MB".
 std::string write_bytes(double bytes);
 
-}  // namespace talus::run
+}  // namespace talus

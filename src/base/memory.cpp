@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "run/forecast/free_memory.hpp"
+#include "base/memory.hpp"
 
 #include <fmt/format.h>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 
-namespace talus::run {
+namespace talus {
 namespace {
 
 std::string read(const char* path) {
@@ -43,6 +45,13 @@ std::optional<double> find_free_memory(const std::string& meminfo, const std::st
   return free;
 }
 
+std::optional<double> find_address_room() {
+  const auto free = find_free_memory();
+  const auto pages = parse(read("/proc/self/statm"));  // its first number is the size of the address space
+  if (!free || !pages) return std::nullopt;
+  return *pages * static_cast<double>(sysconf(_SC_PAGESIZE)) + *free;
+}
+
 std::string write_bytes(double bytes) {
   constexpr double thousand = 1000;
   const char* unit = "MB";
@@ -55,4 +64,4 @@ std::string write_bytes(double bytes) {
   return value < 10 ? fmt::format("{:.1f} {}", value, unit) : fmt::format("{:.0f} {}", value, unit);
 }
 
-}  // namespace talus::run
+}  // namespace talus
