@@ -80,9 +80,9 @@ class Calculation {
       work(progress_);
     } catch (const Error&) {
       failure_ = std::current_exception();
-    } catch (const std::exception& error) {
-      failure_ = std::make_exception_ptr(Error(
-          ExitCode::internal_error, fmt::format("internal error: {}; please report it with the case", error.what())));
+    } catch (...) {
+      const Failure failure = explain_failure(std::current_exception());
+      failure_ = std::make_exception_ptr(Error(failure.code, failure.sentence));
     }
     const std::lock_guard lock(mutex_);
     ended_ = true;

@@ -9,13 +9,14 @@ namespace talus::app {
 void do_and_report(const std::filesystem::path& folder, bool wants_report, const std::function<void()>& work) {
   try {
     work();
-  } catch (const Error& error) {
+  } catch (...) {
+    const ExitCode code = explain_failure(std::current_exception()).code;
     // Input errors and an occupied folder are found before anything is written: the files there belong to another run.
-    const bool has_begun = error.code() != ExitCode::wrong_input && error.code() != ExitCode::folder_exists;
+    const bool has_begun = code != ExitCode::wrong_input && code != ExitCode::folder_exists;
     if (wants_report && has_begun) {
       try {
         report::write_report(folder);
-      } catch (const Error&) {  // the first error is the one to report
+      } catch (...) {  // the first error is the one to report
       }
     }
     throw;

@@ -4,45 +4,48 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
-#include <cstdlib>
+#include <cstring>
 #include <exception>
 
 #include "app/command_line.hpp"
 #include "app/wait_policy.hpp"
-#include "base/abandon.hpp"
 #include "base/error.hpp"
 
 namespace {
 
 /// Diagnostics already begin with their place; other errors begin with the program's name.
-int report(const talus::Error& error) {
-  const bool has_place = dynamic_cast<const talus::InputError*>(&error) != nullptr;
-  fmt::print(stderr, "{}{}\n", has_place ? "" : "talus: error: ", error.what());
-  return static_cast<int>(error.code());
+int report(const std::exception_ptr& thrown) {
+  const talus::Failure failure = talus::explain_failure(thrown);
+  bool has_place = false;
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const talus::InputError&) {
+    has_place = true;
+  } catch (...) {
+  }
+  const std::string sentence = fmt::format("{}{}\n", has_place ? "" : "talus: error: ", failure.sentence);
+  std::fputs(sentence.c_str(), stderr);
+  return static_cast<int>(failure.code);
 }
 
-int run(int argc, char** argv) {
-  try {
-    return talus::app::run_command_line(argc, argv);
-  } catch (const talus::Error& error) {
-    return report(error);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "talus: internal error: {}; please report it with the case file\n", error.what());
-  } catch (...) {
-    fmt::print(stderr, "talus: internal error of unknown kind; please report it with the case file\n");
-  }
-  return static_cast<int>(talus::ExitCode::internal_error);
+int run(int argc, char** argv) try {
+  const int code = talus::app::run_command_line(argc, argv);
+  // What was printed may still wait in memory.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw talus::Error(talus::ExitCode::cannot_write, fmt::format("cannot print: {}", std::strerror(errno)));
+  return code;
+} catch (...) {
+  return report(std::current_exception());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   talus::app::let_waiting_threads_sleep(argv);
-  const int code = run(argc, argv);
-  if (talus::is_work_abandoned()) {
-    std::fflush(nullptr);
-    std::_Exit(code);
-  }
-  return code;
+  // A file that may grow no further is a sentence, as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
+  return run(argc, argv);
 }

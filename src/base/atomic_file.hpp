@@ -26,7 +26,20 @@ void publish(const std::filesystem::path& path, const std::string& safe = "");
 /// Makes `folder` and its parents. Throws Error (cannot_write) with the path and the reason.
 void make_folder(const std::filesystem::path& folder, const std::string& safe = "");
 
+/// Does `work`, which looks at, makes or removes files in `folder`. What the system refuses is an Error (cannot_write).
+template <class Work>
+void use_folder(const std::filesystem::path& folder, Work&& work);
+
 /// The sentence "cannot write 'path': reason; safe" as an Error (cannot_write). `reason` is a value of errno.
 [[noreturn]] void throw_cannot_write(const std::filesystem::path& path, int reason, const std::string& safe = "");
+
+template <class Work>
+void use_folder(const std::filesystem::path& folder, Work&& work) {
+  try {
+    work();
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw_cannot_write(error.path1().empty() ? folder : error.path1(), error.code().value());
+  }
+}
 
 }  // namespace talus

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <new>
+#include <system_error>
 #include <utility>
 
 namespace talus {
@@ -17,7 +20,44 @@ std::string join(const std::vector<Diagnostic>& diagnostics) {
   return text;
 }
 
+/// A refusal of the system to look at, make or remove a file; errno tells whether the disk is to blame.
+Failure describe_files(const std::filesystem::filesystem_error& error) {
+  const std::error_code& reason = error.code();
+  const bool is_disk = reason == std::errc::no_space_on_device || reason == std::errc::read_only_file_system ||
+                       reason == std::errc::file_too_large || reason == std::errc::io_error;
+  return {is_disk ? ExitCode::cannot_write : ExitCode::wrong_input,
+          fmt::format("cannot use '{}': {}", error.path1().string(), reason.message())};
+}
+
+Failure describe_system(const std::system_error& error) {
+  if (error.code() == std::errc::resource_unavailable_try_again)
+    return {ExitCode::no_memory, "the machine starts no more threads"};
+  return {ExitCode::cannot_write, fmt::format("cannot write: {}", error.code().message())};
+}
+
 }  // namespace
+
+Failure explain_failure(const std::exception_ptr& thrown) {
+  const auto defect = [](const std::string& what) {
+    return Failure{ExitCode::internal_error,
+                   fmt::format("internal error{}; please report it with the case file", what)};
+  };
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const Error& error) {
+    return {error.code(), error.what()};
+  } catch (const std::bad_alloc&) {
+    return {ExitCode::no_memory, "the machine has not enough free memory; larger elements or fewer threads need less"};
+  } catch (const std::filesystem::filesystem_error& error) {
+    return describe_files(error);
+  } catch (const std::system_error& error) {
+    return describe_system(error);
+  } catch (const std::exception& error) {
+    return defect(fmt::format(": {}", error.what()));
+  } catch (...) {
+    return defect(" of unknown kind");
+  }
+}
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)
     : Error(ExitCode::wrong_input, join(diagnostics)), diagnostics_(std::move(diagnostics)) {}

@@ -2,6 +2,7 @@
 #pragma once
 // What can go wrong, as one sentence for the person at the keyboard and one exit code for the shell.
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ enum class ExitCode : int {
   unstable = 4,        ///< the calculation became unstable; the last good state of the stage or trial is saved
   interrupted = 5,     ///< SIGINT or SIGTERM; a checkpoint is saved and --resume continues
   cannot_write = 6,    ///< the disk is full or the folder is not writable; what was written before is whole
+  no_memory = 7,       ///< the machine has not enough memory, or starts no more processes; what was written is whole
 };
 
 /// An error that is the user's to read: one sentence that says what, where and what was expected.
@@ -46,6 +48,17 @@ class InputError : public Error {
  private:
   std::vector<Diagnostic> diagnostics_;
 };
+
+/// What ended some work, for the person at the keyboard.
+struct Failure {
+  ExitCode code = ExitCode::internal_error;
+  std::string sentence;
+};
+
+/// What an exception means, whatever it is. An Error means what it says. What the machine refuses has the code of that:
+/// memory (no_memory), a disk (cannot_write), a file or folder that may not be looked at (wrong_input). All others are
+/// defects of the program, and the sentence asks for a report.
+Failure explain_failure(const std::exception_ptr& thrown);
 
 /// `file:line:column: error: sentence`, without the place where there is none.
 std::string to_string(const Diagnostic& diagnostic);

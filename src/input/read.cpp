@@ -23,13 +23,16 @@
 #include "input/echo.hpp"
 #include "input/language/apply_overrides.hpp"
 #include "input/language/codecs.hpp"
+#include "input/language/deep_keys.hpp"
 #include "input/language/reader.hpp"
 
 namespace talus::input {
 namespace {
 
 std::string read_text(const std::string& path) {
-  if (std::filesystem::is_directory(path)) throw InputError({{path, 0, 0, "this is a folder; a case is a TOML file"}});
+  std::error_code unknown;  // of a path that cannot be looked at: opening it says why
+  if (std::filesystem::is_directory(path, unknown))
+    throw InputError({{path, 0, 0, "this is a folder; a case is a TOML file"}});
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
@@ -60,6 +63,8 @@ std::string find_decimal_comma(const std::string& text, const toml::source_posit
 }
 
 toml::table parse(const std::string& text, const std::string& name) {
+  if (const auto place = find_deep_key(text))
+    throw InputError({{name, place->line, place->column, fmt::format("this key has more than {} parts", most_dots)}});
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {

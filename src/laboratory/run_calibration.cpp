@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/folder_lock.hpp"
 #include "laboratory/point_results.hpp"
 #include "laboratory/run_point_tests.hpp"
 #include "output/files/history.hpp"
@@ -119,7 +120,8 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
   run_point_tests(fitted, {run.folder, {}, run.pictures});
 
   const fs::path folder = run.folder / "calibration";
-  make_folder(folder);
+  FolderLock lock(folder);
+  lock.take();
   write_atomically(folder / "parameters.csv", write_parameter_table(told));
   write_atomically(folder / "correlation.csv", write_correlation_table(told));
   write_atomically(folder / "curves.csv", curves);

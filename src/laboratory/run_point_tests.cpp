@@ -12,6 +12,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/folder_lock.hpp"
 #include "base/hash.hpp"
 #include "base/nearest.hpp"
 #include "base/units.hpp"
@@ -117,7 +118,8 @@ results::PointTests run_point_tests(const input::LoadedCase& loaded, const Point
   }
   const fs::path folder = options.folder / "point";
   const input::Output& shown_as = loaded.data.output;
-  make_folder(folder);
+  FolderLock lock(folder);
+  lock.take();
   results::PointTests result;
   result.title = loaded.data.title;
   result.units = {shown_as.length_unit, shown_as.displacement_unit, shown_as.stress_unit};

@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/folder_lock.hpp"
 #include "ground/design_values.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/plane_water.hpp"
@@ -35,23 +36,25 @@ constexpr const char* summary_file = "summary.json";
 template <int D>
 class CaseRun {
  public:
-  CaseRun(const input::LoadedCase& loaded, ground::DesignValues design, const RunOptions& options, std::string hash)
-      : loaded_(loaded), design_(std::move(design)), options_(options), hash_(std::move(hash)) {}
+  CaseRun(const input::LoadedCase& loaded, ground::DesignValues design, const RunOptions& options, std::string hash,
+          FolderLock& lock)
+      : loaded_(loaded), design_(std::move(design)), options_(options), hash_(std::move(hash)), lock_(lock) {}
 
   results::RunResult run() {
     prepare();
     try {
       calculate();
       run_.status = results::Status::finished;
-    } catch (const Error& error) {
+    } catch (...) {
       if (options_.progress) options_.progress->clear();
       if (!is_open_) throw;
-      run_.status = find_status(error.code());
-      run_.error = error.what();
+      const Failure failure = explain_failure(std::current_exception());
+      run_.status = find_status(failure.code);
+      run_.error = failure.sentence;
       // A disk that is full for the results is full for this too; the first error is the one to report.
       try {
         finish();
-      } catch (const Error&) {
+      } catch (...) {
       }
       throw;
     }
@@ -97,8 +100,9 @@ class CaseRun {
 
   /// The folder, before the first result.
   void open() {
+    lock_.take();
+    check_folder(loaded_.data.initial, options_);  // another run may have ended there since the first look
     clear_folder(options_);
-    make_folder(options_.folder);
     is_open_ = true;
     if (points_) points_->open();
   }
@@ -159,6 +163,7 @@ class CaseRun {
   const std::string hash_;
   const Clock::time_point start_ = Clock::now();
   const double cpu_start_ = find_process_seconds();
+  FolderLock& lock_;
   bool is_open_ = false;
   std::optional<SliceRun> slices_;
   std::optional<ElementRun<D>> elements_;
@@ -201,9 +206,11 @@ results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& o
   ground::DesignValues design = ground::apply_partial_factors(loaded.data);
   refuse_above_memory(loaded);
   check_folder(loaded.data.initial, options);
+  FolderLock lock(options.folder);
+  lock.take_existing();
   if (auto finished = load_finished(options, hash)) return renew(std::move(*finished), loaded.data, options);
-  if (loaded.data.mesh.dimension == 2) return CaseRun<2>(loaded, std::move(design), options, hash).run();
-  return CaseRun<3>(loaded, std::move(design), options, hash).run();
+  if (loaded.data.mesh.dimension == 2) return CaseRun<2>(loaded, std::move(design), options, hash, lock).run();
+  return CaseRun<3>(loaded, std::move(design), options, hash, lock).run();
 }
 
 }  // namespace talus::run

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/folder_lock.hpp"
 #include "results/json.hpp"
 #include "run/mpm/start/end_state.hpp"
 
@@ -33,9 +35,7 @@ bool is_picture(const fs::path& file) {
          std::all_of(stem.end() - number + 1, stem.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-}  // namespace
-
-void check_folder(const input::Initial& initial, const RunOptions& options) {
+void check_empty(const input::Initial& initial, const RunOptions& options) {
   std::error_code unknown;  // of a folder that is not there yet
   if (!initial.result.empty() && fs::equivalent(initial.result_folder, options.folder, unknown)) {
     throw Error(ExitCode::folder_exists, fmt::format("the case starts from the result in '{}', which stays as it is; "
@@ -46,14 +46,14 @@ void check_folder(const input::Initial& initial, const RunOptions& options) {
   if (!fs::is_directory(options.folder)) {
     throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; results need a folder", options.folder.string()));
   }
-  if (fs::is_empty(options.folder) || options.overwrite) return;
+  if (holds_nothing(options.folder) || options.overwrite) return;
   throw Error(ExitCode::folder_exists,
               fmt::format("the folder '{}' is not empty; give another one with -o, replace it with --overwrite, "
                           "or go on with --resume",
                           options.folder.string()));
 }
 
-void clear_folder(const RunOptions& options) {
+void clear(const RunOptions& options) {
   if (options.resume || !options.overwrite || !fs::exists(options.folder)) return;
   for (const char* name : own_files) fs::remove_all(options.folder / name);
   // Pictures of the old results would be taken for those of the new ones.
@@ -62,9 +62,19 @@ void clear_folder(const RunOptions& options) {
   }
 }
 
+}  // namespace
+
+void check_folder(const input::Initial& initial, const RunOptions& options) {
+  use_folder(options.folder, [&] { check_empty(initial, options); });
+}
+
+void clear_folder(const RunOptions& options) {
+  use_folder(options.folder, [&] { clear(options); });
+}
+
 std::optional<results::RunResult> load_finished(const RunOptions& options, const std::string& input_hash) {
   if (!options.resume) return std::nullopt;
-  auto run = results::find_file<results::RunResult>(options.folder / "summary.json");
+  auto run = results::read_file<results::RunResult>(options.folder / "summary.json");
   if (!run || run->status != results::Status::finished) return std::nullopt;
   if (run->provenance.input_hash != input_hash) {
     throw Error(

@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/folder_lock.hpp"
 #include "input/echo.hpp"
 #include "results/json.hpp"
 #include "run/head.hpp"
@@ -60,6 +61,8 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
                             const StudyOptions& options) {
   SampleSet set = draw_samples(base);
   check_folder(options, "give another one with -o, or replace it with --overwrite");
+  FolderLock lock(options.folder);
+  if (set.told.method == Method::lem) lock.take_existing();  // a study of runs takes it itself
   SamplingResult result;
   results::StudyResult& study = result.study;
   if (set.told.method == Method::lem) {
@@ -74,7 +77,7 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
   }
   tell_samples(base.data.study.sampling, set);
   study.sampling = set.told;
-  make_folder(options.folder);
+  lock.take();
   write_atomically(options.folder / "samples.csv", write_samples(set));
   results::write_file(options.folder / "study.json", study);
   result.markdown = write_sampling_markdown(base.data.title, *study.sampling);

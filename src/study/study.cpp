@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "base/atomic_file.hpp"
+#include "base/folder_lock.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
 #include "results/json.hpp"
@@ -55,8 +56,10 @@ class StudyRun {
 
   std::vector<StudyRow> run() {
     check_folder(options_, "give another one with -o, replace it with --overwrite, or go on with --resume");
+    FolderLock lock(options_.folder);
+    lock.take_existing();
     check_variants(plan_, options_);
-    make_folder(options_.folder);
+    lock.take();
     parallel_tasks(static_cast<int>(rows_.size()), options_.threads,
                    [this](int i) { run_one(static_cast<std::size_t>(i)); });
     if (options_.progress) options_.progress->clear();
@@ -94,17 +97,13 @@ class StudyRun {
       row.result = run::run_case(variant.loaded, run);
       row.told.status = VariantStatus::finished;
       return;
-    } catch (const Error& error) {
-      row.code = error.code();
-      row.told.reason = error.what();
+    } catch (...) {  // not even a defect of the program in one variant must lose the results of the others
+      const Failure failure = explain_failure(std::current_exception());
+      row.code = failure.code;
+      row.told.reason = failure.sentence;
       row.told.status = row.code == ExitCode::unstable      ? VariantStatus::unstable
                         : row.code == ExitCode::interrupted ? VariantStatus::interrupted
                                                             : VariantStatus::failed;
-    } catch (const std::exception& error) {
-      // A defect of the program in one variant must not lose the results of the others.
-      row.code = ExitCode::internal_error;
-      row.told.reason = fmt::format("internal error: {}", error.what());
-      row.told.status = VariantStatus::failed;
     }
     row.result = load_result(folder);
     if (row.result && row.result->provenance.input_hash != variant.input_hash) row.result.reset();
@@ -162,12 +161,14 @@ int rank(ExitCode code) {
 }  // namespace
 
 void check_folder(const StudyOptions& options, const std::string& ways) {
-  if (!fs::exists(options.folder)) return;
-  const std::string folder = options.folder.string();
-  if (!fs::is_directory(options.folder))
-    throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; a study needs a folder", folder));
-  if (!fs::is_empty(options.folder) && !options.overwrite && !options.resume)
-    throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' is not empty; {}", folder, ways));
+  use_folder(options.folder, [&] {
+    if (!fs::exists(options.folder)) return;
+    const std::string folder = options.folder.string();
+    if (!fs::is_directory(options.folder))
+      throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; a study needs a folder", folder));
+    if (!holds_nothing(options.folder) && !options.overwrite && !options.resume)
+      throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' is not empty; {}", folder, ways));
+  });
 }
 
 std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options) {

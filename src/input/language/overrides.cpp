@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/nearest.hpp"
+#include "input/language/deep_keys.hpp"
 
 namespace talus::input {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 /// The value as a table with the one key "v".
 toml::table parse_value(const std::string& text) {
   try {
-    toml::table table = toml::parse("v = " + text);
+    toml::table table = find_deep_key(text) ? toml::table{} : toml::parse("v = " + text);
     if (table.size() == 1) return table;
   } catch (const toml::parse_error&) {
     // A bare word, or a quantity without quotation marks: the shell took them away.
@@ -69,6 +70,8 @@ std::vector<std::string> list_labels(const toml::array& list) {
 void apply(toml::table& root, const Override& change, Findings& findings) {
   const std::vector<std::string> steps = split_path(change.key);
   const Place place{"--set " + change.key, 0, 0};
+  if (steps.size() > most_dots)
+    return findings.add_at(place, change.key, fmt::format("the key has more than {} parts", most_dots));
   toml::node* at = &root;
   std::string path;
   for (std::size_t i = 0; i < steps.size(); ++i) {

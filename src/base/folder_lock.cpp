@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "base/folder_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <ctime>
+#include <sstream>
+#include <string>
+
+#include "base/atomic_file.hpp"
+#include "base/error.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What stands in a lock's file, a line each. All is empty in a file that its process could not fill.
+struct Holder {
+  std::string machine, process, since;
+};
+
+std::string get_machine() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+Holder read_holder(int file) {
+  std::array<char, 1024> text{};
+  const ssize_t size = ::pread(file, text.data(), text.size(), 0);
+  std::istringstream lines(std::string(text.data(), static_cast<std::size_t>(size > 0 ? size : 0)));
+  Holder holder;
+  std::getline(lines, holder.machine);
+  std::getline(lines, holder.process);
+  std::getline(lines, holder.since);
+  return holder;
+}
+
+void write_holder(int file) {
+  const std::string text =
+      fmt::format("{}\n{}\n{:%Y-%m-%d %H:%M:%S} UTC\n", get_machine(), ::getpid(), fmt::gmtime(std::time(nullptr)));
+  // A full disk is told by the first result; the lock holds all the same.
+  if (::ftruncate(file, 0) == 0) static_cast<void>(::pwrite(file, text.data(), text.size(), 0) < 0);
+}
+
+/// Whether the process of a lock may still run, on a file system that does not say.
+bool may_run(const Holder& holder) {
+  if (holder.process.empty()) return false;
+  if (holder.machine != get_machine()) return true;
+  const pid_t process = static_cast<pid_t>(std::strtol(holder.process.c_str(), nullptr, 10));
+  return process > 0 && (::kill(process, 0) == 0 || errno != ESRCH);
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const Holder& holder, bool is_sure) {
+  const std::string who = holder.process.empty() ? "another run"
+                                                 : fmt::format("process {} on '{}', since {}", holder.process,
+                                                               holder.machine, holder.since);
+  const std::string then =
+      is_sure && (holder.machine.empty() || holder.machine == get_machine())
+          ? "wait for its end, or give another folder with -o"
+          : fmt::format("wait for its end, or give another folder with -o; if that machine is gone, remove '{}'",
+                        (folder / lock_file).string());
+  throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' is in use by {}: {}", folder.string(), who, then));
+}
+
+/// Whether the path still names the open file: its holder may have removed it before this process had its turn.
+bool is_same(int file, const fs::path& path) {
+  struct stat open {
+  }, named{};
+  return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+         open.st_ino == named.st_ino;
+}
+
+}  // namespace
+
+void FolderLock::take() {
+  if (file_ >= 0) return;
+  make_folder(folder_);
+  const fs::path path = folder_ / lock_file;
+  for (;;) {
+    const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0) throw_cannot_write(path, errno);
+    const bool is_locked = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+    const bool is_held = !is_locked && errno == EWOULDBLOCK;
+    const Holder holder = read_holder(file);
+    if (is_held || (!is_locked && may_run(holder))) {
+      ::close(file);
+      refuse(folder_, holder, is_held);
+    }
+    if (is_same(file, path)) {
+      file_ = file;
+      write_holder(file);
+      return;
+    }
+    ::close(file);
+  }
+}
+
+void FolderLock::take_existing() {
+  std::error_code unknown;
+  if (fs::is_directory(folder_, unknown) && ::access(folder_.c_str(), W_OK) == 0) take();
+}
+
+FolderLock::~FolderLock() {
+  if (file_ < 0) return;
+  std::error_code ignored;
+  fs::remove(folder_ / lock_file, ignored);  // while it is held, so that nobody else's is removed
+  ::close(file_);
+}
+
+bool holds_nothing(const fs::path& folder) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().filename() != lock_file) return false;
+  return true;
+}
+
+}  // namespace talus

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// What the machine refuses is one sentence and a code of the manual, and never a defect of the program.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/folder_lock.hpp"
+#include "support/external_model.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A block of soil that settles for a second, in some ten milliseconds.
+const char* const block = R"(title = "block"
+geometry.box = [[0, 0], [4, 3]]
+geometry.polygon = [{ name = "soil", points = [[0, 0], [4, 0], [4, 2], [0, 2]] }]
+mesh.size = 1
+regions.soil = "clay"
+boundary = [{ on = "bottom", fix = "full" }, { on = "left", fix = "normal" }, { on = "right", fix = "normal" }]
+stage = [{ name = "weight", duration = 0.5, damping = 0.3 }]
+output = { frame_interval = 0.1, checkpoint_interval = 0.05 }
+)";
+const char* const clay = R"([materials.clay]
+model = "linear_elastic"
+young_modulus = "5 MPa"
+poisson_ratio = 0.3
+grain_density = 2700
+porosity = 0.37
+)";
+
+class Machine : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "talus-machine-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    case_ = (folder_ / "block.toml").string();
+    std::ofstream(case_) << block << clay;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Runs the shell command, in which $T is the program and $F the folder; what it prints on standard error is `said_`.
+  int run(const std::string& command) {
+    const std::string whole = "cd '" + folder_.string() + "'; T='" TALUS_PROGRAM "'; F='" + folder_.string() + "'; { " +
+                              command + "; } 2>&1 >out.txt";
+    FILE* pipe = popen(("bash -c \"" + whole + "\"").c_str(), "r");
+    std::array<char, 4096> buffer{};
+    said_.clear();
+    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) said_.append(buffer.data(), n);
+    const int status = pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  void expect(int code, const std::string& words, const std::string& command) {
+    EXPECT_EQ(run(command), code) << command << "\n" << said_;
+    EXPECT_NE(said_.find(words), std::string::npos) << command << "\n" << said_;
+    EXPECT_EQ(said_.find("internal error"), std::string::npos) << command << "\n" << said_;
+  }
+
+  fs::path folder_;
+  std::string case_, said_;
+  static constexpr const char* start = "\\$T run block.toml -q --no-report --threads 1 ";
+};
+
+TEST_F(Machine, RefusesNamesThatAreTooLong) {
+  const std::string longest(300, 'a');
+  expect(6, "cannot write '" + longest + "': File name too long", start + ("-o " + longest));
+  expect(2, "the case file cannot be opened: File name too long", "\\$T check " + longest);
+  expect(2, "File name too long", "\\$T report " + longest);
+}
+
+TEST_F(Machine, RefusesFoldersWithoutPermission) {
+  if (geteuid() == 0) {
+    expect(0, "", "command -v setpriv || exit 1");
+    fs::permissions(folder_, fs::perms::others_all, fs::perm_options::add);
+  }
+  const std::string nobody = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
+  ASSERT_EQ(run(start + std::string("-o shut; chmod 000 shut")), 0) << said_;
+  expect(6, "cannot write 'shut': Permission denied", nobody + start + "-o shut");
+  expect(2, "Permission denied", nobody + "\\$T report shut");
+  expect(2, "the case file cannot be opened: Permission denied", nobody + "\\$T check shut/x.toml");
+  run("chmod 755 shut");
+}
+
+TEST_F(Machine, LetsFilesGrowNoFurther) {
+  expect(6, "File too large", "ulimit -f 4; " + std::string(start) + "-o cut");
+}
+
+TEST_F(Machine, HasAFullStandardOutput) {
+  expect(6, "No space left on device", "\\$T schema >/dev/full");
+  expect(6, "cannot print: No space left on device", "\\$T check block.toml >/dev/full");
+}
+
+TEST_F(Machine, LetsOneRunIntoAFolder) {
+  ASSERT_EQ(run(start + std::string("-o one")), 0) << said_;
+  FolderLock lock(folder_ / "one");
+  lock.take();
+  for (const char* way : {"", " --resume", " --overwrite"})
+    expect(3, way[0] == '\0' ? "is not empty" : "is in use by process", start + std::string("-o one") + way);
+  EXPECT_TRUE(fs::exists(folder_ / "one" / "summary.json")) << "nothing is removed";
+}
+
+TEST_F(Machine, HoldsFilesThatAreNoResults) {
+  ASSERT_EQ(run(start + std::string("-o one")), 0) << said_;
+  std::ofstream(folder_ / "one" / "summary.json") << "[]";
+  expect(2, "it should hold one JSON object", start + std::string("-o one --resume"));
+}
+
+TEST_F(Machine, WouldNotSurviveAKeyOfAHundredThousandParts) {
+  std::string deep = "a";
+  for (int i = 0; i < 100000; ++i) deep += ".a";
+  std::ofstream(folder_ / "deep.toml") << "# a.b\ntitle = \"" << std::string(1000, '.') << "\"\n" << deep << " = 1\n";
+  expect(2, "deep.toml:3:202: error: this key has more than 100 parts", "\\$T check deep.toml");
+  expect(2, "the key has more than 100 parts", "\\$T check block.toml --set " + deep.substr(0, 1001) + "=1");
+}
+
+TEST_F(Machine, RunsASoilModelThatEndsIt) {
+  const auto write = [&](const std::string& symbol) {
+    std::ofstream(case_) << block << "[materials.clay]\nmodel = \"external\"\nlibrary = \""
+                         << support::find_umat("failing") << "\"\nsymbol = \"" << symbol
+                         << "\"\nconstants = [0]\nconstrained_modulus = \"8 MPa\"\n"
+                         << "grain_density = 2700\nporosity = 0.37\n";
+  };
+  write("exit_");
+  expect(4, "umat_failing.so) ended the program, as STOP or exit() do", start + std::string("-o exit"));
+  EXPECT_TRUE(fs::exists(folder_ / "exit" / "frames" / "000000.h5"));
+  write("abort_");
+  expect(4, "failed in point 0", start + std::string("-o abort"));
+  EXPECT_NE(said_.find("it crashed (Aborted)"), std::string::npos) << said_;
+  EXPECT_TRUE(fs::exists(folder_ / "abort" / "summary.json"));
+}
+
+}  // namespace
+}  // namespace talus
