@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
+#include <span>
 
-#include "base/abandon.hpp"
+#include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "mesh/check_plan.hpp"
 #include "mesh/gmsh_mesh.hpp"
@@ -91,6 +91,39 @@ Mesh<D> mesh_plan(const Plan& given) {
   return mesh;
 }
 
+template <int D>
+void write_mesh(const Mesh<D>& mesh, ByteWriter& bytes) {
+  bytes.put(mesh.nodes);
+  bytes.put(mesh.elements);
+  bytes.put(mesh.element_region);
+  bytes.put(mesh.region_names.size());
+  for (const std::string& name : mesh.region_names) bytes.put(name);
+  bytes.put(mesh.sides.size());
+  for (const auto& [name, sides] : mesh.sides) {
+    bytes.put(name);
+    bytes.put(sides);
+  }
+}
+
+/// What write_mesh() wrote. What a library made is not believed; finish() looks at the nodes' numbers.
+template <int D>
+Mesh<D> read_mesh(std::span<const std::byte> bytes) {
+  ByteReader reader(bytes);
+  Mesh<D> mesh;
+  mesh.nodes = reader.take_array<typename Mesh<D>::Point>();
+  mesh.elements = reader.take_array<typename Mesh<D>::Element>();
+  mesh.element_region = reader.take_array<int>();
+  for (auto left = reader.take<std::size_t>(); left > 0; --left) mesh.region_names.push_back(reader.take_text());
+  for (auto left = reader.take<std::size_t>(); left > 0; --left) {
+    const std::string name = reader.take_text();
+    mesh.sides[name] = reader.take_array<typename Mesh<D>::Side>();
+  }
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+    if (!std::ranges::all_of(mesh.nodes[i], [](double x) { return std::isfinite(x); }))
+      throw Error(ExitCode::wrong_input, fmt::format("node {} of the mesh has no finite coordinates", i + 1));
+  return mesh;
+}
+
 /// Gmsh does not always say when it leaves a part out.
 template <int D>
 void check_whole(const Mesh<D>& mesh, const Plan& plan) {
@@ -110,14 +143,24 @@ template <int D>
 Mesh<D> generate(const Plan& plan) {
   if (plan.dimension != D)
     throw Error(ExitCode::internal_error, fmt::format("a {}D plan was given to the {}D mesher", plan.dimension, D));
-  // Gmsh looks for no interruptions. What it works on belongs to the job, which may outlive this call.
-  const auto mesh = std::make_shared<Mesh<D>>();
-  do_or_abandon("the mesh was made", [mesh, plan] {
-    *mesh = plan.file.empty() ? mesh_plan<D>(plan) : read_mesh_file<D>(plan.file);
-    finish(*mesh);
-    if (plan.file.empty()) check_whole(*mesh, plan);
-  });
-  return std::move(*mesh);
+  const bool is_made = plan.file.empty();
+  if (!is_made) check_mesh_file(plan.file);
+  std::vector<std::byte> bytes;
+  try {
+    bytes = do_in_child("the mesh was made", [&plan, is_made](ByteWriter& answer) {
+      write_mesh(is_made ? mesh_plan<D>(plan) : read_mesh_file<D>(plan.file), answer);
+    });
+  } catch (const ChildCrash& crash) {
+    throw Error(ExitCode::wrong_input,
+                is_made ? fmt::format("Gmsh cannot mesh the plan: {}; look for corners, edges or lines that nearly "
+                                      "touch, or ask for larger elements",
+                                      crash.what())
+                        : fmt::format("mesh file '{}' cannot be read by Gmsh: {}", plan.file, crash.what()));
+  }
+  Mesh<D> mesh = read_mesh<D>(bytes);
+  finish(mesh);
+  if (is_made) check_whole(mesh, plan);
+  return mesh;
 }
 
 template Mesh<2> generate<2>(const Plan&);

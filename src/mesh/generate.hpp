@@ -15,9 +15,9 @@ namespace talus::mesh {
 /// are then moved within their curve, surface or volume, because the smallest altitude sets the time step. A ready file
 /// is taken as it is. The same plan gives the same mesh, bit for bit.
 /// Throws Error (wrong_input) with one sentence when a polygon crosses itself or the box, two polygons overlap, a file
-/// cannot be read or holds no elements of this dimension, or Gmsh fails; Error (interrupted) within a tenth of a second
-/// when SIGINT or SIGTERM arrives meanwhile. Safe to call from several threads
-/// (serialised).
+/// cannot be read or holds no elements of this dimension, or Gmsh fails or crashes; Error (interrupted) within a tenth
+/// of a second when SIGINT or SIGTERM arrives while Gmsh works. Gmsh works in a child process, so several threads may
+/// mesh at once.
 template <int D>
 Mesh<D> generate(const Plan& plan);
 

@@ -32,7 +32,11 @@ Mesh<D> extract_mesh(const Naming& naming);
 template <int D>
 std::vector<Freedom<D>> extract_freedoms();
 
-/// Opens a ready mesh file and copies it; physical groups give regions and sides.
+/// Looks at a ready mesh file before Gmsh does, which believes what it reads: its header and, in a text file, that
+/// every element's nodes exist. Throws Error (wrong_input) with the line.
+void check_mesh_file(const std::string& path);
+
+/// Opens a file that check_mesh_file() took and copies it; physical groups give regions and sides.
 template <int D>
 Mesh<D> read_mesh_file(const std::string& path);
 

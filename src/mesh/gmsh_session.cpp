@@ -2,16 +2,10 @@
 #include "mesh/gmsh_session.hpp"
 
 #include <gmsh.h>
-#include <omp.h>
 
 namespace talus::mesh {
-namespace {
 
-std::mutex gmsh_mutex;
-
-}  // namespace
-
-GmshSession::GmshSession() : lock_(gmsh_mutex), threads_(omp_get_max_threads()) {
+GmshSession::GmshSession() {
   gmsh::initialize(0, nullptr, false);
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setNumber("General.Verbosity", 1);
@@ -25,7 +19,6 @@ GmshSession::~GmshSession() {
     gmsh::finalize();
   } catch (...) {  // nothing to save and nobody to tell
   }
-  omp_set_num_threads(threads_);
 }
 
 std::string GmshSession::get_last_error() {

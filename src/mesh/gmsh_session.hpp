@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The lock, the start and the end of Gmsh, which keeps one global state per process.
+// The start and the end of Gmsh, which keeps one global state per process.
 
-#include <mutex>
 #include <string>
 
 namespace talus::mesh {
 
-/// Holds Gmsh for the caller: quiet, one thread, a fixed random seed, no configuration files, nothing left behind.
-/// Other threads wait. The number of OpenMP threads, which Gmsh changes, is restored at the end.
+/// Gmsh for the caller: quiet, one thread, a fixed random seed, no configuration files, nothing left behind. Gmsh may
+/// crash and does not look for interruptions, so the program has one only in a child process (base/child_process.hpp).
 class GmshSession {
  public:
   GmshSession();
@@ -18,10 +17,6 @@ class GmshSession {
 
   /// Gmsh's last message of an error, without its full stop; "no reason given" where there is none.
   static std::string get_last_error();
-
- private:
-  std::unique_lock<std::mutex> lock_;
-  int threads_;
 };
 
 }  // namespace talus::mesh

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A ready mesh in Gmsh's format: its header is looked at, its physical groups are regions and sides.
+// A ready mesh in Gmsh's format: its physical groups are regions and sides.
 
 #include <fmt/format.h>
 #include <gmsh.h>
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 
 #include "base/error.hpp"
 #include "mesh/gmsh_mesh.hpp"
@@ -14,22 +12,6 @@
 
 namespace talus::mesh {
 namespace {
-
-/// Gmsh would take a file of any kind by its ending and say nothing, so the first lines are looked at here.
-void check_header(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(ExitCode::wrong_input, fmt::format("mesh file '{}' cannot be opened", path));
-  std::string first;
-  double version = 0;
-  file >> first;
-  if (first != "$MeshFormat" || !(file >> version))
-    throw Error(ExitCode::wrong_input,
-                fmt::format("'{}' is not a Gmsh mesh: it does not begin with $MeshFormat", path));
-  if (version < 4 || version >= 5)
-    throw Error(ExitCode::wrong_input, fmt::format("mesh file '{}' has format version {}: version 4 is needed "
-                                                   "(gmsh -save -format msh4 writes it)",
-                                                   path, version));
-}
 
 /// Names of the physical groups that an entity is part of. A group without a name is called by its number.
 std::vector<std::string> get_group_names(int dimension, int entity) {
@@ -73,7 +55,6 @@ int find_region(const std::vector<std::string>& regions, int dimension, int enti
 
 template <int D>
 Mesh<D> read_mesh_file(const std::string& path) {
-  check_header(path);
   const GmshSession session;
   try {
     gmsh::open(path);

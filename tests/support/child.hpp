@@ -3,6 +3,7 @@
 // A process of ours that a test watches. Nothing here looks at the clock on the wall: a busy machine is only slower.
 
 #include <poll.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/inotify.h>
 #include <sys/signalfd.h>
@@ -77,6 +78,23 @@ inline bool wait_for_seconds(pid_t child, double seconds) {
   close(end);
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   return events[1].revents == 0;
+}
+
+/// Waits for a child of the process and gives its number; -1 when the process ends without one.
+inline pid_t find_child(pid_t process) {
+  const std::string name = std::to_string(process), list = "/proc/" + name + "/task/" + name + "/children";
+  while (kill(process, 0) == 0) {
+    std::ifstream children(list);
+    pid_t child = -1;
+    if (children >> child) return child;
+    std::string word, state = "Z";
+    std::ifstream status("/proc/" + name + "/status");
+    while (status >> word)
+      if (word == "State:") status >> state;
+    if (state == "Z") break;
+    sched_yield();
+  }
+  return -1;
 }
 
 /// Waits until the process catches SIGTERM and has calculated for `seconds` of its own time, or has ended.

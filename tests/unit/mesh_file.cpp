@@ -144,5 +144,34 @@ TEST(MeshFile, CutOffInTheMiddleIsRefused) {
   }
 }
 
+// Gmsh believes what a text file says, and crashes.
+TEST(MeshFile, WithNumbersThatDoNotFitNamesTheLine) {
+  BoxFile box;
+  box.binary = false;
+  box.three_dimensional = false;
+  const std::string path = box.write("text");
+  EXPECT_GT(read<2>(path).element_count(), 10);
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto damage = [&](const std::string& section, int line, int word, const std::string& by) {
+    std::size_t at = text.find(section + "\n");
+    for (int i = 0; i < line; ++i) at = text.find('\n', at) + 1;
+    for (int i = 1; i < word; ++i) at = text.find(' ', at) + 1;
+    const std::string damaged = text.substr(0, at) + by + text.substr(text.find_first_of(" \n", at));
+    const std::string bad = get_path("damaged.msh");
+    std::ofstream(bad) << damaged;
+    return get_message(bad);
+  };
+  EXPECT_NE(damage("$Elements", 3, 2, "-1").find("has node -1, which does not exist"), std::string::npos)
+      << damage("$Elements", 3, 2, "-1");
+  EXPECT_NE(damage("$Nodes", 1, 1, "x").find(": 'x' is not the number of blocks, a whole number"), std::string::npos);
+  EXPECT_NE(damage("$Nodes", 2, 4, "999999999999").find("the size of a block cannot be 999999999999"),
+            std::string::npos);
+  EXPECT_NE(damage("$Nodes", 3, 1, "-5").find("a node has the number -5; they count from 1"), std::string::npos);
+  // What is not looked at before may be as it likes: Gmsh refuses it, or crashes in its own process.
+  for (const char* by : {"-7", "1e300", "nan", "99999999999999999999"})
+    for (int word = 1; word <= 4; ++word) EXPECT_NE(damage("$Entities", 1, word, by), "");
+}
+
 }  // namespace
 }  // namespace talus::mesh

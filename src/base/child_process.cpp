@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "base/child_process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <omp.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "base/memory.hpp"
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+namespace talus {
+namespace {
+
+/// How long a signal may wait [ms].
+constexpr int look = 50;
+constexpr std::size_t portion = 1 << 16;
+
+/// How the work ended; the first byte of an answer.
+enum class End : char { done, error, no_memory, other };
+
+/// The child's end of the pipe. Nothing is thrown here: nobody would catch it.
+void send(int pipe, End end, const std::vector<std::byte>& bytes) {
+  const auto write_all = [pipe](const void* data, std::size_t size) {
+    const char* rest = static_cast<const char*>(data);
+    while (size > 0) {
+      const ssize_t n = ::write(pipe, rest, size);
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) _exit(1);  // nobody reads any more
+      rest += n;
+      size -= static_cast<std::size_t>(n);
+    }
+  };
+  write_all(&end, 1);
+  write_all(bytes.data(), bytes.size());
+}
+
+/// What a library does to this process must harm nobody else: no memory dump, no more memory than there is, and no life
+/// of its own after the program's end.
+void become_harmless([[maybe_unused]] pid_t parent) {
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it ended before that
+#endif
+  // The parent decides when it ends, also where a terminal sends the signal to both.
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+  for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(crash, SIG_DFL);
+  std::set_terminate([] { std::abort(); });  // says nothing on stderr
+  const rlimit no_dump{0, 0};
+  setrlimit(RLIMIT_CORE, &no_dump);
+  rlimit memory{};
+  if (const std::optional<double> room = find_address_room(); room && getrlimit(RLIMIT_AS, &memory) == 0) {
+    memory.rlim_cur = std::min(memory.rlim_max, static_cast<rlim_t>(*room));
+    setrlimit(RLIMIT_AS, &memory);
+  }
+  // The threads of this program's pool are not in the child.
+  omp_set_num_threads(1);
+}
+
+[[noreturn]] void be_child(int pipe, pid_t parent, const std::function<void(ByteWriter&)>& work) {
+  become_harmless(parent);
+  ByteWriter answer;
+  try {
+    work(answer);
+    send(pipe, End::done, answer.bytes());
+  } catch (const Error& error) {
+    ByteWriter said;
+    said.put(error.code());
+    said.put(std::string(error.what()));
+    send(pipe, End::error, said.bytes());
+  } catch (const std::bad_alloc&) {
+    send(pipe, End::no_memory, {});
+  } catch (const std::exception& error) {
+    ByteWriter said;
+    said.put(std::string(error.what()));
+    send(pipe, End::other, said.bytes());
+  } catch (...) {
+    send(pipe, End::other, {});
+  }
+  _exit(0);
+}
+
+/// A child that is waited for on every way out.
+class Child {
+ public:
+  explicit Child(pid_t id) : id_(id) {}
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    if (id_ <= 0) return;
+    ::kill(id_, SIGKILL);
+    wait();
+  }
+  /// Its status as waitpid() gives it; 0 where the host of this library takes the ends of all children.
+  int wait() {
+    int status = 0;
+    while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+    }
+    id_ = -1;
+    return status;
+  }
+
+ private:
+  pid_t id_;
+};
+
+struct Pipe {
+  std::array<int, 2> ends{-1, -1};
+  Pipe() = default;
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    for (int& end : ends) close(end);
+  }
+  static void close(int& end) {
+    if (end >= 0) ::close(end);
+    end = -1;
+  }
+};
+
+/// All that the child sends. Throws Error (interrupted) when a signal has arrived since the work began.
+std::vector<std::byte> receive(int pipe, const std::string& doing) {
+  // Who called with an interruption pending wants this work done, and looks for it afterwards.
+  const bool was_interrupted = is_interrupted();
+  std::vector<std::byte> bytes;
+  for (;;) {
+    if (!was_interrupted && is_interrupted())
+      throw Error(ExitCode::interrupted, fmt::format("interrupted while {}", doing));
+    pollfd event{pipe, POLLIN, 0};
+    if (::poll(&event, 1, look) <= 0) continue;
+    const std::size_t had = bytes.size();
+    bytes.resize(had + portion);
+    const ssize_t n = ::read(pipe, bytes.data() + had, portion);
+    bytes.resize(had + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+    if (n == 0) return bytes;
+    if (n < 0 && errno != EINTR) throw ChildCrash(fmt::format("its answer was lost ({})", std::strerror(errno)));
+  }
+}
+
+std::string describe_end(int status) {
+  if (WIFSIGNALED(status)) {
+    if (WTERMSIG(status) == SIGKILL) return "it was killed from outside, as a machine without free memory does";
+    return fmt::format("it crashed ({})", strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("it ended by itself with code {}", WEXITSTATUS(status));
+}
+
+[[noreturn]] void cannot_start() {
+  throw Error(ExitCode::no_memory, fmt::format("cannot start a process: {}", std::strerror(errno)));
+}
+
+}  // namespace
+
+std::vector<std::byte> do_in_child(const std::string& doing, const std::function<void(ByteWriter&)>& work) {
+  Pipe pipe;
+  if (::pipe(pipe.ends.data()) != 0) cannot_start();
+  for (const int end : pipe.ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+  const pid_t parent = ::getpid();
+  const pid_t id = ::fork();
+  if (id < 0) cannot_start();
+  if (id == 0) {
+    Pipe::close(pipe.ends[0]);
+    be_child(pipe.ends[1], parent, work);
+  }
+  Child child(id);
+  Pipe::close(pipe.ends[1]);
+  std::vector<std::byte> bytes = receive(pipe.ends[0], doing);
+  const int status = child.wait();
+  if (bytes.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0) throw ChildCrash(describe_end(status));
+  const End end = static_cast<End>(bytes.front());
+  bytes.erase(bytes.begin());
+  if (end == End::done) return bytes;
+  if (end == End::no_memory) throw ChildCrash("it found no more memory");
+  ByteReader said(bytes);
+  if (end == End::other) throw ChildCrash(said.is_empty() ? "for a reason that it did not give" : said.take_text());
+  const ExitCode code = said.take<ExitCode>();
+  throw Error(code, said.take_text());
+}
+
+}  // namespace talus

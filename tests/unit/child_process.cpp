@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Work in a child process: how it ends, well or badly.
+#include "base/child_process.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+
+namespace talus {
+namespace {
+
+std::string catch_crash(const std::function<void(ByteWriter&)>& work) {
+  try {
+    do_in_child("the test was done", work);
+  } catch (const ChildCrash& crash) {
+    return crash.what();
+  }
+  return "no crash";
+}
+
+TEST(ChildProcess, GivesBackWhatItsWorkWrote) {
+  std::vector<double> values(300000);  // more than a pipe holds
+  std::iota(values.begin(), values.end(), 0.5);
+  int seen = 7;
+  const std::vector<std::byte> bytes = do_in_child("the test was done", [&](ByteWriter& answer) {
+    answer.put(seen);
+    seen = 8;  // the child's own
+    answer.put(values);
+    answer.put(std::string("clay"));
+  });
+  EXPECT_EQ(seen, 7);
+  ByteReader reader(bytes);
+  EXPECT_EQ(reader.take<int>(), 7);
+  EXPECT_EQ(reader.take_array<double>(), values);
+  EXPECT_EQ(reader.take_text(), "clay");
+  EXPECT_TRUE(reader.is_empty());
+  EXPECT_THROW(reader.take<char>(), std::out_of_range);
+}
+
+TEST(ChildProcess, ThrowsTheErrorOfItsWorkHere) {
+  try {
+    do_in_child("the test was done", [](ByteWriter&) { throw Error(ExitCode::wrong_input, "the file is no mesh"); });
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::wrong_input);
+    EXPECT_STREQ(error.what(), "the file is no mesh");
+  }
+}
+
+TEST(ChildProcess, TellsHowItEndedWhereItsWorkDidNot) {
+  EXPECT_EQ(catch_crash([](ByteWriter&) { std::abort(); }), "it crashed (Aborted)");
+  EXPECT_EQ(catch_crash([](ByteWriter&) { _exit(3); }), "it ended by itself with code 3");
+  EXPECT_EQ(catch_crash([](ByteWriter&) { raise(SIGSEGV); }), "it crashed (Segmentation fault)");
+  EXPECT_EQ(catch_crash([](ByteWriter&) { raise(SIGKILL); }),
+            "it was killed from outside, as a machine without free memory does");
+  EXPECT_EQ(catch_crash([](ByteWriter&) { throw std::runtime_error("no such curve"); }), "no such curve");
+  EXPECT_EQ(catch_crash([](ByteWriter&) { throw 4; }), "for a reason that it did not give");
+}
+
+TEST(ChildProcess, IsKilledWhenASignalArrives) {
+  const auto tell_and_wait = [](ByteWriter&) {
+    kill(getppid(), SIGUSR1);
+    for (;;) pause();
+  };
+  std::signal(SIGUSR1, [](int) { request_interrupt(); });
+  try {
+    do_in_child("the mesh was made", tell_and_wait);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::interrupted);
+    EXPECT_STREQ(error.what(), "interrupted while the mesh was made");
+  }
+  std::signal(SIGUSR1, SIG_DFL);
+  request_interrupt(false);
+}
+
+}  // namespace
+}  // namespace talus
