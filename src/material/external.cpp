@@ -8,30 +8,15 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <mutex>
 #include <span>
 #include <utility>
 
 #include "base/error.hpp"
+#include "material/umat.hpp"
 
 namespace talus::material {
 namespace {
-
-/// UMAT as gfortran and ifort call it: everything by address, and the length of CMNAME behind all.
-using Umat = void(double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd, double* rpl,
-                  double* ddsddt, double* drplde, double* drpldt, double* stran, double* dstran, double* time,
-                  double* dtime, double* temp, double* dtemp, double* predef, double* dpred, char* cmname, int* ndi,
-                  int* nshr, int* ntens, int* nstatv, double* props, int* nprops, double* coords, double* drot,
-                  double* pnewdt, double* celent, double* dfgrd0, double* dfgrd1, int* noel, int* npt, int* layer,
-                  int* kspt, int* kstep, int* kinc, std::size_t cmname_length);
-
-constexpr std::size_t name_length = 80;
-/// Numbers behind STATEV that a UMAT must not touch, and what stands in them.
-constexpr std::size_t guards = 16;
-constexpr double guard_value = -1.2345678912345e300;
-/// Abaqus counts 11 22 33 12 13 23, Talus xx yy zz xy yz zx.
-constexpr std::array<std::size_t, 6> order{0, 1, 2, 3, 5, 4};
 
 /// UMATs may keep data between calls and share it, also between libraries: never two at once.
 std::mutex& get_umat_mutex() {
@@ -84,18 +69,18 @@ class ExternalLibrary {
     void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle)
       fail(fmt::format("needs the shared library '{}', which cannot be opened: {}", path, find_reason(path)));
-    umat_ = reinterpret_cast<Umat*>(dlsym(handle, p.symbol.c_str()));
-    if (!umat_) {
+    void* umat = dlsym(handle, p.symbol.c_str());
+    if (!umat) {
       fail(fmt::format(
           "needs the subroutine '{}', which is not in '{}'; gfortran and ifort name SUBROUTINE UMAT 'umat_'", p.symbol,
           path));
     }
     name_ = fmt::format("the external model{} ({} in {})", of_material(p), p.symbol, path);
-    std::copy_n(p.material.begin(), std::min(p.material.size(), name_length), material_.begin());
+    umat_.emplace(umat, name_, p.material, p.constants, static_cast<std::size_t>(p.states));
   }
 
-  Umat* umat() const { return umat_; }
-  const std::array<char, name_length>& material() const { return material_; }
+  /// Called with get_umat_mutex() held.
+  UmatAnswer ask(const UmatQuestion& question) { return umat_->ask(question); }
 
   /// Called with get_umat_mutex() held, as take() does for itself.
   void keep(int point, const std::string& answer) {
@@ -108,13 +93,8 @@ class ExternalLibrary {
   }
 
  private:
-  Umat* umat_ = nullptr;
+  std::optional<Umat> umat_;
   std::string name_;
-  std::array<char, name_length> material_ = [] {
-    std::array<char, name_length> blank;
-    blank.fill(' ');
-    return blank;
-  }();
   std::optional<LawFailure> failure_;
 };
 
@@ -178,69 +158,38 @@ double External::update_point(int components, double* sigma, const double* d_eps
                               const Call& call) const {
   const std::size_t n = static_cast<std::size_t>(components);
   const std::size_t states = static_cast<std::size_t>(parameters_->states);
-  // Element size and place are not known here. A UMAT that needs them shall fail, not compute with a number made up.
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
-  std::array<double, 6> stress{}, stran{}, dstran{}, ddsddt{}, drplde{};
-  std::array<double, 36> ddsdde{};
-  std::array<double, most_states + guards> statev;
-  for (std::size_t i = 0; i < n; ++i) {
-    stress[i] = sigma[order[i]];
-    stran[i] = state[first_strain + order[i]];
-    dstran[i] = d_epsilon[order[i]];
-  }
-  std::copy_n(state + 1, states, statev.begin());
-  std::fill(statev.begin() + parameters_->states, statev.end(), guard_value);
-  double sse = 0, spd = 0, scd = 0, rpl = 0, drpldt = 0, dtime = call.dt, temp = 0, dtemp = 0, pnewdt = 1;
-  std::array<double, 2> time{call.time, call.time};
-  std::array<double, 1> predef{call.saturation}, dpred{};
-  std::array<double, 3> coords{unknown, unknown, unknown};
-  double celent = unknown;
-  std::array<double, 9> drot{1, 0, 0, 0, 1, 0, 0, 0, 1}, dfgrd0 = drot, dfgrd1 = drot;
-  int ndi = 3, nshr = components - 3, ntens = components, nstatv = parameters_->states;
-  int nprops = static_cast<int>(parameters_->constants.size());
-  int noel = call.point + 1, npt = 1, layer = 1, kspt = 1, kinc = call.time > 0 ? 2 : 1;
-  std::array<int, 4> kstep{1, 0, 0, 0};
-  std::vector<double> props = parameters_->constants;
-  props.push_back(0);  // never without address
-  std::array<char, name_length> name = library_->material();
-
+  const UmatQuestion question{
+      {sigma, n}, {state + first_strain, n}, {d_epsilon, n}, {state + 1, states}, call.saturation, call.time, call.dt,
+      call.point};
   const std::lock_guard lock(get_umat_mutex());
-  library_->umat()(stress.data(), statev.data(), ddsdde.data(), &sse, &spd, &scd, &rpl, ddsddt.data(), drplde.data(),
-                   &drpldt, stran.data(), dstran.data(), time.data(), &dtime, &temp, &dtemp, predef.data(),
-                   dpred.data(), name.data(), &ndi, &nshr, &ntens, &nstatv, props.data(), &nprops, coords.data(),
-                   drot.data(), &pnewdt, &celent, dfgrd0.data(), dfgrd1.data(), &noel, &npt, &layer, &kspt,
-                   kstep.data(), &kinc, name_length);
-
-  std::array<double, 6> result{}, old_stress{}, increment{};
-  for (std::size_t i = 0; i < n; ++i) {
-    result[order[i]] = stress[i];
-    old_stress[i] = sigma[i];
-    increment[i] = d_epsilon[i];
-  }
-  const std::span answered(statev.data(), states);
-  std::string fault;
-  if (!is_finite({result.data(), n}))
-    fault = "a stress that is no number";
-  else if (!is_finite(answered))
-    fault = "state variables that are no numbers";
-  else if (!(pnewdt >= 1))
-    fault = fmt::format("that the step is too long (PNEWDT = {:g})", pnewdt);
-  else if (std::any_of(statev.begin() + parameters_->states, statev.end(), [](double x) { return x != guard_value; }))
-    fault = fmt::format("more state variables than the {} it has (NSTATV)", states);
+  const UmatAnswer answer = library_->ask(question);
+  const std::span stress(answer.stress.data(), n);
+  std::string fault = answer.trouble;
   if (!fault.empty()) {
-    library_->keep(call.point,
-                   fmt::format("it answered {}; inputs: stress {} Pa ({}), strain increment {}, state variables {}, "
-                               "saturation {:g}, t = {:g} s, step {:g} s; answer: stress {} Pa, state variables {}, "
-                               "PNEWDT = {:g}",
-                               fault, list({old_stress.data(), n}), n == 4 ? "xx yy zz xy" : "xx yy zz xy yz zx",
-                               list({increment.data(), n}), list({state + 1, states}), call.saturation, call.time,
-                               call.dt, list({result.data(), n}), list(answered), pnewdt));
+    // it has answered nothing
+  } else if (!is_finite(stress)) {
+    fault = "it answered a stress that is no number";
+  } else if (!is_finite(answer.states)) {
+    fault = "it answered state variables that are no numbers";
+  } else if (!(answer.step_ratio >= 1)) {
+    fault = fmt::format("it answered that the step is too long (PNEWDT = {:g})", answer.step_ratio);
+  }
+  if (!fault.empty()) {
+    std::string said = fmt::format(
+        "{}; inputs: stress {} Pa ({}), strain increment {}, state variables {}, saturation {:g}, t = {:g} s, step "
+        "{:g} s",
+        fault, list(question.stress), n == 4 ? "xx yy zz xy" : "xx yy zz xy yz zx", list(question.increment),
+        list(question.states), call.saturation, call.time, call.dt);
+    if (answer.trouble.empty())
+      said += fmt::format("; answer: stress {} Pa, state variables {}, PNEWDT = {:g}", list(stress),
+                          list(answer.states), answer.step_ratio);
+    library_->keep(call.point, said);
     return 0;
   }
-  std::copy_n(result.begin(), n, sigma);
-  std::copy_n(statev.begin(), states, state + 1);
+  std::copy_n(answer.stress.begin(), n, sigma);
+  std::copy(answer.states.begin(), answer.states.end(), state + 1);
   for (std::size_t i = 0; i < n; ++i) state[first_strain + i] += d_epsilon[i];
-  return std::isfinite(spd) ? spd : 0;
+  return std::isfinite(answer.dissipation) ? answer.dissipation : 0;
 }
 
 std::vector<StateField> External::fields() const {

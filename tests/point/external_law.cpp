@@ -180,7 +180,9 @@ TEST(ExternalLaw, EveryKindOfFailureIsSeen) {
   const std::vector<std::pair<std::string, std::string>> kinds = {
       {"no_state", "state variables that are no numbers"},
       {"smaller_step", "the step is too long (PNEWDT = 0.25)"},
-      {"too_many_states", "more state variables than the 2"}};
+      {"too_many_states", "it crashed (Segmentation fault), as a UMAT does that writes behind its arguments"},
+      {"too_long_stress", "it crashed (Segmentation fault)"},
+      {"abort_", "it crashed (Aborted)"}};
   for (const auto& [symbol, words] : kinds) {
     const External law = open_umat({"failing", {0}, 2, {}, symbol});
     double s[6] = {1, 2, 3, 4, 5, 6}, q[External::state_size] = {};

@@ -2,6 +2,7 @@
 /* UMATs that fail. PROPS(1): the number of the point that does (NOEL), and all above it. */
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 
 #define UMAT(name)                                                                                              \
   void name(double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd, double* rpl, \
@@ -29,5 +30,20 @@ UMAT(smaller_step) {
 
 UMAT(too_many_states) {
   stress[0] += 1;
-  if (*noel >= props[0]) statev[*nstatv + 1] = 0;
+  if (*noel >= props[0]) statev[*nstatv] = 0;
+}
+
+UMAT(too_long_stress) {
+  for (int i = 0; i < 12; ++i) stress[i] += 1;
+}
+
+UMAT(abort_) { abort(); }
+
+UMAT(exit_) {
+  if (time[0] > 0) exit(0);
+}
+
+UMAT(endless) {
+  volatile int turns = 0;
+  for (;;) turns = turns + 1;
 }
