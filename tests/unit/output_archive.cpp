@@ -93,17 +93,42 @@ TEST_F(Archive, WithOneBitChangedInItsDataIsRefused) {
   ASSERT_NE(data, std::string::npos);
   bytes[data + 4321] = static_cast<char>(bytes[data + 4321] ^ 1);
   std::ofstream(path_, std::ios::binary) << bytes;
-  EXPECT_EQ(read_sentence(),
-            "cannot read '" + path_.string() + "': its checksum does not fit its contents, the file is damaged");
+  EXPECT_NE(read_sentence().find("cannot read '" + path_.string() + "': the file is damaged"), std::string::npos)
+      << read_sentence();
+}
+
+// The library crashes on some damaged files; then the sentence must come all the same.
+TEST_F(Archive, WithAnyByteChangedIsTheSameOrRefused) {
+  write_sample(path_);
+  std::string bytes(fs::file_size(path_), '\0');
+  std::ifstream(path_, std::ios::binary).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  constexpr std::size_t stride = 23;
+  int refused = 0;
+  for (std::size_t i = 0; i < bytes.size(); i += stride) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ (1 << i % 8));
+    std::ofstream(path_, std::ios::binary) << damaged;
+    try {
+      const ArchiveReader reader(path_);
+      EXPECT_EQ(to_bits(reader.reals("points/stress")), to_bits(odd_values)) << "byte " << i;
+      EXPECT_EQ(reader.text("case"), std::string("title = \"ü\"\0\n", 13)) << "byte " << i;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::wrong_input) << "byte " << i << ": " << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 10);
 }
 
 TEST_F(Archive, ThatIsCutOffOrNoArchiveOrAbsentIsRefused) {
   EXPECT_EQ(read_sentence(), "cannot read '" + path_.string() + "': there is no such file");
   write_sample(path_);
   fs::resize_file(path_, fs::file_size(path_) * 2 / 3);
-  EXPECT_NE(read_sentence().find("the file is damaged or no checkpoint"), std::string::npos) << read_sentence();
+  EXPECT_NE(read_sentence().find("the file is damaged or no file of this program"), std::string::npos)
+      << read_sentence();
   std::ofstream(path_) << "a text";
-  EXPECT_NE(read_sentence().find("the file is damaged or no checkpoint"), std::string::npos) << read_sentence();
+  EXPECT_NE(read_sentence().find("the file is damaged or no file of this program"), std::string::npos)
+      << read_sentence();
 }
 
 TEST_F(Archive, OfAnotherVersionIsRefused) {

@@ -344,4 +344,29 @@ TEST_F(Results, ThatAreDamagedAreNamed) {
   EXPECT_THROW(ResultsReader(folder_ / "nowhere"), Error);
 }
 
+TEST_F(Results, WithAnyByteChangedAreTheSameOrRefused) {
+  ResultsWriter writer = ResultsWriter::start(folder_);
+  for (int k = 0; k < 3; ++k) writer.write(make_frame(k));
+  writer.finish();
+  const fs::path path = folder_ / "results.vtkhdf";
+  std::string bytes(fs::file_size(path), '\0');
+  std::ifstream(path, std::ios::binary).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  const std::size_t stride = bytes.size() / 200 | 1;
+  int refused = 0;
+  for (std::size_t i = 0; i < bytes.size(); i += stride) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ (1 << i % 8));
+    std::ofstream(path, std::ios::binary) << damaged;
+    try {
+      const ResultsReader reader(folder_);
+      ASSERT_EQ(reader.size(), 3) << "byte " << i;
+      for (int k = 0; k < 3; ++k) expect_equal(reader.read(k), make_frame(k));
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::wrong_input) << "byte " << i << ": " << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 20);
+}
+
 }  // namespace

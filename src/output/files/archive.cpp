@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "output/files/examine.hpp"
 #include "output/files/hdf5.hpp"
 
 namespace talus::output {
@@ -107,7 +108,7 @@ void ArchiveWriter::write(const fs::path& path) const {
   std::vector<std::byte> bytes;
   try {
     const hdf5::Guard guard;
-    const hdf5::Handle file = hdf5::create_in_memory();
+    hdf5::MemoryFile file;
     hdf5::write_attribute(file, ".", "format", format_name);
     hdf5::write_attribute(file, ".", "version", std::span(&format_version, 1));
     std::string contents;  // one line each: the kind, then the name
@@ -118,16 +119,17 @@ void ArchiveWriter::write(const fs::path& path) const {
     hdf5::write_text(file, "contents", contents);
     const std::int64_t checksum = compute_checksum(values_);
     hdf5::write_attribute(file, ".", "checksum", std::span(&checksum, 1));
-    bytes = hdf5::image(file);
+    bytes = file.take();
   } catch (const hdf5::Failure& failure) {
-    throw Error(ExitCode::internal_error,
-                fmt::format("cannot write '{}': HDF5 refused {}", path.string(), failure.what()));
+    throw Error(ExitCode::no_memory, fmt::format("cannot write '{}': HDF5 refused {}, as it does where memory ends",
+                                                 path.string(), failure.what()));
   }
   write_atomically(path, bytes, fs::exists(path) ? "the one written before is whole" : "");
 }
 
 ArchiveReader::ArchiveReader(const fs::path& path) : path_(path.string()) {
   if (!fs::exists(path)) throw_unreadable(path_, "there is no such file");
+  examine({path});
   try {
     const hdf5::Guard guard;
     const hdf5::Handle file = hdf5::open(path);

@@ -88,11 +88,12 @@ void write_frame(const fs::path& path, const Frame& frame, const std::string& sa
   try {
     // In memory first: HDF5 cannot close a file whose disk is full, a plain write can simply report it.
     const hdf5::Guard guard;
-    const hdf5::Handle file = hdf5::create_in_memory();
+    hdf5::MemoryFile file;
     fill(file, frame);
-    bytes = hdf5::image(file);
+    bytes = file.take();
   } catch (const hdf5::Failure& failure) {
-    throw Error(ExitCode::internal_error, fmt::format("cannot store a frame: HDF5 refused {}", failure.what()));
+    throw Error(ExitCode::no_memory,
+                fmt::format("cannot store a frame: HDF5 refused {}, as it does where memory ends", failure.what()));
   }
   write_atomically(path, bytes, safe);
 }

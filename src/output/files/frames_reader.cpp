@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "output/files/examine.hpp"
 #include "output/files/frame_file.hpp"
 #include "output/files/results_folder.hpp"
 
@@ -16,6 +18,16 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const result_names[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf", "mesh.xdmf", "frames"};
+
+/// The files of a folder that hold frames.
+std::vector<fs::path> list_files(const fs::path& folder) {
+  std::vector<fs::path> files{results_file(folder), mesh_file(folder)};
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(frames_folder(folder), none))
+    if (entry.path().extension() == ".h5") files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
 
 bool has_single_frames(const Index& index) {
   for (const auto& [number, entry] : index.frames)
@@ -73,6 +85,7 @@ ResultsWriter ResultsWriter::start(const fs::path& folder) {
 }
 
 ResultsWriter ResultsWriter::resume(const fs::path& folder, double time) {
+  examine(list_files(folder), Depth::values);
   Index index = read_index(folder);
   drop_after(folder, time, index);
   return {folder, index.frames.empty() ? 0 : index.frames.rbegin()->first + 1, static_cast<int>(index.frames.size())};
@@ -91,6 +104,7 @@ void ResultsWriter::finish() {
 }
 
 int collect(const fs::path& folder) {
+  examine(list_files(folder));
   const Index index = read_index(folder);
   finish_folder(folder, index);
   return static_cast<int>(index.frames.size());
@@ -118,6 +132,7 @@ struct ResultsReader::Content {
 ResultsReader::ResultsReader(const fs::path& folder) : content_(std::make_unique<Content>()) {
   Content& c = *content_;
   c.folder = folder;
+  examine(list_files(folder));
   c.index = read_index(folder);
   if (c.index.frames.empty())
     throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", folder.string()));

@@ -2,7 +2,9 @@
 #include "output/files/hdf5.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <utility>
 
 namespace talus::output::hdf5 {
@@ -71,13 +73,14 @@ Handle make_dataset(hid_t place, const std::string& name, std::size_t rows, std:
   const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "a property list");
   // No times in the file: two runs of one case give the same bytes.
   require(H5Pset_obj_track_times(properties, false), name);
-  if (compress && rows > 0) {
+  if (rows > 0 && columns > 0) {
     std::vector<hsize_t> chunk = extent;
     chunk[0] = std::clamp<std::size_t>(chunk_bytes / (sizeof(T) * columns), 1,
                                        extendable ? std::max<std::size_t>(rows, 64) : rows);
     require(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), name);
-    if (sizeof(T) > 1) require(H5Pset_shuffle(properties), name);
-    require(H5Pset_deflate(properties, gzip_level), name);
+    if (compress && sizeof(T) > 1) require(H5Pset_shuffle(properties), name);
+    if (compress) require(H5Pset_deflate(properties, gzip_level), name);
+    require(H5Pset_fletcher32(properties), name);
   } else if (extendable) {
     throw Failure(name + " (an extendable dataset needs a first row)");
   }
@@ -121,9 +124,56 @@ Handle make_file_properties() {
   return properties;
 }
 
-herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
+/// The format of 1.10, whose structures all have checksums: damage is seen and not believed.
+Handle make_file_access() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
+  require(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_LATEST), "the version of the format");
+  return access;
+}
+
+/// gzip makes a byte of 1032 at most; a file that claims more values than that is damaged.
+constexpr std::size_t most_compression = 1032;
+
+/// Refuses a data set that is said to be larger than the `stored` bytes can hold.
+void check_size(const Shape& shape, std::size_t value_bytes, std::size_t stored, const std::string& name) {
+  const double bytes =
+      static_cast<double>(shape.rows) * static_cast<double>(shape.columns) * static_cast<double>(value_bytes);
+  if (bytes > static_cast<double>(most_compression) * static_cast<double>(stored))
+    throw Failure(name + " (larger than what is stored)");
+}
+
+/// Bytes that a data set has in the file; of a view those of the whole file.
+std::size_t find_stored(const Handle& dataset, const std::string& name) {
+  const Handle properties(H5Dget_create_plist(dataset), H5Pclose, name);
+  if (H5Pget_layout(properties) != H5D_VIRTUAL) return static_cast<std::size_t>(H5Dget_storage_size(dataset));
+  const Handle file(H5Iget_file_id(dataset), H5Fclose, name);
+  hsize_t size = 0;
+  require(H5Fget_filesize(file, &size), name);
+  return static_cast<std::size_t>(size);
+}
+
+/// The pieces of a data set, each within the file.
+void look_at_chunks(const Handle& dataset, std::size_t bytes, const std::string& name) {
+  const Handle properties(H5Dget_create_plist(dataset), H5Pclose, name);
+  if (H5Pget_layout(properties) != H5D_CHUNKED) return;
+  const Handle space(H5Dget_space(dataset), H5Sclose, name);
+  hsize_t count = 0;
+  require(H5Dget_num_chunks(dataset, space, &count), name);
+  for (hsize_t i = 0; i < count; ++i) {
+    hsize_t offset[H5S_MAX_RANK] = {}, size = 0;
+    haddr_t address = 0;
+    unsigned filters = 0;
+    require(H5Dget_chunk_info(dataset, space, i, offset, &filters, &address, &size), name);
+    if (address > bytes || size > bytes - address) throw Failure(name + " (outside of the file)");
+  }
+}
+
+void look_at_attributes(const Handle& object, const std::string& name) {
+  H5O_info_t info;
+  require(H5Oget_info1(object, &info), name);
+  for (hsize_t i = 0; i < info.num_attrs; ++i)
+    const Handle attribute(H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_INC, i, H5P_DEFAULT, H5P_DEFAULT),
+                           H5Aclose, name);
 }
 
 }  // namespace
@@ -156,24 +206,52 @@ bool Handle::close() {
   return id < 0 || close_(id) >= 0;
 }
 
-Handle create_in_memory() {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
+/// The memory of a file, which the library hands over when it closes the file. H5Fget_file_image() would give it
+/// earlier, but clears a flag of which it leaves the checksum as it was (1.10.8).
+struct MemoryFile::Image {
+  void* bytes = nullptr;
+  ~Image() { std::free(bytes); }
+
+  static void* resize(void* bytes, std::size_t size, H5FD_file_image_op_t, void*) { return std::realloc(bytes, size); }
+  static herr_t keep(void* bytes, H5FD_file_image_op_t when, void* image) {
+    if (when == H5FD_FILE_IMAGE_OP_FILE_CLOSE)
+      static_cast<Image*>(image)->bytes = bytes;
+    else
+      std::free(bytes);
+    return 0;
+  }
+  static void* share(void* image) { return image; }
+  static herr_t forget(void*) { return 0; }
+};
+
+MemoryFile::MemoryFile() : image_(std::make_unique<Image>()) {
+  const Handle access = make_file_access();
   require(H5Pset_fapl_core(access, 1 << 20, false), "the memory driver");
+  H5FD_file_image_callbacks_t calls{};
+  calls.image_realloc = Image::resize;
+  calls.image_free = Image::keep;
+  calls.udata_copy = Image::share;
+  calls.udata_free = Image::forget;
+  calls.udata = image_.get();
+  require(H5Pset_file_image_callbacks(access, &calls), "the memory driver");
   // The library wants a name that is no file; it is never written.
-  return {H5Fcreate("talus-memory.h5", H5F_ACC_TRUNC, make_file_properties(), access), H5Fclose, "a file in memory"};
+  file_ = {H5Fcreate("talus-memory.h5", H5F_ACC_TRUNC, make_file_properties(), access), H5Fclose, "a file in memory"};
 }
 
-std::vector<std::byte> image(const Handle& file) {
-  require(H5Fflush(file, H5F_SCOPE_GLOBAL), "a file in memory");
-  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-  if (size < 0) throw Failure("a file in memory");
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-  if (H5Fget_file_image(file, bytes.data(), bytes.size()) != size) throw Failure("a file in memory");
-  return bytes;
+MemoryFile::~MemoryFile() {
+  file_.close();
+}
+
+std::vector<std::byte> MemoryFile::take() {
+  require(H5Fflush(file_, H5F_SCOPE_GLOBAL), "a file in memory");
+  const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
+  if (size < 0 || !file_.close() || image_->bytes == nullptr) throw Failure("a file in memory");
+  const std::byte* first = static_cast<const std::byte*>(image_->bytes);
+  return {first, first + size};
 }
 
 Handle create(const std::filesystem::path& path) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
+  const Handle access = make_file_access();
   require(H5Pset_file_locking(access, false, true), "the file's locks");
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, make_file_properties(), access), H5Fclose, "the file itself"};
 }
@@ -229,7 +307,8 @@ template <class T>
 std::vector<T> read(hid_t place, const std::string& name, std::size_t first, std::size_t rows) {
   const Handle dataset = open_dataset(place, name);
   const Shape whole = shape_of(dataset, name);
-  if (first + rows > whole.rows) throw Failure(name + " (shorter than expected)");
+  if (first > whole.rows || rows > whole.rows - first) throw Failure(name + " (shorter than expected)");
+  check_size({rows, whole.columns}, sizeof(T), find_stored(dataset, name), name);
   std::vector<T> values(rows * whole.columns);
   if (values.empty()) return values;
   const Handle file_space(H5Dget_space(dataset), H5Sclose, name);
@@ -276,6 +355,24 @@ void write_view(hid_t place, const std::string& name, const std::string& source,
 
 Shape shape(hid_t place, const std::string& name) {
   return shape_of(open_dataset(place, name), name);
+}
+
+void look_at_all(hid_t place, std::size_t bytes, bool with_values) {
+  for (const std::string& name : list(place, ".")) {
+    const Handle object(H5Oopen(place, name.c_str(), H5P_DEFAULT), H5Oclose, name);
+    look_at_attributes(object, name);
+    if (H5Iget_type(object) == H5I_GROUP) look_at_all(object, bytes, with_values);
+    if (H5Iget_type(object) != H5I_DATASET) continue;
+    const Handle dataset = open_dataset(place, name);
+    look_at_chunks(dataset, bytes, name);
+    const Handle type(H5Dget_type(dataset), H5Tclose, name);
+    const std::size_t value_bytes = H5Tget_size(type);
+    const Shape shape = shape_of(dataset, name);
+    check_size(shape, value_bytes, find_stored(dataset, name), name);
+    if (!with_values) continue;
+    std::vector<std::byte> values(shape.rows * shape.columns * value_bytes);
+    require(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+  }
 }
 
 bool holds_integers(hid_t place, const std::string& name) {
@@ -355,12 +452,19 @@ bool has(hid_t place, const std::string& name) {
 
 std::vector<std::string> list(hid_t place, const std::string& name) {
   const Handle group(H5Gopen2(place, name.c_str(), H5P_DEFAULT), H5Gclose, name);
+  H5G_info_t info;
+  require(H5Gget_info(group, &info), name);
+  // Files of other programs may not know the order in which names were made.
+  const Handle properties(H5Gget_create_plist(group), H5Pclose, name);
+  unsigned order = 0;
+  require(H5Pget_link_creation_order(properties, &order), name);
+  const H5_index_t index = (order & H5P_CRT_ORDER_INDEXED) != 0 ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
   std::vector<std::string> names;
-  hsize_t position = 0;
-  if (H5Literate(group, H5_INDEX_CRT_ORDER, H5_ITER_INC, &position, add_name, &names) < 0) {
-    names.clear();
-    position = 0;
-    require(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &position, add_name, &names), name);
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    std::array<char, 1024> text{};
+    if (H5Lget_name_by_idx(group, ".", index, H5_ITER_INC, i, text.data(), text.size(), H5P_DEFAULT) < 0)
+      throw Failure(name);
+    names.emplace_back(text.data());
   }
   return names;
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <stdexcept>
@@ -51,16 +52,29 @@ struct Failure : std::runtime_error {
   int reason;
 };
 
-/// A file in memory that never touches the disk; image() gives its bytes.
-Handle create_in_memory();
-std::vector<std::byte> image(const Handle& file);
+/// A new file in memory that never touches the disk.
+class MemoryFile {
+ public:
+  MemoryFile();
+  ~MemoryFile();
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  operator hid_t() const { return file_; }
+  /// Closes the file and gives its bytes.
+  std::vector<std::byte> take();
+
+ private:
+  struct Image;
+  std::unique_ptr<Image> image_;
+  Handle file_;
+};
 /// A new file on disk, for what may not fit into memory.
 Handle create(const std::filesystem::path& path);
 /// An existing file, for reading, without locks: published files never change.
 Handle open(const std::filesystem::path& path);
 
-/// T below is double, std::int64_t, int or std::uint8_t, stored as itself (little-endian), bit for bit.
-/// A one-dimensional dataset, or one with rows of `columns` values; missing groups of `name` are made.
+/// T below is double, std::int64_t, int or std::uint8_t, stored as itself (little-endian), bit for bit, with a
+/// checksum. A one-dimensional dataset, or one with rows of `columns` values; missing groups of `name` are made.
 template <class T>
 void write(hid_t place, const std::string& name, std::span<const T> values, std::size_t columns = 1,
            bool compress = true);
@@ -83,6 +97,10 @@ struct Shape {
 };
 Shape shape(hid_t place, const std::string& name);
 bool holds_integers(hid_t place, const std::string& name);
+
+/// Opens every group, data set and attribute of a file of `bytes` bytes, finds where the values stand and, with
+/// `with_values`, reads them. Throws Failure; the library may also crash where the file is damaged.
+void look_at_all(hid_t file, std::size_t bytes, bool with_values);
 
 void write_text(hid_t place, const std::string& name, const std::string& text);
 std::string read_text(hid_t place, const std::string& name);

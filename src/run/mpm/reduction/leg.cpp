@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/mpm/reduction/leg.hpp"
 
+#include <algorithm>
+
 #include "base/atomic_file.hpp"
 #include "results/json.hpp"
 #include "run/mpm/record/checkpoint.hpp"
@@ -19,7 +21,8 @@ KnownTrials load_trials(const std::filesystem::path& path) {
   return known;
 }
 
-void save_trials(const std::filesystem::path& path, const std::vector<results::Trial>& trials) {
+void save_trials(const std::filesystem::path& path, std::vector<results::Trial> trials) {
+  std::ranges::sort(trials, {}, &results::Trial::factor);
   make_folder(path.parent_path());
   results::write_file(path, trials);
 }

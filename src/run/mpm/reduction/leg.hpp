@@ -30,7 +30,8 @@ void save_trial(const std::filesystem::path& folder, const results::Trial& trial
 
 /// A list of trials in a file, by factor; nothing when there is no such file.
 KnownTrials load_trials(const std::filesystem::path& path);
-void save_trials(const std::filesystem::path& path, const std::vector<results::Trial>& trials);
+/// In the order of their factors: that in which they end depends on the number of threads.
+void save_trials(const std::filesystem::path& path, std::vector<results::Trial> trials);
 
 struct TrialFiles {
   std::filesystem::path folder;
