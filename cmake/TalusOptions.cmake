@@ -46,7 +46,7 @@ if(TALUS_TSAN)
   target_link_options(talus_options INTERFACE -fsanitize=thread)
 endif()
 
-# For sources in which nothing is calculated. Multiplications and additions are fused as they are elsewhere
+# For sources in which nothing is calculated, and which sanitizers make many times as long. Multiplications and additions are fused as they are elsewhere
 # (-fexpensive-optimizations), so that a number in a text has the same last digit.
 add_library(talus_text_options INTERFACE)
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
@@ -54,10 +54,10 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(talus_text_options INTERFACE -Wno-uninitialized)  # GCC's bug 105593 again, at -O1
   endif()
+else()
+  target_compile_options(talus_text_options INTERFACE -O0)
 endif()
 
 # For tests that read what the program and the library said.
 add_library(talus_reading_options INTERFACE)
-if(CMAKE_BUILD_TYPE STREQUAL "Release")
-  target_compile_options(talus_reading_options INTERFACE -O0)
-endif()
+target_compile_options(talus_reading_options INTERFACE -O0)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -14,6 +15,16 @@ namespace {
 bool is_within(const std::string& path, const std::string& parent) {
   return parent.empty() || path == parent ||
          (path.size() > parent.size() && path.compare(0, parent.size(), parent) == 0 && path[parent.size()] == '.');
+}
+
+/// Whether `holds` is true of "", of "a", of "a.b" … up to the path itself; the first such parent, or nothing.
+template <class Holds>
+std::optional<std::string> find_parent(const std::string& path, Holds&& holds) {
+  for (std::size_t end = 0;; end = path.find('.', end + 1)) {
+    const std::string parent = path.substr(0, end);
+    if (holds(parent)) return parent;
+    if (end == std::string::npos || path.empty()) return std::nullopt;
+  }
 }
 
 void sort_by_place(std::vector<Diagnostic>& list) {
@@ -33,9 +44,8 @@ void Places::mark_override(const std::string& path, const std::string& written) 
 }
 
 Place Places::locate(const std::string& path, int line, int column) const {
-  for (const auto& [parent, written] : overrides_)
-    if (is_within(path, parent)) return {"--set " + written, 0, 0};
-  return {file_, line, column};
+  const auto parent = find_parent(path, [this](const std::string& p) { return overrides_.contains(p); });
+  return parent ? Place{"--set " + overrides_.at(*parent), 0, 0} : Place{file_, line, column};
 }
 
 void Places::record(const std::string& path, int line, int column) {
@@ -68,9 +78,11 @@ void Findings::add_at(const Place& place, const std::string& path, const std::st
 }
 
 bool Findings::is_sound(const std::string& path) const {
-  return std::none_of(faulty_.begin(), faulty_.end(), [&](const std::string& faulty) {
-    return is_within(faulty, path) || (!faulty.empty() && is_within(path, faulty));
-  });
+  // The set may hold tens of thousands, and every key asks: faults under `path` stand side by side in it.
+  if (path.empty()) return faulty_.empty();
+  const auto under = faulty_.lower_bound(path + ".");
+  if (under != faulty_.end() && is_within(*under, path)) return false;
+  return !find_parent(path, [this](const std::string& p) { return !p.empty() && faulty_.contains(p); });
 }
 
 void Findings::warn(const std::string& path, const std::string& sentence) {
