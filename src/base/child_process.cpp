@@ -188,7 +188,8 @@ std::vector<std::byte> do_in_child(const std::string& doing, const std::function
   const End end = static_cast<End>(bytes.front());
   bytes.erase(bytes.begin());
   if (end == End::done) return bytes;
-  if (end == End::no_memory) throw ChildCrash("it found no more memory");
+  if (end == End::no_memory)
+    throw Error(ExitCode::no_memory, fmt::format("the machine has not enough free memory: it ended while {}", doing));
   ByteReader said(bytes);
   if (end == End::other) throw ChildCrash(said.is_empty() ? "for a reason that it did not give" : said.take_text());
   const ExitCode code = said.take<ExitCode>();

@@ -19,7 +19,7 @@ struct ChildCrash : std::runtime_error {
 /// what it changes there is lost; it has one thread and the memory that is free. An Error that `work` throws is thrown
 /// here. When SIGINT or SIGTERM arrives meanwhile (base/interrupt.hpp), the child is killed and Error (interrupted)
 /// thrown within a tenth of a second: "interrupted while `doing`". Throws ChildCrash when the child crashes, and Error
-/// (no_memory) when it cannot be started.
+/// (no_memory) when it finds no memory or cannot be started.
 std::vector<std::byte> do_in_child(const std::string& doing, const std::function<void(ByteWriter&)>& work);
 
 }  // namespace talus

@@ -12,7 +12,10 @@
 #include <immintrin.h>
 #endif
 
-#if defined(__CUDACC__)
+#if defined(__SANITIZE_ADDRESS__)  // such loops are not unrolled
+#define TALUS_KERNEL inline __attribute__((always_inline))
+#define TALUS_UNROLL
+#elif defined(__CUDACC__)
 #define TALUS_KERNEL __host__ __device__ __forceinline__
 #define TALUS_UNROLL _Pragma("unroll")
 #elif defined(__clang__)

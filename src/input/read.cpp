@@ -13,6 +13,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <variant>
 
 #include "base/units.hpp"
 #include "input/case/case.hpp"
@@ -105,10 +106,9 @@ void drop_absent_blocks(nlohmann::json& echo, const Places& places) {
     block = places.is_given(block.key()) ? std::next(block) : echo.erase(block);
 }
 
-/// The case without what needs several readings of it: values of a study, soils of element tests.
-std::optional<LoadedCase> read_once(const std::string& text, const std::string& name,
-                                    const std::vector<Override>& overrides, CaseScope scope, Findings& findings) {
-  toml::table root = parse(text, name);
+/// The case without what needs several readings of it: values of a study, soils of element tests. `root` is the file's.
+std::optional<LoadedCase> read_once(toml::table root, const std::string& name, const std::vector<Override>& overrides,
+                                    CaseScope scope, Findings& findings) {
   apply_overrides(root, overrides, findings);
   LoadedCase loaded;
   loaded.is_whole = scope == CaseScope::whole || !has_tests_alone(root);
@@ -152,32 +152,58 @@ std::optional<LoadedCase> read_once(const std::string& text, const std::string& 
   normalise_directions(loaded.data);
   loaded.warnings = findings.sort_warnings(loaded.data.unusual);
   for (std::string& sentence : replaced) loaded.warnings.push_back({name, 0, 0, std::move(sentence)});
-  loaded.text = text;
   loaded.file = name;
   return loaded;
 }
 
+/// The case again with other values, each time without the study that asks for them: it may have thousands.
+class Trials {
+ public:
+  Trials(toml::table root, const std::string& name, const std::vector<Override>& overrides)
+      : root_(std::move(root)), name_(name), overrides_(overrides) {
+    root_.erase("study");
+    std::erase_if(overrides_, [](const Override& o) { return o.key == "study" || o.key.rfind("study.", 0) == 0; });
+  }
+
+  /// The case with `changes`; or its first fault, without its place, which copies of a table do not know.
+  std::variant<LoadedCase, std::string> read(const std::vector<Override>& changes) const {
+    std::vector<Override> all = overrides_;
+    all.insert(all.end(), changes.begin(), changes.end());
+    Places places(name_);
+    Findings findings(places);
+    if (auto loaded = read_once(root_, name_, all, CaseScope::whole_or_tests, findings)) return std::move(*loaded);
+    return findings.sort().front().sentence;
+  }
+  /// The first fault of the case with one change; nothing when it is right.
+  std::optional<std::string> find_fault(const Override& change) const {
+    const auto outcome = read({change});
+    const std::string* fault = std::get_if<std::string>(&outcome);
+    return fault == nullptr ? std::nullopt : std::optional(*fault);
+  }
+
+ private:
+  toml::table root_;
+  std::string name_;
+  std::vector<Override> overrides_;
+};
+
 /// A value of a study is right when the case that it makes is right.
-void check_study(const LoadedCase& loaded, const std::vector<Override>& overrides, Findings& findings) {
+void check_study(const LoadedCase& loaded, const Trials& trials, Findings& findings) {
   const std::vector<Vary>& vary = loaded.data.study.vary;
   for (std::size_t i = 0; i < vary.size(); ++i) {
     for (std::size_t j = 0; j < vary[i].values.size(); ++j) {
-      std::vector<Override> changes = overrides;
-      changes.push_back({vary[i].key, vary[i].values[j]});
-      Places trial_places(loaded.file);
-      Findings trial(trial_places);
-      if (read_once(loaded.text, loaded.file, changes, CaseScope::whole_or_tests, trial)) continue;
+      const auto fault = trials.find_fault({vary[i].key, vary[i].values[j]});
+      if (!fault) continue;
       findings.add(fmt::format("study.vary.{}.values.{}", i, j),
-                   fmt::format("the study cannot set {} = {}: {}", vary[i].key, vary[i].values[j],
-                               trial.sort().front().sentence));
+                   fmt::format("the study cannot set {} = {}: {}", vary[i].key, vary[i].values[j], *fault));
       // A key that does not exist is wrong once, not once for each of its values.
-      if (trial.sort().front().sentence.rfind("unknown key", 0) == 0) break;
+      if (fault->rfind("unknown key", 0) == 0) break;
     }
   }
 }
 
 /// An uncertain number is right when the case is right at its mean and its limits.
-void check_uncertain_numbers(const LoadedCase& loaded, const std::vector<Override>& overrides, Findings& findings) {
+void check_uncertain_numbers(const LoadedCase& loaded, const Trials& trials, Findings& findings) {
   const std::vector<RandomNumber>& numbers = loaded.data.study.sampling.numbers;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const RandomNumber& number = numbers[i];
@@ -188,13 +214,9 @@ void check_uncertain_numbers(const LoadedCase& loaded, const std::vector<Overrid
                                      {"mode", &number.mode},
                                      {"highest", &number.highest}}) {
       if (value->empty() || !is_good) continue;
-      std::vector<Override> changes = overrides;
-      changes.push_back({number.key, *value});
-      Places trial_places(loaded.file);
-      Findings trial(trial_places);
-      if (read_once(loaded.text, loaded.file, changes, CaseScope::whole_or_tests, trial)) continue;
-      findings.add(path + "." + key,
-                   fmt::format("the study cannot set {} = {}: {}", number.key, *value, trial.sort().front().sentence));
+      const auto fault = trials.find_fault({number.key, *value});
+      if (!fault) continue;
+      findings.add(path + "." + key, fmt::format("the study cannot set {} = {}: {}", number.key, *value, *fault));
       is_good = false;
     }
     if (!is_good) continue;
@@ -207,22 +229,23 @@ void check_uncertain_numbers(const LoadedCase& loaded, const std::vector<Overrid
 }
 
 /// The soil of each test: what the test sets is right when the case with it is right.
-void read_test_soils(LoadedCase& loaded, const std::vector<Override>& overrides, Findings& findings) {
+void read_test_soils(LoadedCase& loaded, const Trials& trials, Findings& findings) {
   for (std::size_t i = 0; i < loaded.data.tests.size(); ++i) {
     const PointTest& test = loaded.data.tests[i];
-    std::vector<Override> changes = overrides;
+    if (test.set.empty()) {
+      loaded.data.test_soils.push_back(loaded.data.materials.at(test.material));
+      continue;
+    }
+    std::vector<Override> changes;
     for (const PointSetting& s : test.set)
       changes.push_back({fmt::format("materials.{}.{}", test.material, s.key), s.value});
-    Places trial_places(loaded.file);
-    Findings trial(trial_places);
-    const auto changed = test.set.empty()
-                             ? std::nullopt
-                             : read_once(loaded.text, loaded.file, changes, CaseScope::whole_or_tests, trial);
-    if (changed || test.set.empty())
-      loaded.data.test_soils.push_back((changed ? *changed : loaded).data.materials.at(test.material));
+    const auto changed = trials.read(changes);
+    if (const LoadedCase* it = std::get_if<LoadedCase>(&changed))
+      loaded.data.test_soils.push_back(it->data.materials.at(test.material));
     else
-      findings.add(fmt::format("test.{}.set", i), fmt::format("the test '{}' cannot change material '{}' so: {}",
-                                                              test.name, test.material, trial.sort().front().sentence));
+      findings.add(fmt::format("test.{}.set", i),
+                   fmt::format("the test '{}' cannot change material '{}' so: {}", test.name, test.material,
+                               std::get<std::string>(changed)));
   }
 }
 
@@ -238,10 +261,14 @@ LoadedCase read_case_text(const std::string& text, const std::string& name, cons
                           CaseScope scope) {
   Places places(name);
   Findings findings(places);
-  std::optional<LoadedCase> loaded = read_once(text, name, overrides, scope, findings);
-  if (loaded) check_study(*loaded, overrides, findings);
-  if (loaded) check_uncertain_numbers(*loaded, overrides, findings);
-  if (loaded) read_test_soils(*loaded, overrides, findings);
+  std::optional<LoadedCase> loaded = read_once(parse(text, name), name, overrides, scope, findings);
+  if (loaded) {
+    loaded->text = text;
+    const Trials trials(parse(text, name), name, overrides);
+    check_study(*loaded, trials, findings);
+    check_uncertain_numbers(*loaded, trials, findings);
+    read_test_soils(*loaded, trials, findings);
+  }
   if (!findings.empty()) throw InputError(findings.sort());
   loaded->places = std::move(places);
   return std::move(*loaded);

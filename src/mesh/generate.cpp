@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <new>
 #include <numeric>
 #include <span>
 
@@ -76,9 +78,11 @@ template <int D>
 Mesh<D> mesh_plan(const Plan& given) {
   const Plan plan = check_plan(given);
   const GmshSession session;
+  errno = 0;
   try {
     mesh_with_gmsh(plan);
   } catch (...) {  // Gmsh throws strings and numbers
+    if (errno == ENOMEM) throw std::bad_alloc();
     throw Error(ExitCode::wrong_input, "Gmsh cannot mesh the plan: " + GmshSession::get_last_error());
   }
   Naming naming;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <new>
 #include <utility>
 
 namespace talus::output::hdf5 {
@@ -61,6 +62,12 @@ Handle make_text_type(std::size_t length) {
   return type;
 }
 
+/// The groups that a name goes through, where they are missing.
+void make_groups_above(hid_t place, const std::string& name) {
+  for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1))
+    if (const std::string group = name.substr(0, slash); !has(place, group)) make_group(place, group);
+}
+
 template <class T>
 Handle make_dataset(hid_t place, const std::string& name, std::size_t rows, std::size_t columns, bool compress,
                     bool extendable) {
@@ -68,23 +75,25 @@ Handle make_dataset(hid_t place, const std::string& name, std::size_t rows, std:
   std::vector<hsize_t> largest = extent;
   if (extendable) largest[0] = H5S_UNLIMITED;
   const Handle space = make_space(extent, largest.data());
-  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "a property list");
-  require(H5Pset_create_intermediate_group(links, 1), name);
+  make_groups_above(place, name);
   const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "a property list");
-  // No times in the file: two runs of one case give the same bytes.
   require(H5Pset_obj_track_times(properties, false), name);
   if (rows > 0 && columns > 0) {
     std::vector<hsize_t> chunk = extent;
     chunk[0] = std::clamp<std::size_t>(chunk_bytes / (sizeof(T) * columns), 1,
                                        extendable ? std::max<std::size_t>(rows, 64) : rows);
     require(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), name);
-    if (compress && sizeof(T) > 1) require(H5Pset_shuffle(properties), name);
-    if (compress) require(H5Pset_deflate(properties, gzip_level), name);
+    // By H5Pset_deflate() a filter that finds no memory would be left out.
+    const auto filter = [&](H5Z_filter_t kind, std::span<const unsigned> numbers) {
+      require(H5Pset_filter(properties, kind, H5Z_FLAG_MANDATORY, numbers.size(), numbers.data()), name);
+    };
+    if (compress && sizeof(T) > 1) filter(H5Z_FILTER_SHUFFLE, {});
+    if (compress) filter(H5Z_FILTER_DEFLATE, std::span(&gzip_level, 1));
     require(H5Pset_fletcher32(properties), name);
   } else if (extendable) {
     throw Failure(name + " (an extendable dataset needs a first row)");
   }
-  return {H5Dcreate2(place, name.c_str(), type_of<T>(), space, links, properties, H5P_DEFAULT), H5Dclose, name};
+  return {H5Dcreate2(place, name.c_str(), type_of<T>(), space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose, name};
 }
 
 Handle open_dataset(hid_t place, const std::string& name) {
@@ -118,9 +127,11 @@ Handle open_attribute(hid_t place, const std::string& object, const std::string&
           object + "@" + name};
 }
 
+/// No times in any part of a file: two runs of one case give the same bytes.
 Handle make_file_properties() {
   Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a property list");
   require(H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), "the order of names");
+  require(H5Pset_obj_track_times(properties, false), "the times of names");
   return properties;
 }
 
@@ -187,7 +198,9 @@ Guard::Guard() : lock_(library()) {
   errno = 0;
 }
 
-Failure::Failure(const std::string& what) : std::runtime_error(what), reason(errno) {}
+Failure::Failure(const std::string& what) : std::runtime_error(what), reason(errno) {
+  if (reason == ENOMEM) throw std::bad_alloc();
+}
 
 Handle::Handle(hid_t id, Close closer, const std::string& what) : id_(id), close_(closer) {
   if (id < 0) throw Failure(what);
@@ -344,12 +357,11 @@ void write_view(hid_t place, const std::string& name, const std::string& source,
   const hsize_t start[2] = {first, 0};
   require(H5Sselect_hyperslab(source_space, H5S_SELECT_SET, start, nullptr, extent.data(), nullptr), source);
   const Handle space = make_space(extent);
-  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "a property list");
-  require(H5Pset_create_intermediate_group(links, 1), name);
+  make_groups_above(place, name);
   const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "a property list");
   require(H5Pset_obj_track_times(properties, false), name);
   require(H5Pset_virtual(properties, space, ".", source.c_str(), source_space), name);
-  Handle view(H5Dcreate2(place, name.c_str(), type, space, links, properties, H5P_DEFAULT), H5Dclose, name);
+  Handle view(H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose, name);
   close_written(view, name);
 }
 
@@ -440,6 +452,7 @@ double read_real_attribute(hid_t place, const std::string& object, const std::st
 void make_group(hid_t place, const std::string& name) {
   const Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "a property list");
   require(H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), name);
+  require(H5Pset_obj_track_times(properties, false), name);
   const Handle group(H5Gcreate2(place, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose, name);
 }
 

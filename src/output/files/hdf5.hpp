@@ -46,7 +46,8 @@ class Handle {
   Close close_ = nullptr;
 };
 
-/// A refusal of the library; callers turn it into an Error that names the file. `reason` is errno, or 0.
+/// A refusal of the library; callers turn it into an Error that names the file. `reason` is errno, or 0. Where memory
+/// has ended, std::bad_alloc is thrown instead.
 struct Failure : std::runtime_error {
   explicit Failure(const std::string& what);
   int reason;
