@@ -97,7 +97,8 @@ std::optional<SliceFactor::Searched> SliceFactor::search(const std::vector<doubl
         }
       for (const auto& minima : found.minima)
         for (const lem::Critical& c : minima) result.surfaces.push_back(c.surface);
-    } catch (const Error&) {
+    } catch (const Error& error) {
+      if (error.code() == ExitCode::interrupted) throw;
       // No admissible surface: no factor of this sample.
     }
   }

@@ -136,6 +136,29 @@ TEST(Program, EndsMeshingSoonAfterASignal) {
   EXPECT_FALSE(std::filesystem::exists(folder));
 }
 
+TEST(Program, EndsASearchOfSlicesSoonAfterASignal) {
+  // Undrained clay over rock takes this search a minute.
+  const std::string folder = testing::TempDir() + "talus_search", said = testing::TempDir() + "talus_search.txt";
+  std::filesystem::remove_all(folder);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (std::freopen(said.c_str(), "w", stderr) == nullptr) _exit(126);
+    execl(TALUS_PROGRAM, "talus", "run", "-q", "--threads", "1", "--set", "analysis.methods=[\"lem\"]", "-o",
+          folder.c_str(), TALUS_SOURCE_DIR "/tests/data/misleading/clay_over_rock.toml", nullptr);
+    _exit(127);
+  }
+  constexpr double work = 3;
+  support::wait_for_work(child, work);
+  kill(child, SIGTERM);
+  int status = 0;
+  rusage used{};
+  ASSERT_EQ(wait4(child, &status, 0, &used), child);
+  EXPECT_EQ(WEXITSTATUS(status), 5);
+  EXPECT_EQ(read_text(said), "talus: error: interrupted while slip surfaces were searched\n");
+  EXPECT_LT(static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec), work + 3);
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
 TEST(Program, SaysItsVersionEitherWay) {
   const Outcome command = run_program("version"), option = run_program("--version");
   EXPECT_EQ(option.code, 0);

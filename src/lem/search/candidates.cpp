@@ -73,8 +73,8 @@ Candidates::Candidates(const Slope& mean, const std::vector<Section>& corners, c
         const Slope corner(corners[static_cast<std::size_t>(i - 1)]);
         found[static_cast<std::size_t>(i)] = choose_surfaces(corner, search(corner, options));
       }
-    } catch (const Error&) {
-      if (i == 0) throw;
+    } catch (const Error& error) {
+      if (i == 0 || error.code() == ExitCode::interrupted) throw;
     }
   });
   std::vector<Surface> surfaces;

@@ -2,18 +2,26 @@
 #pragma once
 // The factor of one surface after another by one method, with memory that is used again. One per thread.
 
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "lem/section/slope.hpp"
 #include "lem/slices/solve.hpp"
 
 namespace talus::lem {
+
+/// A search may take minutes and keeps nothing before its end. Throws Error (interrupted).
+inline void throw_if_search_is_interrupted() {
+  if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted while slip surfaces were searched");
+}
 
 class Evaluator {
  public:
   Evaluator(const Slope& slope, Method method, const Checks& checks, int slices)
       : slope_(&slope), method_(method), checks_(checks), slices_(slices) {}
 
-  /// F; `refused` for an invalid surface or one without a factor.
+  /// F; `refused` for an invalid surface or one without a factor. Throws Error (interrupted).
   double operator()(const Surface& surface) {
+    throw_if_search_is_interrupted();
     ++count_;
     cut_surface(*slope_, surface, slices_, checks_, cut_);
     if (cut_.refusal != Refusal::none) return refused;

@@ -43,6 +43,7 @@ void solve_trials(const Slope& slope, const SearchOptions& options, TrialCircles
   std::vector<std::vector<Counts>> counts(static_cast<std::size_t>(pieces), std::vector<Counts>(methods, Counts{}));
   result.trials.resize(count);
   parallel_tasks(pieces, options.threads, [&](int piece) {
+    throw_if_search_is_interrupted();
     CutSurface cut;
     auto& own = counts[static_cast<std::size_t>(piece)];
     const std::size_t first = static_cast<std::size_t>(piece) * per_piece;
