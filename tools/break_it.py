@@ -12,7 +12,8 @@ Campaigns:
   disks    files that may grow to a random size only, then `--resume` without the limit: the same bits
   calls    the n-th write, rename, sync, open and allocation fails, for every n (of allocations a thousand); then `--resume`: the same bits
 
-Number N of a campaign is always the same. --write puts the counts into docs/verification_data/reliability.json. Ends with 1 where there was a fault.
+Number N of a campaign is always the same. --write puts the counts into docs/verification_data/reliability.json and the table of docs/reliability.md. Ends with 1 where
+there was a fault.
 """
 import argparse
 import json
@@ -28,6 +29,8 @@ import time
 from reliability.trial import ROOT, SMALL, Table, compare, damage, read_folder, run, seed
 
 COUNTS = ROOT / "docs" / "verification_data" / "reliability.json"
+PAGE = ROOT / "docs" / "reliability.md"
+BEGIN, END = "<!-- written by tools/break_it.py -->\n", "<!-- to here -->"
 ODD = ["0", "-1", "1e300", "-1e300", "1e-300", "nan", "inf", "-inf", '""', '"sand"', "[]", "{}", "true", "1", "1e9", "[[0, 0]]", "1979-05-27", "-0.0", "3"]
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 
@@ -244,6 +247,15 @@ def try_calls(program, numbers, work):
 CAMPAIGNS = {"cases": try_cases, "meshes": try_meshes, "results": try_results, "kills": try_kills, "disks": try_disks, "calls": try_calls}
 
 
+def write_table(counts):
+    lines = ["| campaign | what is tried | tried | answers | sentences | faults | minutes |", "|---|---|--:|--:|--:|--:|--:|"]
+    for one in counts:
+        answers = one["codes"].get("0", 0)
+        lines.append(f"| {one['campaign']} | {one['what']} | {one['tried']:,} | {answers:,} | {one['tried'] - answers - len(one['faults']):,} | {len(one['faults'])} | "
+                     f"{one['minutes']} |")
+    return "\n".join(lines) + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path)
@@ -264,7 +276,10 @@ def main():
     if options.write:
         known = {one["campaign"]: one for one in json.loads(COUNTS.read_text())} if COUNTS.exists() else {}
         known[told["campaign"]] = told
-        COUNTS.write_text(json.dumps([known[name] for name in CAMPAIGNS if name in known], indent=1) + "\n")
+        counts = [known[name] for name in CAMPAIGNS if name in known]
+        COUNTS.write_text(json.dumps(counts, indent=1) + "\n")
+        before, rest = PAGE.read_text().split(BEGIN)
+        PAGE.write_text(before + BEGIN + write_table(counts) + END + rest.split(END)[1])
     return 1 if table.faults else 0
 
 

@@ -49,7 +49,7 @@ const manual = [
 ];
 
 const rest = [
-  ["Verification", ["docs/verification.md", "docs/performance.md"]],
+  ["Verification", ["docs/verification.md", "docs/performance.md", "docs/reliability.md"]],
   [
     "How it is built",
     [

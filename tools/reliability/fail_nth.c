@@ -1,5 +1,5 @@
-/* SPDX-License-Identifier: MIT
-   Makes the n-th call of one kind fail, in any program: LD_PRELOAD=fail_nth.so TALUS_FAIL=write:17 talus run …
+// SPDX-License-Identifier: MIT
+/* Makes the n-th call of one kind fail, in any program: LD_PRELOAD=fail_nth.so TALUS_FAIL=write:17 talus run …
    Kinds: write (write, pwrite), rename, sync (fsync), open (for writing), memory (an allocation of 4 KiB and more).
    With n = 0 nothing fails. Where TALUS_FAIL_COUNT names a file, the number of calls is appended to it at the end. */
 #define _GNU_SOURCE

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# What takes too long for every change: all tests with sanitizers and with clang, every source through the linter, and the campaigns
+# that try to break the program. Each part's minutes and end stand in the last lines; ends with 1 where one of them failed.
+# Usage: tools/nightly.sh [part …]; parts: asan tsan clang lint cases meshes results kills disks calls
+set -uo pipefail
+cd "$(dirname "$0")/.."
+parts=("$@")
+[ ${#parts[@]} -gt 0 ] || parts=(asan tsan clang lint cases meshes results kills disks calls)
+program=build/release/bin/talus
+told=()
+failed=0
+
+do_part() {
+  case "$1" in
+    asan) make test PRESET=debug ;;
+    tsan) make test PRESET=tsan ;;
+    clang) make test PRESET=release-clang ;;
+    lint) make lint ;;
+    cases) tools/break_it.py $program cases --count 1000 --write ;;
+    meshes) tools/break_it.py $program meshes --count 500 --write ;;
+    results) tools/break_it.py $program results --count 1000 --write ;;
+    kills | disks) tools/break_it.py $program "$1" --count 100 --write ;;
+    calls) tools/break_it.py $program calls --count 200 --write ;;
+    *) echo "nightly: there is no part '$1'"; return 2 ;;
+  esac
+}
+
+for part in "${parts[@]}"; do
+  [ -x $program ] || make program || exit 1
+  SECONDS=0
+  if do_part "$part"; then end=passed; else end=FAILED; failed=1; fi
+  told+=("$(printf '%-8s %-6s %3d min' "$part" "$end" $((SECONDS / 60)))")
+done
+printf '%s\n' "${told[@]}"
+exit $failed
