@@ -2,6 +2,7 @@
 # The everyday commands. Each is thin: what it does stands in tools/, in CMakePresets.json or in the program itself.
 #   make demo    install what is missing, build the program, run the dry slope, say where its results are
 #   make test    install what is missing, build everything, run every test
+#   make package  Debian packages for machines with AVX2, in build/package/packages
 #   make build bench format lint docs
 # DEMO_ARGS adds arguments to the demo's run, DEMO_OUT is its result folder; SETUP=true skips the installation.
 
@@ -13,7 +14,7 @@ DEMO_CASE ?= examples/dry_slope/case.toml
 DEMO_OUT  ?= results/dry_slope
 DEMO_ARGS ?=
 
-.PHONY: demo test build program bench format lint docs setup setup-dev
+.PHONY: demo test build program package bench format lint docs setup setup-dev
 
 setup:
 	@$(SETUP)
@@ -30,6 +31,13 @@ program: $(BUILD)/build.ninja | setup
 
 build: $(BUILD)/build.ninja | setup
 	@cmake --build --preset $(PRESET)
+
+# A package goes to other machines: not the instruction set of this one.
+package: | setup
+	@cmake --preset package
+	@cmake --build --preset package
+	@cd build/package && cpack
+	@ls -l build/package/packages/*.deb
 
 demo: program
 	@$(TALUS) run $(DEMO_CASE) -o $(DEMO_OUT) --overwrite $(DEMO_ARGS)

@@ -29,7 +29,7 @@ for _name in _wait_policy:
 from . import plot  # noqa: E402
 from .calculation import Progress, run, study  # noqa: E402
 from .case import Case, describe  # noqa: E402
-from .errors import CannotWrite, Error, Finding, FolderExists, InputError, Interrupted, Unstable  # noqa: E402
+from .errors import CannotWrite, Error, Finding, FolderExists, InputError, Interrupted, NotEnoughMemory, Unstable  # noqa: E402
 from .fields import Fields, History  # noqa: E402
 from .frames import Frame, Mesh  # noqa: E402
 from .methods import MethodFactor, MethodTable, Surface  # noqa: E402
@@ -54,6 +54,7 @@ __all__ = [
     "Mesh",
     "MethodFactor",
     "MethodTable",
+    "NotEnoughMemory",
     "Progress",
     "Result",
     "Results",

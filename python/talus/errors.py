@@ -40,7 +40,7 @@ class InputError(Error):
 
 
 class FolderExists(Error):
-    """The folder for the results holds something already; nothing was written."""
+    """The folder for the results holds something already, or another run is using it; nothing was written."""
 
     exit_code = 3
 
@@ -63,11 +63,17 @@ class CannotWrite(Error):
     exit_code = 6
 
 
+class NotEnoughMemory(Error):
+    """The machine has not enough memory; what was written before is complete."""
+
+    exit_code = 7
+
+
 def make_error(exit_code: int, text: str, findings: Sequence[tuple[str, int, int, str]] = ()) -> Error:
     """The exception that belongs to an exit code of the command line."""
     if exit_code == InputError.exit_code:
         return InputError(text, [Finding(*finding) for finding in findings])
-    for kind in (FolderExists, Unstable, Interrupted, CannotWrite):
+    for kind in (FolderExists, Unstable, Interrupted, CannotWrite, NotEnoughMemory):
         if kind.exit_code == exit_code:
             return kind(text)
     return Error(text)

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/commands.hpp"
@@ -26,6 +27,31 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
   throw Error(ExitCode::wrong_input,
               fmt::format("there is no command '{}'; {}", argv[1],
                           near.empty() ? "see talus --help" : fmt::format("did you mean '{}'?", near)));
+}
+
+/// "-o,--out" as its names; a positional argument has one without dashes.
+nlohmann::ordered_json describe_option(const CLI::Option& option) {
+  nlohmann::ordered_json names = nlohmann::ordered_json::array();
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  if (names.empty()) names.push_back(option.get_name(true));
+  const bool takes_value = option.get_items_expected_max() > 0;
+  return {{"names", names},
+          {"value", takes_value ? option.get_type_name() : ""},
+          {"is_required", option.get_required()},
+          {"meaning", option.get_description()}};
+}
+
+/// All commands with their options as JSON: completions of shells and the manual page are made of it.
+std::string list_commands(const CLI::App& app) {
+  nlohmann::ordered_json commands = nlohmann::ordered_json::array();
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    nlohmann::ordered_json options = nlohmann::ordered_json::array();
+    for (const CLI::Option* option : command->get_options()) options.push_back(describe_option(*option));
+    commands.push_back({{"name", command->get_name()}, {"meaning", command->get_description()}, {"options", options}});
+  }
+  return nlohmann::ordered_json{{"name", app.get_name()}, {"meaning", app.get_description()}, {"commands", commands}}
+      .dump(1);
 }
 
 }  // namespace
@@ -83,6 +109,9 @@ int run_command_line(int argc, char** argv) {
   for (const auto add : {add_run, add_study, add_collect, add_point, add_calibrate, add_plot, add_report, add_check,
                          add_manual, add_template, add_schema, add_version})
     add(app);
+  Command(app, "commands", "List all commands and their options as JSON, for completions and manual pages").act([&app] {
+    fmt::print("{}\n", list_commands(app));
+  });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
