@@ -159,19 +159,29 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
 /// The case again with other values, each time without the study that asks for them: it may have thousands.
 class Trials {
  public:
-  Trials(toml::table root, const std::string& name, const std::vector<Override>& overrides)
-      : root_(std::move(root)), name_(name), overrides_(overrides) {
-    root_.erase("study");
+  Trials(const std::string& text, const std::string& name, const std::vector<Override>& overrides)
+      : text_(text), name_(name), overrides_(overrides) {
+    // Written again without the study, unless that would change a value. Tables are not copied: copies do not know
+    // which keys the file gives.
+    toml::table root = parse(text, name);
+    if (root.erase("study") > 0) {
+      std::ostringstream shorter;
+      shorter << root;
+      if (parse_quietly(shorter.str()) == root) text_ = shorter.str();
+    }
     std::erase_if(overrides_, [](const Override& o) { return o.key == "study" || o.key.rfind("study.", 0) == 0; });
   }
 
-  /// The case with `changes`; or its first fault, without its place, which copies of a table do not know.
+  /// The case with `changes`; or its first fault.
   std::variant<LoadedCase, std::string> read(const std::vector<Override>& changes) const {
     std::vector<Override> all = overrides_;
     all.insert(all.end(), changes.begin(), changes.end());
     Places places(name_);
     Findings findings(places);
-    if (auto loaded = read_once(root_, name_, all, CaseScope::whole_or_tests, findings)) return std::move(*loaded);
+    toml::table root = parse(text_, name_);
+    root.erase("study");
+    if (auto loaded = read_once(std::move(root), name_, all, CaseScope::whole_or_tests, findings))
+      return std::move(*loaded);
     return findings.sort().front().sentence;
   }
   /// The first fault of the case with one change; nothing when it is right.
@@ -182,8 +192,16 @@ class Trials {
   }
 
  private:
-  toml::table root_;
-  std::string name_;
+  /// The table that a text of this program's own makes; empty where it is none.
+  static toml::table parse_quietly(const std::string& text) {
+    try {
+      return toml::parse(text);
+    } catch (const toml::parse_error&) {
+      return {};
+    }
+  }
+
+  std::string text_, name_;
   std::vector<Override> overrides_;
 };
 
@@ -264,7 +282,7 @@ LoadedCase read_case_text(const std::string& text, const std::string& name, cons
   std::optional<LoadedCase> loaded = read_once(parse(text, name), name, overrides, scope, findings);
   if (loaded) {
     loaded->text = text;
-    const Trials trials(parse(text, name), name, overrides);
+    const Trials trials(text, name, overrides);
     check_study(*loaded, trials, findings);
     check_uncertain_numbers(*loaded, trials, findings);
     read_test_soils(*loaded, trials, findings);

@@ -10,18 +10,19 @@
 namespace talus::lem {
 
 /// A search may take minutes and keeps nothing before its end. Throws Error (interrupted).
-inline void throw_if_search_is_interrupted() {
-  if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted while slip surfaces were searched");
+inline void throw_if_search_is_interrupted(bool ends_at_signal) {
+  if (ends_at_signal && is_interrupted())
+    throw Error(ExitCode::interrupted, "interrupted while slip surfaces were searched");
 }
 
 class Evaluator {
  public:
-  Evaluator(const Slope& slope, Method method, const Checks& checks, int slices)
-      : slope_(&slope), method_(method), checks_(checks), slices_(slices) {}
+  Evaluator(const Slope& slope, Method method, const Checks& checks, int slices, bool ends_at_signal = false)
+      : slope_(&slope), method_(method), checks_(checks), slices_(slices), ends_at_signal_(ends_at_signal) {}
 
-  /// F; `refused` for an invalid surface or one without a factor. Throws Error (interrupted).
+  /// F; `refused` for an invalid surface or one without a factor. Throws Error (interrupted) where asked to.
   double operator()(const Surface& surface) {
-    throw_if_search_is_interrupted();
+    throw_if_search_is_interrupted(ends_at_signal_);
     ++count_;
     cut_surface(*slope_, surface, slices_, checks_, cut_);
     if (cut_.refusal != Refusal::none) return refused;
@@ -39,6 +40,7 @@ class Evaluator {
   Method method_;
   Checks checks_;
   int slices_;
+  bool ends_at_signal_;
   CutSurface cut_;
   int count_ = 0;
 };

@@ -67,7 +67,9 @@ void choose(const Slope& slope, std::vector<Start> starts, std::size_t count, st
 class PolylineSearch {
  public:
   PolylineSearch(const Slope& slope, const SearchOptions& options, Method method, const SurfaceRanges& ranges)
-      : evaluate_(slope, method, options.checks, options.slices), ranges_(ranges), seed_(options.seed) {}
+      : evaluate_(slope, method, options.checks, options.slices, options.ends_at_signal),
+        ranges_(ranges),
+        seed_(options.seed) {}
 
   /// From circles, cut along the borders of regions too, and from blocks.
   void search(const std::vector<Surface>& circles, const std::vector<Surface>& blocks) {

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "base/parallel.hpp"
 #include "lem/search/local_minima.hpp"
 #include "lem/search/optimise_circle.hpp"
@@ -43,7 +44,7 @@ void solve_trials(const Slope& slope, const SearchOptions& options, TrialCircles
   std::vector<std::vector<Counts>> counts(static_cast<std::size_t>(pieces), std::vector<Counts>(methods, Counts{}));
   result.trials.resize(count);
   parallel_tasks(pieces, options.threads, [&](int piece) {
-    throw_if_search_is_interrupted();
+    throw_if_search_is_interrupted(options.ends_at_signal);
     CutSurface cut;
     auto& own = counts[static_cast<std::size_t>(piece)];
     const std::size_t first = static_cast<std::size_t>(piece) * per_piece;
@@ -91,9 +92,9 @@ std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const
     for (int trial : found) own_starts[m].push_back(circles.surfaces[static_cast<std::size_t>(trial)]);
     const auto regions = arcs.regions().size();
     if (!options.optimise_circle || regions < 2) return;
-    Evaluator evaluate(slope, options.methods[m], options.checks, options.slices);
+    Evaluator evaluate(slope, options.methods[m], options.checks, options.slices, options.ends_at_signal);
     Evaluator quick(slope, is_rigorous(options.methods[m]) ? Method::bishop : options.methods[m], options.checks,
-                    options.slices);
+                    options.slices, options.ends_at_signal);
     const int most = std::max(50, static_cast<int>(3000 / regions));
     for (const Surface& s : find_touching_circles(evaluate, quick, arcs, circles, most)) own_starts[m].push_back(s);
   });
@@ -104,7 +105,7 @@ std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const
   const CircleRanges ranges{circles.left, circles.right, circles.step};
   parallel_tasks(static_cast<int>(starts.size()), options.threads, [&](int i) {
     const Start& start = starts[static_cast<std::size_t>(i)];
-    Evaluator evaluate(slope, options.methods[start.method], options.checks, options.slices);
+    Evaluator evaluate(slope, options.methods[start.method], options.checks, options.slices, options.ends_at_signal);
     optimised[static_cast<std::size_t>(i)] = options.optimise_circle
                                                  ? optimise_circle(evaluate, arcs, start.surface, ranges)
                                                  : OptimisedSurface{start.surface, evaluate(start.surface), 1};
@@ -129,6 +130,7 @@ SearchOptions settle(const Slope& slope, const SearchOptions& asked) {
   SearchOptions options = asked;
   options.checks.composite = asked.composite;
   constexpr double share = 0.02, thickest = 0.5;  // [m]: skins that no one means
+  options.ends_at_signal = options.ends_at_signal && !is_interrupted();
   if (!options.finds_skins)
     options.checks.smallest_depth =
         std::max(options.checks.smallest_depth, std::min(share * find_relief(slope.section()), thickest));

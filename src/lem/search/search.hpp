@@ -49,6 +49,8 @@ struct SearchOptions {
   /// distance to its neighbour. It also shakes surfaces. Two seeds must find one minimum.
   int seed = 0;
   int threads = 1;
+  /// A signal ends the search, unless it came before it: who began then wants the result.
+  bool ends_at_signal = true;
 };
 
 /// A surface that was tried, with the factors in the order of SearchOptions::methods (0: refused).

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <new>
+
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "output/files/hdf5.hpp"
@@ -25,6 +27,8 @@ void look_at(const fs::path& path, Depth depth) {
     hdf5::look_at_all(file, static_cast<std::size_t>(fs::file_size(path)), depth == Depth::values);
   } catch (const hdf5::Failure& failure) {
     throw_damaged(path, failure.what());
+  } catch (const std::bad_alloc&) {  // a size in the file is wrong
+    throw_damaged(path, "it asks for more memory than there is");
   }
 }
 
