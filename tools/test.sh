@@ -14,6 +14,7 @@ status=$?
 awk '
   /^[0-9]+\/[0-9]+ Test: / { name = $0; sub(/^[0-9]+\/[0-9]+ Test: /, "", name) }
   reason_follows { print "SKIP " name ": " $0; reason_follows = 0; next }
+  /^SKIP: / { print "SKIP " name ": " substr($0, 7) }
   /: Skipped$/ { reason_follows = 1 }
 ' "build/$preset/Testing/Temporary/LastTest.log" 2>/dev/null
 

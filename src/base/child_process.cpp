@@ -72,7 +72,7 @@ void become_harmless([[maybe_unused]] pid_t parent) {
   setrlimit(RLIMIT_CORE, &no_dump);
   rlimit memory{};
   if (const std::optional<double> room = find_address_room(); room && getrlimit(RLIMIT_AS, &memory) == 0) {
-    memory.rlim_cur = std::min(memory.rlim_max, static_cast<rlim_t>(*room));
+    memory.rlim_cur = std::min(memory.rlim_cur, static_cast<rlim_t>(*room));  // never more than the user allows
     setrlimit(RLIMIT_AS, &memory);
   }
   // The threads of this program's pool are not in the child.

@@ -63,9 +63,8 @@ void handle_exit() {
   const auto say = [](const char* text) { static_cast<void>(::write(STDERR_FILENO, text, std::strlen(text)) < 0); };
   say("talus: error: ");
   say(running.name);
-  say(" ended the program, as STOP or exit() do; results that were written are whole, and --resume goes on from the "
-      "last "
-      "checkpoint\n");
+  say(" ended the program, as STOP or exit() do. Results that were written are whole. ");
+  say("--resume goes on from the last checkpoint\n");
   std::_Exit(static_cast<int>(ExitCode::unstable));
 }
 

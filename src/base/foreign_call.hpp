@@ -4,7 +4,6 @@
 // the program are caught and named.
 
 #include <cstddef>
-#include <memory>
 #include <string>
 
 namespace talus {

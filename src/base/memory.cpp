@@ -2,7 +2,6 @@
 #include "base/memory.hpp"
 
 #include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <algorithm>

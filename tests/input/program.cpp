@@ -111,52 +111,54 @@ TEST(Program, SaysItsWarningsBeforeARunAndKeepsThem) {
   EXPECT_EQ(summary.at("warnings").dump().find(sentence) == std::string::npos, false) << summary.at("warnings");
 }
 
-TEST(Program, EndsMeshingSoonAfterASignal) {
-  // This mesh takes half a minute and more; it is ended after four seconds of work.
-  const std::string path = write_file("talus_signal.toml", slope), folder = testing::TempDir() + "talus_signal",
-                    said = testing::TempDir() + "talus_signal.txt";
+/// The program in a process of its own, which says its errors into the file `said`.
+pid_t start_program(std::vector<const char*> arguments, const std::string& said) {
   const pid_t child = fork();
-  if (child == 0) {
-    if (std::freopen(said.c_str(), "w", stderr) == nullptr) _exit(126);
-    execl(TALUS_PROGRAM, "talus", "run", "-q", "--set", "mesh.size=0.04", "-o", folder.c_str(), path.c_str(), nullptr);
-    _exit(127);
-  }
-  // Gmsh works in a process of its own, which the program waits for.
-  const pid_t mesher = support::find_child(child);
-  ASSERT_GT(mesher, 0) << read_text(said);
-  constexpr double work = 4;
-  support::wait_for_seconds(mesher, work);
+  if (child != 0) return child;
+  if (std::freopen(said.c_str(), "w", stderr) == nullptr) _exit(126);
+  arguments.insert(arguments.begin(), "talus");
+  arguments.push_back(nullptr);
+  execv(TALUS_PROGRAM, const_cast<char**>(arguments.data()));
+  _exit(127);
+}
+
+/// SIGTERM ends the program, before it has calculated for `most` seconds, with code 5, the sentence and nothing
+/// written.
+void expect_end_by_signal(pid_t child, double most, const std::string& said, const std::string& sentence,
+                          const std::string& folder) {
   kill(child, SIGTERM);
   int status = 0;
   rusage used{};
   ASSERT_EQ(wait4(child, &status, 0, &used), child);
   EXPECT_EQ(WEXITSTATUS(status), 5);
-  EXPECT_EQ(read_text(said), "talus: error: interrupted while the mesh was made\n");
-  EXPECT_LT(static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec), work + 3);
+  EXPECT_EQ(read_text(said), "talus: error: " + sentence + "\n");
+  EXPECT_LT(static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec), most);
   EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST(Program, EndsMeshingSoonAfterASignal) {
+  // This mesh takes half a minute and more; it is ended after four seconds of work.
+  const std::string path = write_file("talus_signal.toml", slope), folder = testing::TempDir() + "talus_signal",
+                    said = testing::TempDir() + "talus_signal.txt";
+  const pid_t child = start_program({"run", "-q", "--set", "mesh.size=0.04", "-o", folder.c_str(), path.c_str()}, said);
+  // Gmsh works in a process of its own, which the program waits for.
+  const pid_t mesher = support::find_child(child);
+  ASSERT_GT(mesher, 0) << read_text(said);
+  constexpr double work = 4;
+  support::wait_for_seconds(mesher, work);
+  expect_end_by_signal(child, work + 3, said, "interrupted while the mesh was made", folder);
 }
 
 TEST(Program, EndsASearchOfSlicesSoonAfterASignal) {
   // Undrained clay over rock takes this search a minute.
   const std::string folder = testing::TempDir() + "talus_search", said = testing::TempDir() + "talus_search.txt";
   std::filesystem::remove_all(folder);
-  const pid_t child = fork();
-  if (child == 0) {
-    if (std::freopen(said.c_str(), "w", stderr) == nullptr) _exit(126);
-    execl(TALUS_PROGRAM, "talus", "run", "-q", "--threads", "1", "--set", "analysis.methods=[\"lem\"]", "-o",
-          folder.c_str(), TALUS_SOURCE_DIR "/tests/data/misleading/clay_over_rock.toml", nullptr);
-    _exit(127);
-  }
+  const pid_t child = start_program({"run", "-q", "--threads", "1", "--set", "analysis.methods=[\"lem\"]", "-o",
+                                     folder.c_str(), TALUS_SOURCE_DIR "/tests/data/misleading/clay_over_rock.toml"},
+                                    said);
   constexpr double work = 3;
   support::wait_for_work(child, work);
-  kill(child, SIGTERM);
-  int status = 0;
-  rusage used{};
-  ASSERT_EQ(wait4(child, &status, 0, &used), child);
-  EXPECT_EQ(WEXITSTATUS(status), 5);
-  EXPECT_EQ(read_text(said), "talus: error: interrupted while slip surfaces were searched\n");
-  EXPECT_LT(static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec), work + 3);
-  EXPECT_FALSE(std::filesystem::exists(folder));
+  expect_end_by_signal(child, work + 3, said, "interrupted while slip surfaces were searched", folder);
 }
 
 TEST(Program, SaysItsVersionEitherWay) {
