@@ -9,7 +9,7 @@ py::object make_exception(const Error& error) {
   py::list findings;
   if (const auto* input = dynamic_cast<const InputError*>(&error))
     for (const Diagnostic& d : input->diagnostics())
-      findings.append(py::make_tuple(d.file, d.line, d.column, d.sentence));
+      findings.append(py::make_tuple(d.file, d.line, d.column, d.sentence, d.is_unknown_key));
   return py::module_::import("talus.errors")
       .attr("make_error")(static_cast<int>(error.code()), std::string(error.what()), findings);
 }

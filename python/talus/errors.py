@@ -13,6 +13,7 @@ class Finding(NamedTuple):
     line: int
     column: int
     sentence: str
+    is_unknown_key: bool = False  #: no case has a key of that name
 
     def __str__(self) -> str:
         if self.line > 0:

@@ -79,7 +79,7 @@ def find_unknown(path: Path, name: str) -> InputError:
         _core.read_case_text(tomli_w.dumps(data), "<case>")
     except InputError as error:
         for finding in error.findings:
-            if finding.sentence.startswith(f"unknown key '{name}'"):
+            if finding.is_unknown_key:
                 return make_input_error([Finding("<case>", 0, 0, finding.sentence)])
     return make_input_error([Finding("<case>", 0, 0, f"unknown key '{name}' in '{write_path(path)}'")])
 

@@ -37,6 +37,7 @@ struct Diagnostic {
   int line = 0;
   int column = 0;
   std::string sentence;
+  bool is_unknown_key = false;  ///< no case has a key of that name
 };
 
 /// All faults of a case file, found in one run.

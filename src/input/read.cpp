@@ -16,6 +16,7 @@
 #include <variant>
 
 #include "base/units.hpp"
+#include "base/version.hpp"
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/complete.hpp"
@@ -100,6 +101,18 @@ bool has_tests_alone(const toml::table& root) {
                                                [&](const std::string& name) { return root.contains(name); });
 }
 
+/// A case of a later format has keys that this program does not know: that alone is said.
+void check_format(const toml::table& root, const Places& places) {
+  const std::int64_t format = root["format"].value_or<std::int64_t>(1);
+  if (format <= newest_format) return;
+  const toml::source_position at = root.get("format")->source().begin;
+  const Place place = places.locate("format", static_cast<int>(at.line), static_cast<int>(at.column));
+  throw InputError(
+      {{place.file, place.line, place.column,
+        fmt::format("this case has format {}; Talus {} reads cases up to format {}. A later Talus reads it", format,
+                    version, newest_format)}});
+}
+
 /// Of element tests alone the echo names what the file gives, and not the defaults of a slope.
 void drop_absent_blocks(nlohmann::json& echo, const Places& places) {
   for (auto block = echo.begin(); block != echo.end();)
@@ -110,6 +123,7 @@ void drop_absent_blocks(nlohmann::json& echo, const Places& places) {
 std::optional<LoadedCase> read_once(toml::table root, const std::string& name, const std::vector<Override>& overrides,
                                     CaseScope scope, Findings& findings) {
   apply_overrides(root, overrides, findings);
+  check_format(root, findings.places);
   LoadedCase loaded;
   loaded.is_whole = scope == CaseScope::whole || !has_tests_alone(root);
   // [geometry] comes first in the file, and has to know whether [mesh] names a ready mesh.
@@ -173,7 +187,7 @@ class Trials {
   }
 
   /// The case with `changes`; or its first fault.
-  std::variant<LoadedCase, std::string> read(const std::vector<Override>& changes) const {
+  std::variant<LoadedCase, Diagnostic> read(const std::vector<Override>& changes) const {
     std::vector<Override> all = overrides_;
     all.insert(all.end(), changes.begin(), changes.end());
     Places places(name_);
@@ -182,12 +196,12 @@ class Trials {
     root.erase("study");
     if (auto loaded = read_once(std::move(root), name_, all, CaseScope::whole_or_tests, findings))
       return std::move(*loaded);
-    return findings.sort().front().sentence;
+    return findings.sort().front();
   }
   /// The first fault of the case with one change; nothing when it is right.
-  std::optional<std::string> find_fault(const Override& change) const {
+  std::optional<Diagnostic> find_fault(const Override& change) const {
     const auto outcome = read({change});
-    const std::string* fault = std::get_if<std::string>(&outcome);
+    const Diagnostic* fault = std::get_if<Diagnostic>(&outcome);
     return fault == nullptr ? std::nullopt : std::optional(*fault);
   }
 
@@ -213,9 +227,9 @@ void check_study(const LoadedCase& loaded, const Trials& trials, Findings& findi
       const auto fault = trials.find_fault({vary[i].key, vary[i].values[j]});
       if (!fault) continue;
       findings.add(fmt::format("study.vary.{}.values.{}", i, j),
-                   fmt::format("the study cannot set {} = {}: {}", vary[i].key, vary[i].values[j], *fault));
+                   fmt::format("the study cannot set {} = {}: {}", vary[i].key, vary[i].values[j], fault->sentence));
       // A key that does not exist is wrong once, not once for each of its values.
-      if (fault->rfind("unknown key", 0) == 0) break;
+      if (fault->is_unknown_key) break;
     }
   }
 }
@@ -234,7 +248,8 @@ void check_uncertain_numbers(const LoadedCase& loaded, const Trials& trials, Fin
       if (value->empty() || !is_good) continue;
       const auto fault = trials.find_fault({number.key, *value});
       if (!fault) continue;
-      findings.add(path + "." + key, fmt::format("the study cannot set {} = {}: {}", number.key, *value, *fault));
+      findings.add(path + "." + key,
+                   fmt::format("the study cannot set {} = {}: {}", number.key, *value, fault->sentence));
       is_good = false;
     }
     if (!is_good) continue;
@@ -263,7 +278,7 @@ void read_test_soils(LoadedCase& loaded, const Trials& trials, Findings& finding
     else
       findings.add(fmt::format("test.{}.set", i),
                    fmt::format("the test '{}' cannot change material '{}' so: {}", test.name, test.material,
-                               std::get<std::string>(changed)));
+                               std::get<Diagnostic>(changed).sentence));
   }
 }
 

@@ -108,5 +108,25 @@ TEST(Faults, OfAFileComeTogetherInItsOrder) {
   EXPECT_EQ(to_string(faults[1]).rfind("slope.toml:16:8: error: 'size' is -1 m", 0), 0u) << to_string(faults[1]);
 }
 
+TEST(Format, OfALaterProgramIsAllThatIsSaid) {
+  const auto faults = find_faults("format = 2\nkey_of_the_future = 1\n" + slope);
+  ASSERT_EQ(faults.size(), 1u) << InputError(faults).what();
+  EXPECT_EQ(faults[0].line, 1);
+  EXPECT_NE(faults[0].sentence.find("has format 2"), std::string::npos) << faults[0].sentence;
+}
+
+TEST(Format, OfThisProgramMayBeGiven) {
+  EXPECT_TRUE(find_faults("format = 1\n" + slope).empty());
+  const auto faults = find_faults("format = 0\n" + slope);
+  ASSERT_EQ(faults.size(), 1u) << InputError(faults).what();
+  EXPECT_EQ(faults[0].line, 1);
+}
+
+TEST(Faults, OfUnknownKeysSayThatTheyAre) {
+  const auto faults = find_faults("titel = \"a\"\n" + slope);
+  ASSERT_EQ(faults.size(), 1u) << InputError(faults).what();
+  EXPECT_TRUE(faults[0].is_unknown_key);
+}
+
 }  // namespace
 }  // namespace talus::input

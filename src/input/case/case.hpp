@@ -31,7 +31,12 @@
 
 namespace talus::input {
 
+/// What the meaning of the keys is counted by: it goes up when a case that was right becomes wrong, or means something
+/// else.
+inline constexpr int newest_format = 1;
+
 struct Case {
+  int format = 1;  ///< of files without the key
   std::string title;
   std::vector<std::string> unusual;  ///< keys whose warnings are silenced
   Project project;
@@ -81,6 +86,10 @@ bool uses(const Case& data, Method method);
 /// before the key with the condition.
 template <class Visitor>
 void describe(Visitor& v, Case& c) {
+  v.key("format", c.format, plain().at_least(1),
+        "Which form of the case file this is. Programs that know only earlier forms say so and stop. Without it the "
+        "file has "
+        "form 1.");
   v.key("title", c.title, plain().example(R"("Dry homogeneous slope")"), "Title of the case in reports and plots.");
   v.key("unusual", c.unusual, plain().example(R"(["materials.peat.unit_weight"])"),
         "Keys or blocks that are odd on purpose: what warnings name them for is not said again. The paths are those of "

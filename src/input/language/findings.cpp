@@ -77,6 +77,11 @@ void Findings::add_at(const Place& place, const std::string& path, const std::st
   faulty_.insert(path);
 }
 
+void Findings::add_unknown_key(const Place& place, const std::string& path, const std::string& sentence) {
+  add_at(place, path, sentence);
+  diagnostics_.back().is_unknown_key = true;
+}
+
 bool Findings::is_sound(const std::string& path) const {
   // The set may hold tens of thousands, and every key asks: faults under `path` stand side by side in it.
   if (path.empty()) return faulty_.empty();

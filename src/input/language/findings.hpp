@@ -48,6 +48,8 @@ class Findings {
   /// A fault of `path`, reported where it was given, or at its table when it is missing.
   void add(const std::string& path, const std::string& sentence);
   void add_at(const Place& place, const std::string& path, const std::string& sentence);
+  /// The same for a key that no case has.
+  void add_unknown_key(const Place& place, const std::string& path, const std::string& sentence);
   /// Whether nothing at, under or above `path` is known to be wrong, so that a check of it makes sense.
   bool is_sound(const std::string& path) const;
   /// What is allowed and probably not meant, told where `path` was given.
