@@ -50,12 +50,17 @@ endif()
 # (-fexpensive-optimizations), so that a number in a text has the same last digit.
 add_library(talus_text_options INTERFACE)
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
-  target_compile_options(talus_text_options INTERFACE -O1 -fexpensive-optimizations)
+  target_compile_options(talus_text_options INTERFACE -O1)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(talus_text_options INTERFACE -Wno-uninitialized)  # GCC's bug 105593 again, at -O1
+    # -Wno-uninitialized: GCC's bug 105593 again, at -O1
+    target_compile_options(talus_text_options INTERFACE -fexpensive-optimizations -Wno-uninitialized)
   endif()
 else()
   target_compile_options(talus_text_options INTERFACE -O0)
+endif()
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Several sources at a time: a local name of one is the helper of another. GCC warns of each source's own in any case.
+  target_compile_options(talus_text_options INTERFACE -Wno-shadow)
 endif()
 
 # For tests that read what the program and the library said.

@@ -49,7 +49,7 @@ struct OfLaws<std::variant<L...>> {
   /// Calls work.template operator()<L>() for the law of a model.
   template <class Work>
   static void visit(Model model, Work&& work) {
-    ((find_model<L>() == model ? (work.template operator()<L>(), true) : false) || ...);
+    static_cast<void>(((find_model<L>() == model ? (work.template operator()<L>(), true) : false) || ...));
   }
 };
 using Laws = OfLaws<Law>;

@@ -41,7 +41,7 @@ const char* name_refusal(Refusal refusal) {
 }
 
 std::vector<std::array<double, 2>> find_arcs(const Slope& slope, const Circle& circle) {
-  const auto& [xc, yc] = circle.centre;
+  const double xc = circle.centre[0], yc = circle.centre[1];  // clang 14 captures no structured bindings
   const double left = std::max(slope.left(), xc - circle.radius), right = std::min(slope.right(), xc + circle.radius);
   std::vector<std::array<double, 2>> arcs;
   if (!(left < right)) return arcs;

@@ -59,8 +59,8 @@ struct VanGenuchten {
     }
     /// d ln S_e/dy
     TALUS_KERNEL T find_slope(T y) const { return c1 + y * (2.0 * c2 + y * (3.0 * c3 + y * (4.0 * c4))); }
-    TALUS_KERNEL T find_complement(T y, T effective_there, double lambda) const {
-      const T x = y * (lambda / (1 - lambda));  // it is (s/p_ref)^(λ/(1-λ)) S_e
+    TALUS_KERNEL T find_complement(T y, T effective_there, double exponent) const {
+      const T x = y * (exponent / (1 - exponent));  // it is (s/p_ref)^(λ/(1-λ)) S_e
       return complement / effective * effective_there *
              (1.0 + x * (1.0 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24)))));
     }
