@@ -2,7 +2,7 @@
 # The everyday commands. Each is thin: what it does stands in tools/, in CMakePresets.json or in the program itself.
 #   make demo    install what is missing, build the program, run the dry slope, say where its results are
 #   make test    install what is missing, build everything, run every test
-#   make package  Debian packages for machines with AVX2, in build/package/packages
+#   make package  Debian packages for every x86-64 processor, in build/package/packages
 #   make build bench format lint docs
 # DEMO_ARGS adds arguments to the demo's run, DEMO_OUT is its result folder; SETUP=true skips the installation.
 
@@ -27,21 +27,22 @@ $(BUILD)/build.ninja: | setup
 	@cmake --preset $(PRESET)
 
 program: $(BUILD)/build.ninja | setup
-	@cmake --build --preset $(PRESET) --target talus_cli
+	@cmake --build --preset $(PRESET) --target everyday
 
 build: $(BUILD)/build.ninja | setup
 	@cmake --build --preset $(PRESET)
 
-# A package goes to other machines: not the instruction set of this one.
+# A package goes to other machines: it has the program for three levels of the instruction set.
 package: | setup
-	@cmake --preset package
-	@cmake --build --preset package
+	@for preset in package-v4 package-v3 package; do cmake --preset $$preset && cmake --build --preset $$preset || exit 1; done
 	@cd build/package && cpack
 	@ls -l build/package/packages/*.deb
 
 demo: program
 	@$(TALUS) run $(DEMO_CASE) -o $(DEMO_OUT) --overwrite $(DEMO_ARGS)
 	@tools/list_results.sh $(DEMO_OUT)
+	@[ ! -f $(BUILD)/python/talus/_core.*.so ] || \
+	  echo "In Python: PYTHONPATH=$(BUILD)/python $$(sed -n 's/^Python_EXECUTABLE:[A-Z]*=//p' $(BUILD)/CMakeCache.txt), then import talus."
 
 test: build
 	@tools/test.sh $(PRESET)

@@ -3,9 +3,21 @@
 # package `talus`, `development` is `talus-dev` (cmake/TalusPackage.cmake).
 
 include(CMakePackageConfigHelpers)
+if(TALUS_LEVELS AND NOT TALUS_ARCH STREQUAL TALUS_FIRST_LEVEL)
+  install(TARGETS talus_cli RUNTIME DESTINATION lib/talus/${TALUS_ARCH} COMPONENT program)
+  return()
+endif()
 install(TARGETS talus_lib talus_options EXPORT talus-targets COMPONENT development
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS talus_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+if(TALUS_LEVELS)
+  # Each level of the instruction set has its folder with a whole program; the one in the PATH chooses (src/app/launch).
+  install(TARGETS talus_cli RUNTIME DESTINATION lib/talus/${TALUS_ARCH} COMPONENT program)
+  install(TARGETS talus_launch RUNTIME DESTINATION lib/talus COMPONENT program)
+  install(CODE "file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin\")
+    file(CREATE_LINK ../lib/talus/talus \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin/talus\" SYMBOLIC)" COMPONENT program)
+else()
+  install(TARGETS talus_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+endif()
 install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/talus COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 install(FILES ${CMAKE_BINARY_DIR}/generated/base/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/talus/base COMPONENT development)
 install(EXPORT talus-targets NAMESPACE talus:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/talus COMPONENT development)

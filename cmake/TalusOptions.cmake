@@ -23,7 +23,7 @@ target_compile_options(talus_options INTERFACE
   # errno and trapping are never read; both stop the vectoriser. Everything else of IEEE arithmetic stays.
   -fno-math-errno -fno-trapping-math -ffp-contract=fast
   # GCC and clang prefer half of AVX-512's width for loops; the pack uses all of it anyway, so nothing is throttled.
-  -mprefer-vector-width=512
+  $<$<STREQUAL:${CMAKE_SYSTEM_PROCESSOR},x86_64>:-mprefer-vector-width=512>
   -march=${TALUS_ARCH})
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC warns about the ABI of vector types passed by value between translation units; the pack never crosses one.
@@ -40,6 +40,9 @@ endif()
 if(TALUS_SANITIZE)
   target_compile_options(talus_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(talus_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(TALUS_FUZZ)
+  target_compile_options(talus_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=fuzzer-no-link>)
 endif()
 if(TALUS_TSAN)
   target_compile_options(talus_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)

@@ -3,7 +3,7 @@
 import { existsSync, readdirSync } from "node:fs";
 
 const manual = [
-  ["Start", ["docs/README.md", "docs/manual/getting-started.md", "docs/manual/tutorial.md"]],
+  ["Start", ["docs/README.md", "docs/manual/install.md", "docs/manual/getting-started.md", "docs/manual/tutorial.md"]],
   [
     "How to",
     [

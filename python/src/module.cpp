@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/lane.hpp"
 #include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
@@ -27,6 +28,7 @@ PYBIND11_MODULE(_core, module) {
   H5open();
   module.attr("version") = version;
   module.attr("commit") = commit;
+  module.attr("level") = instruction_level;
   module.def("default_threads", &default_threads);
   module.def("get_si_factor", &units::get_si_factor);
   python::bind_errors(module);

@@ -13,6 +13,7 @@ Frames are in SI units, histories in the units of [output], stress is positive i
 """
 
 import os as _os
+import subprocess as _subprocess
 
 # OpenMP reads this when it is loaded, with the extension module below. Threads that spin while they wait take the cores
 # from those that they wait for (src/app/wait_policy.cpp does the same for the program).
@@ -21,8 +22,28 @@ if "OMP_WAIT_POLICY" in _os.environ:
     _wait_policy = {}
 _wait_policy = {name: value for name, value in _wait_policy.items() if name not in _os.environ}
 _os.environ.update(_wait_policy)
-from . import _core  # noqa: E402
+# A package has the compiled part for several levels of the instruction set; its program knows which one this processor takes.
+_here = _os.path.dirname(__file__)
+if _os.path.isdir(_os.path.join(_here, "levels")):
+    _told = _subprocess.run([_os.path.join(_here, "levels", "talus"), "--level"], capture_output=True, text=True)
+    if _told.returncode != 0:
+        raise ImportError(_told.stderr.strip())
+    __path__.append(_os.path.join(_here, "levels", _told.stdout.strip()))
+    _units = _os.path.join(_here, "levels", "units", "udunits2.xml")  # a wheel carries the database of units
+    if _os.path.exists(_units):
+        _os.environ.setdefault("UDUNITS2_XML_PATH", _units)
+try:
+    from . import _core  # noqa: E402
+except ImportError:
+    if any(_name.startswith("_core.") and not _name.endswith(".pyi") for _folder in __path__ for _name in _os.listdir(_folder)):
+        raise  # a library that it needs is missing: the loader has said which
+    raise ImportError(
+        f"the compiled part of talus is not in {_here}: `make program` in the folder of the sources "
+        "builds it into build/release/python, which belongs in PYTHONPATH"
+    ) from None
 
+if _os.environ.get("TALUS_LEVEL") not in (None, "", _core.level):
+    raise ImportError(f"TALUS_LEVEL is '{_os.environ['TALUS_LEVEL']}', and this package is compiled for {_core.level} alone")
 for _name in _wait_policy:
     del _os.environ[_name]
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 version: str
 commit: str
+level: str
 
 def default_threads() -> int: ...
 def get_si_factor(unit: str) -> float: ...

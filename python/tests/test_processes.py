@@ -4,7 +4,11 @@
 import gc
 import multiprocessing
 import os
+import pathlib
 import pickle
+import shutil
+import subprocess
+import sys
 import threading
 from concurrent.futures import ProcessPoolExecutor
 
@@ -103,3 +107,20 @@ def test_a_run_from_another_thread_and_one_after_a_failed_callback(slope, tmp_pa
     with pytest.raises(TypeError, match="integer"):
         talus.run(slope(), tmp_path / "never", threads=1.5)
     assert not (tmp_path / "never").exists()
+
+
+def import_from(folder, **environment):
+    """What Python says to `import talus` where the package is in this folder."""
+    environment = {**os.environ, "PYTHONPATH": str(folder), **environment}
+    return subprocess.run([sys.executable, "-c", "import talus"], capture_output=True, text=True, env=environment).stderr
+
+
+def test_a_package_without_its_compiled_part_says_so(tmp_path):
+    package = pathlib.Path(talus.__file__).parent
+    shutil.copytree(package, tmp_path / "talus", ignore=shutil.ignore_patterns("_core.*", "__pycache__"))
+    assert f"the compiled part of talus is not in {tmp_path / 'talus'}: `make program`" in import_from(tmp_path)
+
+
+def test_a_level_that_is_not_there_is_refused():
+    said = import_from(pathlib.Path(talus.__file__).parent.parent, TALUS_LEVEL="x86-64-v1")
+    assert "TALUS_LEVEL is 'x86-64-v1', and this package is compiled for " in said

@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "base/error.hpp"
+#include "base/lane.hpp"
 #include "base/nearest.hpp"
 
 namespace talus::app {
@@ -102,9 +103,17 @@ void Command::act(std::function<void()> action) const {
 }
 
 int run_command_line(int argc, char** argv) {
+  check_asked_level();
   CLI::App app{"Talus: slope stability and runout by the material point method", "talus"};
   app.require_subcommand(1);
   app.set_version_flag("--version", write_version(), "Print what `talus version` prints");
+  app.add_flag_callback(
+      "--level",
+      [] {
+        fmt::print("{}\n", instruction_level);
+        throw CLI::Success();
+      },
+      "Print the level of the instruction set that this program uses here");
   app.footer("`talus COMMAND --help` explains a command; `talus manual` lists every key of a case file.");
   for (const auto add : {add_run, add_study, add_collect, add_point, add_calibrate, add_plot, add_report, add_check,
                          add_manual, add_template, add_schema, add_version})

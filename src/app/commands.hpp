@@ -8,8 +8,10 @@
 
 namespace talus::app {
 
-/// "talus 0.1.0 (source …)".
+/// "talus 0.2.0 (source …)".
 std::string write_version();
+/// Whether the environment asks for this program's level of the instruction set; an Error where it asks for another.
+void check_asked_level();
 
 void add_run(CLI::App& app);
 void add_study(CLI::App& app);

@@ -28,6 +28,21 @@
 
 namespace talus {
 
+/// What this code was compiled for, by the name of the x86-64 psABI: results have the same bits wherever it is the
+/// same.
+#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512CD__) && defined(__AVX512DQ__) && \
+    defined(__AVX512VL__)
+inline constexpr const char* instruction_level = "x86-64-v4";
+#elif defined(__AVX2__) && defined(__FMA__)
+inline constexpr const char* instruction_level = "x86-64-v3";
+#elif defined(__SSE4_2__)
+inline constexpr const char* instruction_level = "x86-64-v2";
+#elif defined(__aarch64__)
+inline constexpr const char* instruction_level = "aarch64";
+#else
+inline constexpr const char* instruction_level = "basic";
+#endif
+
 #if defined(__AVX512F__)
 inline constexpr int lane_width = 8;
 #elif defined(__AVX__)

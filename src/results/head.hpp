@@ -27,7 +27,8 @@ void describe(V& v, R& r) {
 
 /// Program, build, machine and input.
 struct Provenance {
-  std::string program, version, commit, compiler, build_type, architecture, machine, started, case_file, input_hash;
+  std::string program, version, commit, compiler, build_type, architecture, level, machine, started, case_file,
+      input_hash;
   int lane_width = 0, threads = 0;
 };
 template <class V, As<Provenance> R>
@@ -37,7 +38,8 @@ void describe(V& v, R& r) {
   v.key("commit", r.commit, {"", "commit"});
   v.key("compiler", r.compiler, {"", "compiler"});
   v.key("build_type", r.build_type, {"", "kind of build"});
-  v.key("architecture", r.architecture, {"", "instruction set"});
+  v.key("architecture", r.architecture, {"", "instruction set, as the compiler was told it"});
+  v.key("level", r.level, {"", "level of the instruction set: equal bits where it is equal"});
   v.key("lane_width", r.lane_width, {"", "doubles in a pack"});
   v.key("machine", r.machine, {"", "machine"});
   v.key("threads", r.threads, {"", "threads"});

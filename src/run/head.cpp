@@ -42,6 +42,7 @@ results::Provenance tell_provenance(const input::LoadedCase& loaded, const std::
   told.compiler = compiler;
   told.build_type = build_type;
   told.architecture = architecture;
+  told.level = instruction_level;
   told.lane_width = lane_width;
   told.machine = find_machine();
   told.threads = threads;

@@ -29,6 +29,8 @@ export interface Provenance {
   compiler: string;
   build_type: string;
   architecture: string;
+  /** Of the instruction set; equal bits where it is equal. */
+  level: string;
   lane_width: number;
   machine: string;
   threads: number;

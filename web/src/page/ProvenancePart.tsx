@@ -49,7 +49,9 @@ export function ProvenancePart() {
               ["Commit", <code>{provenance.commit || "unknown"}</code>],
               [
                 "Compiler",
-                [provenance.compiler, provenance.build_type, provenance.architecture].filter(Boolean).join(", "),
+                [...new Set([provenance.compiler, provenance.build_type, provenance.architecture, provenance.level])]
+                  .filter(Boolean)
+                  .join(", "),
               ],
               ["Lane width", provenance.lane_width > 0 && `${provenance.lane_width} numbers at a time`],
               ["Machine", provenance.machine && `${provenance.machine}, ${formatCount(provenance.threads, "thread")}`],
