@@ -126,15 +126,20 @@ def keep_file(path):
     return "hash", hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def run_case(program, name, work):
+def start_case(program, name, work, threads):
+    """The folder of the results of a case, and how its program ended."""
     command, case, overrides = CASES[name]
     out = work / name
     arguments = [program, command, str(ROOT / case), "-o", str(out)]
     if command in ("run", "study"):
-        arguments += ["--overwrite", "--threads", "1"]
+        arguments += ["--overwrite", "--threads", str(threads)]
     for override in overrides:
         arguments += ["--set", override]
-    done = subprocess.run(arguments, capture_output=True, text=True, check=False)
+    return out, subprocess.run(arguments, capture_output=True, text=True, check=False)
+
+
+def run_case(program, name, work):
+    out, done = start_case(program, name, work, 1)
     kept = {"code": done.returncode, "printed": strip_text(done.stdout.replace(str(work), "…")),
             "complaints": "" if done.returncode == 0 else done.stderr.replace(str(work), "…"), "files": {}}
     for path in sorted(out.rglob("*")):
