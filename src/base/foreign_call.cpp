@@ -105,7 +105,7 @@ struct HandlerStack {
     none.ss_flags = SS_DISABLE;
     sigaltstack(&none, nullptr);
   }
-  std::array<char, 1 << 16> bytes;
+  alignas(16) std::array<char, 1 << 16> bytes;  // the address sanitizer marks it by words
 };
 
 }  // namespace
