@@ -28,8 +28,8 @@
 
 namespace talus {
 
-/// What this code was compiled for, by the name of the x86-64 psABI: results have the same bits wherever it is the
-/// same.
+/// The level of the instruction set that this code was compiled for, by its name in the x86-64 psABI; "aarch64" for
+/// 64-bit ARM.
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512CD__) && defined(__AVX512DQ__) && \
     defined(__AVX512VL__)
 inline constexpr const char* instruction_level = "x86-64-v4";

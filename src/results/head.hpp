@@ -39,7 +39,7 @@ void describe(V& v, R& r) {
   v.key("compiler", r.compiler, {"", "compiler"});
   v.key("build_type", r.build_type, {"", "kind of build"});
   v.key("architecture", r.architecture, {"", "instruction set, as the compiler was told it"});
-  v.key("level", r.level, {"", "level of the instruction set: equal bits where it is equal"});
+  v.key("level", r.level, {"", "level of the instruction set: equal bits of packages where it is equal"});
   v.key("lane_width", r.lane_width, {"", "doubles in a pack"});
   v.key("machine", r.machine, {"", "machine"});
   v.key("threads", r.threads, {"", "threads"});

@@ -5,11 +5,12 @@
 set -euo pipefail
 package=$1 wheel=$2 folder=$3
 root=$folder/root
-archive=$(sed -n 's/^URIs: *//p; s/^deb \([^ ]*\).*/\1/p' /etc/apt/sources.list.d/debian.sources /etc/apt/sources.list 2>/dev/null | head -1)
+archive=$(sed -n 's/^URIs: *//p; s/^deb \([^ ]*\).*/\1/p' /etc/apt/sources.list.d/debian.sources /etc/apt/sources.list 2>/dev/null | head -1 || true)
 mkdir -p "$folder"
 if [ ! -e "$root/made" ]; then
   debootstrap --variant=minbase bookworm "$root" "$archive" >"$folder/debootstrap.log"
   # Where its packages come from, and how: as this machine.
+  rm -f "$root/etc/apt/sources.list"
   cp -r /etc/apt/sources.list.d/debian.sources "$root/etc/apt/sources.list.d/" 2>/dev/null || true
   cp /etc/apt/apt.conf.d/* "$root/etc/apt/apt.conf.d/"
   cp /etc/resolv.conf "$root/etc/resolv.conf"

@@ -29,7 +29,7 @@ export interface Provenance {
   compiler: string;
   build_type: string;
   architecture: string;
-  /** Of the instruction set; equal bits where it is equal. */
+  /** Of the instruction set; packages give equal bits where it is equal. */
   level: string;
   lane_width: number;
   machine: string;
