@@ -173,6 +173,13 @@ std::string describe_end(int status) {
 
 }  // namespace
 
+void limit_processor_time(double seconds) {
+  rlimit time{};
+  if (getrlimit(RLIMIT_CPU, &time) != 0) return;
+  time.rlim_cur = std::min(time.rlim_cur, static_cast<rlim_t>(seconds));
+  setrlimit(RLIMIT_CPU, &time);
+}
+
 std::vector<std::byte> do_in_child(const std::string& doing, const std::function<void(ByteWriter&)>& work) {
   Pipe pipe;
   if (::pipe(pipe.ends.data()) != 0) cannot_start();

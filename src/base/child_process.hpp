@@ -22,4 +22,8 @@ struct ChildCrash : std::runtime_error {
 /// (no_memory) when it finds no memory or cannot be started.
 std::vector<std::byte> do_in_child(const std::string& doing, const std::function<void(ByteWriter&)>& work);
 
+/// For such work: ends its process as a crash does after so many seconds of the processor's time, where a library may
+/// never return. A busy machine does not shorten them.
+void limit_processor_time(double seconds);
+
 }  // namespace talus
