@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Collects the seeds of a target in a folder: examples, what the program writes, and the finds that were kept (tests/fuzz/finds).
+# Collects the seeds of a target in a folder: examples, and what the program writes.
 # Usage: tests/fuzz/seeds.sh TARGET PROGRAM FOLDER
 set -euo pipefail
 target=$1 program=$2 folder=$3
 root=$(cd "$(dirname "$0")/../.." && pwd)
 mkdir -p "$folder"
-[ ! -d "$root/tests/fuzz/finds/$target" ] || cp "$root/tests/fuzz/finds/$target/"* "$folder"
 
 # A small run, for what results look like.
 run() {
