@@ -2,7 +2,7 @@
 # The everyday commands. Each is thin: what it does stands in tools/, in CMakePresets.json or in the program itself.
 #   make demo    install what is missing, build the program, run the dry slope, say where its results are
 #   make test    install what is missing, build everything, run every test
-#   make package  Debian packages for every x86-64 processor, in build/package/packages
+#   make package  Debian packages for every x86-64 processor with SSE 4.2, in build/package/packages
 #   make build bench format lint docs
 # DEMO_ARGS adds arguments to the demo's run, DEMO_OUT is its result folder; SETUP=true skips the installation.
 

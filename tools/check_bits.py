@@ -102,6 +102,8 @@ def main():
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--only", nargs="*", default=CASES)
     options = parser.parse_args()
+    if options.write and options.only != CASES:
+        parser.error("--write stores all cases")
     place = find_place(options.program)
     stored = json.loads(STORED.read_text(encoding="utf-8")) if STORED.exists() else {}
     if place not in stored and not options.write:

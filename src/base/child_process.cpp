@@ -177,6 +177,7 @@ void limit_processor_time(double seconds) {
   rlimit time{};
   if (getrlimit(RLIMIT_CPU, &time) != 0) return;
   time.rlim_cur = std::min(time.rlim_cur, static_cast<rlim_t>(seconds));
+  std::signal(SIGXCPU, SIG_DFL);
   setrlimit(RLIMIT_CPU, &time);
 }
 

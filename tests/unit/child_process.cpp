@@ -53,6 +53,14 @@ TEST(ChildProcess, ThrowsTheErrorOfItsWorkHere) {
   }
 }
 
+TEST(ChildProcess, EndsAfterItsTimeOfTheProcessor) {
+  EXPECT_EQ(catch_crash([](ByteWriter&) {
+              limit_processor_time(1);
+              for (volatile int turns = 0;;) turns = turns ^ 1;
+            }),
+            "it crashed (CPU time limit exceeded)");
+}
+
 TEST(ChildProcess, TellsHowItEndedWhereItsWorkDidNot) {
   EXPECT_EQ(catch_crash([](ByteWriter&) { std::abort(); }), "it crashed (Aborted)");
   EXPECT_EQ(catch_crash([](ByteWriter&) { _exit(3); }), "it ended by itself with code 3");

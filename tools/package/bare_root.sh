@@ -22,16 +22,17 @@ fi
 try() {
   SECONDS=0
   rm -rf "$folder/try" && cp -a "$root" "$folder/try"
-  cp "$1" "$folder/try/root/"
-  cp -r examples/sliding_block "$folder/try/root/block"
-  printf '%s\n' "set -euo pipefail" "cd /root" "$2" 'cd block
+  mkdir "$folder/try/talus_try"
+  cp "$1" "$folder/try/talus_try/"
+  cp -r examples/sliding_block "$folder/try/talus_try/block"
+  printf '%s\n' "set -euo pipefail" "cd /talus_try" "$2" 'cd block
     talus version; talus --level
     talus check case.toml >/dev/null && talus run case.toml -q -o results && test -s results/report.html
     for level in x86-64-v2 x86-64-v3; do TALUS_LEVEL=$level talus run case.toml -q -o $level && grep -q "\"level\": \"$level\"" $level/summary.json; done
-    cd / && $PYTHON -c "import talus; print(\"python: talus\", talus.__version__, talus._core.level, len(talus.Results(\"/root/block/results\")), \"frames\")"' >"$folder/try/root/script"
+    cd / && $PYTHON -c "import talus; print(\"python: talus\", talus.__version__, talus._core.level, len(talus.Results(\"/talus_try/block/results\")), \"frames\")"' >"$folder/try/talus_try/script"
   mount --bind /proc "$folder/try/proc" && mount --bind /dev "$folder/try/dev"
   status=0
-  env -i PATH=/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive chroot "$folder/try" bash /root/script || status=$?
+  env -i PATH=/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/talus_try LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive chroot "$folder/try" bash /talus_try/script || status=$?
   umount "$folder/try/proc" "$folder/try/dev"
   echo "bare_root: $(basename "$1"): $([ $status -eq 0 ] && echo works || echo "FAILED with $status"), $SECONDS s"
   rm -rf "$folder/try"

@@ -4,7 +4,7 @@
 
 Usage: tools/package/make_wheel.py PREFIX FOLDER
 
-PREFIX is an installed tree (cmake --install of the presets package-v4, package-v3 and package, tools/package/release.sh). The wheel
+PREFIX is the tree in which tools/package/release.sh has installed the builds of the presets package-v4, package-v3 and package. The wheel
 follows the manylinux rules as far as they can be met on Debian 12: what is carried is found by a path relative to itself, and the tag
 names the C library that it was built with. Needs patchelf.
 """
@@ -79,7 +79,8 @@ def write_metadata(root, version, tag):
     readme = (pathlib.Path(__file__).resolve().parents[2] / "README.md").read_text(encoding="utf-8")
     (info / "METADATA").write_text(
         f"Metadata-Version: 2.1\nName: talus\nVersion: {version}\n"
-        "Summary: Slope stability and runout by slices, finite elements and the material point method\nLicense: MIT\n"
+        "Summary: Slope stability and runout by slices, finite elements and the material point method\n"
+        "License: MIT; the libraries that this wheel carries have their own, Gmsh the GNU GPL version 2 or later\n"
         "Requires-Python: ==3.11.*\nRequires-Dist: numpy\nRequires-Dist: tomli-w\nDescription-Content-Type: text/markdown\n\n" + readme,
         encoding="utf-8")
     (info / "WHEEL").write_text(f"Wheel-Version: 1.0\nGenerator: talus make_wheel\nRoot-Is-Purelib: false\nTag: {tag}\n")
