@@ -109,8 +109,9 @@ void check_format(const toml::table& root, const Places& places) {
   const Place place = places.locate("format", static_cast<int>(at.line), static_cast<int>(at.column));
   throw InputError(
       {{place.file, place.line, place.column,
-        fmt::format("this case has format {}; Talus {} reads cases up to format {}. Use the version that it was written for", format,
-                    version, newest_format)}});
+        fmt::format(
+            "this case has format {}; Talus {} reads cases up to format {}. Use the version that it was written for",
+            format, version, newest_format)}});
 }
 
 /// Of element tests alone the echo names what the file gives, and not the defaults of a slope.

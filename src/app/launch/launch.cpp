@@ -69,7 +69,8 @@ int main(int argc, char** argv) {
   if (chosen == nullptr && is_asked)
     return refuse(std::string("TALUS_LEVEL is '") + asked + "'; the levels are x86-64-v2, x86-64-v3 and x86-64-v4");
   if (chosen == nullptr) return refuse("this processor has no SSE 4.2, which Talus needs");
-  if (!chosen->runs_here) return refuse(std::string("TALUS_LEVEL is '") + asked + "', which this processor does not have");
+  if (!chosen->runs_here)
+    return refuse(std::string("TALUS_LEVEL is '") + asked + "', which this processor does not have");
   if (argc == 2 && std::string_view(argv[1]) == "--level") {
     std::puts(chosen->name);
     return 0;
