@@ -8,8 +8,7 @@ Each of the random slopes of tools/verify_random_slopes.py (layers, water, loads
   - mirrored, moved by (1234.5, 678.9) m, and in feet and pounds: the factor of every method on its critical circle is the same;
   - with c and tan φ of all soils times 1.25: the factor is 1.25 times as large;
 and the methods keep their order: Fellenius is not above Bishop (where Bishop is above 1), Janbu not above Janbu corrected, Spencer and
-Morgenstern–Price agree. A circle as shallow as the search allows, of which the program warns, is left out: under the edge of a load the
-factor falls with the depth, and there is no critical circle to be found twice.
+Morgenstern–Price agree. The order leaves circles out that are as shallow as the search allows, of which the program warns.
 Every run ends with factors or with a sentence. --write writes docs/verification_data/properties.md. Ends with 1 where something else came out.
 """
 import copy
@@ -119,11 +118,11 @@ def judge(runner, number):
     row["shallow"] = bool(shallow)
     for name, (change, times) in WRITTEN.items():
         try:
-            others, shallow_too = find_factors(runner, f"slope_{number}_{name}", change(copy.deepcopy(entry)))
+            others, _ = find_factors(runner, f"slope_{number}_{name}", change(copy.deepcopy(entry)))
         except Broken as fault:
             row["faults"].append(f"{name}: {fault}")
             continue
-        for method in sorted(factors.keys() - shallow - shallow_too):
+        for method in sorted(factors):
             factor = factors[method]
             other = others.get(method)
             if (factor is None) != (other is None):
@@ -146,7 +145,7 @@ def write_page(rows):
         apart = sorted(row["largest"][name] for row in answered)
         lines.append(f"| {name} | {'the same' if times == 1 else f'{times} times'} | {100 * apart[-1]:.4f} % | {100 * apart[len(apart) // 2]:.6f} % |")
     faulty = [row for row in rows if row["faults"]]
-    lines += ["", f"Slopes of which the program says that a circle is as shallow as the search allows: {sum(row['shallow'] for row in rows)}; those circles are left out."]
+    lines += ["", f"Slopes of which the program says that a circle is as shallow as the search allows: {sum(row['shallow'] for row in rows)}; the methods' order leaves those circles out."]
     lines += ["", f"Slopes with more than {100 * SAME:g} %, or methods out of order: {len(faulty)}."]
     lines += [f"- slope {row['slope']} ({row['what']}): {'; '.join(row['faults'])}" for row in faulty]
     lines += [f"- slope {row['slope']} ({row['what']}) was refused: {row['refused']}" for row in rows if row["refused"]]

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "lem/search/search.hpp"
 #include "support/lem_sections.hpp"
 
 namespace talus::lem {
@@ -109,6 +110,32 @@ TEST(LemInvariance, InFeetAndPounds) {
   section.crack = TensionCrack{1.2 * foot, 0.7 * foot};
   section.roots = {{{{0, 6 * pressure}, {foot, 2 * pressure}}, 15 * foot, 30 * foot}};
   expect_same(section, move, foot);
+}
+
+/// Random slope 87 of tools/verify_random_slopes.py. Its critical circles lie under the far edge of the load and are as
+/// shallow as the search allows: much smaller than the distance of the trial circles' ends, so that the optimisation
+/// must find them.
+TEST(LemInvariance, SearchUnderTheEdgeOfALoadMirrored) {
+  Section section = make_section({{0, 0}, {16.2, 0}, {44.788, 9}, {64.588, 9}}, make_soil(2.5, 30.1, 20.31), -6.04);
+  section.soils[0].saturated_unit_weight = 21.39;
+  section.soils.push_back(make_soil(6.9, 36, 17.85));
+  section.soils[1].saturated_unit_weight = 18.2;
+  section.regions.push_back(make_region_below(section, 1, {{0, 0}, {16.2, 0}, {30.917, 4.633}, {64.588, 6.866}}));
+  section.water_table = {{0, -0.9}, {16.2, -0.9}, {30.494, 1.847}, {53.788, 5.204}, {64.588, 5.204}};
+  section.surcharges = {{{{45.688, 29.8}, {55.508, 29.8}}}};
+  Section mirrored = section;
+  change_points(mirrored, [](const Point& p) { return Point{-p[0], p[1]}; });
+  mirrored.surcharges = {{{{-55.508, 29.8}, {-45.688, 29.8}}}};
+  SearchOptions options;
+  options.methods = {Method::fellenius, Method::bishop, Method::spencer};
+  options.optimise_surface = false;
+  const SearchResult here = search(Slope(std::move(section)), options),
+                     there = search(Slope(std::move(mirrored)), options);
+  ASSERT_EQ(here.circular.size(), options.methods.size());
+  ASSERT_EQ(there.circular.size(), options.methods.size());
+  for (std::size_t m = 0; m < options.methods.size(); ++m)
+    EXPECT_NEAR(there.circular[m].solution.factor / here.circular[m].solution.factor, 1, 5e-4)
+        << to_word(options.methods[m]);
 }
 
 TEST(LemInvariance, SplitAndRepeatedRegionsChangeNothing) {

@@ -16,6 +16,7 @@ namespace {
 struct Tie {
   std::optional<double> left, right;  ///< end at this x [m]
   const Region* touches = nullptr;    ///< the circle just touches it
+  bool shallowest = false;            ///< as shallow as a circle between its ends may be
 };
 
 /// A circle as the minimisers see it: ends and the place of its half angle in its range.
@@ -46,15 +47,17 @@ class CircleOptimiser {
     auto add = [&](double x, double by, double low, double high) {
       start.push_back(x), step.push_back(by), lower.push_back(low), upper.push_back(high);
     };
-    if (!tie.left) add(place.left, 0.5 * ranges_.step[0], ranges_.left[0], ranges_.left[1]);
-    if (!tie.right) add(place.right, 0.5 * ranges_.step[1], ranges_.right[0], ranges_.right[1]);
-    if (!tie.touches) add(place.depth, 0.05, 0, 1);
+    // A circle smaller than the distance of the trial ends would step out of the place that makes it critical.
+    const double most_step = 0.25 * (place.right - place.left);
+    if (!tie.left) add(place.left, std::min(0.5 * ranges_.step[0], most_step), ranges_.left[0], ranges_.left[1]);
+    if (!tie.right) add(place.right, std::min(0.5 * ranges_.step[1], most_step), ranges_.right[0], ranges_.right[1]);
+    if (!tie.touches && !tie.shallowest) add(place.depth, 0.05, 0, 1);
     auto read = [&](const std::vector<double>& x) {
       Place p = place;
       std::size_t n = 0;
       p.left = tie.left ? *tie.left : x[n++];
       p.right = tie.right ? *tie.right : x[n++];
-      if (!tie.touches) p.depth = x[n];
+      if (!tie.touches) p.depth = tie.shallowest ? 0 : x[n];
       return p;
     };
     auto function = [&](const std::vector<double>& x) {
@@ -74,11 +77,16 @@ class CircleOptimiser {
     return true;
   }
 
-  /// Corners of the ground that an end could snap to.
-  std::vector<std::optional<double>> find_corners(double x, double reach, const std::array<double, 2>& range) const {
-    std::vector<std::optional<double>> corners{std::nullopt};
-    for (const Point& p : evaluate_.slope().section().ground)
-      if (std::abs(p[0] - x) < reach && p[0] >= range[0] && p[0] <= range[1]) corners.push_back(p[0]);
+  /// Corners of the ground and edges of loads that an end could snap to: the nearest three.
+  std::vector<double> find_corners(double x, double reach, const std::array<double, 2>& range) const {
+    std::vector<double> corners;
+    auto add = [&](double corner) {
+      if (std::abs(corner - x) < reach && corner >= range[0] && corner <= range[1]) corners.push_back(corner);
+    };
+    for (const Point& p : evaluate_.slope().section().ground) add(p[0]);
+    for (const Surcharge& s : evaluate_.slope().section().surcharges)
+      if (!s.load.empty()) add(s.load.front()[0]), add(s.load.back()[0]);
+    std::sort(corners.begin(), corners.end(), [&](double a, double b) { return std::abs(a - x) < std::abs(b - x); });
     if (corners.size() > 3) corners.resize(3);
     return corners;
   }
@@ -96,6 +104,17 @@ class CircleOptimiser {
     return regions;
   }
 
+  /// With the depth tied, and then with one end in a corner besides.
+  void try_ties(Tie tie, Place& place, double& value) {
+    const Place base = place;
+    if (tie.touches) improve(tie, place, value, 120);
+    for (const double left : find_corners(base.left, 2 * ranges_.step[0], ranges_.left))
+      tie.left = left, improve(tie, place, value, 100);
+    tie.left = {};
+    for (const double right : find_corners(base.right, 2 * ranges_.step[1], ranges_.right))
+      tie.right = right, improve(tie, place, value, 100);
+  }
+
   OptimisedSurface run(const Surface& start) {
     Place place{start.from, start.to, 0};
     best_ = start;
@@ -104,16 +123,13 @@ class CircleOptimiser {
     if (range && range->to > range->from) {
       place.depth = std::clamp((Arcs::measure_half_angle(start) - range->from) / (range->to - range->from), 0.0, 1.0);
       improve({}, place, value, 200);
-      for (const Region* region : find_regions(place)) {
-        const Place base = place;
-        if (region) improve({{}, {}, region}, place, value, 120);
-        for (const auto& left : find_corners(base.left, 2 * ranges_.step[0], ranges_.left))
-          if (left) improve({left, {}, region}, place, value, 100);
-        for (const auto& right : find_corners(base.right, 2 * ranges_.step[1], ranges_.right))
-          if (right) improve({{}, right, region}, place, value, 100);
+      for (const Region* region : find_regions(place)) try_ties({{}, {}, region, false}, place, value);
+      // A simplex may have collapsed: again with fresh steps, while that gains something.
+      for (double before = 2 * value; value < (1 - 1e-4) * before;) {
+        before = value;
+        improve({}, place, value, 150);
+        improve({{}, {}, nullptr, true}, place, value, 120);
       }
-      // A simplex may have collapsed: once more with fresh steps, free.
-      improve({}, place, value, 150);
     }
     return {best_, value, evaluate_.count()};
   }
