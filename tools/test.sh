@@ -1,20 +1,23 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Runs every test of a preset (default: release) and names the ten slowest, and the skipped ones with their reasons: a skipped
-# test proves nothing, so it must be seen.
+# test proves nothing, so it must be seen. Of the preset tsan it runs those in which threads work together.
+# Usage: tools/test.sh [PRESET [NAMES]], NAMES a regular expression of ctest
 set -uo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
+names=${2:-}
 # The debug preset looks for errors, not leaks: Gmsh keeps some memory until its process ends.
 export ASAN_OPTIONS="detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 if [ "$preset" = tsan ]; then
+  names=${names:-Thread|AnyNumber|cases\.Sampling|StudyOfRuns|RootedBank|WetBank|FrozenFactorAgrees}
   # archer tells the sanitizer of OpenMP's barriers; libraries that are not built with it cannot be judged.
   OMP_TOOL_LIBRARIES=$(find /usr/lib/llvm-*/lib -name libarcher.so 2>/dev/null | sort | tail -1)
   export OMP_TOOL_LIBRARIES
   export TSAN_OPTIONS="ignore_noninstrumented_modules=1${TSAN_OPTIONS:+:$TSAN_OPTIONS}"
   [ -n "$OMP_TOOL_LIBRARIES" ] || echo "SKIP: there is no libarcher.so: what the sanitizer says of OpenMP is not to be believed"
 fi
-ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)"
+ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)" ${names:+-R "$names"}
 status=$?
 
 # GoogleTest prints "file:line: Skipped" and the reason on the next line; ctest keeps it in its log.
