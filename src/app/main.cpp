@@ -17,16 +17,19 @@
 namespace {
 
 /// Diagnostics already begin with their place; other errors begin with the program's name.
-int report(const std::exception_ptr& thrown) {
-  const talus::Failure failure = talus::explain_failure(thrown);
-  bool has_place = false;
+bool has_place(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
   } catch (const talus::InputError&) {
-    has_place = true;
+    return true;
   } catch (...) {
+    return false;
   }
-  const std::string sentence = fmt::format("{}{}\n", has_place ? "" : "talus: error: ", failure.sentence);
+}
+
+int report(const std::exception_ptr& thrown) {
+  const talus::Failure failure = talus::explain_failure(thrown);
+  const std::string sentence = fmt::format("{}{}\n", has_place(thrown) ? "" : "talus: error: ", failure.sentence);
   std::fputs(sentence.c_str(), stderr);
   return static_cast<int>(failure.code);
 }

@@ -57,7 +57,7 @@ void run_study(const StudyCommand& command) {
   if (!command.quiet)
     fmt::print("{}\nTables and results are in {}{}\n", tables, options.folder.string(),
                command.no_report ? "" : "; open report.html there in a browser");
-  if (failure) throw *failure;
+  if (failure) throw Error(*failure);
 }
 
 }  // namespace
