@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace talus::fem {
 
@@ -80,7 +81,8 @@ bool SeepageNewton<D>::search_line(SeepageState& state, const std::vector<double
   recent_.push_back(find_merit(sums_, state));
   const double before = *std::max_element(recent_.begin(), recent_.end());
   SeepageState trial = state;
-  for (double length = 1; length >= shortest_step; length *= 0.5) {
+  double length = 1;
+  while (length >= shortest_step) {
     largest = 0;
     for (std::size_t u = 0; u < direction.size(); ++u) {
       trial.head[u] = state.head[u] + length * direction[u];
@@ -92,6 +94,7 @@ bool SeepageNewton<D>::search_line(SeepageState& state, const std::vector<double
       state.head = trial.head;
       return true;
     }
+    length *= 0.5;
   }
   return false;
 }
@@ -129,7 +132,7 @@ template <int D>
 bool SeepageNewton<D>::solve(SeepageState& state, const std::vector<NodeCondition>& conditions, StepInput input,
                              Slopes slopes) {
   conditions_ = &conditions;
-  input_ = input;
+  input_ = std::move(input);
   input_.smallest_conductivity = options_.smallest_conductivity;
   recent_.clear();
   switches_.assign(state.head.size(), 0);

@@ -68,17 +68,18 @@ class Reduction {
  private:
   /// Equilibrium at full strength, or at the first of ever higher strengths that has one.
   void find_base() {
-    for (double factor = 1; factor >= options_.smallest; factor *= 0.5) {
+    double factor = 1;
+    while (factor >= options_.smallest) {
       const SolidAssembly<D> assembly(system_, make_laws(model_, factor), options_.solid.threads);
       auto found = apply_loads(system_, newton_, assembly, options_.solid, assembly.make_start());
       result_.iterations += found.iterations;
-      if (!found.converged) {
-        unstable_ = factor;
-        continue;
+      if (found.converged) {
+        result_.base_factor = factor;
+        result_.at_full_strength = std::move(found.at);
+        return;
       }
-      result_.base_factor = factor;
-      result_.at_full_strength = std::move(found.at);
-      return;
+      unstable_ = factor;
+      factor *= 0.5;
     }
     throw Error(ExitCode::wrong_input,
                 fmt::format("the soil finds no equilibrium even with its strength multiplied by {:g}: check weights, "
