@@ -16,7 +16,8 @@ for target in "${targets[@]}"; do
   folder=build/debug/fuzz/$target
   tests/fuzz/seeds.sh "$target" build/debug/bin/talus "$folder"
   end=nothing
-  build/debug/bin/fuzz_"$target" -max_total_time=$((minutes * 60)) -timeout=30 -rss_limit_mb=8192 -print_final_stats=1 \
+  # A look into a file may take twenty seconds of the processor before it is ended, and a busy machine has none to spare.
+  build/debug/bin/fuzz_"$target" -max_total_time=$((minutes * 60)) -timeout=300 -rss_limit_mb=8192 -print_final_stats=1 \
     -artifact_prefix="$folder-" "$folder" >"$folder.log" 2>&1 || { end="a find: $folder-*, $folder.log"; failed=1; }
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder.log")
   echo "fuzz: $target: ${runs:-?} inputs in $minutes min: $end"

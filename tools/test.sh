@@ -9,6 +9,11 @@ preset=${1:-release}
 names=${2:-}
 # The debug preset looks for errors, not leaks: Gmsh keeps some memory until its process ends.
 export ASAN_OPTIONS="detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
+if [ "$preset" = debug ]; then
+  # The address sanitizer's memory has a lock that a child of fork() may inherit locked by another thread: it waits for ever. Studies have one
+  # thread here; the preset tsan watches threads.
+  export OMP_NUM_THREADS=1
+fi
 if [ "$preset" = tsan ]; then
   names=${names:-Thread|AnyNumber|cases\.Sampling|StudyOfRuns|RootedBank|WetBank|FrozenFactorAgrees}
   # archer tells the sanitizer of OpenMP's barriers; libraries that are not built with it cannot be judged.

@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <mutex>
 #include <new>
 #include <optional>
 
@@ -140,10 +141,9 @@ struct Pipe {
   }
 };
 
-/// All that the child sends. Throws Error (interrupted) when a signal has arrived since the work began.
-std::vector<std::byte> receive(int pipe, const std::string& doing) {
-  // Who called with an interruption pending wants this work done, and looks for it afterwards.
-  const bool was_interrupted = is_interrupted();
+/// All that the child sends. Throws Error (interrupted) when a signal arrives; `was_interrupted`: it came before the
+/// child was started.
+std::vector<std::byte> receive(int pipe, const std::string& doing, bool was_interrupted) {
   std::vector<std::byte> bytes;
   for (;;) {
     if (!was_interrupted && is_interrupted())
@@ -171,6 +171,25 @@ std::string describe_end(int status) {
   throw Error(ExitCode::no_memory, fmt::format("cannot start a process: {}", std::strerror(errno)));
 }
 
+/// Forks. One thread after the other: a child that another thread starts meanwhile would keep the end open that this
+/// child writes to, and its answer would have no end before that other child's.
+pid_t start_child(Pipe& pipe, const std::function<void(ByteWriter&)>& work) {
+  static std::mutex one_at_a_time;
+  std::unique_lock lock(one_at_a_time);
+  if (::pipe(pipe.ends.data()) != 0) cannot_start();
+  for (const int end : pipe.ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+  const pid_t parent = ::getpid();
+  const pid_t id = ::fork();
+  if (id < 0) cannot_start();
+  if (id == 0) {
+    lock.unlock();  // its own children
+    Pipe::close(pipe.ends[0]);
+    be_child(pipe.ends[1], parent, work);
+  }
+  Pipe::close(pipe.ends[1]);
+  return id;
+}
+
 }  // namespace
 
 void limit_processor_time(double seconds) {
@@ -182,19 +201,11 @@ void limit_processor_time(double seconds) {
 }
 
 std::vector<std::byte> do_in_child(const std::string& doing, const std::function<void(ByteWriter&)>& work) {
+  // Who calls with an interruption pending wants this work done, and looks for it afterwards.
+  const bool was_interrupted = is_interrupted();
   Pipe pipe;
-  if (::pipe(pipe.ends.data()) != 0) cannot_start();
-  for (const int end : pipe.ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
-  const pid_t parent = ::getpid();
-  const pid_t id = ::fork();
-  if (id < 0) cannot_start();
-  if (id == 0) {
-    Pipe::close(pipe.ends[0]);
-    be_child(pipe.ends[1], parent, work);
-  }
-  Child child(id);
-  Pipe::close(pipe.ends[1]);
-  std::vector<std::byte> bytes = receive(pipe.ends[0], doing);
+  Child child(start_child(pipe, work));
+  std::vector<std::byte> bytes = receive(pipe.ends[0], doing, was_interrupted);
   const int status = child.wait();
   if (bytes.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0) throw ChildCrash(describe_end(status));
   const End end = static_cast<End>(bytes.front());

@@ -34,7 +34,7 @@ std::vector<mpm::WaterLaw> make_water_laws(const input::Case& data) {
       law.relative = input::make_relative_conductivity(m.water);
       if (m.water.chi == input::BishopChi::khalili_khabbaz) law.chi_air_entry = m.water.chi_air_entry;
     }
-    laws.push_back(std::move(law));
+    laws.push_back(law);
   }
   return laws;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // `talus schema`: JSON Schema of case files, for the completion and checks of editors.
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "input/catalogue.hpp"
@@ -13,7 +15,7 @@ using nlohmann::json;
 
 std::string write_description(const KeyEntry& key) {
   std::string text = key.meaning;
-  for (const auto& [word, meaning] : key.words) text += " " + word + ": " + meaning + ".";
+  for (const auto& [word, meaning] : key.words) text += fmt::format(" {}: {}.", word, meaning);
   if (!key.spec.unit.empty()) text += " Unit of plain numbers: " + key.spec.unit + ".";
   if (key.spec.usual_range) text += " Usually " + key.spec.write_usual_range() + ".";
   if (key.spec.condition) text += " Only where " + write_condition(*key.spec.condition) + ".";

@@ -3,11 +3,15 @@
 #include "base/child_process.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <numeric>
+#include <thread>
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
@@ -51,6 +55,31 @@ TEST(ChildProcess, ThrowsTheErrorOfItsWorkHere) {
     EXPECT_EQ(error.code(), ExitCode::wrong_input);
     EXPECT_STREQ(error.what(), "the file is no mesh");
   }
+}
+
+/// A child that another thread starts meanwhile does not keep an answer open: some wait until short ones have been
+/// answered since their start.
+TEST(ChildProcess, AnswersBeforeTheChildrenOfOtherThreadsEnd) {
+  using Counter = std::atomic<int>;
+  void* const shared = mmap(nullptr, sizeof(Counter), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(shared, MAP_FAILED);
+  Counter& answered = *new (shared) Counter(0);
+  std::atomic<bool> ends = false;
+  std::thread short_ones([&] {
+    while (!ends) {
+      do_in_child("nothing was done", [](ByteWriter&) {});
+      ++answered;
+    }
+  });
+  for (int i = 0; i < 100; ++i) {
+    const int before = answered;
+    do_in_child("others were answered", [&](ByteWriter&) {
+      while (answered < before + 3) sched_yield();
+    });
+  }
+  ends = true;
+  short_ones.join();
+  munmap(shared, sizeof(Counter));
 }
 
 TEST(ChildProcess, EndsAfterItsTimeOfTheProcessor) {

@@ -236,7 +236,7 @@ std::optional<NamedValue> find_possible_name(const Case& data, const std::string
     asked.strength_reduction.curve.runout = {*factor};
   for (const AnalysisKind kind : {AnalysisKind::strength_reduction, AnalysisKind::run}) {
     asked.analysis = kind;
-    if (const auto found = find_result_name(asked, name)) return found;
+    if (auto found = find_result_name(asked, name)) return found;
   }
   return std::nullopt;
 }

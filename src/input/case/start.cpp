@@ -104,7 +104,7 @@ class Comparison {
 
   /// The void ratio or the porosity of a material, whichever of them its case gave.
   static json find_pores(const json& echo, const std::string& material, bool as_ratio) {
-    const json given = look_up(echo, {"materials", material, as_ratio ? "void_ratio" : "porosity"});
+    json given = look_up(echo, {"materials", material, as_ratio ? "void_ratio" : "porosity"});
     if (!given.is_null()) return given;
     const json other = look_up(echo, {"materials", material, as_ratio ? "porosity" : "void_ratio"});
     if (!other.is_number()) return nullptr;

@@ -132,9 +132,9 @@ std::vector<std::string> split_path(const std::string& path) {
 
 Override parse_override(const std::string& text) {
   const auto equals = text.find('=');
-  const auto trim = [](std::string part) {
+  const auto trim = [](const std::string& part) {
     const auto first = part.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : part.substr(first, part.find_last_not_of(" \t") - first + 1);
+    return first == std::string::npos ? std::string() : part.substr(first, part.find_last_not_of(" \t") - first + 1);
   };
   Override change;
   if (equals != std::string::npos) change = {trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
