@@ -52,7 +52,9 @@ std::vector<int> find_local_minima(const Slope& slope, const TrialCircles& circl
     const float f = factors[static_cast<std::size_t>(s)];
     return f > 0 ? f : none;
   };
-  auto cell_of = [&, nj = nj, nk = nk](int i, int j, int k) { return static_cast<std::size_t>((i * nj + j) * nk + k); };
+  auto cell_of = [nj = static_cast<std::size_t>(nj), nk = static_cast<std::size_t>(nk)](int i, int j, int k) {
+    return (static_cast<std::size_t>(i) * nj + static_cast<std::size_t>(j)) * nk + static_cast<std::size_t>(k);
+  };
   std::vector<int> minima;
   for (int i = 0; i < ni; ++i)
     for (int j = 0; j < nj; ++j)

@@ -49,7 +49,7 @@ PressureLocator::PressureLocator(const PressureGrid& grid) : grid_(grid) {
     const auto step = [&](double v, std::size_t d) { return static_cast<int>((v - low_[d]) / size_); };
     for (int j = step(boxes[t].low[1], 1); j <= std::min(step(boxes[t].high[1], 1), rows_ - 1); ++j)
       for (int i = step(boxes[t].low[0], 0); i <= std::min(step(boxes[t].high[0], 0), columns_ - 1); ++i)
-        buckets[static_cast<std::size_t>(j * columns_ + i)].push_back(static_cast<int>(t));
+        buckets[find_bucket(i, j)].push_back(static_cast<int>(t));
   }
   first_.push_back(0);
   for (const auto& bucket : buckets) {
@@ -64,7 +64,7 @@ std::optional<double> PressureLocator::find(const Point& p) const {
   const double x = (p[0] - low_[0]) / size_, y = (p[1] - low_[1]) / size_;
   if (!(x >= -1e-9 && y >= -1e-9 && x <= columns_ + 1e-9 && y <= rows_ + 1e-9)) return std::nullopt;
   const int i = std::clamp(static_cast<int>(x), 0, columns_ - 1), j = std::clamp(static_cast<int>(y), 0, rows_ - 1);
-  const auto bucket = static_cast<std::size_t>(j * columns_ + i);
+  const auto bucket = find_bucket(i, j);
   for (int k = first_[bucket]; k < first_[bucket + 1]; ++k)
     if (const auto u = read(static_cast<std::size_t>(triangles_[static_cast<std::size_t>(k)]), p)) return u;
   return std::nullopt;

@@ -21,6 +21,9 @@ class PressureLocator {
 
  private:
   std::optional<double> read(std::size_t triangle, const Point& p) const;
+  std::size_t find_bucket(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
 
   PressureGrid grid_;
   Point low_{};

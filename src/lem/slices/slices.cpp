@@ -79,7 +79,7 @@ void fill_slices(const Slope::Strips& strips, const BaseLine& base, int count, C
   cut.area = cut.depth = 0;
   for (const Stretch& stretch : base.stretches) {
     const double length = stretch.to - stretch.from;
-    const int parts = std::max(1, static_cast<int>(count * length / span + 0.5));
+    const int parts = std::max(1, static_cast<int>(std::lround(count * length / span)));
     Point a = &stretch == &front ? first : place(stretch, stretch.from);
     for (int k = 1; k <= parts; ++k) {
       const double x = k == parts ? stretch.to : stretch.from + length * k / parts;
