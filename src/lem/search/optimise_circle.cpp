@@ -12,6 +12,9 @@ namespace talus::lem {
 
 namespace {
 
+constexpr int most_rounds = 20;
+constexpr double least_gain = 1e-4;  ///< of a round, for another one
+
 /// What holds still while the rest is optimised.
 struct Tie {
   std::optional<double> left, right;  ///< end at this x [m]
@@ -125,10 +128,11 @@ class CircleOptimiser {
       improve({}, place, value, 200);
       for (const Region* region : find_regions(place)) try_ties({{}, {}, region, false}, place, value);
       // A simplex may have collapsed: again with fresh steps, while that gains something.
-      for (double before = 2 * value; value < (1 - 1e-4) * before;) {
-        before = value;
+      for (int round = 0; round < most_rounds; ++round) {
+        const double before = value;
         improve({}, place, value, 150);
         improve({{}, {}, nullptr, true}, place, value, 120);
+        if (!(value < (1 - least_gain) * before)) break;
       }
     }
     return {best_, value, evaluate_.count()};
