@@ -167,7 +167,7 @@ Content collect_report(const fs::path& path) {
 fs::path write_report(const fs::path& folder) {
   const Content content = collect_report(folder);
   const json& document = content.document.get();
-  const fs::path path = folder / "report.html";
+  fs::path path = folder / "report.html";
   write_atomically(path,
                    fill_page(get_page(), document["project"]["title"].get<std::string>(), document, content.arrays),
                    "the results are whole");

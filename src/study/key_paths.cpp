@@ -21,7 +21,7 @@ std::string take_end(const std::string& path, std::size_t count) {
 
 std::string shorten_path(const std::string& path, const std::vector<std::string>& all) {
   for (std::size_t count = 1; count < input::split_path(path).size(); ++count) {
-    const std::string end = take_end(path, count);
+    std::string end = take_end(path, count);
     const auto shares = [&](const std::string& other) { return other != path && take_end(other, count) == end; };
     if (std::none_of(all.begin(), all.end(), shares)) return end;
   }

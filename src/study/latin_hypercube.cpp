@@ -18,8 +18,9 @@ using Eigen::MatrixXd;
 MatrixXd factorise(const ScorePlan& plan) {
   if (plan.correlation.empty()) return MatrixXd::Identity(plan.numbers, plan.numbers);
   MatrixXd c(plan.numbers, plan.numbers);
+  std::size_t at = 0;
   for (int i = 0; i < plan.numbers; ++i)
-    for (int j = 0; j < plan.numbers; ++j) c(i, j) = plan.correlation[static_cast<std::size_t>(i * plan.numbers + j)];
+    for (int j = 0; j < plan.numbers; ++j) c(i, j) = plan.correlation[at++];
   return c.llt().matrixL();
 }
 

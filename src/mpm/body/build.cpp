@@ -79,12 +79,12 @@ void allocate_water(Body<D>& body, std::vector<WaterLaw> laws) {
   const std::size_t lanes = static_cast<std::size_t>(l.blocks) * lane_width, rows = static_cast<std::size_t>(l.rows),
                     nodes = l.mesh.nodes.size();
   Water<D>& water = body.water;
-  for (WaterLaw& law : laws) {
+  for (const WaterLaw& law : laws) {
     if (law.wet) {
       water.density = law.density;
       water.bulk_modulus = law.bulk_modulus;
     }
-    water.laws.push_back(finish(std::move(law)));
+    water.laws.push_back(finish(law));
   }
   water.first_field = body.points.fields;
   body.points.fields += WaterFields<D>::count;
@@ -135,7 +135,10 @@ std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vect
 }
 
 template <int D>
+// The linter does not see the moves of a template that it has not instantiated.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws,
+                  // NOLINTNEXTLINE(performance-unnecessary-value-param)
                   std::vector<std::string> names, const std::vector<InitialPoint<D>>& initial,
                   std::vector<WaterLaw> water) {
   using P = Points<D>;

@@ -135,7 +135,7 @@ std::vector<Vec<D>> find_pore_force(Body<D>& body, const StepOptions<D>& o) {
     const auto& g = mesh.gradients[e];
     for (int d = 0; d < D; ++d) {
       for (int k = 0; k < D; ++k) {
-        const double f = total * g[static_cast<std::size_t>(k * D + d)];
+        const double f = total * g[static_cast<std::size_t>(k) * D + static_cast<std::size_t>(d)];
         force[mesh.elements[e][k + 1]][d] -= f;
         force[mesh.elements[e][0]][d] += f;
       }

@@ -142,7 +142,7 @@ PhaseVectors<D> solve_node(const NodePass<D>& pass, int i, const CoupledNode<D>&
   PhaseVectors<D> a =
       held ? solve_held_phases<D>(node.pair, *held, f, node.now, dt) : solve_free_phases<D>(node.pair, f, node.now);
   const int c = body.conditions.constraint_of_node[i];
-  if (c >= 0 && (body.conditions.constraints[c].has_wall || body.conditions.constraints[c].prescribed >= 0))
+  if (held && c >= 0 && (body.conditions.constraints[c].has_wall || body.conditions.constraints[c].prescribed >= 0))
     solve_at_wall(body, pass.options, c, node, *held, f, a);
   if (!surface.limits || node.water_mass <= 0) return a;
   Vec<D> v0, w0;

@@ -18,8 +18,6 @@
 #include "base/error.hpp"
 #include "output/files/history.hpp"
 
-extern char** environ;
-
 namespace talus::output {
 namespace {
 

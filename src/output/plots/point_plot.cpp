@@ -67,8 +67,9 @@ std::string style_line(const PointLine& line) {
 
 std::string draw_diagram(const PointPlot& plot, std::size_t number, double width, double height) {
   const PointDiagram& d = plot.diagrams[number];
-  const double left = left_margin + static_cast<double>(number % 2) * (panel_width + gap);
-  const double row_top = top + static_cast<double>(number / 2) * row_height;
+  const std::size_t row = number / 2, column = number % 2;
+  const double left = left_margin + static_cast<double>(column) * (panel_width + gap);
+  const double row_top = top + static_cast<double>(row) * row_height;
   const Range x = widen(find_range(d.x, d.log_x), d.log_x), y = widen(find_range(d.y, false), false);
   std::string script = fmt::format(
       "unset label\nset lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n"

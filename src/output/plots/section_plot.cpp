@@ -45,8 +45,9 @@ class Legend {
   std::string draw(const std::vector<results::MethodSurface>& surfaces, double total_width, double total_height) const {
     std::string script;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      const double x = left + column_ * static_cast<double>(i / rows_);
-      const double y = (height() - row_height * (static_cast<double>(i % rows_) + 0.5)) / total_height;
+      const std::size_t column = i / rows_, row = i % rows_;
+      const double x = left + column_ * static_cast<double>(column);
+      const double y = (height() - row_height * (static_cast<double>(row) + 0.5)) / total_height;
       script += fmt::format("set arrow from screen {:.6f}, screen {:.6f} to screen {:.6f}, screen {:.6f} nohead {}\n",
                             x / total_width, y, (x + sample - 8) / total_width, y, find_style(surfaces[i], i));
       script += fmt::format("set label {} at screen {:.6f}, screen {:.6f} left textcolor rgb '{}'\n",

@@ -84,7 +84,7 @@ class StateWords {
           folder_.data.hydraulics.begin(), folder_.data.hydraulics.end(),
           [&](const input::Hydraulic& h) { return h.on == side && h.condition != input::WaterCondition::no_flow; });
     });
-    for (std::string& side : sides) side = "'" + side + "'";
+    for (std::string& side : sides) side = fmt::format("'{}'", side);
     if (!sides.empty()) sentences_.push_back(fmt::format("No water passes {}.", join_words(sides)));
   }
 

@@ -175,10 +175,12 @@ std::optional<double> find_size_that_fits(const input::Case& data, input::Method
   double& size = method == input::Method::fem && coarser.fem.size ? *coarser.fem.size : coarser.mesh.size;
   const double largest = data.mesh.box_max[0] - data.mesh.box_min[0];
   constexpr double growth = 1.05;
-  for (; size < largest; size *= growth) {
+  while (size < largest) {
     const std::vector<MethodForecast> all = forecast(coarser, false);
-    if (std::any_of(all.begin(), all.end(), [&](const auto& f) { return f.method == method && f.bytes > free; }))
+    if (std::any_of(all.begin(), all.end(), [&](const auto& f) { return f.method == method && f.bytes > free; })) {
+      size *= growth;
       continue;
+    }
     const double scale = std::pow(10, std::floor(std::log10(size)) - 1);
     return std::ceil(size / scale - 1e-9) * scale;
   }

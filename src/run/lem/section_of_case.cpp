@@ -128,8 +128,9 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
       for (const ground::Point& x : region.polygon)
         for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
       for (int i = 0; i < weight_samples * weight_samples; ++i) {
-        const ground::Point x{low[0] + (high[0] - low[0]) * (i % weight_samples + 0.5) / weight_samples,
-                              low[1] + (high[1] - low[1]) * (i / weight_samples + 0.5) / weight_samples};
+        const int row = i / weight_samples, column = i % weight_samples;
+        const ground::Point x{low[0] + (high[0] - low[0]) * (column + 0.5) / weight_samples,
+                              low[1] + (high[1] - low[1]) * (row + 0.5) / weight_samples};
         const double suction = weight * (x[1] - ground::find_water_table(section.water_table, x[0]));
         if (mesh::is_inside(x, region.polygon))
           add(x, std::min(suction, data.initial.water.largest_suction), (high[0] - low[0]) * (high[1] - low[1]));

@@ -193,7 +193,7 @@ class FrozenMesh {
     Recorder<D> recorder =
         checkpoint ? Recorder<D>::resume(recording, body, *checkpoint) : Recorder<D>::start(recording, body);
     const StageHooks<D> hooks = recorder.begin_leg(0, plan, body, stage);
-    const results::Trial result = run_trial(body, factor, plan, stage, hooks);
+    results::Trial result = run_trial(body, factor, plan, stage, hooks);
     {
       const std::lock_guard lock(keeping_);
       done_.push_back(result);

@@ -97,8 +97,8 @@ void copy_from_drained(const mpm::Body<D>& drained, mpm::Body<D>& wet) {
   wet.nodes = drained.nodes;
   // For readers of the nodes: the grains move, no water moves against them.
   for (int row = 0; row < wet.layout->rows; ++row) {
-    const double* from = &drained.nodes.motion[static_cast<std::size_t>(row * mpm::motion_stride<D>)];
-    double* to = &wet.water.motion[static_cast<std::size_t>(row * mpm::wet_motion_stride<D>)];
+    const double* from = &drained.nodes.motion[static_cast<std::size_t>(row) * mpm::motion_stride<D>];
+    double* to = &wet.water.motion[static_cast<std::size_t>(row) * mpm::wet_motion_stride<D>];
     for (int d = 0; d < D; ++d) {
       to[d] = to[D + d] = from[d];
       to[2 * D + d] = from[D + d];
