@@ -77,7 +77,9 @@ def test_a_stopped_study_goes_on(slope, tmp_path):
         talus.study(case, tmp_path / "s", threads=1, progress=stop)
     assert len(seen) == 1 and "of 3 variants done" in seen[0].line and seen[0].fraction is None
     stopped = talus.Study(tmp_path / "s")
-    assert "not started" in stopped.statuses.values() and math.isnan(stopped.table["points"][-1])
+    assert "not started" in stopped.statuses.values()
+    # On a busy machine it may stop before the first variant is finished; then no result has a column.
+    assert "points" not in stopped.table or math.isnan(stopped.table["points"][-1])
     with pytest.raises(talus.InputError, match="is not started"):
         stopped[-1]
     assert (tmp_path / "s/report.html").exists()
