@@ -21,6 +21,7 @@ ALLOWED = {
     "mpm": ["base", "material", "mesh", "input"],
     "fem": ["base", "material", "mesh", "input"],
     "lem": ["base", "mesh"],
+    "bounds": ["base"],
     "output": ["base", "results", "input"],
     "ground": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "output"],
     "run": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "output", "ground"],

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Algebra of one second-order cone in R^n, and the scaling of Nesterov and Todd. Of n = 1 it is the algebra of positive
+// numbers. Formulas: L. Vandenberghe, The CVXOPT linear and quadratic cone program solvers (2010), sections 4 and 5.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace talus::bounds {
+
+using Part = std::span<const double>;
+using MutablePart = std::span<double>;
+
+inline double measure_tail(Part u) {
+  double sum = 0;
+  for (std::size_t i = 1; i < u.size(); ++i) sum += u[i] * u[i];
+  return std::sqrt(sum);
+}
+
+inline double multiply(Part u, Part v) {
+  double sum = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) sum += u[i] * v[i];
+  return sum;
+}
+
+/// How far inside its cone u is: u₀ − |u₁|, negative outside.
+inline double measure_margin(Part u) {
+  return u[0] - measure_tail(u);
+}
+
+/// u₀² − |u₁|², without the loss of digits on the cone's surface.
+inline double find_determinant(Part u) {
+  if (u.size() == 1) return u[0] * u[0];
+  const double tail = measure_tail(u);
+  return (u[0] - tail) * (u[0] + tail);
+}
+
+/// Largest t with u + t d in the cone, of u inside it; infinite where it never leaves.
+inline double find_step(Part u, Part d) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  if (u.size() == 1) return d[0] < 0 ? -u[0] / d[0] : never;
+  // (u + t d)₀² = |(u + t d)₁|²: a t² + 2 b t + c = 0 with c > 0. The first positive root leaves the cone.
+  const double a = find_determinant(d), c = find_determinant(u);
+  double b = u[0] * d[0];
+  for (std::size_t i = 1; i < u.size(); ++i) b -= u[i] * d[i];
+  if (a >= 0 && b >= 0 && d[0] >= 0) return never;
+  const double root = b * b - a * c;
+  if (root < 0) return never;
+  const double q = -b + (b < 0 ? std::sqrt(root) : -std::sqrt(root));
+  const double one = q == 0 ? never : c / q, other = a == 0 ? never : q / a;
+  double t = never;
+  if (one > 0) t = one;
+  if (other > 0) t = std::min(t, other);
+  return t;
+}
+
+/// The scaling W = η [w₀ w₁ᵀ; w₁ I + w₁w₁ᵀ/(1 + w₀)] with W z = W⁻¹ s = λ; `w` is the unit vector (w₀² − |w₁|² = 1).
+struct Scaling {
+  double eta = 1;
+  MutablePart w;
+
+  /// False when s or z is not inside the cone by more than rounding.
+  bool set(Part s, Part z) {
+    const double ds = find_determinant(s), dz = find_determinant(z);
+    if (!(ds > 0 && dz > 0 && s[0] > 0 && z[0] > 0)) return false;
+    eta = std::sqrt(std::sqrt(ds / dz));
+    if (w.size() == 1) {
+      w[0] = 1;
+      return true;
+    }
+    const double rs = 1 / std::sqrt(ds), rz = 1 / std::sqrt(dz);
+    const double gamma = std::sqrt(std::max(1.0, 0.5 * (1 + multiply(s, z) * rs * rz)));
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] = (s[i] * rs + (i == 0 ? 1 : -1) * z[i] * rz) / (2 * gamma);
+    w[0] = std::sqrt(1 + measure_tail(w) * measure_tail(w));  // rounding does not make it leave the hyperboloid
+    return true;
+  }
+  /// out = W u (`inverse`: W⁻¹ u); out may be u.
+  void apply(Part u, bool inverse, MutablePart out) const {
+    const double sign = inverse ? -1 : 1, size = inverse ? 1 / eta : eta;
+    double tail = 0;
+    for (std::size_t i = 1; i < u.size(); ++i) tail += w[i] * u[i];
+    const double head = u[0], along = sign * head + tail / (1 + w[0]);
+    out[0] = size * (w[0] * head + sign * tail);
+    for (std::size_t i = 1; i < u.size(); ++i) out[i] = size * (u[i] + along * w[i]);
+  }
+};
+
+/// out = u ∘ v = (uᵀv, u₀v₁ + v₀u₁); out may not be u or v.
+inline void join(Part u, Part v, MutablePart out) {
+  out[0] = multiply(u, v);
+  for (std::size_t i = 1; i < u.size(); ++i) out[i] = u[0] * v[i] + v[0] * u[i];
+}
+
+/// out with u ∘ out = v; out may be v.
+inline void divide(Part u, Part v, MutablePart out) {
+  if (u.size() == 1) {
+    out[0] = v[0] / u[0];
+    return;
+  }
+  double tail = 0;
+  for (std::size_t i = 1; i < u.size(); ++i) tail += u[i] * v[i];
+  out[0] = (u[0] * v[0] - tail) / find_determinant(u);
+  for (std::size_t i = 1; i < u.size(); ++i) out[i] = (v[i] - out[0] * u[i]) / u[0];
+}
+
+}  // namespace talus::bounds
