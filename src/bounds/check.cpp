@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Both checks: from nodes, stresses and velocities alone.
+
+#include "bounds/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "bounds/edges.hpp"
+#include "bounds/strength.hpp"
+
+namespace talus::bounds {
+
+namespace {
+
+Vec<2> find_traction(const Stress& effective, double pore, const Vec<2>& n) {
+  return {(effective[0] - pore) * n[0] + effective[2] * n[1], effective[2] * n[0] + (effective[1] - pore) * n[1]};
+}
+
+Vec<2> find_direction(const Vec<2>& from, const Vec<2>& to) {
+  const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+  return {(to[0] - from[0]) / length, (to[1] - from[1]) / length};
+}
+
+const Side* find_side(const Problem& problem, const std::map<std::pair<int, int>, std::size_t>& sides,
+                      const Edge& edge) {
+  const auto found = sides.find({std::min(edge.from, edge.to), std::max(edge.from, edge.to)});
+  return edge.other < 0 && found != sides.end() ? &problem.sides[found->second] : nullptr;
+}
+
+std::map<std::pair<int, int>, std::size_t> index_sides(const Problem& problem) {
+  std::map<std::pair<int, int>, std::size_t> sides;
+  for (std::size_t s = 0; s < problem.sides.size(); ++s)
+    sides[{std::min(problem.sides[s].from, problem.sides[s].to),
+           std::max(problem.sides[s].from, problem.sides[s].to)}] = s;
+  return sides;
+}
+
+}  // namespace
+
+StaticCheck check(const Problem& problem, const StressField& field) {
+  const Units units = find_units(problem);
+  StaticCheck found{std::numeric_limits<double>::infinity(), 0, false};
+  auto note = [&](double imbalance) { found.imbalance = std::max(found.imbalance, std::abs(imbalance)); };
+  const auto node = [&](int n) -> const Vec<2>& { return problem.nodes[static_cast<std::size_t>(n)]; };
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    const Triangle& t = problem.triangles[e];
+    // The gradient of a linear field by the differences along two edges.
+    const Vec<2>&a = node(t[0]), &b = node(t[1]), &c = node(t[2]);
+    const double x1 = b[0] - a[0], y1 = b[1] - a[1], x2 = c[0] - a[0], y2 = c[1] - a[1], twice = x1 * y2 - x2 * y1;
+    auto total = [&](std::size_t i, std::size_t d) {
+      return field.stress[e][i][d] - (d < 2 ? problem.pore_pressure[e][i] : 0);
+    };
+    auto slope = [&](std::size_t d) {
+      const double p = total(1, d) - total(0, d), q = total(2, d) - total(0, d);
+      return Vec<2>{(p * y2 - q * y1) / twice, (q * x1 - p * x2) / twice};
+    };
+    const Vec<2> xx = slope(0), yy = slope(1), xy = slope(2);
+    note((xx[0] + xy[1] + problem.body_force[e][0]) * units.length);
+    note((xy[0] + yy[1] + problem.body_force[e][1]) * units.length);
+    for (std::size_t i = 0; i < 3; ++i) {
+      Strength soil = problem.strength[e][i];
+      soil.cohesion += rounding * units.stress;
+      if (soil.tension) *soil.tension += rounding * units.stress;
+      found.factor = std::min(found.factor, find_factor(soil, field.stress[e][i]));
+    }
+  }
+  const auto sides = index_sides(problem);
+  for (const Edge& edge : list_edges(problem.triangles)) {
+    const Vec<2> along = find_direction(node(edge.from), node(edge.to)), n{along[1], -along[0]};
+    const Side* side = find_side(problem, sides, edge);
+    for (const int at : {edge.from, edge.to}) {
+      auto traction = [&](int triangle) {
+        const auto e = static_cast<std::size_t>(triangle);
+        const std::size_t i = find_corner(problem.triangles[e], at);
+        return find_traction(field.stress[e][i], problem.pore_pressure[e][i], n);
+      };
+      Vec<2> left = traction(edge.triangle);
+      Vec<2> other{0, 0};
+      if (edge.other >= 0) {
+        other = traction(edge.other);
+      } else if (side) {
+        other = side->traction[at == side->from ? 0 : 1];
+      }
+      for (std::size_t d = 0; d < 2; ++d) left[d] -= other[d];
+      if (!side || !side->holds_normal) note(dot(left, n));
+      if (!side || !side->holds_along) note(dot(left, along));
+    }
+  }
+  found.holds = found.imbalance <= rounding * units.stress;
+  return found;
+}
+
+namespace {
+
+/// Sums over triangles and sides; then the flow rule.
+class KinematicSum {
+ public:
+  KinematicSum(const Problem& problem, const VelocityField& field) : problem_(problem), field_(field) {}
+
+  KinematicCheck run() {
+    for (std::size_t e = 0; e < problem_.size(); ++e) add_triangle(e);
+    add_sides();
+    return judge();
+  }
+
+ private:
+  /// A corner of a triangle.
+  struct Corner {
+    double weight = 0;   ///< a third of the area [m²]
+    double opening = 0;  ///< ε_v
+    double shear = 0;    ///< √((ε_x − ε_y)² + γ²)
+    double tan_friction = 0;
+    /// Three times the mean of the strength times the corner's shape function: strength and the dissipation of a unit
+    /// of it are both linear in the triangle, or below that [Pa].
+    double cohesion = 0;
+    std::optional<double> tension;
+  };
+
+  const Vec<2>& get_node(int n) const { return problem_.nodes[static_cast<std::size_t>(n)]; }
+  const Vec<2>& get_velocity(int n) const { return field_.velocity[static_cast<std::size_t>(n)]; }
+
+  void add_triangle(std::size_t e) {
+    const auto& t = field_.mesh.triangles[e];
+    const Vec<2>&a = get_node(t[0]), &b = get_node(t[1]), &c = get_node(t[2]);
+    const double area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
+    std::array<double, 3> opening{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const std::array<Vec<2>, 2> u = find_slopes(t, i);
+      opening[i] = u[0][0] + u[1][1];
+      const double shear = std::hypot(u[0][0] - u[1][1], u[0][1] + u[1][0]);
+      const auto& soil = problem_.strength[e];
+      Corner corner{area / 3,
+                    opening[i],
+                    shear,
+                    soil[i].tan_friction,
+                    (2 * soil[i].cohesion + soil[j].cohesion + soil[k].cohesion) / 4,
+                    {}};
+      if (soil[i].tension) corner.tension = (2 * *soil[i].tension + *soil[j].tension + *soil[k].tension) / 4;
+      corners_.push_back(corner);
+      largest_ = std::max({largest_, std::abs(opening[i]), shear});
+    }
+    // ∫ p div u of two linear fields, and ∫ b·u: a parabola's integral is that of its middles.
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j)
+        found_.work += area * (i == j ? 2 : 1) / 12 * problem_.pore_pressure[e][i] * opening[j];
+      found_.work += area / 3 * dot(problem_.body_force[e], get_velocity(t[3 + i]));
+    }
+  }
+
+  /// Gradients of both components of the velocity at corner i: along its edges the derivative of a parabola is −3 u + 4
+  /// u_middle − u_end.
+  std::array<Vec<2>, 2> find_slopes(const std::array<int, 6>& t, std::size_t i) const {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Vec<2>&at = get_node(t[i]), &to = get_node(t[j]), &other = get_node(t[k]);
+    const double px = to[0] - at[0], py = to[1] - at[1], qx = other[0] - at[0], qy = other[1] - at[1];
+    const double det = px * qy - qx * py;
+    std::array<Vec<2>, 2> slopes;
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double p = -3 * get_velocity(t[i])[d] + 4 * get_velocity(t[3 + i])[d] - get_velocity(t[j])[d];
+      const double q = -3 * get_velocity(t[i])[d] + 4 * get_velocity(t[3 + k])[d] - get_velocity(t[k])[d];
+      slopes[d] = {(p * qy - q * py) / det, (q * px - p * qx) / det};
+    }
+    return slopes;
+  }
+
+  void add_sides() {
+    std::map<std::pair<int, int>, int> middles;
+    for (const auto& t : field_.mesh.triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        middles[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}] = t[3 + i];
+    for (const Side& s : problem_.sides) {
+      const Vec<2>&a = get_node(s.from), &b = get_node(s.to), along = find_direction(a, b), n{along[1], -along[0]};
+      const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+      const std::array<int, 3> nodes{s.from, middles.at({std::min(s.from, s.to), std::max(s.from, s.to)}), s.to};
+      // Simpson's rule is exact for a parabola times a line.
+      const std::array<double, 3> simpson{length / 6, 4 * length / 6, length / 6};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec<2>& v = get_velocity(nodes[k]);
+        Vec<2> traction;
+        for (std::size_t d = 0; d < 2; ++d)
+          traction[d] = s.traction[0][d] + 0.5 * static_cast<double>(k) * (s.traction[1][d] - s.traction[0][d]);
+        if (s.holds_normal) held_ = std::max(held_, std::abs(dot(v, n)));
+        if (s.holds_along) held_ = std::max(held_, std::abs(dot(v, along)));
+        if (!s.holds_normal) found_.work += simpson[k] * dot(traction, n) * dot(v, n);
+        if (!s.holds_along) found_.work += simpson[k] * dot(traction, along) * dot(v, along);
+      }
+    }
+  }
+
+  /// Whether the flow rule of the factor holds at every corner.
+  bool flows(double factor) const {
+    return std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
+      const double sine = c.tan_friction / std::hypot(factor, c.tan_friction);
+      if (c.tan_friction == 0 && !c.tension) return std::abs(c.opening) <= no_opening * largest_;
+      return c.opening >= sine * c.shear;
+    });
+  }
+
+  /// With strengths divided by the factor. Of a strain rate in soil with a largest tension as much as may be opens a
+  /// crack, across which the soil bears that tension; the rest flows as Mohr and Coulomb have it.
+  double find_dissipation(double factor) const {
+    double sum = 0;
+    for (const Corner& c : corners_) {
+      const double tangent = c.tan_friction / factor, sine = tangent / std::hypot(1.0, tangent);
+      const double crack = c.tension ? std::min(c.opening, (c.opening - sine * c.shear) / (1 - sine)) : 0;
+      const double flow = tangent > 0 ? (c.opening - crack) / tangent : c.shear - std::min(c.shear, crack);
+      sum += c.weight / factor * (c.cohesion * flow + c.tension.value_or(0) * crack);
+    }
+    return sum;
+  }
+
+  /// Flow rule and dissipation only become easier with the factor: the least factor by halving, and its upper end.
+  KinematicCheck judge() {
+    double fastest = 0;
+    for (const Vec<2>& v : field_.velocity) fastest = std::max(fastest, norm(v));
+    const auto moves = [&](double factor) { return flows(factor) && find_dissipation(factor) < found_.work; };
+    double low = smallest_factor, high = largest_factor;
+    found_.factor = std::numeric_limits<double>::infinity();
+    if (held_ > 1e-12 * fastest || !moves(high)) return found_;
+    while (high > low * (1 + 1e-12)) {
+      const double middle = std::sqrt(low * high);
+      (moves(middle) ? high : low) = middle;
+    }
+    found_.factor = high;
+    found_.dissipation = find_dissipation(high);
+    found_.holds = true;
+    return found_;
+  }
+
+  /// Of the largest strain rate; what sums of a few products leave.
+  static constexpr double no_opening = 1e-11;
+  static constexpr double smallest_factor = 1e-6, largest_factor = 1e6;
+  const Problem& problem_;
+  const VelocityField& field_;
+  std::vector<Corner> corners_;
+  KinematicCheck found_;
+  double held_ = 0, largest_ = 0;
+};
+
+}  // namespace
+
+KinematicCheck check(const Problem& problem, const VelocityField& field) {
+  return KinematicSum(problem, field).run();
+}
+
+}  // namespace talus::bounds

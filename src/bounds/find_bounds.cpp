@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Both bounds on one mesh after another.
+
+#include "bounds/find_bounds.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "bounds/conic/solve.hpp"
+#include "bounds/factor_search.hpp"
+#include "bounds/refine.hpp"
+
+namespace talus::bounds {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::infinity();
+/// How near the first mesh comes to its root, of the factor.
+constexpr double rough = 5e-3;
+/// The trials that are to prove lie so far outside the root, of the factor; further after each that did not.
+constexpr double nearest_proof = 5e-5, further = 4, furthest_proof = 1e-2;
+/// The strain rates of a mechanism keep so far inside the flow rule, as multipliers of the program; and where the soil
+/// flows, the flow rule of a factor larger by that share holds.
+constexpr double least_room = 1e-8, flow_room = 2e-5;
+/// Triangles around a corner of the border are no wider [rad].
+constexpr double widest_fan = 0.2;
+/// Of the gap, in the triangles that are made finer.
+constexpr double refined_share = 0.65;
+
+/// What each triangle contributes to the gap: the strain rates of the moving field times the strength that the holding
+/// field leaves there.
+std::vector<double> find_contributions(const Problem& problem, const ConicSolution& holding,
+                                       const ConicSolution& moving) {
+  std::vector<double> part(problem.size(), 0);
+  std::size_t a = holding.s.size(), b = moving.z.size();
+  for (std::size_t e = problem.size(); e-- > 0;) {
+    std::size_t rows = 0;
+    for (const Strength& soil : problem.strength[e]) rows += soil.tension ? 6 : 3;
+    a -= rows, b -= rows;
+    for (std::size_t k = 0; k < rows; ++k) part[e] += holding.s[a + k] * moving.z[b + k];
+  }
+  return part;
+}
+
+/// The fewest triangles that make `share` of the gap.
+std::vector<bool> mark(const std::vector<double>& parts, double share) {
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return parts[a] > parts[b]; });
+  const double all = std::accumulate(parts.begin(), parts.end(), 0.0);
+  std::vector<bool> marked(parts.size(), false);
+  double sum = 0;
+  for (const std::size_t e : order) {
+    if (sum > share * all) break;
+    sum += parts[e];
+    marked[e] = true;
+  }
+  return marked;
+}
+
+class BoundsSearch {
+ public:
+  BoundsSearch(const Problem& problem, const BoundsOptions& options,
+               const std::function<void(const BoundsLevel&)>& report)
+      : options_(options), report_(report) {
+    result_.problem = fan_out(problem, find_corners(problem), widest_fan);
+    result_.upper = none;
+  }
+
+  BoundsResult run() {
+    double low = options_.start, high = options_.start, tolerance = rough;
+    for (;;) {
+      const Problem& problem = result_.problem;
+      units_ = find_units(problem);
+      FactorSearch holding = make_search(Bound::lower), moving = make_search(Bound::upper);
+      const bool holds = approach(holding, low, high, tolerance), moves = moving.approach(high, tolerance);
+      result_.no_lower = holds ? "" : holding.why();
+      result_.no_upper = moves ? "" : moving.why();
+      const bool is_last = !holds || !moves || static_cast<int>(problem.size()) >= options_.most_triangles ||
+                           2 * (moving.root() - holding.root()) <= options_.gap * (moving.root() + holding.root());
+      if (is_last && holds) finish(holding, Bound::lower);
+      if (is_last && moves) finish(moving, Bound::upper);
+      tell(holding, moving);
+      if (is_last && (!holds || !moves || is_done())) break;
+      low = holding.root(), high = moving.root();
+      tolerance = 1;  // one trial each: the bound follows one mesh behind, and the last mesh is finished
+      result_.problem = refine(
+          problem, mark(find_contributions(problem, holding.last().solution, moving.last().solution), refined_share));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  FactorSearch make_search(Bound bound) {
+    return {options_.range, [this, bound](double factor) { return solve_program(bound, factor); }};
+  }
+
+  Trial solve_program(Bound bound, double factor) {
+    // The lack is needed to a share of the unit of stress, not of itself: it is near zero.
+    ConicOptions options;
+    options.tolerance = 1e-5, options.value_size = 1;
+    ConicProgram program = make_program(result_.problem, bound, factor, units_);
+    const double room = bound == Bound::upper ? room_ : 0;
+    leave_room(program, room);
+    Trial trial{factor, 0, 0, solve(program, options)};
+    if (trial.solution.end != ConicEnd::solved) return trial;
+    trial.lack = use_room(program, room, trial.solution);
+    trial.rate = find_lack_rate(result_.problem, bound, factor, units_, trial.solution);
+    prove(bound, trial);
+    return trial;
+  }
+
+  /// Without cohesion a stress field at the root of the last mesh says nothing of the next: one at the other bound's
+  /// root falls.
+  static bool approach(FactorSearch& holding, double low, double high, double tolerance) {
+    return tolerance < 1 ? holding.approach(low, tolerance)
+                         : holding.try_factor(low) && (holding.has_root() || holding.approach(high, tolerance));
+  }
+
+  /// Trials just outside the root, until one proves.
+  void finish(FactorSearch& search, Bound bound) {
+    for (double outside = nearest_proof; outside <= furthest_proof; outside *= further, room_ *= further) {
+      const double aim = search.root() * (bound == Bound::lower ? 1 - outside : 1 + outside);
+      const auto is_near = [&] {
+        return bound == Bound::lower ? result_.lower >= aim - 2 * outside * aim
+                                     : result_.upper <= aim + 2 * outside * aim;
+      };
+      if (is_near() || !search.try_factor(aim) || is_near()) return;
+    }
+  }
+
+  bool is_done() const {
+    return static_cast<int>(result_.problem.size()) >= options_.most_triangles ||
+           2 * (result_.upper - result_.lower) <= options_.gap * (result_.upper + result_.lower);
+  }
+
+  /// Only what the checks of the fields say counts. The bounds of coarser meshes stay bounds.
+  void prove(Bound bound, const Trial& trial) {
+    const Problem& problem = result_.problem;
+    if (bound == Bound::lower) {
+      StressField field =
+          read_stress(problem, make_program(problem, bound, trial.factor, units_), trial.solution, units_);
+      const StaticCheck found = check(problem, field);
+      if (!found.holds || !std::isfinite(found.factor) || found.factor <= result_.lower) return;
+      result_.lower = found.factor, result_.static_check = found, result_.stress = std::move(field);
+      result_.stress_problem = problem;
+    } else {
+      VelocityField field = read_velocity(problem, (1 + flow_room) * trial.factor, trial.solution);
+      const KinematicCheck found = check(problem, field);
+      if (!found.holds || found.factor >= result_.upper) return;
+      result_.upper = found.factor, result_.kinematic_check = found, result_.velocity = std::move(field);
+      result_.velocity_problem = problem;
+    }
+  }
+
+  void tell(const FactorSearch& holding, const FactorSearch& moving) {
+    result_.levels.push_back({static_cast<int>(result_.problem.size()), result_.lower, result_.upper,
+                              holding.programs() + moving.programs(), holding.iterations() + moving.iterations(),
+                              std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count()});
+    if (report_) report_(result_.levels.back());
+  }
+
+  const BoundsOptions& options_;
+  const std::function<void(const BoundsLevel&)>& report_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  BoundsResult result_;
+  Units units_;
+  double room_ = least_room;
+};
+
+}  // namespace
+
+BoundsResult find_bounds(const Problem& problem, const BoundsOptions& options,
+                         const std::function<void(const BoundsLevel&)>& report) {
+  return BoundsSearch(problem, options, report).run();
+}
+
+}  // namespace talus::bounds

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Velocities that open the soil: a little of them takes back what rounding leaves of the flow rule.
+
+#include <optional>
+
+#include "bounds/program_of.hpp"
+
+namespace talus::bounds {
+
+/// At a corner of a triangle: ε_v, and √((ε_x − ε_y)² + γ²) [1/m per unit of velocity].
+struct Strain {
+  double opening = 0, shear = 0;
+};
+
+/// Of the corners, three of each triangle, under the velocities with these numbers.
+std::vector<Strain> find_strains(const Problem& problem, const Velocities& mesh, const std::vector<double>& numbers);
+
+/// Whether soil of this strength may open at all: without friction and without a largest tension it keeps its volume.
+inline bool may_open(const Strength& soil) {
+  return soil.tan_friction > 0 || soil.tension.has_value();
+}
+
+/// sin φ with tan φ divided by the factor.
+double find_sine(const Strength& soil, double factor);
+
+/// Rows of div u = 0 at the corners that may not open, times the length of the section.
+SparseRows list_openings(const Problem& problem, const Velocities& mesh, double length);
+
+/// Numbers of velocities with ε_v > sin φ √((ε_x − ε_y)² + γ²) at every corner that may open, and ε_v = 0 at the
+/// others: lifting the soil by its height above the lowest node, or, where supports or other soil forbid that, the
+/// field of the largest margin. Nothing where there is none.
+std::optional<std::vector<double>> find_opening(const Problem& problem, const Velocities& mesh, double factor,
+                                                double length);
+
+}  // namespace talus::bounds

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: MIT
+// Rows of both programs: equilibrium, work, and the cones that they share.
+
+#include "bounds/program_of.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bounds/edges.hpp"
+
+namespace talus::bounds {
+
+namespace {
+
+/// Coefficients of the three components of a stress.
+using Row = std::array<double, 3>;
+
+std::map<std::pair<int, int>, const Side*> index_sides(const Problem& problem) {
+  std::map<std::pair<int, int>, const Side*> sides;
+  for (const Side& s : problem.sides) sides[{std::min(s.from, s.to), std::max(s.from, s.to)}] = &s;
+  return sides;
+}
+
+/// The mean over the triangle of a linear field times the shape function of corner i, times three: what a sum over
+/// corners takes.
+double find_weighted(const std::array<double, 3>& field, std::size_t i) {
+  return 0.25 * (field[0] + field[1] + field[2] + field[i]);
+}
+
+/// Of the strengths of a triangle those at its corners; or those that the dissipation of a corner takes, which is not
+/// less than that of the fields between the corners.
+enum class Strengths { own, weighted };
+
+/// 0 ≤ available + lacking · m − mean (σx + σy) is not less than half the difference of the principal stresses; and the
+/// derivatives of the three by the factor.
+struct Cone {
+  double mean = 0, lacking = 0, available = 0;
+  double mean_rate = 0, lacking_rate = 0, available_rate = 0;
+};
+
+/// use(triangle, corner, cone): Mohr–Coulomb's, and that of the largest tension after it.
+template <class Use>
+void visit_cones(const Problem& problem, double factor, const Units& units, Strengths strengths, Use use) {
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    const auto& own = problem.strength[e];
+    const auto find = [&](std::size_t i, auto get) {
+      const double at = get(own[i]);
+      return (strengths == Strengths::own ? at : find_weighted({get(own[0]), get(own[1]), get(own[2])}, i)) /
+             units.stress;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double cohesion = find(i, [](const Strength& s) { return s.cohesion; });
+      const double tangent = own[i].tan_friction / factor, cosine = 1 / std::hypot(1.0, tangent),
+                   cube = cosine * cosine * cosine;
+      const double tangent_rate = -tangent / factor, cosine_rate = -tangent * cube * tangent_rate;
+      use(e, i,
+          Cone{0.5 * tangent * cosine, cosine, cohesion * cosine / factor, 0.5 * cube * tangent_rate, cosine_rate,
+               cohesion * (cosine_rate - cosine / factor) / factor});
+      if (!own[i].tension) continue;
+      const double tension = find(i, [](const Strength& s) { return s.tension.value_or(0); });
+      use(e, i, Cone{0.5, 1, tension / factor, 0, 0, -tension / (factor * factor)});
+    }
+  }
+}
+
+class ProgramBuilder {
+ public:
+  ProgramBuilder(const Problem& problem, double factor, const Units& units)
+      : problem_(problem), factor_(factor), units_(units) {
+    program_.variables = static_cast<int>(9 * problem.size()) + 1;
+    program_.cost.assign(static_cast<std::size_t>(program_.variables), 0);
+    program_.cost.back() = 1;
+  }
+
+  /// A row of a corner: adds to what is added already for this equation.
+  void add(std::size_t triangle, std::size_t corner, const Row& row, double times = 1) {
+    for (int d = 0; d < 3; ++d)
+      if (row[static_cast<std::size_t>(d)] != 0)
+        entries_.push_back({static_cast<int>(9 * triangle + 3 * corner) + d, times * row[static_cast<std::size_t>(d)]});
+  }
+  void end_equation(double right) {
+    end_row(right);
+    ++program_.equations;
+  }
+
+  /// The criterion at every corner of every triangle, with m more cohesion.
+  ConicProgram finish(Strengths strengths) {
+    const int lack = program_.variables - 1;
+    visit_cones(problem_, factor_, units_, strengths, [&](std::size_t e, std::size_t i, const Cone& cone) {
+      add_cone(e, i, cone.mean, cone.lacking, cone.available, lack);
+    });
+    return std::move(program_);
+  }
+
+ private:
+  void end_row(double right) {
+    std::sort(entries_.begin(), entries_.end());
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      if (k > 0 && entries_[k].first == entries_[k - 1].first) {
+        program_.rows.value.back() += entries_[k].second;
+      } else {
+        program_.rows.add(entries_[k].first, entries_[k].second);
+      }
+    }
+    entries_.clear();
+    program_.rows.end_row();
+    program_.right.push_back(right);
+  }
+  void add_cone(std::size_t e, std::size_t i, double mean, double lacking, double available, int lack) {
+    add(e, i, {mean, mean, 0});
+    entries_.push_back({lack, -lacking});
+    end_row(available);
+    add(e, i, {-0.5, 0.5, 0});
+    end_row(0);
+    add(e, i, {0, 0, -1});
+    end_row(0);
+    program_.cones.push_back(3);
+  }
+
+  const Problem& problem_;
+  double factor_;
+  Units units_;
+  ConicProgram program_;
+  std::vector<std::pair<int, double>> entries_;
+};
+
+/// Normal and shear traction of a stress on an edge, per unit of length.
+struct EdgeRows {
+  Row normal, along;
+  Vec<2> n, t;
+};
+EdgeRows find_rows(const Vec<2>& from, const Vec<2>& to) {
+  const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+  const Vec<2> t{(to[0] - from[0]) / length, (to[1] - from[1]) / length}, n{t[1], -t[0]};
+  return {{n[0] * n[0], n[1] * n[1], 2 * n[0] * n[1]}, {n[0] * t[0], n[1] * t[1], n[0] * t[1] + n[1] * t[0]}, n, t};
+}
+
+}  // namespace
+
+Units find_units(const Problem& problem) {
+  Units units{0, 0};
+  Vec<2> low = problem.nodes.front(), high = low;
+  for (const Vec<2>& x : problem.nodes)
+    for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
+  units.length = high[1] - low[1];
+  for (const Vec<2>& b : problem.body_force) units.stress = std::max(units.stress, norm(b) * units.length);
+  for (const Side& s : problem.sides)
+    for (const Vec<2>& t : s.traction) units.stress = std::max(units.stress, norm(t));
+  if (!(units.stress > 0)) units.stress = 1;
+  return units;
+}
+
+static ConicProgram make_static_program(const Problem& problem, double factor, const Units& units) {
+  ProgramBuilder builder(problem, factor, units);
+  const double unit = units.stress;
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    // div σ' = ∇p − b, times the length of the section.
+    const Shape shape = find_shape(problem, e);
+    Vec<2> right{-problem.body_force[e][0], -problem.body_force[e][1]};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t d = 0; d < 2; ++d) right[d] += problem.pore_pressure[e][i] * shape.gradient[i][d];
+    for (std::size_t d = 0; d < 2; ++d) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec<2>& g = shape.gradient[i];
+        builder.add(e, i, d == 0 ? Row{g[0], 0, g[1]} : Row{0, g[1], g[0]}, units.length);
+      }
+      builder.end_equation(right[d] * units.length / unit);
+    }
+  }
+  const auto sides = index_sides(problem);
+  for (const Edge& edge : list_edges(problem.triangles)) {
+    const Vec<2>&from = problem.nodes[static_cast<std::size_t>(edge.from)],
+          &to = problem.nodes[static_cast<std::size_t>(edge.to)];
+    const EdgeRows rows = find_rows(from, to);
+    const auto e = static_cast<std::size_t>(edge.triangle);
+    const auto found = sides.find({std::min(edge.from, edge.to), std::max(edge.from, edge.to)});
+    const Side* side = edge.other < 0 && found != sides.end() ? found->second : nullptr;
+    for (const int node : {edge.from, edge.to}) {
+      const std::size_t i = find_corner(problem.triangles[e], node);
+      double normal = problem.pore_pressure[e][i], along = 0;
+      if (edge.other >= 0) {
+        const auto o = static_cast<std::size_t>(edge.other);
+        const std::size_t j = find_corner(problem.triangles[o], node);
+        normal -= problem.pore_pressure[o][j];
+        builder.add(e, i, rows.normal), builder.add(o, j, rows.normal, -1);
+        builder.end_equation(normal / unit);
+        builder.add(e, i, rows.along), builder.add(o, j, rows.along, -1);
+        builder.end_equation(0);
+        continue;
+      }
+      if (side) {
+        const Vec<2>& t = side->traction[node == side->from ? 0 : 1];
+        normal += dot(t, rows.n), along += dot(t, rows.t);
+      }
+      if (!side || !side->holds_normal) builder.add(e, i, rows.normal), builder.end_equation(normal / unit);
+      if (!side || !side->holds_along) builder.add(e, i, rows.along), builder.end_equation(along / unit);
+    }
+  }
+  return builder.finish(Strengths::own);
+}
+
+Velocities number_velocities(const Problem& problem) {
+  Velocities v;
+  v.nodes = problem.nodes;
+  v.triangles.resize(problem.size());
+  const std::vector<Edge> edges = list_edges(problem.triangles);
+  auto& middles = v.middles;
+  for (const Edge& edge : edges) {
+    const Vec<2>&a = problem.nodes[static_cast<std::size_t>(edge.from)],
+          &b = problem.nodes[static_cast<std::size_t>(edge.to)];
+    middles[{std::min(edge.from, edge.to), std::max(edge.from, edge.to)}] = static_cast<int>(v.nodes.size());
+    v.nodes.push_back({0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])});
+  }
+  for (std::size_t e = 0; e < problem.size(); ++e)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int a = problem.triangles[e][i], b = problem.triangles[e][(i + 1) % 3];
+      v.triangles[e][i] = a;
+      v.triangles[e][3 + i] = middles.at({std::min(a, b), std::max(a, b)});
+    }
+  // Directions that are held, at most two that differ.
+  std::vector<std::vector<Vec<2>>> held(v.nodes.size());
+  auto hold = [&](int node, const Vec<2>& direction) {
+    auto& own = held[static_cast<std::size_t>(node)];
+    const bool known = std::any_of(own.begin(), own.end(), [&](const Vec<2>& h) {
+      return std::abs(h[0] * direction[1] - h[1] * direction[0]) < 1e-9;
+    });
+    if (!known) own.push_back(direction);
+  };
+  for (const Side& side : problem.sides) {
+    const EdgeRows rows =
+        find_rows(problem.nodes[static_cast<std::size_t>(side.from)], problem.nodes[static_cast<std::size_t>(side.to)]);
+    for (const int node :
+         {side.from, side.to, middles.at({std::min(side.from, side.to), std::max(side.from, side.to)})}) {
+      if (side.holds_normal) hold(node, rows.n);
+      if (side.holds_along) hold(node, rows.t);
+    }
+  }
+  v.freedoms.resize(v.nodes.size());
+  for (std::size_t n = 0; n < v.nodes.size(); ++n) {
+    if (held[n].empty()) {
+      v.freedoms[n] = {{{1, 0}, v.count}, {{0, 1}, v.count + 1}};
+      v.count += 2;
+    } else if (held[n].size() == 1) {
+      v.freedoms[n] = {{{-held[n][0][1], held[n][0][0]}, v.count++}};
+    }
+  }
+  return v;
+}
+
+static ConicProgram make_kinematic_program(const Problem& problem, double factor, const Units& units) {
+  const Velocities v = number_velocities(problem);
+  struct Use {
+    std::size_t triangle, corner;
+    Row row;
+  };
+  std::vector<std::vector<Use>> uses(static_cast<std::size_t>(v.count));
+  std::vector<double> work(static_cast<std::size_t>(v.count), 0);
+  auto each = [&](int node, auto&& give) {
+    for (const auto& f : v.freedoms[static_cast<std::size_t>(node)])
+      give(static_cast<std::size_t>(f.number), f.direction);
+  };
+  const double force_unit = units.stress * units.length;
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    const Shape shape = find_shape(problem, e);
+    const double third = shape.area / 3;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto gradients = find_quadratic_gradients(shape, c);
+      const double pore = find_weighted(problem.pore_pressure[e], c);
+      for (std::size_t k = 0; k < 6; ++k)
+        each(v.triangles[e][k], [&](std::size_t number, const Vec<2>& d) {
+          const Vec<2>& g = gradients[k];
+          const double by = third / units.length;
+          uses[number].push_back({e, c, {by * g[0] * d[0], by * g[1] * d[1], by * (g[1] * d[0] + g[0] * d[1])}});
+          work[number] += third * pore * dot(g, d) / force_unit;
+        });
+      each(v.triangles[e][3 + c], [&](std::size_t number, const Vec<2>& d) {
+        work[number] += third * dot(problem.body_force[e], d) / force_unit;
+      });
+    }
+  }
+  for (const Side& side : problem.sides) {
+    const Vec<2>&a = problem.nodes[static_cast<std::size_t>(side.from)],
+          &b = problem.nodes[static_cast<std::size_t>(side.to)];
+    const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+    const int middle = v.middles.at({std::min(side.from, side.to), std::max(side.from, side.to)});
+    const auto& t = side.traction;
+    each(side.from,
+         [&](std::size_t number, const Vec<2>& d) { work[number] += length * dot(t[0], d) / 6 / force_unit; });
+    each(side.to, [&](std::size_t number, const Vec<2>& d) { work[number] += length * dot(t[1], d) / 6 / force_unit; });
+    each(middle, [&](std::size_t number, const Vec<2>& d) {
+      work[number] += length * (dot(t[0], d) + dot(t[1], d)) / 3 / force_unit;
+    });
+  }
+  ProgramBuilder builder(problem, factor, units);
+  for (std::size_t number = 0; number < uses.size(); ++number) {
+    for (const Use& use : uses[number]) builder.add(use.triangle, use.corner, use.row);
+    builder.end_equation(work[number]);
+  }
+  return builder.finish(Strengths::weighted);
+}
+
+double find_lack_rate(const Problem& problem, Bound bound, double factor, const Units& units,
+                      const ConicSolution& solution) {
+  std::size_t row = solution.z.size();
+  for (const auto& strengths : problem.strength)
+    for (const Strength& soil : strengths) row -= soil.tension ? 6 : 3;
+  const double lack = solution.x.back();
+  double rate = 0;
+  visit_cones(problem, factor, units, bound == Bound::lower ? Strengths::own : Strengths::weighted,
+              [&](std::size_t e, std::size_t i, const Cone& cone) {
+                const double* stress = &solution.x[9 * e + 3 * i];
+                rate += solution.z[row] *
+                        (cone.mean_rate * (stress[0] + stress[1]) - cone.lacking_rate * lack - cone.available_rate);
+                row += 3;
+              });
+  return rate;
+}
+
+ConicProgram make_program(const Problem& problem, Bound bound, double factor, const Units& units) {
+  return bound == Bound::lower ? make_static_program(problem, factor, units)
+                               : make_kinematic_program(problem, factor, units);
+}
+
+// z = z' + room · e of each cone: Aᵀz + q = Aᵀz' + (q + room Σ first rows).
+void leave_room(ConicProgram& program, double room) {
+  auto row = static_cast<std::size_t>(program.equations);
+  for (const int size : program.cones) {
+    for (auto k = static_cast<std::size_t>(program.rows.first[row]);
+         k < static_cast<std::size_t>(program.rows.first[row + 1]); ++k)
+      program.cost[static_cast<std::size_t>(program.rows.column[k])] += room * program.rows.value[k];
+    row += static_cast<std::size_t>(size);
+  }
+}
+
+double use_room(const ConicProgram& program, double room, ConicSolution& solution) {
+  auto row = static_cast<std::size_t>(program.equations);
+  for (const int size : program.cones) {
+    solution.z[row] += room;
+    row += static_cast<std::size_t>(size);
+  }
+  double lack = 0;
+  for (std::size_t i = 0; i < program.right.size(); ++i) lack -= program.right[i] * solution.z[i];
+  return lack;
+}
+
+}  // namespace talus::bounds

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Proven bounds against exact collapse loads: the interval holds the exact factor, and becomes narrower.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <algorithm>
+
+#include "bounds/edges.hpp"
+#include "bounds/find_bounds.hpp"
+#include "bounds/refine.hpp"
+#include "support/bounds_sections.hpp"
+
+namespace talus::bounds {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+BoundsOptions until(double gap, int triangles) {
+  BoundsOptions options;
+  options.gap = gap;
+  options.most_triangles = triangles;
+  return options;
+}
+
+void expect_holds(const BoundsResult& found, double exact, double gap) {
+  EXPECT_EQ(found.no_lower, "");
+  EXPECT_EQ(found.no_upper, "");
+  EXPECT_LE(found.lower, exact * (1 + 1e-6));
+  EXPECT_GE(found.upper, exact * (1 - 1e-6));
+  EXPECT_LE(found.upper - found.lower, gap * exact);
+}
+
+/// Prandtl (1920): a strip of pressure on soil without weight carries N_c c, N_c = (N_q − 1) cot φ, N_q = e^{π tan φ}
+/// tan²(45° + φ/2), and (2 + π) c without friction. Half of it, from the axis on.
+Problem make_strip(double friction_degrees, double width, double depth, int parts) {
+  Problem p = make_columns(divide(0, {{1, parts}, {width, 2 * parts}}), 2 * parts, -depth, [](double) { return 0.0; });
+  fill(p, 1, friction_degrees, 0);
+  const double phi = friction_degrees * pi / 180,
+               q = std::exp(pi * std::tan(phi)) * std::pow(std::tan(pi / 4 + phi / 2), 2);
+  press(p, 0, 1, 0, phi > 0 ? (q - 1) / std::tan(phi) : 2 + pi);
+  return p;
+}
+
+TEST(Bounds, PrandtlsStripWithoutFriction) {
+  expect_holds(find_bounds(make_strip(0, 4, 2, 2), until(0.05, 600)), 1, 0.05);
+}
+
+TEST(Bounds, PrandtlsStripWithFriction) {
+  expect_holds(find_bounds(make_strip(30, 9, 5, 2), until(0.06, 1200)), 1, 0.06);
+}
+
+/// A vertical cut in soil without friction: γ H/c between 3.7752 and 3.7776 (Pastor, Thai and Francescato 2000; Lyamin
+/// and Sloan 2002).
+TEST(Bounds, VerticalCut) {
+  const Problem p = [] {
+    // Height 1, of which the left part is dug away: the floor is level with the toe.
+    Problem whole = make_columns(divide(0, {{1, 4}, {2.5, 6}}), 8, -1, [](double) { return 1.0; });
+    Problem cut;
+    cut.nodes = whole.nodes;
+    for (const Triangle& t : whole.triangles) {
+      double x = 0, y = 0;
+      for (const int n : t)
+        x += whole.nodes[static_cast<std::size_t>(n)][0] / 3, y += whole.nodes[static_cast<std::size_t>(n)][1] / 3;
+      if (x > 1 || y < 0) cut.triangles.push_back(t);
+    }
+    for (const Side& s : whole.sides) {
+      const double y =
+          0.5 * (whole.nodes[static_cast<std::size_t>(s.from)][1] + whole.nodes[static_cast<std::size_t>(s.to)][1]);
+      const double x = whole.nodes[static_cast<std::size_t>(s.from)][0];
+      if (x > 0 || y < 0) cut.sides.push_back(s);
+    }
+    fill(cut, 1, 0, 3.7764);
+    return cut;
+  }();
+  const BoundsResult found = find_bounds(p, until(0.04, 900));
+  EXPECT_LE(3.7764 * found.lower, 3.7776);
+  EXPECT_GE(3.7764 * found.upper, 3.7752);
+  EXPECT_LE(found.upper / found.lower - 1, 0.05);
+}
+
+Problem make_slope(double cohesion, double friction_degrees, double unit_weight, bool mirrored = false,
+                   double shift = 0) {
+  Problem p = make_columns(divide(0, {{12, 3}, {32, 5}, {44, 3}}), 3, 0, [](double x) {
+    return x <= 12 ? 15.0 : x >= 32 ? 5.0 : 15 - (x - 12) / 2;
+  });
+  fill(p, cohesion, friction_degrees, unit_weight);
+  for (Vec<2>& x : p.nodes) x = {(mirrored ? -x[0] : x[0]) + shift, x[1] + shift};
+  if (mirrored)
+    for (Triangle& t : p.triangles) std::swap(t[0], t[1]);
+  return p;
+}
+
+/// Without cohesion the face slides first: F = tan φ / tan β. A field of stress proves it.
+TEST(Bounds, SlopeWithoutCohesion) {
+  const double exact = 2 * std::tan(pi / 6);
+  const BoundsResult found = find_bounds(make_slope(0, 30, 15598), until(0.02, 400));
+  EXPECT_LE(found.lower, exact * (1 + 1e-6));
+  EXPECT_GE(found.lower, 0.99 * exact);
+  EXPECT_GE(found.upper, exact);
+  EXPECT_LE(found.upper, 1.08 * exact);
+}
+
+/// Soil that bears no tension carries less.
+TEST(Bounds, SoilWithoutTensionCarriesLess) {
+  Problem p = make_slope(30000, 0, 18000);
+  const BoundsResult with = find_bounds(p, until(0.03, 700));
+  for (auto& corners : p.strength)
+    for (Strength& soil : corners) soil.tension = 0;
+  const BoundsResult without = find_bounds(p, until(0.03, 900));
+  EXPECT_LE(with.lower, with.upper);
+  EXPECT_LE(without.lower, without.upper);
+  EXPECT_LT(without.upper, with.lower);
+}
+
+TEST(Bounds, SaysWhyThereIsNone) {
+  Problem p = make_slope(0.001, 1, 18000);
+  BoundsResult found = find_bounds(p, until(0.05, 100));
+  EXPECT_EQ(found.lower, 0);
+  EXPECT_NE(found.no_lower, "");
+  p = make_slope(1e9, 0, 18000);
+  found = find_bounds(p, until(0.05, 100));
+  EXPECT_NE(found.no_upper, "");
+  p = make_slope(1000, 20, 18000);
+  p.sides.clear();
+  found = find_bounds(p, until(0.05, 100));
+  EXPECT_EQ(found.no_lower, "no stress field is in equilibrium with the loads");
+}
+
+/// Clay over sand: the clay keeps its volume, and is lifted as a whole by sand that opens.
+TEST(Bounds, ClayAndSand) {
+  Problem p = make_slope(5000, 20, 18000);
+  constexpr std::size_t lowest_row = 4 * 11;  // of crossed triangles
+  for (std::size_t e = lowest_row; e < p.size(); ++e)
+    for (Strength& soil : p.strength[e]) soil = {40000, 0, {}};
+  const BoundsResult found = find_bounds(p, until(0.05, 600));
+  EXPECT_EQ(found.no_lower + found.no_upper, "");
+  EXPECT_LE(found.lower, found.upper);
+  EXPECT_LE(found.upper / found.lower, 1.1);
+}
+
+/// The dry slope of the source: Spencer's factor is 1.439. Each mesh can only make the interval narrower.
+TEST(Bounds, DrySlopeTightens) {
+  std::vector<BoundsLevel> levels;
+  const BoundsResult found =
+      find_bounds(make_slope(2000, 30, 15597.9), until(0.03, 600), [&](const BoundsLevel& l) { levels.push_back(l); });
+  expect_holds(found, 1.435, 0.04);
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    EXPECT_GE(levels[i].lower, levels[i - 1].lower);
+    EXPECT_LE(levels[i].upper, levels[i - 1].upper);
+  }
+  EXPECT_TRUE(check(found.stress_problem, found.stress).holds);
+  EXPECT_DOUBLE_EQ(check(found.stress_problem, found.stress).factor, found.lower);
+  EXPECT_DOUBLE_EQ(check(found.velocity_problem, found.velocity).factor, found.upper);
+}
+
+TEST(Bounds, MirroredAndMovedItIsTheSameSlope) {
+  const BoundsResult here = find_bounds(make_slope(30000, 0, 18000), until(0.5, 100));
+  const BoundsResult there = find_bounds(make_slope(30000, 0, 18000, true, 1000), until(0.5, 100));
+  EXPECT_NEAR(there.lower, here.lower, 1e-4);
+  EXPECT_NEAR(there.upper, here.upper, 1e-4);
+}
+
+/// A field that somebody changed proves less, or nothing.
+TEST(Bounds, ChecksFindWhatWasChanged) {
+  const BoundsResult found = find_bounds(make_slope(2000, 30, 15597.9), until(0.5, 100));
+  StressField stress = found.stress;
+  ASSERT_TRUE(check(found.stress_problem, stress).holds);
+  stress.stress[40][1][2] += 1;
+  EXPECT_FALSE(check(found.stress_problem, stress).holds);
+  VelocityField velocity = found.velocity;
+  const Problem& moving = found.velocity_problem;
+  ASSERT_TRUE(check(moving, velocity).holds);
+  for (const Side& s : moving.sides)
+    if (s.holds_normal)
+      velocity.velocity[static_cast<std::size_t>(s.from)][1] = velocity.velocity[static_cast<std::size_t>(s.from)][0] =
+          1;
+  EXPECT_FALSE(check(moving, velocity).holds);
+}
+
+/// Halving keeps area and border, and every edge has the same neighbours from both sides.
+TEST(Bounds, RefinementKeepsTheSection) {
+  Problem p = make_slope(1, 0, 1);
+  auto find_area = [](const Problem& q) {
+    double area = 0;
+    for (std::size_t e = 0; e < q.size(); ++e) area += find_shape(q, e).area;
+    return area;
+  };
+  const double area = find_area(p);
+  for (int round = 0; round < 4; ++round) {
+    std::vector<bool> marked(p.size(), false);
+    for (std::size_t e = 0; e < p.size(); e += 7) marked[e] = true;
+    p = refine(p, marked);
+    EXPECT_NEAR(find_area(p), area, 1e-9 * area);
+    for (std::size_t e = 0; e < p.size(); ++e) EXPECT_GT(find_shape(p, e).area, 0);
+    // Euler's number of a disk: nodes − edges + triangles = 1.
+    std::vector<bool> used(p.nodes.size(), false);
+    for (const Triangle& t : p.triangles)
+      for (const int n : t) used[static_cast<std::size_t>(n)] = true;
+    const auto nodes = std::count(used.begin(), used.end(), true);
+    EXPECT_EQ(nodes - static_cast<long>(list_edges(p.triangles).size()) + static_cast<long>(p.size()), 1);
+  }
+}
+
+}  // namespace
+}  // namespace talus::bounds
