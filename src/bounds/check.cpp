@@ -43,7 +43,11 @@ std::map<std::pair<int, int>, std::size_t> index_sides(const Problem& problem) {
 StaticCheck check(const Problem& problem, const StressField& field) {
   const Units units = find_units(problem);
   StaticCheck found{std::numeric_limits<double>::infinity(), 0, false};
-  auto note = [&](double imbalance) { found.imbalance = std::max(found.imbalance, std::abs(imbalance)); };
+  // A number that is none is no proof: it is told as infinite, and comparisons with it are written so that they fail.
+  auto note = [&](double imbalance) {
+    found.imbalance = std::isnan(imbalance) ? std::numeric_limits<double>::infinity()
+                                            : std::max(found.imbalance, std::abs(imbalance));
+  };
   const auto node = [&](int n) -> const Vec<2>& { return problem.nodes[static_cast<std::size_t>(n)]; };
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const Triangle& t = problem.triangles[e];
@@ -62,8 +66,8 @@ StaticCheck check(const Problem& problem, const StressField& field) {
     note((xy[0] + yy[1] + problem.body_force[e][1]) * units.length);
     for (std::size_t i = 0; i < 3; ++i) {
       Strength soil = problem.strength[e][i];
-      soil.cohesion += rounding * units.stress;
-      if (soil.tension) *soil.tension += rounding * units.stress;
+      soil.cohesion = std::max(soil.cohesion, least_strength * units.stress);
+      if (soil.tension) soil.tension = std::max(*soil.tension, least_strength * units.stress);
       found.factor = std::min(found.factor, find_factor(soil, field.stress[e][i]));
     }
   }
@@ -216,11 +220,15 @@ class KinematicSum {
   /// Flow rule and dissipation only become easier with the factor: the least factor by halving, and its upper end.
   KinematicCheck judge() {
     double fastest = 0;
-    for (const Vec<2>& v : field_.velocity) fastest = std::max(fastest, norm(v));
+    bool is_finite = true;
+    for (const Vec<2>& v : field_.velocity) {
+      fastest = std::max(fastest, norm(v));
+      is_finite = is_finite && std::isfinite(norm(v));
+    }
     const auto moves = [&](double factor) { return flows(factor) && find_dissipation(factor) < found_.work; };
     double low = smallest_factor, high = largest_factor;
     found_.factor = std::numeric_limits<double>::infinity();
-    if (held_ > 1e-12 * fastest || !moves(high)) return found_;
+    if (!is_finite || held_ > 1e-12 * fastest || !moves(high)) return found_;
     while (high > low * (1 + 1e-12)) {
       const double middle = std::sqrt(low * high);
       (moves(middle) ? high : low) = middle;

@@ -6,9 +6,12 @@
 
 namespace talus::bounds {
 
-/// What rounding may leave, in units of find_units(): of stress in equilibrium and criterion, of strain rate in the
-/// flow rule.
+/// What rounding may leave of equilibrium, in units of stress.
 inline constexpr double rounding = 1e-8;
+
+/// Cohesion or largest tension that soil is taken to have where it is given less, in units of stress: at a free surface
+/// soil without them bears no stress at all, and a field may only be so near to none.
+inline constexpr double least_strength = 1e-6;
 
 struct StaticCheck {
   double factor = 0;  ///< strengths divided by it hold the field everywhere

@@ -27,11 +27,12 @@ constexpr double nearest_proof = 5e-5, further = 4, furthest_proof = 1e-2;
 constexpr double least_room = 1e-8, flow_room = 2e-5;
 /// Triangles around a corner of the border are no wider [rad].
 constexpr double widest_fan = 0.2;
-/// Of the gap, in the triangles that are made finer.
-constexpr double refined_share = 0.65;
+/// Of the gap, in the triangles that are made finer; and of the triangles, which they are at least.
+constexpr double refined_share = 0.65, fewest_refined = 0.1;
 
-/// What each triangle contributes to the gap: the strain rates of the moving field times the strength that the holding
-/// field leaves there.
+/// What each triangle contributes to the gap: the strain rates of one field times the strength that the other leaves
+/// there. The other way round, too: where the lower bound alone has found what fails first, nothing moves yet in the
+/// upper one.
 std::vector<double> find_contributions(const Problem& problem, const ConicSolution& holding,
                                        const ConicSolution& moving) {
   std::vector<double> part(problem.size(), 0);
@@ -40,23 +41,24 @@ std::vector<double> find_contributions(const Problem& problem, const ConicSoluti
     std::size_t rows = 0;
     for (const Strength& soil : problem.strength[e]) rows += soil.tension ? 6 : 3;
     a -= rows, b -= rows;
-    for (std::size_t k = 0; k < rows; ++k) part[e] += holding.s[a + k] * moving.z[b + k];
+    for (std::size_t k = 0; k < rows; ++k)
+      part[e] += holding.s[a + k] * moving.z[b + k] + moving.s[b + k] * holding.z[a + k];
   }
   return part;
 }
 
-/// The fewest triangles that make `share` of the gap.
-std::vector<bool> mark(const std::vector<double>& parts, double share) {
+/// The fewest triangles that make the share of the gap, but no fewer than are worth a new mesh.
+std::vector<bool> mark(const std::vector<double>& parts) {
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return parts[a] > parts[b]; });
   const double all = std::accumulate(parts.begin(), parts.end(), 0.0);
   std::vector<bool> marked(parts.size(), false);
   double sum = 0;
-  for (const std::size_t e : order) {
-    if (sum > share * all) break;
-    sum += parts[e];
-    marked[e] = true;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (sum > refined_share * all && static_cast<double>(i) > fewest_refined * static_cast<double>(order.size())) break;
+    sum += parts[order[i]];
+    marked[order[i]] = true;
   }
   return marked;
 }
@@ -87,9 +89,10 @@ class BoundsSearch {
       if (is_last && (!holds || !moves || is_done())) break;
       low = holding.root(), high = moving.root();
       tolerance = 1;  // one trial each: the bound follows one mesh behind, and the last mesh is finished
-      result_.problem = refine(
-          problem, mark(find_contributions(problem, holding.last().solution, moving.last().solution), refined_share));
+      result_.problem =
+          refine(problem, mark(find_contributions(problem, holding.last().solution, moving.last().solution)));
     }
+    refuse_contradiction();
     return std::move(result_);
   }
 
@@ -128,8 +131,18 @@ class BoundsSearch {
         return bound == Bound::lower ? result_.lower >= aim - 2 * outside * aim
                                      : result_.upper <= aim + 2 * outside * aim;
       };
-      if (is_near() || !search.try_factor(aim) || is_near()) return;
+      if (is_near()) return;
+      search.try_factor(aim);  // where the solver stops, the next one is further from the degenerate root
     }
+  }
+
+  /// Two proofs that contradict each other are none, and nobody is to read them as such.
+  void refuse_contradiction() {
+    constexpr double least_strengths = 1e-3;  ///< what soil that is taken to have a little strength may differ
+    if (result_.lower <= result_.upper * (1 + least_strengths)) return;
+    result_.no_lower = result_.no_upper =
+        "the two bounds contradict each other, which is a fault of the program; please report it with the case";
+    result_.lower = 0, result_.upper = none;
   }
 
   bool is_done() const {

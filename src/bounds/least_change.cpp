@@ -4,14 +4,21 @@
 #include "bounds/least_change.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace talus::bounds {
 
-void fulfil(const SparseRows& a, int rows, const std::vector<double>& right, std::vector<double>& x) {
-  constexpr double shift = 1e-10;
-  constexpr int most_rounds = 4;
-  const int n = static_cast<int>(x.size());
-  if (rows == 0) return;
+namespace {
+
+constexpr int most_rounds = 8;
+/// Small diagonals in place of the rows' zero: one that is too small has no factors where rows repeat one another.
+constexpr double shifts[] = {1e-10, 1e-8, 1e-6};
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+Matrix make_matrix(const SparseRows& a, int rows, int n, double shift) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < n; ++i) entries.emplace_back(i, i, 1.0);
   for (int r = 0; r < rows; ++r) {
@@ -19,20 +26,46 @@ void fulfil(const SparseRows& a, int rows, const std::vector<double>& right, std
     for (int k = a.first[static_cast<std::size_t>(r)]; k < a.first[static_cast<std::size_t>(r + 1)]; ++k)
       entries.emplace_back(n + r, a.column[static_cast<std::size_t>(k)], a.value[static_cast<std::size_t>(k)]);
   }
-  Eigen::SparseMatrix<double> matrix(n + rows, n + rows);
+  Matrix matrix(n + rows, n + rows);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors(matrix);
-  Eigen::VectorXd left = Eigen::VectorXd::Zero(n + rows);
-  for (int round = 0; round < most_rounds; ++round) {
-    for (int r = 0; r < rows; ++r) {
-      double own = right[static_cast<std::size_t>(r)];
-      for (int k = a.first[static_cast<std::size_t>(r)]; k < a.first[static_cast<std::size_t>(r + 1)]; ++k)
-        own -=
-            a.value[static_cast<std::size_t>(k)] * x[static_cast<std::size_t>(a.column[static_cast<std::size_t>(k)])];
-      left[n + r] = own;
+  return matrix;
+}
+
+/// right − A x.
+Eigen::VectorXd find_left(const SparseRows& a, int rows, const std::vector<double>& right, const Eigen::VectorXd& x) {
+  Eigen::VectorXd left(rows);
+  for (int r = 0; r < rows; ++r) {
+    double own = right[static_cast<std::size_t>(r)];
+    for (int k = a.first[static_cast<std::size_t>(r)]; k < a.first[static_cast<std::size_t>(r + 1)]; ++k)
+      own -= a.value[static_cast<std::size_t>(k)] * x[a.column[static_cast<std::size_t>(k)]];
+    left[r] = own;
+  }
+  return left;
+}
+
+}  // namespace
+
+void fulfil(const SparseRows& a, int rows, const std::vector<double>& right, std::vector<double>& x) {
+  if (rows == 0) return;
+  const int n = static_cast<int>(x.size());
+  const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
+  double least = std::numeric_limits<double>::infinity();
+  for (const double shift : shifts) {
+    const Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factors(make_matrix(a, rows, n, shift));
+    if (factors.info() != Eigen::Success) continue;
+    Eigen::VectorXd at = start;
+    for (int round = 0; round <= most_rounds; ++round) {
+      const Eigen::VectorXd left = find_left(a, rows, right, at);
+      const double most = left.lpNorm<Eigen::Infinity>();
+      if (!std::isfinite(most) || most >= least) break;
+      least = most;
+      std::copy_n(at.data(), n, x.begin());
+      Eigen::VectorXd sides = Eigen::VectorXd::Zero(n + rows);
+      sides.tail(rows) = left;
+      at += factors.solve(sides).head(n);
     }
-    const Eigen::VectorXd change = factors.solve(left);
-    for (int i = 0; i < n; ++i) x[static_cast<std::size_t>(i)] += change[i];
+    constexpr double rounding_of_rows = 1e-12;
+    if (least < rounding_of_rows) return;
   }
 }
 

@@ -24,7 +24,7 @@ enum class Bound {
   lower,  ///< stresses linear in each triangle, in equilibrium inside, across every edge and with the loads: a field
           ///< that holds
   upper   ///< equilibrium with every quadratic field of velocities on six-node triangles: its multipliers are such a
-         ///< field, and the strength is needed at the corners of the triangles only
+          ///< field, and the strength is needed at the corners of the triangles only
 };
 
 ConicProgram make_program(const Problem& problem, Bound bound, double factor, const Units& units);

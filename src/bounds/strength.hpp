@@ -25,6 +25,7 @@ inline Circle find_circle(const Stress& s) {
 inline double find_factor(const Strength& soil, const Stress& effective) {
   const Circle circle = find_circle(effective);
   constexpr double any = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(circle.radius) || !std::isfinite(circle.mean)) return 0;
   const double available = soil.cohesion - circle.mean * soil.tan_friction;
   double factor = any;
   if (circle.radius > 0) {
