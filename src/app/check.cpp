@@ -67,6 +67,11 @@ std::string describe_elements(const input::Case& data) {
                      data.mesh.file.empty() ? " with elements of " + show_length(data, size) : "", flow);
 }
 
+std::string describe_bounds(const input::ProvenBounds& bounds) {
+  return fmt::format("  proven bounds: to {:g} % of the factor, with at most {} triangles\n", 100 * bounds.gap,
+                     bounds.triangles);
+}
+
 std::string describe_points(const input::Case& data) {
   double time = 0;
   for (const input::Stage& stage : data.stages) time += stage.duration;
@@ -81,6 +86,7 @@ std::string summarise(const input::Case& data) {
   for (const run::MethodForecast& needs : run::forecast(data, true)) {
     if (needs.method == input::Method::lem) text += describe_slices(data.lem);
     if (needs.method == input::Method::fem) text += describe_elements(data);
+    if (needs.method == input::Method::bounds) text += describe_bounds(data.bounds);
     if (needs.method == input::Method::mpm) text += describe_points(data);
     if (const std::string words = run::describe(needs); !words.empty()) text += fmt::format("    {}\n", words);
   }

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The three methods, and the methods of slices. Each has one word, from the case to the page.
+// The four methods, and the methods of slices. Each has one word, from the case to the page.
 
 #include <array>
 
 namespace talus {
 
-/// Slices, finite elements, material points.
-enum class Method { lem, fem, mpm };
+/// Slices, finite elements, proven bounds, material points.
+enum class Method { lem, fem, bounds, mpm };
+
+/// As people call them.
+constexpr const char* get_title(Method method) {
+  constexpr std::array titles{"slices", "finite elements", "proven bounds", "material points"};
+  return titles[static_cast<std::size_t>(method)];
+}
 
 enum class SliceMethod {
   fellenius,                  ///< ordinary method; with water N' = W cosα - u l (the classical form)

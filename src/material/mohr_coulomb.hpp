@@ -49,7 +49,7 @@ void describe(Visitor& v, MohrCoulombStrength& in, const Users& users) {
             .example("0"),
         "Angle of dilatancy ψ of the plastic flow; at most the friction angle.");
   v.key("tensile_strength", in.tensile_strength,
-        users.need(quantity("kPa").at_least(0)).by_methods({"fem", "mpm"}).example("0"),
+        users.need(quantity("kPa").at_least(0)).by_methods({"fem", "bounds", "mpm"}).example("0"),
         "Largest tensile stress; at most c/tan φ, the apex of the yield surface.");
 }
 

@@ -131,6 +131,13 @@ Plan check_plan(const Plan& given) {
   return plan;
 }
 
+Plan resize(Plan plan, double size) {
+  const double finer = plan.size > 0 ? size / plan.size : 1;
+  plan.size = size;
+  for (Refinement& r : plan.refinements) r.size *= finer;
+  return plan;
+}
+
 Plan::Plan() = default;
 Plan::Plan(const Plan&) = default;
 Plan::Plan(Plan&&) noexcept = default;

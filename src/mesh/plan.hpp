@@ -49,4 +49,7 @@ struct Plan {
   ~Plan();
 };
 
+/// The plan with another general element size: finer places stay as much finer as they are.
+Plan resize(Plan plan, double size);
+
 }  // namespace talus::mesh

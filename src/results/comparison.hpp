@@ -13,11 +13,11 @@
 namespace talus::results {
 
 template <>
-inline constexpr auto words<Method> =
-    std::array{Word{Method::lem, "lem"}, Word{Method::fem, "fem"}, Word{Method::mpm, "mpm"}};
+inline constexpr auto words<Method> = std::array{Word{Method::lem, "lem"}, Word{Method::fem, "fem"},
+                                                 Word{Method::bounds, "bounds"}, Word{Method::mpm, "mpm"}};
 
 /// Where the surface of a factor comes from.
-enum class SurfaceSource { none, critical, noncircular, given, handed, optimised, band, slip_line };
+enum class SurfaceSource { none, critical, noncircular, given, handed, optimised, band, mechanism, slip_line };
 template <>
 inline constexpr auto words<SurfaceSource> =
     std::array{Word{SurfaceSource::none, "none"},                // none is drawn
@@ -27,6 +27,7 @@ inline constexpr auto words<SurfaceSource> =
                Word{SurfaceSource::handed, "handed"},            // of another method, given to slices
                Word{SurfaceSource::optimised, "optimised"},      // the same, improved by slices
                Word{SurfaceSource::band, "band"},                // of the shear strain of finite elements
+               Word{SurfaceSource::mechanism, "mechanism"},      // of the upper bound
                Word{SurfaceSource::slip_line, "slip_line"}};     // of the material points
 
 /// The criterion of a factor of finite elements: no equilibrium beyond it, or displacements that run away.
@@ -66,9 +67,10 @@ void describe(V& v, R& r) {
   v.key("note", r.note, {"", "what to know"});
 }
 
-/// Names of the lines that finite elements (ψ as given; with ψ = φ) and material points slide along.
+/// Names of the lines that finite elements (ψ as given; with ψ = φ), the mechanism of the upper bound and material
+/// points slide along.
 inline constexpr const char *band_name = "fem.band", *associated_band_name = "fem.associated.band",
-                            *slip_line_name = "mpm.slip_line";
+                            *mechanism_name = "bounds.mechanism", *slip_line_name = "mpm.slip_line";
 
 /// What follows the name of a line where the soil moves to both sides, of the side that slices are not given.
 inline constexpr const char* other_side_name = ".other_side";
@@ -172,11 +174,12 @@ void describe(V& v, R& r) {
 }
 
 /// The subject of a remark.
-enum class Topic { agreement, slices, elements, points, mechanism, seconds };
+enum class Topic { agreement, slices, elements, bounds, points, mechanism, seconds };
 template <>
-inline constexpr auto words<Topic> = std::array{Word{Topic::agreement, "agreement"}, Word{Topic::slices, "slices"},
-                                                Word{Topic::elements, "elements"},   Word{Topic::points, "points"},
-                                                Word{Topic::mechanism, "mechanism"}, Word{Topic::seconds, "seconds"}};
+inline constexpr auto words<Topic> =
+    std::array{Word{Topic::agreement, "agreement"}, Word{Topic::slices, "slices"}, Word{Topic::elements, "elements"},
+               Word{Topic::bounds, "bounds"},       Word{Topic::points, "points"}, Word{Topic::mechanism, "mechanism"},
+               Word{Topic::seconds, "seconds"}};
 
 /// A sentence, with what it is about.
 struct Remark {

@@ -34,10 +34,13 @@ struct Member {
   }
 };
 
-/// Whether the surface called `name` is one of finite elements.
-bool is_of_elements(const MethodComparison& methods, const std::string& name) {
-  return std::any_of(methods.surfaces.begin(), methods.surfaces.end(),
-                     [&](const MethodSurface& s) { return s.name == name && s.method == Method::fem; });
+/// What the line called `name` is.
+const char* describe_line(const MethodComparison& methods, const std::string& name) {
+  const auto found = std::find_if(methods.surfaces.begin(), methods.surfaces.end(),
+                                  [&](const MethodSurface& s) { return s.name == name; });
+  if (found != methods.surfaces.end() && found->method == Method::fem) return "the band of the finite elements";
+  if (found != methods.surfaces.end() && found->method == Method::bounds) return "the mechanism of the upper bound";
+  return "the slip line of the material points";
 }
 
 class Values {
@@ -82,8 +85,7 @@ class Values {
   void add_methods(const MethodComparison& methods) {
     for (const HandedSurface& h : methods.handed) {
       const auto by = from_word<SliceMethod>(h.to);  // nothing: optimised from the surface
-      const char* line =
-          is_of_elements(methods, h.from) ? "the band of the finite elements" : "the slip line of the material points";
+      const char* line = describe_line(methods, h.from);
       add({fmt::format("lem.handed[{}].{}", h.from, h.to),
            by ? fmt::format("{}, factor of safety on {}", get_title(*by), line) : h.title, "", ResultKind::factor,
            "factor", by},
@@ -99,6 +101,11 @@ class Values {
       add_factor(fmt::format("{}by_displacement", stem),
                  fmt::format("factor of safety by displacement, finite elements{}", flow), run.by_displacement);
     }
+  }
+
+  void add_bounds(const BoundsResult& bounds) {
+    add_factor("bounds.lower", "proven lower bound of the factor of safety", bounds.lower);
+    add_factor("bounds.upper", "proven upper bound of the factor of safety", bounds.upper);
   }
 
   void add_factors(const PointFactors& factors) {
@@ -256,6 +263,7 @@ std::vector<NamedValue> list_values(const RunResult& run, int dimension) {
   if (run.slices) values.add_slices(*run.slices);
   if (run.methods) values.add_methods(*run.methods);
   if (run.elements) values.add_elements(*run.elements);
+  if (run.bounds) values.add_bounds(*run.bounds);
   if (run.methods && run.methods->partial_factors) values.add_over_design(run.methods->partial_factors->over_design);
   if (run.factor_of_safety) values.add_factors(*run.factor_of_safety);
   if (run.runouts)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/json_tree.hpp"
+#include "results/bounds.hpp"
 #include "results/comparison.hpp"
 #include "results/elements.hpp"
 #include "results/head.hpp"
@@ -123,6 +124,7 @@ struct RunResult {
 
   std::optional<SliceResult> slices;
   std::optional<ElementResult> elements;
+  std::optional<BoundsResult> bounds;
   // Of material points.
   std::optional<Mesh> mesh;
   std::optional<std::vector<Stage>> stages;
@@ -156,7 +158,8 @@ struct RunResult {
 };
 
 /// The main factor of the run: the smallest of those that slices, finite elements and material points found, each by
-/// the rules of results/governing.hpp. Nothing: no method found a factor.
+/// the rules of results/governing.hpp, and of a proven upper bound; of proven bounds alone the lower one. Nothing: no
+/// method found a factor.
 std::optional<double> find_main_factor(const RunResult& run);
 
 template <class V, As<RunResult> R>
@@ -173,6 +176,7 @@ void describe(V& v, R& r) {
   v.maybe("slope_height", r.slope_height, {"m", "height of the slope"});
   v.maybe("lem", r.slices, {"", "slices"});
   v.maybe("fem", r.elements, {"", "finite elements"});
+  v.maybe("bounds", r.bounds, {"", "proven bounds"});
   v.maybe("mesh", r.mesh, {"", "mesh and material points"});
   v.maybe("stages", r.stages, {"", "stages"});
   v.maybe("start", r.start, {"", "result that it started from"});

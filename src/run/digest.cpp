@@ -28,7 +28,17 @@ std::string write_main_factor(const results::RunResult& run) {
   return fmt::format("Factor of safety {:.3f} ({})\n", *factor,
                      by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface))
                      : results::find_elements_factor(run) == factor ? "finite elements"
+                     : run.bounds && run.bounds->upper == factor    ? "proven upper bound"
+                     : run.bounds && run.bounds->lower == factor    ? "proven lower bound"
                                                                     : "material points");
+}
+
+/// "1.441", "1.432–1.446" of what is proven, "none".
+std::string write_factor(const results::MethodRow& row) {
+  if (row.factor) return fmt::format("{:6.3f}", *row.factor);
+  if (row.lower && row.upper) return fmt::format(" {:.3f}–{:.3f}", *row.lower, *row.upper);
+  if (row.lower) return fmt::format("≥ {:.3f}", *row.lower);
+  return row.upper ? fmt::format("≤ {:.3f}", *row.upper) : "  none";
 }
 
 /// The factors of all methods side by side, and the sentences on their differences.
@@ -37,8 +47,7 @@ std::string write_method_table(const results::MethodComparison& methods) {
   constexpr std::size_t method_width = 30, criterion_width = 52;
   std::string text = "  " + pad("Method", method_width) + pad("Criterion", criterion_width) + "Factor   Seconds\n";
   for (const results::MethodRow& row : methods.table) {
-    text += "  " + pad(row.title, method_width) + pad(row.criterion, criterion_width) +
-            (row.factor ? fmt::format("{:6.3f}", *row.factor) : "  none");
+    text += "  " + pad(row.title, method_width) + pad(row.criterion, criterion_width) + write_factor(row);
     if (row.seconds) text += fmt::format("  {:8.3g}", *row.seconds);
     text += '\n';
   }

@@ -15,6 +15,7 @@
 #include "results/governing.hpp"
 #include "results/json.hpp"
 #include "results/named.hpp"
+#include "run/bounds/bounds_run.hpp"
 #include "run/compare/compare.hpp"
 #include "run/fem/element_run.hpp"
 #include "run/fem/solid_of_case.hpp"
@@ -73,9 +74,11 @@ class CaseRun {
   void prepare() {
     const input::Case& data = design_.data;
     const bool alone = data.methods.size() == 1;
-    const bool has_points = input::uses(data, Method::mpm), has_elements = input::uses(data, Method::fem);
+    const bool has_points = input::uses(data, Method::mpm), has_elements = input::uses(data, Method::fem),
+               has_bounds = input::uses(data, Method::bounds);
     // A fault of the finite elements is reported before the hours that material points may take.
     if (has_points && has_elements) check_solid(data);
+    if (has_points && has_bounds) check_bounds(data);
     if (input::uses(data, Method::lem)) slices_.emplace(data, alone, options_, hash_);
     run_ = begin_result(loaded_, hash_, options_.threads);
     if (has_points) {
@@ -85,6 +88,7 @@ class CaseRun {
       run_.slope_height = ground::find_slope_height(data.mesh, ground::find_ground(data.mesh));
     }
     if (has_elements) elements_.emplace(data, alone, options_, hash_).prepare();
+    if (has_bounds) bounds_.emplace(data, alone, options_, hash_).prepare();
   }
 
   void calculate() {
@@ -95,7 +99,15 @@ class CaseRun {
       slices_->keep();
     }
     if (elements_) elements_->calculate();
+    if (bounds_) bounds_->calculate(find_start());
     if (points_) points_->calculate(run_);
+  }
+
+  /// A factor for the bounds to begin with; they do not depend on it.
+  std::optional<double> find_start() const {
+    const auto governing = slices_ ? results::find_governing_surface(slices_->result(), nullptr)
+                                   : std::optional<results::GoverningSurface>();
+    return governing ? governing->found->surface.factor : std::nullopt;
   }
 
   /// The folder, before the first result.
@@ -121,6 +133,7 @@ class CaseRun {
     }
     if (slices_) slices_->tell(run_);
     if (elements_) elements_->tell(run_);
+    if (bounds_) bounds_->tell(run_);
     if (!points_) timing.parts = list_parts();
     keep_water();
     compare();
@@ -135,6 +148,7 @@ class CaseRun {
     const results::WaterFields* fields = points_ ? points_->water_fields() : nullptr;
     if (fields == nullptr && slices_) fields = slices_->water_fields();
     if (fields == nullptr && elements_) fields = elements_->water_fields();
+    if (fields == nullptr && bounds_) fields = bounds_->water_fields();
     if (fields != nullptr) results::write_file(options_.folder / "water.json", *fields, -1);
   }
 
@@ -143,12 +157,13 @@ class CaseRun {
     std::vector<results::TimedPart> parts;
     if (run_.slices) parts.push_back({"lem", "limit equilibrium", run_.slices->seconds});
     if (run_.elements) parts.push_back({"fem", "finite elements", run_.elements->seconds.value_or(0)});
+    if (run_.bounds) parts.push_back({"bounds", "proven bounds", run_.bounds->seconds.value_or(0)});
     return parts;
   }
 
   /// Material points alone, with the values of the case, have nothing to be compared with.
   void compare() {
-    if (points_ && !slices_ && !elements_ && !design_.statement) return;
+    if (points_ && !slices_ && !elements_ && !bounds_ && !design_.statement) return;
     run_.methods =
         compare_methods(design_.data, slices_ ? slices_->slope() : nullptr, run_, options_.folder, options_.threads);
     run_.warnings.insert(run_.warnings.begin(), run_.methods->warnings.begin(), run_.methods->warnings.end());
@@ -167,6 +182,7 @@ class CaseRun {
   bool is_open_ = false;
   std::optional<SliceRun> slices_;
   std::optional<ElementRun<D>> elements_;
+  std::optional<BoundsRun> bounds_;
   std::optional<PointRun<D>> points_;
   results::RunResult run_;
 };
@@ -199,6 +215,7 @@ std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {
 void check_methods(const input::Case& data) {
   if (input::uses(data, Method::lem) && !ground::needs_seepage(data)) prepare_slope(data);
   if (input::uses(data, Method::fem)) check_solid(data);
+  if (input::uses(data, Method::bounds)) check_bounds(data);
 }
 
 results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& options) {

@@ -23,7 +23,7 @@ const char* const own_files[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf"
                                  "history.csv",    "monitors.csv", "summary.json", "checkpoint.h5", "stages.json",
                                  "curve.csv",      "profile.csv",  "trials",       "frozen",        "mesh.h5",
                                  "report.html",    "season.csv",   "sections",     end_state_file,  "lem.json",
-                                 "fem.json",       "fem.vtu",      "water.json"};
+                                 "fem.json",       "fem.vtu",      "water.json",   "bounds.json"};
 
 /// Whether a run wrote a picture of that name: curve, section, or one that ends with four digits.
 bool is_picture(const fs::path& file) {

@@ -78,6 +78,19 @@ TEST(Methods, FiniteElementsTakeNoWallsThatRubOrMove) {
   expect_fault(with_elements + wall + "@@\"velocity\"\nvelocity = [0.1, 0]\n", "no boundary that moves");
 }
 
+TEST(Methods, BoundsNeedTensionAndTakeNoWallsThatRub) {
+  const std::string bounds = change(slices_alone, "[\"lem\"]", "[\"bounds\"]");
+  expect_one_fault(bounds, "tensile_strength");
+  const std::string whole = change(bounds, "friction_angle = 19.6\n", "friction_angle = 19.6\ntensile_strength = 0\n");
+  EXPECT_EQ(read(whole).boundaries.size(), 3u) << "held as for finite elements";
+  EXPECT_DOUBLE_EQ(read(whole).bounds.gap, 0.01);
+  const std::string wall = "[[boundary]]\non = \"left\"\nfix = ";
+  expect_fault(whole + wall + "@@\"friction\"\nfriction = 0.3\n", "proven bounds have no wall with friction");
+  expect_fault(whole + "[bounds]\ngap = @@2\n", "gap");
+  expect_fault(change(all_three, "[\"lem\", \"fem\", \"mpm\"]", "[\"bounds\"]") + "[bounds]\ntriangles = @@0\n",
+               "triangles");
+}
+
 TEST(Methods, AreNamedOnceAndAtLeastOne) {
   expect_fault(change(slices_alone, "[\"lem\"]", "@@[]"), "'methods' is empty; name at least one");
   expect_fault(change(slices_alone, "[\"lem\"]", "[\"lem\", @@\"lem\"]"), "names \"lem\" twice");

@@ -50,6 +50,22 @@ TEST(GoverningSurface, IsTheWeakestByTheMethodsThatSatisfyMostOfTheEquilibrium) 
   EXPECT_EQ(name_governing(run), "lem.handed[fem.band].spencer_optimised");
 }
 
+TEST(MainFactor, IsNotAboveAProvenUpperBound) {
+  RunResult run;
+  run.bounds.emplace().lower = 1.3;
+  run.bounds->upper = 1.4;
+  EXPECT_EQ(find_main_factor(run), 1.3) << "bounds alone";
+  run.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.5)};
+  EXPECT_EQ(find_main_factor(run), 1.4);
+  run.slices->critical[0].surface.factor = 1.35;
+  EXPECT_EQ(find_main_factor(run), 1.35);
+  run.slices->critical[0].surface.factor = 1.2;
+  EXPECT_EQ(find_main_factor(run), 1.2) << "nothing is proven for ψ < φ";
+  run.slices->critical[0].surface.factor = 1.5;
+  run.bounds->is_davis = true;
+  EXPECT_EQ(find_main_factor(run), 1.5) << "proven of a weaker soil";
+}
+
 TEST(GoverningSurface, IsNotOneThatASearchWouldRefuseWhereThereIsAnother) {
   RunResult run;
   run.slices.emplace().critical = {make_surface(SliceMethod::bishop, 1.4)};

@@ -60,6 +60,7 @@ template <>
 inline constexpr auto choices<Method> = std::array{
     Choice{Method::lem, "lem", "limit equilibrium: slices, see [lem]"},
     Choice{Method::fem, "fem", "finite elements with reduced strength, see [fem]"},
+    Choice{Method::bounds, "bounds", "proven bounds by limit analysis, see [bounds]"},
     Choice{Method::mpm, "mpm", "material points: what `kind` says"},
 };
 

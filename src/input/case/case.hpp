@@ -23,6 +23,7 @@
 #include "input/case/partial_factors.hpp"
 #include "input/case/point_test.hpp"
 #include "input/case/project.hpp"
+#include "input/case/proven_bounds.hpp"
 #include "input/case/roots.hpp"
 #include "input/case/stage.hpp"
 #include "input/case/start.hpp"
@@ -57,6 +58,7 @@ struct Case {
   std::vector<Method> methods{Method::mpm};
   LimitEquilibrium lem;
   FiniteElements fem;
+  ProvenBounds bounds;
   std::vector<Surcharge> surcharges;
   Earthquake earthquake;
   PartialFactors partial_factors;
@@ -118,6 +120,9 @@ void describe(Visitor& v, Case& c) {
   v.table("fem", c.fem,
           "Strength reduction by quadratic finite elements at small strain. Where there is no [[boundary]] (and no "
           "\"mpm\" among the methods), the bottom of the section is fixed, and its other sides are on rollers.");
+  v.table("bounds", c.bounds,
+          "Proven bounds of the factor of safety for ψ = φ, by limit analysis of a plane section. Where there is no "
+          "[[boundary]], the section is held as for finite elements.");
   v.tables("surcharge", c.surcharges, 0,
            "A vertical load on the ground. A vertical [[traction]] on a line of the ground does the same.");
   v.table("earthquake", c.earthquake, "A pseudo-static acceleration.");

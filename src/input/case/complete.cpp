@@ -43,7 +43,7 @@ void complete_without_points(Case& data, const Places& places) {
   if (data.mesh.file.empty() && !places.is_given("geometry.box")) fit_box(data.mesh);
   if (uses(data, Method::mpm)) return;
   if (data.mesh.size == 0 && data.fem.size) data.mesh.size = *data.fem.size;
-  if (uses(data, Method::fem) && data.boundaries.empty()) hold_section(data);
+  if ((uses(data, Method::fem) || uses(data, Method::bounds)) && data.boundaries.empty()) hold_section(data);
 }
 
 /// The density that belongs to a unit weight, unless grains and pores are given as well.

@@ -14,7 +14,8 @@ namespace {
 
 void check_list(const Case& data, Findings& findings) {
   if (data.methods.empty())
-    findings.add("analysis.methods", "'methods' is empty; name at least one of \"lem\", \"fem\" and \"mpm\"");
+    findings.add("analysis.methods",
+                 "'methods' is empty; name at least one of \"lem\", \"fem\", \"bounds\" and \"mpm\"");
   for (std::size_t i = 1; i < data.methods.size(); ++i)
     if (std::find(data.methods.begin(), data.methods.begin() + static_cast<std::ptrdiff_t>(i), data.methods[i]) !=
         data.methods.begin() + static_cast<std::ptrdiff_t>(i))
@@ -22,12 +23,13 @@ void check_list(const Case& data, Findings& findings) {
                    fmt::format("'methods' names \"{}\" twice", get_word(data.methods[i])));
 }
 
-/// Slices and finite elements start from the section as the file has it.
+/// Slices, finite elements and bounds start from the section as the file has it.
 void check_plain_start(const Case& data, Findings& findings) {
   if (!data.initial.result.empty() && findings.is_sound("initial.result"))
-    findings.add("initial.result",
-                 "'result' is not possible with the methods \"lem\" and \"fem\": only material points go on from "
-                 "another result");
+    findings.add(
+        "initial.result",
+        "'result' is not possible with the methods \"lem\", \"fem\" and \"bounds\": only material points go on from "
+        "another result");
   if (data.gravity.acceleration == 0 && findings.is_sound("gravity.acceleration"))
     findings.add("gravity.acceleration", "'acceleration' is 0, but a factor of safety needs a weight");
   const std::array<double, 3>& down = data.gravity.direction;
@@ -59,6 +61,28 @@ void check_slices_need(const Case& data, Findings& findings) {
   }
 }
 
+/// What both methods on the whole section cannot take: strengths that nobody knows, and walls that rub or move.
+void check_reduces(const Case& data, const char* who, Method method, Findings& findings) {
+  for (const auto& [name, material] : data.materials) {
+    const std::string path = "materials." + name + ".model";
+    if (material.traits().strength == material::Strength::hidden && findings.is_sound(path))
+      findings.add(path, fmt::format("{} reduce the strength, which is not possible with material '{}': which of the "
+                                     "constants of an external model are its strength is not known",
+                                     who, name));
+  }
+  for (std::size_t i = 0; i < data.boundaries.size(); ++i) {
+    const Boundary& b = data.boundaries[i];
+    const std::string path = fmt::format("boundary.{}.fix", i);
+    if ((b.fix == Fix::friction || b.fix == Fix::velocity) && findings.is_sound(path))
+      findings.add(path, fmt::format("{} have no {}; take \"{}\" out of 'methods' in [analysis], or fix '{}' in "
+                                     "another way",
+                                     who, b.fix == Fix::friction ? "wall with friction" : "boundary that moves",
+                                     get_word(method), b.on));
+  }
+  if (data.boundaries.empty() && uses(data, Method::mpm) && findings.is_sound("boundary"))
+    findings.add("boundary", fmt::format("there is no [[boundary]]: {} and material points need the soil held", who));
+}
+
 void check_elements_need(const Case& data, Findings& findings) {
   if (data.mesh.file.empty() && !data.fem.size && data.mesh.size == 0 && findings.is_sound("mesh.size") &&
       findings.is_sound("fem.size"))
@@ -67,24 +91,26 @@ void check_elements_need(const Case& data, Findings& findings) {
     findings.add(
         findings.places.is_given("fem.from") ? "fem.from" : "fem.to",
         fmt::format("'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", data.fem.from, data.fem.to));
+  check_reduces(data, "finite elements", Method::fem, findings);
+}
+
+void check_bounds_need(const Case& data, Findings& findings) {
+  if (data.mesh.dimension != 2 && findings.is_sound("geometry.dimension"))
+    findings.add("geometry.dimension",
+                 "'dimension' is 3, but proven bounds are those of a plane section; take \"bounds\" out of 'methods' "
+                 "in [analysis]");
+  if (!data.mesh.file.empty() && findings.is_sound("mesh.file"))
+    findings.add("mesh.file",
+                 "proven bounds make their own meshes from the polygons of the section, which a ready mesh does not "
+                 "have; write them as [[geometry.polygon]], or take \"bounds\" out of 'methods' in [analysis]");
+  check_reduces(data, "proven bounds", Method::bounds, findings);
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
-    if (material.traits().strength == material::Strength::hidden && findings.is_sound(path))
-      findings.add(path, fmt::format("finite elements reduce the strength, which is not possible with material '{}': "
-                                     "which of the constants of an external model are its strength is not known",
-                                     name));
+    if (material.traits().strength != material::Strength::hidden && !material.traits().serves_slices &&
+        findings.is_sound(path))
+      findings.add(path, fmt::format("material '{}' has no cohesion and friction angle for proven bounds; they take {}",
+                                     name, material::list_sliceable()));
   }
-  for (std::size_t i = 0; i < data.boundaries.size(); ++i) {
-    const Boundary& b = data.boundaries[i];
-    const std::string path = fmt::format("boundary.{}.fix", i);
-    if ((b.fix == Fix::friction || b.fix == Fix::velocity) && findings.is_sound(path))
-      findings.add(path,
-                   fmt::format("finite elements have no {}; take \"fem\" out of 'methods' in [analysis], or fix '{}' "
-                               "in another way",
-                               b.fix == Fix::friction ? "wall with friction" : "boundary that moves", b.on));
-  }
-  if (data.boundaries.empty() && uses(data, Method::mpm) && findings.is_sound("boundary"))
-    findings.add("boundary", "there is no [[boundary]]: finite elements and material points need the soil held");
 }
 
 void check_has_strength(const Case& data, Findings& findings) {
@@ -188,13 +214,15 @@ void check_methods(const Case& data, Findings& findings) {
     check_cohesion_gradient(data, material, name, findings);
   }
   check_list(data, findings);
-  const bool has_slices = uses(data, Method::lem), has_elements = uses(data, Method::fem);
-  if (has_slices || has_elements) {
+  const bool has_slices = uses(data, Method::lem), has_elements = uses(data, Method::fem),
+             has_bounds = uses(data, Method::bounds);
+  if (has_slices || has_elements || has_bounds) {
     check_plain_start(data, findings);
     check_has_strength(data, findings);
   }
   if (has_slices) check_slices_need(data, findings);
   if (has_elements) check_elements_need(data, findings);
+  if (has_bounds) check_bounds_need(data, findings);
   if (uses(data, Method::mpm))
     for (const auto& [name, material] : data.materials) check_pressure_ratio(material, name, findings);
   if (!is_wet(data)) return;

@@ -83,7 +83,8 @@ results::SliceResult outline_slices(const LimitEquilibrium& lem) {
 results::MethodComparison outline_methods(const Case& data) {
   results::MethodComparison methods;
   for (const auto& [method, line] :
-       {std::pair{Method::fem, results::band_name}, std::pair{Method::mpm, results::slip_line_name}}) {
+       {std::pair{Method::fem, results::band_name}, std::pair{Method::bounds, results::mechanism_name},
+        std::pair{Method::mpm, results::slip_line_name}}) {
     if (!uses(data, Method::lem) || !uses(data, method)) continue;
     methods.surfaces.emplace_back().name = line;
     methods.surfaces.back().method = method;
@@ -171,6 +172,7 @@ results::RunResult outline_results(const Case& data) {
   results::RunResult run;
   if (uses(data, Method::lem)) run.slices = outline_slices(data.lem);
   if (uses(data, Method::fem)) run.elements = outline_elements(data.fem.flow);
+  if (uses(data, Method::bounds)) run.bounds.emplace().lower = run.bounds->upper = 1;
   run.methods = outline_methods(data);
   if (uses(data, Method::mpm)) outline_points(data, run);
   if (is_wet(data) && data.initial.water.pressure == InitialPressure::seepage) {
@@ -224,7 +226,7 @@ std::optional<NamedValue> find_result_name(const Case& data, const std::string& 
 
 std::optional<NamedValue> find_possible_name(const Case& data, const std::string& name) {
   Case asked = data;
-  asked.methods = {Method::lem, Method::fem, Method::mpm};
+  asked.methods = {Method::lem, Method::fem, Method::bounds, Method::mpm};
   asked.lem.methods.clear();
   for (const auto& choice : choices<SliceMethod>) asked.lem.methods.push_back(choice.value);
   if (asked.lem.search == SurfaceSearch::none) asked.lem.search = SurfaceSearch::entry_exit;

@@ -72,6 +72,7 @@ class Comparison {
     told_.asked = data_.methods;
     if (run_.slices) add_slices(*run_.slices);
     if (run_.elements) add_elements(*run_.elements);
+    if (run_.bounds) add_bounds(*run_.bounds);
     if (input::uses(data_, Method::mpm)) add_points();
     if (slope_ != nullptr) hand_over();
     told_.warnings = warn_of_disagreement(data_, run_, told_);
@@ -135,8 +136,34 @@ class Comparison {
     }
   }
 
-  /// A line of finite elements or material points; where the soil moves to both sides the line of each, first the one
-  /// that lies nearer to the surface of the slices.
+  /// No factor: an interval.
+  void add_bounds(const results::BoundsResult& bounds) {
+    if (bounds.error) return;
+    results::MethodRow row =
+        begin_row(Method::bounds, "bounds", "Proven bounds", "ψ = φ", bounds.sides ? results::mechanism_name : "",
+                  bounds.sides ? Source::mechanism : Source::none);
+    row.label = "limit analysis";
+    row.lower = bounds.lower;
+    row.upper = bounds.upper;
+    row.seconds = bounds.seconds;
+    if (!bounds.meshes.empty()) row.note = fmt::format("{} triangles", bounds.meshes.back().triangles);
+    for (const std::string& why : {bounds.no_lower, bounds.no_upper})
+      if (!why.empty()) row.note += "; " + why;
+    told_.table.push_back(std::move(row));
+    if (bounds.sides)
+      add_lines({results::mechanism_name,
+                 "Mechanism of the upper bound",
+                 Method::bounds,
+                 bounds.upper,
+                 bounds.sides->front().points,
+                 {},
+                 {},
+                 {}},
+                *bounds.sides);
+  }
+
+  /// A line of finite elements, of the upper bound's mechanism or of material points; where the soil moves to both
+  /// sides the line of each, first the one that lies nearer to the surface of the slices.
   void add_lines(results::MethodSurface line, const std::vector<results::SideLine>& sides) {
     if (sides.size() != 2) {
       told_.surfaces.push_back(std::move(line));

@@ -55,6 +55,7 @@ class Warnings {
 
   std::vector<std::string> list() {
     warn_of_methods();
+    warn_of_bounds();
     warn_of_surfaces();
     warn_of_skin();
     warn_of_criteria();
@@ -158,6 +159,48 @@ class Warnings {
         causes.empty()
             ? "Compare their mechanisms and their water."
             : fmt::format("Likely {}: {}.", causes.size() == 1 ? "cause" : "causes", fmt::join(causes, "; "))));
+  }
+
+  /// A factor outside what is proven. Finite elements and material points with ψ < φ may be below it.
+  void warn_of_bounds() {
+    if (!run_.bounds || run_.bounds->error || run_.bounds->is_davis) return;
+    const results::BoundsResult& bounds = *run_.bounds;
+    const std::string tension =
+        bounds.takes_tension ? " The bounds let the soil bear no more tension than its tensile strength; methods of "
+                               "slices do not ([bounds] tension = \"apex\" is theirs)."
+                             : "";
+    if (governing_) {
+      const std::string words = fmt::format("slices ({}, {})", get_title(governing_->found->surface.method),
+                                            results::name_surface(*governing_));
+      warn_outside(words, *governing_->found->surface.factor, 0, tension,
+                   "The surface that was found may not be admissible: look at its forces.");
+    }
+    if (run_.elements)
+      for (const results::ElementRun& r : run_.elements->runs)
+        warn_outside(fmt::format("finite elements ({})", describe_flow(r)), r.factor, (r.failed - r.stable) / 2,
+                     " A mesh of finite elements is too stiff: refine [fem] size.",
+                     r.flow == results::Flow::associated
+                         ? "Trials may have run out of iterations."
+                         : "ψ is smaller than φ, for which the bounds are not made: soil without dilatancy may fail "
+                           "earlier.");
+    if (const auto f = results::find_points_factor(run_))
+      warn_outside("material points", *f,
+                   run_.factor_of_safety->frozen ? run_.factor_of_safety->frozen->uncertainty : 0,
+                   " Their mesh is too coarse, or their trials end too early.",
+                   "ψ may be smaller than φ, for which the bounds are not made.");
+  }
+
+  void warn_outside(const std::string& words, double factor, double uncertainty, const std::string& above,
+                    const std::string& below) {
+    const auto &lower = run_.bounds->lower, &upper = run_.bounds->upper;
+    if (upper && factor - uncertainty > *upper)
+      warnings_.push_back(fmt::format(
+          "The factor {:.3f} by {} is above the proven upper bound, {:.3f}: it is too high by {:.1f} % at least.{}",
+          factor, words, *upper, 100 * (factor / *upper - 1), above));
+    if (lower && factor + uncertainty < *lower)
+      warnings_.push_back(
+          fmt::format("The factor {:.3f} by {} is below the lower bound that is proven for ψ = φ, {:.3f}. {}", factor,
+                      words, *lower, below));
   }
 
   /// What is known to move a method by the order of the difference.

@@ -71,6 +71,8 @@ class Reading {
     read_flow();
     read_element_criterion();
     read_elements();
+    topic_ = results::Topic::bounds;
+    read_bounds();
     topic_ = results::Topic::points;
     read_points_mesh();
     read_points_criterion();
@@ -87,6 +89,36 @@ class Reading {
   template <class... Arguments>
   void say(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
     remarks_.push_back({topic_, fmt::format(text, std::forward<Arguments>(arguments)...)});
+  }
+
+  /// What is proven, and which factors it holds.
+  void read_bounds() {
+    if (!run_.bounds || !run_.bounds->is_interval()) return;
+    const double low = *run_.bounds->lower, high = *run_.bounds->upper;
+    if (run_.bounds->is_davis)
+      return say(
+          "With the strength of Davis, which is smaller where ψ < φ, the factor lies between {:.3f} and {:.3f}. "
+          "That is proven of this weaker soil. Of the soil as given it is an estimate.",
+          low, high);
+    say("Limit analysis proves that the factor lies between {:.3f} and {:.3f} ({:.1f} % of their middle) for ψ = φ{}.",
+        low, high, 200 * (high - low) / (high + low),
+        run_.bounds->takes_tension ? " and soil that bears no more tension than given" : "");
+    std::vector<std::string> inside;
+    const auto add = [&](std::optional<double> factor, const std::string& name) {
+      if (factor && *factor >= low && *factor <= high) inside.push_back(fmt::format("{:.3f} by {}", *factor, name));
+    };
+    add(slices_, name_);
+    if (given_ != nullptr) add(given_->factor, "finite elements with " + describe_flow(*given_));
+    if (associated_ != nullptr) add(associated_->factor, "finite elements with ψ = φ");
+    add(frozen_, "material points");
+    if (!inside.empty()) say("The interval holds {}.", fmt::join(inside, ", "));
+    const auto has_less = [](const auto& region) { return region.dilatancy_angle < region.friction_angle; };
+    // Slices know no dilatancy, and their cases may leave it out.
+    const bool has_flow = input::uses(data_, Method::fem) || input::uses(data_, Method::mpm);
+    if (has_flow && std::any_of(data_.regions.begin(), data_.regions.end(),
+                                [&](const auto& region) { return has_less(data_.materials.at(region.second)); }))
+      say("Soil of the case has ψ < φ. For such soil nothing is proven: it may fail earlier, and what it bears depends "
+          "on its history.");
   }
 
   const results::CriticalSurface* find_circle(SliceMethod method) const {
@@ -304,7 +336,9 @@ class Reading {
   void read_sides() {
     for (const results::MethodSurface& s : methods_.surfaces) {
       if (!s.beside || !s.direction) continue;
-      const std::string of = s.method == Method::fem ? "finite elements" + name_rule(s) : "material points";
+      const std::string of = s.method == Method::bounds ? "mechanism of the upper bound"
+                             : s.method == Method::fem  ? "finite elements" + name_rule(s)
+                                                        : "material points";
       say("In the {} the soil moves to both sides, along a line of its own on each.{}", of,
           run_.slices ? fmt::format(" Slices are given the line of the soil that moves {}, which is nearer to their "
                                     "own surface.",
@@ -322,8 +356,9 @@ class Reading {
       if (s.method == Method::lem || s.beside || s.points.size() < 2) continue;
       const double mean = find_mean_distance(own, s.points);
       const bool by_elements = s.method == Method::fem;
-      const std::string of =
-          by_elements ? "band of the finite elements" + name_rule(s) : "slip line of the material points";
+      const std::string of = s.method == Method::bounds ? "line of the upper bound's mechanism"
+                             : by_elements              ? "band of the finite elements" + name_rule(s)
+                                                        : "slip line of the material points";
       const std::string handed = describe_handed(s.name);
       const double size = by_elements ? run_.elements->size : run_.mesh ? run_.mesh->mean_size : 0;
       if (mean < std::max(same_surface * height_, size))

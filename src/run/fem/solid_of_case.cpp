@@ -220,11 +220,8 @@ mesh::Plan make_fem_plan(const input::Case& data, double share) {
   if (!plan.file.empty()) return plan;
   plan.algorithm = data.fem.algorithm;
   if (!data.fem.size && share == 1) return plan;
-  // Finer places stay as much finer as they are.
-  const double size = share * data.fem.size.value_or(plan.size), finer = plan.size > 0 ? size / plan.size : 1;
-  plan.size = size;
-  for (mesh::Refinement& r : plan.refinements) r.size *= finer;
-  return plan;
+  const double size = share * data.fem.size.value_or(plan.size);
+  return mesh::resize(std::move(plan), size);
 }
 
 void check_solid(const input::Case& data) {

@@ -28,6 +28,8 @@ constexpr double element_seconds[] = {6e-5, 1e-4};
 constexpr double systems = 250, system_seconds = 8e-8, system_power = 1.3, unknowns_per_element = 4;
 /// Bytes of a factorised matrix: c n^1.1.
 constexpr double matrix_bytes = 1600, matrix_power = 1.1;
+/// Seconds of proven bounds up to a last mesh of n triangles, c n^1.5, and bytes of a triangle.
+constexpr double bounds_seconds = 2e-4, bounds_power = 1.5, bounds_bytes = 4e4;
 /// Seconds of a trial circle by one method with 50 slices.
 constexpr double circle_seconds = 3e-6;
 constexpr double polyline_seconds = 0.3;
@@ -67,6 +69,16 @@ MethodForecast forecast_elements(const input::Case& data) {
   if (plan.dimension == 2) f.seconds = f.steps * system_seconds * std::pow(unknowns, system_power);
   f.bytes = program_bytes + mesh_bytes[get_rank(plan.dimension)] * count.all +
             matrix_bytes * std::pow(unknowns, matrix_power);
+  return f;
+}
+
+/// Of the mesh that is the last one, whatever the interval.
+MethodForecast forecast_bounds(const input::ProvenBounds& bounds) {
+  MethodForecast f;
+  f.method = input::Method::bounds;
+  f.elements = bounds.triangles;
+  f.seconds = bounds_seconds * std::pow(bounds.triangles, bounds_power);
+  f.bytes = program_bytes + bounds_bytes * bounds.triangles;
   return f;
 }
 
@@ -153,6 +165,7 @@ std::vector<MethodForecast> forecast(const input::Case& data, bool with_time) {
   std::vector<MethodForecast> all;
   if (input::uses(data, input::Method::lem)) all.push_back(forecast_slices(data.lem, default_threads()));
   if (input::uses(data, input::Method::fem)) all.push_back(forecast_elements(data));
+  if (input::uses(data, input::Method::bounds)) all.push_back(forecast_bounds(data.bounds));
   if (input::uses(data, input::Method::mpm)) all.push_back(forecast_points(data, with_time));
   return all;
 }
@@ -193,14 +206,20 @@ void refuse_above_memory(const input::LoadedCase& loaded) {
   std::vector<Diagnostic> faults;
   for (const MethodForecast& f : forecast(loaded.data, false)) {
     if (f.bytes <= *free) continue;
+    if (f.method == input::Method::bounds) {
+      const input::Place place = loaded.places.find("bounds.triangles");
+      faults.push_back({place.file, place.line, place.column,
+                        fmt::format("proven bounds with {} triangles need {}, and {} are free: give fewer 'triangles'",
+                                    loaded.data.bounds.triangles, write_need(f), write_bytes(*free))});
+      continue;
+    }
     const bool has_own = f.method == input::Method::fem && loaded.data.fem.size;
     const std::string key = has_own ? "fem.size" : "mesh.size";
     const input::Place place = loaded.places.find(key);
     const auto fitting = find_size_that_fits(loaded.data, f.method, *free);
     faults.push_back({place.file, place.line, place.column,
-                      fmt::format("{} with elements of {:g} m need {}, and {} are free: {}",
-                                  f.method == input::Method::fem ? "finite elements" : "material points", f.size,
-                                  write_need(f), write_bytes(*free),
+                      fmt::format("{} with elements of {:g} m need {}, and {} are free: {}", get_title(f.method),
+                                  f.size, write_need(f), write_bytes(*free),
                                   fitting ? fmt::format("'{}' of {:.2g} m would fit", key, *fitting)
                                           : std::string("make [[mesh.refine]] coarser"))});
   }

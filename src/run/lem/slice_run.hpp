@@ -28,6 +28,8 @@ class SliceRun {
   const results::WaterFields* water_fields() const {
     return prepared_.water.fields ? &*prepared_.water.fields : nullptr;
   }
+  /// What it calculated or found in the folder.
+  const results::SliceResult& result() const { return outcome_.result; }
   const lem::Slope* slope() const { return prepared_.slope.get(); }
 
  private:

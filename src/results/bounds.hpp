@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The interval that limit analysis proves: bounds, meshes, and the fields that prove them.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/about.hpp"
+#include "results/side_line.hpp"
+#include "results/water.hpp"
+
+namespace talus::results {
+
+/// One of the nested meshes.
+struct BoundsMesh {
+  int triangles = 0;
+  std::optional<double> lower, upper;  ///< proven up to it
+  int programs = 0, iterations = 0;
+  double seconds = 0;  ///< since the first mesh was begun
+};
+template <class V, As<BoundsMesh> R>
+void describe(V& v, R& r) {
+  v.key("triangles", r.triangles, {"", "triangles"});
+  v.key("lower", r.lower, {"", "lower bound proven up to this mesh"});
+  v.key("upper", r.upper, {"", "upper bound proven up to this mesh"});
+  v.key("programs", r.programs, {"", "cone programs"});
+  v.key("iterations", r.iterations, {"", "iterations of their solver"});
+  v.key("seconds", r.seconds, {"s", "seconds since the first mesh"});
+}
+
+/// "bounds" of summary.json.
+struct BoundsResult {
+  std::optional<std::string> error;  ///< why there is no answer; then nothing else but warnings
+  std::vector<std::string> warnings;
+  std::optional<double> lower, upper;
+  std::string no_lower, no_upper;  ///< why there is none; empty where there is one
+  double asked_gap = 0;            ///< of the interval over its middle
+  bool is_davis = false;           ///< of soil with Davis' strength: then nothing is proven of the soil as given
+  bool takes_tension = false;      ///< the largest tension of the soils is taken as given
+  double imbalance = 0;            ///< largest, of the stress field over the unit of stress
+  std::vector<BoundsMesh> meshes;
+  std::optional<std::vector<SideLine>> sides;  ///< lines along which the mechanism slides
+  std::string fields_file;
+  std::optional<Seepage> seepage;
+  std::optional<double> seconds;
+
+  /// Both ends.
+  bool is_interval() const { return lower && upper; }
+};
+template <class V, As<BoundsResult> R>
+void describe(V& v, R& r) {
+  v.maybe("error", r.error, {"", "why there is no answer"});
+  v.key("warnings", r.warnings, {"", "warnings"});
+  if (r.error) return;
+  v.key("lower", r.lower, {"", "proven lower bound of the factor of safety"});
+  v.key("upper", r.upper, {"", "proven upper bound of the factor of safety"});
+  v.key("no_lower", r.no_lower, {"", "why there is no lower bound"});
+  v.key("no_upper", r.no_upper, {"", "why there is no upper bound"});
+  v.key("asked_gap", r.asked_gap, {"", "width of the interval over its middle that was asked for"});
+  v.key("is_davis", r.is_davis, {"", "whether it is of soil with the strength of Davis for ψ < φ"});
+  v.key("takes_tension", r.takes_tension, {"", "whether soils bear no more tension than given"});
+  v.key("imbalance", r.imbalance, {"", "largest imbalance of the stress field over the largest load"});
+  v.key("meshes", r.meshes, {"", "nested meshes"});
+  v.maybe("sides", r.sides, {"", "lines along which the mechanism slides"});
+  v.key("fields_file", r.fields_file, {"", "file of the fields"});
+  v.maybe("seepage", r.seepage, {"", "steady seepage on the first mesh"});
+  v.maybe("seconds", r.seconds, {"s", "seconds"});
+}
+
+/// The field of the lower bound.
+struct HoldingField {
+  std::vector<Point> nodes;  ///< [m]
+  std::vector<std::vector<int>> triangles;
+  std::vector<std::vector<double>> stress;  ///< effective xx, yy, xy at the corners of each triangle, nine numbers [Pa]
+  std::vector<double> utilisation;          ///< of each triangle: the factor of the field over that of its worst corner
+};
+template <class V, As<HoldingField> R>
+void describe(V& v, R& r) {
+  v.key("nodes", r.nodes, {"m", "nodes"});
+  v.key("triangles", r.triangles, {"", "nodes of the triangles"});
+  v.key("stress", r.stress, {"Pa", "effective stress xx, yy, xy at the three corners"});
+  v.key("utilisation", r.utilisation, {"", "how much of the strength is used"});
+}
+
+/// The field of the upper bound.
+struct MovingField {
+  std::vector<Point> nodes;  ///< corners, then middles of edges [m]
+  std::vector<std::vector<int>> triangles;
+  std::vector<Point> velocity;      ///< of the nodes; the fastest has 1
+  std::vector<double> dissipation;  ///< of each triangle, per area; the largest is 1
+};
+template <class V, As<MovingField> R>
+void describe(V& v, R& r) {
+  v.key("nodes", r.nodes, {"m", "nodes"});
+  v.key("triangles", r.triangles, {"", "nodes of the triangles: corners, then middles"});
+  v.key("velocity", r.velocity, {"", "velocity of the nodes; the fastest has 1"});
+  v.key("dissipation", r.dissipation, {"", "dissipation per area; the largest is 1"});
+}
+
+/// bounds.json: what an interrupted run need not calculate again, and the fields.
+struct BoundsFile {
+  std::string input_hash;
+  BoundsResult summary;
+  HoldingField holds;
+  MovingField moves;
+};
+template <class V, As<BoundsFile> R>
+void describe(V& v, R& r) {
+  v.key("input_hash", r.input_hash, {"", "hash of the input"});
+  v.key("summary", r.summary, {"", "proven bounds"});
+  v.key("holds", r.holds, {"", "stresses of the lower bound"});
+  v.key("moves", r.moves, {"", "velocities of the upper bound"});
+}
+
+}  // namespace talus::results

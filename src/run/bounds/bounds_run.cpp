@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "run/bounds/bounds_run.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "bounds/find_bounds.hpp"
+#include "results/json.hpp"
+#include "run/bounds/tell_bounds.hpp"
+
+namespace talus::run {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char *bounds_file = "bounds.json", *bounds_title = "proven bounds";
+
+}  // namespace
+
+BoundsRun::BoundsRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
+    : data_(data), options_(options), hash_(std::move(input_hash)), alone_(alone) {}
+
+/// Runs `part`. If the case has other methods as well, its exception becomes a part of the result.
+template <class Part>
+void BoundsRun::attempt(Part part) {
+  const auto start = Clock::now();
+  try {
+    part();
+  } catch (const Error& error) {
+    if (options_.progress) options_.progress->clear();
+    if (alone_ || error.code() == ExitCode::interrupted) throw;
+    made_.reset();
+    file_ = {};
+    file_.summary.error = error.what();
+    file_.summary.warnings = {fmt::format("{}: {}", bounds_title, error.what())};
+  }
+  spent_ += Clock::now() - start;
+}
+
+void BoundsRun::show(const std::string& what) const {
+  if (options_.progress) options_.progress->show(fmt::format("{}: {}", bounds_title, what));
+}
+
+void BoundsRun::prepare() {
+  attempt([&] {
+    show("mesh");
+    made_ = make_bounds_problem(data_);
+    water_ = std::move(made_->water);
+    if (options_.progress) options_.progress->clear();
+    if (!options_.resume) return;
+    auto known = results::find_file<results::BoundsFile>(options_.folder / bounds_file);
+    if (!known || known->input_hash != hash_) return;
+    file_ = std::move(*known);
+    is_known_ = true;
+  });
+}
+
+void BoundsRun::calculate(std::optional<double> start) {
+  if (!made_ || is_known_) return;
+  attempt([&] {
+    bounds::BoundsOptions options;
+    options.gap = data_.bounds.gap;
+    options.most_triangles = data_.bounds.triangles;
+    options.start = start.value_or(1);
+    show(fmt::format("{} triangles", made_->problem.size()));
+    const bounds::BoundsResult found =
+        bounds::find_bounds(made_->problem, options, [&](const bounds::BoundsLevel& level) {
+          throw_if_interrupted();
+          show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles, level.lower, level.upper));
+        });
+    file_ = tell_bounds(found);
+    file_.summary.warnings.insert(file_.summary.warnings.begin(), made_->notes.begin(), made_->notes.end());
+  });
+  if (!made_) return;
+  file_.input_hash = hash_;
+  results::BoundsResult& result = file_.summary;
+  result.asked_gap = data_.bounds.gap;
+  result.is_davis = data_.bounds.flow == input::BoundsFlow::davis;
+  result.takes_tension = data_.bounds.tension == input::BoundsTension::as_given;
+  result.fields_file = bounds_file;
+  result.seepage = water_.seepage;
+  result.seconds = spent_.count();
+  results::write_file(options_.folder / bounds_file, file_, -1);
+  if (options_.progress) options_.progress->clear();
+}
+
+void BoundsRun::tell(results::RunResult& run) const {
+  const results::BoundsResult& result = file_.summary;
+  run.bounds = result;
+  for (const std::string& warning : result.warnings)
+    run.warnings.push_back(result.error ? warning : fmt::format("{}: {}", bounds_title, warning));
+  ground::give(water_, run);
+}
+
+}  // namespace talus::run

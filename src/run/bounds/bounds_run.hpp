@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Proven bounds in a run: calculated or taken from an interrupted run, and kept in the folder.
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "results/run.hpp"
+#include "run/bounds/problem_of_case.hpp"
+#include "run/options.hpp"
+
+namespace talus::run {
+
+class BoundsRun {
+ public:
+  /// `data`: what is calculated. `alone`: the case has no other method.
+  BoundsRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash);
+
+  /// The first mesh; nothing is written. Throws Error (interrupted); where bounds answer alone, what
+  /// make_bounds_problem() throws, else the reason stands in the result.
+  void prepare();
+  /// Both bounds from a factor that another method found (or 1), kept in the folder. Throws Error (interrupted).
+  void calculate(std::optional<double> start);
+  void tell(results::RunResult& run) const;
+  /// As of SliceRun.
+  const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
+
+ private:
+  template <class Part>
+  void attempt(Part part);
+  void show(const std::string& what) const;
+
+  const input::Case& data_;
+  const RunOptions& options_;
+  std::string hash_;
+  bool alone_;
+  std::optional<ProblemOfCase> made_;
+  ground::ToldWater water_;
+  results::BoundsFile file_;
+  bool is_known_ = false;  ///< of an interrupted run
+  std::chrono::duration<double> spent_{0};
+};
+
+}  // namespace talus::run

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "run/bounds/problem_of_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "base/error.hpp"
+#include "bounds/edges.hpp"
+#include "ground/ground_line.hpp"
+#include "ground/ground_load.hpp"
+#include "ground/held_water.hpp"
+#include "ground/plane_water.hpp"
+#include "ground/pore_water.hpp"
+#include "ground/root_content.hpp"
+#include "ground/side_normals.hpp"
+#include "mesh/generate.hpp"
+
+namespace talus::run {
+namespace {
+
+/// Of the section's height.
+constexpr double first_size = 1.0 / 6, first_size_with_water = 1.0 / 12;
+/// A normal that points along an axis to this is along it.
+constexpr double along_axis = 1 - 1e-9;
+/// Cohesion of soil that cannot yield, as slices take it [Pa].
+constexpr double unyielding = 1e9;
+
+void check_material(const std::string& name, const input::Material& m) {
+  if (m.traits().serves_slices) return;
+  throw Error(ExitCode::wrong_input,
+              fmt::format("proven bounds need a cohesion and a friction angle, which material '{}' does not have: they "
+                          "take the models {}",
+                          name, material::list_sliceable()));
+}
+
+void check_boundary(const input::Boundary& b) {
+  if (b.fix != input::Fix::friction && b.fix != input::Fix::velocity) return;
+  throw Error(ExitCode::wrong_input,
+              fmt::format("proven bounds have no {}: take \"bounds\" out of [analysis] methods, or let fix of the "
+                          "boundary '{}' be full or normal",
+                          b.fix == input::Fix::friction ? "wall with friction" : "boundary that moves", b.on));
+}
+
+class ProblemBuilder {
+ public:
+  explicit ProblemBuilder(const input::Case& data)
+      : data_(data), mesh_(mesh::generate<2>(mesh::resize(data.mesh, find_bounds_size(data)))) {}
+
+  ProblemOfCase build() {
+    if (!data_.mesh.polygons.empty()) {
+      ground_ = ground::find_ground(data_.mesh);
+      ponds_ = ground::find_ponds(data_, ground_);
+      for (std::string& note : ground::find_open_ends(ponds_, ground_)) made_.notes.push_back(std::move(note));
+    }
+    if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
+    add_triangles();
+    add_strengths();
+    add_sides();
+    return std::move(made_);
+  }
+
+ private:
+  const input::Material& get_soil(std::size_t e) const {
+    const std::string& region = mesh_.region_names[static_cast<std::size_t>(made_.problem.region[e])];
+    return data_.materials.at(data_.regions.at(region));
+  }
+
+  /// Those with soil, on nodes of their own numbers.
+  void add_triangles() {
+    const ground::HeldWater<2> water = ground::find_held_water<2>(data_, mesh_, &made_.water);
+    Vec<2> direction{data_.gravity.direction[0], data_.gravity.direction[1]};
+    const Vec<2> quake = ground::find_earthquake<2>(data_, ground_);
+    for (std::size_t d = 0; d < 2; ++d) direction[d] += quake[d];
+    number_.assign(mesh_.nodes.size(), -1);
+    bounds::Problem& p = made_.problem;
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+      if (mesh_.element_region[e] == mesh::empty_region) continue;
+      bounds::Triangle triangle{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto node = static_cast<std::size_t>(mesh_.elements[e][i]);
+        if (number_[node] < 0) {
+          number_[node] = static_cast<int>(p.nodes.size());
+          p.nodes.push_back(mesh_.nodes[node]);
+        }
+        triangle[i] = number_[node];
+      }
+      p.triangles.push_back(triangle);
+      p.region.push_back(mesh_.element_region[e]);
+      p.body_force.push_back({direction[0] * water.unit_weight[e], direction[1] * water.unit_weight[e]});
+      p.pore_pressure.push_back({-water.pore[e][0], -water.pore[e][1], -water.pore[e][2]});
+    }
+  }
+
+  void add_strengths() {
+    bounds::Problem& p = made_.problem;
+    std::vector<Vec<2>> places;
+    std::vector<const input::Material*> soils;
+    for (std::size_t e = 0; e < p.size(); ++e)
+      for (const int node : p.triangles[e]) {
+        places.push_back(p.nodes[static_cast<std::size_t>(node)]);
+        soils.push_back(&get_soil(e));
+      }
+    const std::vector<ground::RootsAt> roots = ground::find_roots<2>(data_, mesh_, places, soils);
+    p.strength.resize(p.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      p.strength[i / 3][i % 3] = find_strength(*soils[i], places[i][1], roots[i].cohesion);
+  }
+
+  bounds::Strength find_strength(const input::Material& m, double level, double root_cohesion) const {
+    const auto given = material::find_slice_strength(m.model, m);
+    if (!given) return {unyielding, 0, {}};
+    bounds::Strength soil;
+    soil.cohesion =
+        given->cohesion + root_cohesion + given->cohesion_gradient * std::max(0.0, given->cohesion_level - level);
+    soil.tan_friction = std::tan(given->friction_angle);
+    if (data_.bounds.flow == input::BoundsFlow::davis) {
+      const double phi = given->friction_angle, psi = m.dilatancy_angle,
+                   share = std::cos(psi) * std::cos(phi) / (1 - std::sin(psi) * std::sin(phi));
+      soil.cohesion *= share, soil.tan_friction *= share;
+    }
+    const bool is_limited = data_.bounds.tension == input::BoundsTension::as_given && m.traits().has_friction;
+    if (is_limited && m.tensile_strength * soil.tan_friction < soil.cohesion) soil.tension = m.tensile_strength;
+    return soil;
+  }
+
+  using Key = std::pair<int, int>;
+  Key find_key(const std::array<int, 2>& side) const {
+    const int a = number_[static_cast<std::size_t>(side[0])], b = number_[static_cast<std::size_t>(side[1])];
+    return {std::min(a, b), std::max(a, b)};
+  }
+
+  void add_sides() {
+    bounds::Problem& p = made_.problem;
+    std::map<Key, bounds::Side> border;
+    for (const bounds::Edge& edge : bounds::list_edges(p.triangles))
+      if (edge.other < 0)
+        border[{std::min(edge.from, edge.to), std::max(edge.from, edge.to)}] = {edge.from, edge.to, false, false, {}};
+    for (const input::Boundary& b : data_.boundaries) {
+      check_boundary(b);
+      for (const auto& named : ground::find_sides(mesh_, b.on))
+        if (const auto side = border.find(find_key(named)); side != border.end()) hold(b, side->second);
+    }
+    for (const auto& load : ground::make_surface_loads<2>(data_, mesh_, ponds_, table_, ground_))
+      for (std::size_t i = 0; i < load.sides.size(); ++i) {
+        const auto side = border.find(find_key(load.sides[i]));
+        if (side == border.end())
+          throw Error(ExitCode::wrong_input,
+                      fmt::format("the traction on '{}' is not on the surface of the soil: proven bounds take loads "
+                                  "there only",
+                                  load.name));
+        for (std::size_t k = 0; k < 2; ++k) {
+          const int node = number_[static_cast<std::size_t>(load.sides[i][k])];
+          auto& own = side->second.traction[node == side->second.from ? 0 : 1];
+          for (std::size_t d = 0; d < 2; ++d) own[d] += load.traction[i][k][d];
+        }
+      }
+    for (const auto& [key, side] : border) p.sides.push_back(side);
+  }
+
+  void hold(const input::Boundary& b, bounds::Side& side) const {
+    const auto &from = made_.problem.nodes[static_cast<std::size_t>(side.from)],
+               &to = made_.problem.nodes[static_cast<std::size_t>(side.to)];
+    const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
+    if (b.fix == input::Fix::full) side.holds_normal = side.holds_along = true;
+    if (b.fix == input::Fix::normal) side.holds_normal = true;
+    if (b.fix != input::Fix::plane) return;
+    const double across = std::abs(b.normal[0] * dy - b.normal[1] * dx) / length,
+                 along = std::abs(b.normal[0] * dx + b.normal[1] * dy) / length;
+    if (across < along_axis && along < along_axis)
+      throw Error(
+          ExitCode::wrong_input,
+          fmt::format("proven bounds can hold '{}' across or along itself only, not along ({:g}, {:g}); use fix "
+                      "= \"normal\"",
+                      b.on, b.normal[0], b.normal[1]));
+    (across > along ? side.holds_normal : side.holds_along) = true;
+  }
+
+  const input::Case& data_;
+  const mesh::Mesh<2> mesh_;
+  std::vector<int> number_;  ///< of the nodes of the mesh; -1: of no soil
+  ground::Polyline ground_, table_;
+  std::vector<ground::Pond> ponds_;
+  ProblemOfCase made_;
+};
+
+}  // namespace
+
+double find_bounds_size(const input::Case& data) {
+  if (data.bounds.size) return *data.bounds.size;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const mesh::Polygon& polygon : data.mesh.polygons)
+    for (const auto& x : polygon.points) low = std::min(low, x[1]), high = std::max(high, x[1]);
+  const bool has_water = data.initial.water.pressure != input::InitialPressure::zero;
+  return (has_water ? first_size_with_water : first_size) * (high - low);
+}
+
+void check_bounds(const input::Case& data) {
+  for (const auto& [region, name] : data.regions) check_material(name, data.materials.at(name));
+  for (const input::Boundary& b : data.boundaries) check_boundary(b);
+}
+
+ProblemOfCase make_bounds_problem(const input::Case& data) {
+  check_bounds(data);
+  return ProblemBuilder(data).build();
+}
+
+}  // namespace talus::run

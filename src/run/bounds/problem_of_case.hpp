@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A case as limit analysis sees it.
+
+#include <string>
+#include <vector>
+
+#include "bounds/problem.hpp"
+#include "ground/tell_seepage.hpp"
+#include "input/case/case.hpp"
+
+namespace talus::run {
+
+struct ProblemOfCase {
+  bounds::Problem problem;
+  ground::ToldWater water;         ///< that pore pressures are from
+  std::vector<std::string> notes;  ///< what the bounds cannot take from the case as it is, in sentences
+};
+
+/// The first mesh, with strength, weight, pore pressures, loads and supports. Pore pressures of steady seepage are
+/// calculated on this mesh. Throws Error (wrong_input) for a material, a boundary or a load that limit analysis does
+/// not have; what mesh::generate() and find_held_water() throw.
+ProblemOfCase make_bounds_problem(const input::Case& data);
+
+/// Throws Error (wrong_input) for what make_bounds_problem() refuses, without a mesh.
+void check_bounds(const input::Case& data);
+
+/// Size of the first mesh's triangles: the case's; else a sixth of the section's height, and a twelfth with pore water,
+/// whose pressure is linear in a triangle [m].
+double find_bounds_size(const input::Case& data);
+
+}  // namespace talus::run

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "run/bounds/tell_bounds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bounds/strength.hpp"
+#include "fem/solid/solid.hpp"
+#include "run/round_to.hpp"
+
+namespace talus::run {
+namespace {
+
+/// Places are kept to so many parts of a metre, stresses to so many of a pascal, and shares to so many of one.
+constexpr double place_digits = 1e6, stress_digits = 10, share_digits = 1e6;
+
+results::Point round_place(const Vec<2>& x) {
+  return {round_to(x[0], place_digits), round_to(x[1], place_digits)};
+}
+
+results::HoldingField tell_stress(const bounds::Problem& problem, const bounds::StressField& field, double factor) {
+  results::HoldingField told;
+  for (const Vec<2>& x : problem.nodes) told.nodes.push_back(round_place(x));
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    told.triangles.emplace_back(problem.triangles[e].begin(), problem.triangles[e].end());
+    std::vector<double>& stress = told.stress.emplace_back();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (const double s : field.stress[e][i]) stress.push_back(round_to(s, stress_digits));
+      least = std::min(least, bounds::find_factor(problem.strength[e][i], field.stress[e][i]));
+    }
+    told.utilisation.push_back(least > 0 ? round_to(std::min(1.0, factor / least), share_digits) : 1);
+  }
+  return told;
+}
+
+/// √((ε_x − ε_y)² + γ²) in the middle of a triangle, times its area: sheared where the mechanism slides.
+results::MovingField tell_velocity(const bounds::Problem& problem, const bounds::VelocityField& field) {
+  results::MovingField told;
+  double fastest = 0, most = 0;
+  for (const Vec<2>& v : field.velocity) fastest = std::max(fastest, norm(v));
+  for (std::size_t n = 0; n < field.mesh.nodes.size(); ++n) {
+    told.nodes.push_back(round_place(field.mesh.nodes[n]));
+    told.velocity.push_back({round_to(field.velocity[n][0] / fastest, share_digits),
+                             round_to(field.velocity[n][1] / fastest, share_digits)});
+  }
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    const auto& t = field.mesh.triangles[e];
+    told.triangles.emplace_back(t.begin(), t.end());
+    const bounds::Shape shape = bounds::find_shape(problem, e);
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto gradients = bounds::find_quadratic_gradients(shape, c);
+      double x = 0, y = 0, xy = 0;
+      for (std::size_t k = 0; k < 6; ++k) {
+        const Vec<2>& v = field.velocity[static_cast<std::size_t>(t[k])];
+        x += gradients[k][0] * v[0], y += gradients[k][1] * v[1];
+        xy += gradients[k][1] * v[0] + gradients[k][0] * v[1];
+      }
+      sum += std::hypot(x - y, xy) / 3;
+    }
+    told.dissipation.push_back(sum);
+    most = std::max(most, sum);
+  }
+  for (double& d : told.dissipation) d = most > 0 ? round_to(d / most, share_digits) : 0;
+  return told;
+}
+
+/// The lines along which the mechanism slides, found as those of finite elements are.
+std::vector<results::SideLine> find_lines(const bounds::Problem& problem, const bounds::VelocityField& field) {
+  fem::QuadraticMesh<2> mesh;
+  mesh.nodes = field.mesh.nodes;
+  fem::SolidState<2> state;
+  state.displacement = field.velocity;
+  fem::SolidModel<2> model;
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    const auto& t = field.mesh.triangles[e];
+    mesh.elements.push_back(t);
+    mesh.linear_element.push_back(static_cast<int>(e));
+    const bounds::Shape shape = bounds::find_shape(problem, e);
+    for (std::size_t c = 0; c < 3; ++c) {
+      // Linear in the triangle: at the point nearest corner c two thirds of it and a sixth of each other corner.
+      std::array<double, 6> strain{};
+      Vec<2> place{0, 0};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double share = k == c ? 2.0 / 3 : 1.0 / 6;
+        for (std::size_t d = 0; d < 2; ++d) place[d] += share * mesh.nodes[static_cast<std::size_t>(t[k])][d];
+        const auto gradients = bounds::find_quadratic_gradients(shape, k);
+        for (std::size_t n = 0; n < 6; ++n) {
+          const Vec<2>& v = field.velocity[static_cast<std::size_t>(t[n])];
+          strain[0] += share * gradients[n][0] * v[0], strain[1] += share * gradients[n][1] * v[1];
+          strain[3] += share * (gradients[n][1] * v[0] + gradients[n][0] * v[1]);
+        }
+      }
+      mesh.points.push_back(place);
+      mesh.weights.push_back(shape.area / 3);
+      state.strain.push_back(strain);
+    }
+  }
+  for (const bounds::Side& s : problem.sides) {
+    if (!s.holds_normal && !s.holds_along) continue;
+    fem::Support<2> support;
+    support.sides = {{s.from, s.to}};
+    support.fixed = {true, s.holds_along};
+    model.supports.push_back(support);
+  }
+  std::vector<results::SideLine> lines;
+  for (fem::SlipLine& line : fem::find_slip_lines(model, mesh, state))
+    lines.push_back({line.direction, std::move(line.points)});
+  if (lines.size() > 1 && lines[0].direction > lines[1].direction) std::swap(lines[0], lines[1]);
+  return lines;
+}
+
+}  // namespace
+
+results::BoundsFile tell_bounds(const bounds::BoundsResult& found) {
+  results::BoundsFile file;
+  results::BoundsResult& told = file.summary;
+  told.no_lower = found.no_lower, told.no_upper = found.no_upper;
+  if (found.lower > 0) told.lower = found.lower;
+  if (std::isfinite(found.upper)) told.upper = found.upper;
+  if (!told.lower && told.no_lower.empty()) told.no_lower = "no stress field passed its check";
+  if (!told.upper && told.no_upper.empty()) told.no_upper = "no mechanism passed its check";
+  for (const bounds::BoundsLevel& level : found.levels) {
+    results::BoundsMesh mesh{level.triangles, {}, {}, level.programs, level.iterations, level.seconds};
+    if (level.lower > 0) mesh.lower = level.lower;
+    if (std::isfinite(level.upper)) mesh.upper = level.upper;
+    told.meshes.push_back(mesh);
+  }
+  if (told.lower) {
+    told.imbalance = found.static_check.imbalance / bounds::find_units(found.stress_problem).stress;
+    file.holds = tell_stress(found.stress_problem, found.stress, found.lower);
+  }
+  if (told.upper) {
+    file.moves = tell_velocity(found.velocity_problem, found.velocity);
+    if (auto lines = find_lines(found.velocity_problem, found.velocity); !lines.empty()) told.sides = std::move(lines);
+  }
+  return file;
+}
+
+}  // namespace talus::run

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Proven bounds from a case file: beside slices, with water, loads and layers; what is kept, told and refused.
+
+#include <cmath>
+#include <fstream>
+
+#include "cases/methods_slope.hpp"
+#include "support/run_json.hpp"
+
+namespace talus {
+namespace {
+
+using nlohmann::json;
+
+/// A rough interval in a second or two.
+const std::string rough = "[bounds]\ngap = 0.04\ntriangles = 600\n";
+
+std::string find_text(const json& list, const std::string& part) {
+  for (const auto& text : list)
+    if (text.get<std::string>().find(part) != std::string::npos) return text;
+  return "";
+}
+
+class BoundsTest : public MethodsTest {
+ protected:
+  /// Expects an interval, and returns it.
+  static std::pair<double, double> read_interval(const json& summary) {
+    const json& bounds = summary.at("bounds");
+    EXPECT_TRUE(bounds.at("lower").is_number() && bounds.at("upper").is_number()) << bounds.dump();
+    if (!bounds.at("lower").is_number() || !bounds.at("upper").is_number()) return {0, 0};
+    EXPECT_LE(bounds.at("lower"), bounds.at("upper"));
+    return {bounds.at("lower"), bounds.at("upper")};
+  }
+};
+
+TEST_F(BoundsTest, HoldSpencerAndStandBesideSlices) {
+  const json summary = run(write_case("\"lem\", \"bounds\"", few_circles + rough));
+  const auto [lower, upper] = read_interval(summary);
+  const double spencer = find_factor(summary, "spencer");
+  EXPECT_LE(lower, spencer);
+  EXPECT_GE(upper, spencer);
+  EXPECT_LE(upper / lower, 1.05);
+  EXPECT_EQ(support::find_result(summary, "bounds.lower"), lower);
+  EXPECT_EQ(support::find_result(summary, "bounds.upper"), upper);
+  EXPECT_TRUE(support::find_result(summary, "lem.handed[bounds.mechanism].spencer").has_value());
+  EXPECT_EQ(find_text(summary.at("warnings"), "proven"), "");
+  const json& row = summary.at("methods").at("table").at(2);
+  EXPECT_EQ(row.at("method"), "bounds");
+  EXPECT_TRUE(row.at("factor").is_null()) << "an interval is no factor";
+  double last = 0;
+  for (const json& mesh : summary.at("bounds").at("meshes")) {
+    EXPECT_GE(mesh.at("lower").get<double>(), last);
+    last = mesh.at("lower");
+  }
+  const json fields = json::parse(std::ifstream(folder_ / "bounds.json"));
+  EXPECT_EQ(fields.at("holds").at("triangles").size(), fields.at("holds").at("utilisation").size());
+  EXPECT_EQ(fields.at("moves").at("nodes").size(), fields.at("moves").at("velocity").size());
+}
+
+TEST_F(BoundsTest, AloneTheLowerOneGoverns) {
+  const json summary = run(write_case("\"bounds\"", rough));
+  EXPECT_EQ(summary.at("main_factor"), summary.at("bounds").at("lower"));
+  // What is done is not done again.
+  const json again = run(write_case("\"bounds\"", rough), {}, true);
+  EXPECT_EQ(again.at("bounds"), summary.at("bounds"));
+}
+
+TEST_F(BoundsTest, SayWhereAMethodLiesOutside) {
+  // Elements as large as half the slope.
+  const std::string coarse = "[fem]\nsize = 6\nflow = \"associated\"\nresolution = 0.02\n";
+  const json summary = run(write_case("\"fem\", \"bounds\"", coarse + rough));
+  EXPECT_NE(find_text(summary.at("warnings"), "above the proven upper bound"), "");
+  EXPECT_EQ(summary.at("main_factor"), summary.at("bounds").at("upper")) << "it is proven to be no higher";
+}
+
+TEST_F(BoundsTest, TakeWaterLoadsAndEarthquakes) {
+  const std::string text = write_case("\"bounds\"", rough);
+  const auto [lower, upper] = read_interval(run(text));
+  const std::string table = "[[0, 12], [12, 12], [32, 5], [44, 5]]";
+  const auto wet = read_interval(
+      run(text, {{"initial.pore_pressure", "water_table"}, {"initial.water_table", table}, {"bounds.gap", "0.08"}}));
+  EXPECT_LT(wet.second, lower) << "water weakens it";
+  const auto shaken = read_interval(run(text, {{"earthquake.horizontal", "0.1"}}));
+  EXPECT_LT(shaken.second, lower);
+  const auto loaded = read_interval(run(text + "[[surcharge]]\nname = \"store\"\nx = [0, 12]\nload = [40, 40]\n"));
+  EXPECT_LT(loaded.second, upper);
+}
+
+TEST_F(BoundsTest, OfASlopeWithoutTensionAndOfDavisStrengthAreLower) {
+  const std::string text = write_case("\"bounds\"", rough);
+  const auto apex = read_interval(run(text, {{"bounds.tension", "apex"}}));
+  const auto given = read_interval(run(text, {{"materials.sand.tensile_strength", "0"}}));
+  EXPECT_LT(given.first, apex.second);
+  const json davis = run(text, {{"bounds.flow", "davis"}, {"materials.sand.dilatancy_angle", "0"}});
+  EXPECT_LT(read_interval(davis).second, apex.first) << "cos φ = 0.87";
+  EXPECT_NE(find_text(davis.at("methods").at("remarks").at(0), "Davis"), "");
+}
+
+TEST_F(BoundsTest, SayThatALoadIsNotOnTheSurface) {
+  const std::string inside =
+      "[[geometry.line]]\nname = \"inside\"\npoints = [[5, 5], [15, 5]]\n"
+      "[[traction]]\non = \"inside\"\ntraction = [0, -10]\n";
+  EXPECT_NE(find_fault(write_case("\"bounds\"", rough + inside)).find("'inside' is not on the surface of the soil"),
+            std::string::npos);
+}
+
+TEST_F(BoundsTest, SayThatNothingHoldsTheSoil) {
+  const std::string loose = R"(title = "Held at one side"
+geometry.polygon = [{ name = "soil", points = [[0, 0], [20, 0], [20, 4], [8, 10], [0, 10]] }]
+regions.soil = "clay"
+analysis.methods = ["bounds"]
+boundary = [{ on = "left", fix = "normal" }]
+[materials.clay]
+model = "mohr_coulomb"
+unit_weight = 18
+cohesion = 20
+friction_angle = 20
+tensile_strength = 0
+)";
+  const json summary = run(loose);
+  EXPECT_EQ(summary.at("bounds").at("no_lower"), "no stress field is in equilibrium with the loads");
+  EXPECT_TRUE(summary.at("bounds").at("lower").is_null());
+  EXPECT_TRUE(summary.at("main_factor").is_null());
+}
+
+}  // namespace
+}  // namespace talus
