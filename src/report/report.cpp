@@ -16,6 +16,7 @@
 #include "report/content/model.hpp"
 #include "report/content/named_results.hpp"
 #include "report/content/point_tests.hpp"
+#include "report/content/proven_bounds.hpp"
 #include "report/content/run_sequences.hpp"
 #include "report/content/sections.hpp"
 #include "report/content/slices.hpp"
@@ -69,7 +70,7 @@ json make_answer_of(const std::vector<std::string>& sentences) {
   return {{"sentences", sentences}, {"factors", json::array()}, {"results", json::array()}};
 }
 
-/// Slices, finite elements, and all methods beside each other.
+/// Slices, finite elements, proven bounds, and all methods beside each other.
 void add_other_methods(const ResultFolder& folder, Packer& packer, json& document) {
   const auto add = [&](const char* key, json block) {
     if (!block.is_null()) document[key] = std::move(block);
@@ -77,6 +78,7 @@ void add_other_methods(const ResultFolder& folder, Packer& packer, json& documen
   add("method_table", make_method_table(folder));
   add("slices", make_slices(folder, packer, document["warnings"]));
   add("finite_elements", make_finite_elements(folder, packer, document["warnings"]));
+  add("proven_bounds", make_proven_bounds(folder, packer, document["warnings"]));
 }
 
 json make_run(const ResultFolder& folder, Packer& packer) {

@@ -16,9 +16,15 @@ bool asks_for(const ResultFolder& folder, Method method) {
       return input::uses(folder.data, input::Method::lem);
     case Method::fem:
       return input::uses(folder.data, input::Method::fem);
+    case Method::bounds:
+      return input::uses(folder.data, input::Method::bounds);
     default:
       return input::uses(folder.data, input::Method::mpm);
   }
+}
+
+bool asks_for_others(const ResultFolder& folder) {
+  return asks_for(folder, Method::lem) || asks_for(folder, Method::fem) || asks_for(folder, Method::bounds);
 }
 
 }  // namespace talus::report

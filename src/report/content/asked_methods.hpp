@@ -9,4 +9,7 @@ namespace talus::report {
 /// A folder that names no method is one of material points.
 bool asks_for(const ResultFolder& folder, Method method);
 
+/// Whether it asks for more than material points.
+bool asks_for_others(const ResultFolder& folder);
+
 }  // namespace talus::report

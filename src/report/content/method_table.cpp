@@ -69,6 +69,7 @@ SurfaceSource find_source(const MethodRow& row) {
   if (row.source) return *row.source;
   if (row.surface.empty()) return SurfaceSource::none;
   if (row.method == Method::fem) return SurfaceSource::band;
+  if (row.method == Method::bounds) return SurfaceSource::mechanism;
   if (row.surface == "lem." + row.name) return SurfaceSource::critical;
   return row.surface == "lem.noncircular." + row.name ? SurfaceSource::noncircular : SurfaceSource::given;
 }
@@ -94,6 +95,7 @@ FactorMeasure find_measure(const MethodRow& row) {
 
 /// As comparisons name it: "lem.noncircular.spencer", "lem.handed[fem.band].spencer", "fem.by_displacement".
 std::string name_result(const MethodRow& row) {
+  if (row.method == Method::bounds) return "bounds";
   if (row.method == Method::fem)
     return fmt::format("fem.{}{}", is_associated(row) ? "associated." : "",
                        find_measure(row) == FactorMeasure::displacement ? "by_displacement" : "factor");
@@ -113,10 +115,6 @@ bool is_critical(const MethodRow& row) {
   return row.method == Method::lem && (source == SurfaceSource::critical || source == SurfaceSource::noncircular);
 }
 
-const char* name_method(Method method) {
-  return method == Method::lem ? "slices" : method == Method::fem ? "finite elements" : "material points";
-}
-
 Factor make_factor(const MethodRow& row) {
   Factor factor;
   factor.method = row.method;
@@ -129,7 +127,7 @@ Factor make_factor(const MethodRow& row) {
   factor.source = find_source(row);
   if (row.method == Method::lem) {
     factor.slice_method = results::from_word<SliceMethod>(row.name);
-  } else {
+  } else if (row.method == Method::fem) {
     factor.flow = results::from_word<results::Flow>(row.name);
     factor.measure = find_measure(row);
   }
@@ -167,6 +165,8 @@ const char* name_topic(Topic topic) {
       return "Slices";
     case Topic::elements:
       return "Finite elements";
+    case Topic::bounds:
+      return "Proven bounds";
     case Topic::points:
       return "Material points";
     case Topic::mechanism:
@@ -196,7 +196,7 @@ json group_remarks(const std::vector<results::Remark>& remarks) {
 }  // namespace
 
 json make_method_table(const ResultFolder& folder) {
-  if (!folder.run.methods || (!asks_for(folder, Method::lem) && !asks_for(folder, Method::fem))) return {};
+  if (!folder.run.methods || !asks_for_others(folder)) return {};
   const results::MethodComparison& methods = *folder.run.methods;
   json table{{"asked", json::array()},
              {"rows", json::array()},
@@ -269,9 +269,21 @@ std::string say_main_factors(const results::RunResult& run, const std::vector<Fa
   std::stable_sort(mains.begin(), mains.end(), [](auto* a, auto* b) { return *a->value < *b->value; });
   std::vector<std::string> parts;
   for (const Factor* factor : mains)
-    parts.push_back(fmt::format("{:.3f} by {} ({})", *factor->value, name_method(factor->method), factor->title));
+    parts.push_back(fmt::format("{:.3f} by {} ({})", *factor->value, get_title(factor->method), factor->title));
   return fmt::format("The factor of safety{} is {}.", has_design_values(run) ? " with design values" : "",
                      join_words(parts));
+}
+
+std::string say_proven(const results::RunResult& run) {
+  if (!run.bounds || run.bounds->error) return "";
+  const results::BoundsResult& bounds = *run.bounds;
+  const std::string soil = bounds.is_davis ? "For soil with the strength of Davis, an estimate for ψ < φ, it"
+                                           : "For ψ = φ the factor of safety";
+  if (bounds.is_interval())
+    return fmt::format("{} is proven to lie between {:.3f} and {:.3f}.", soil, *bounds.lower, *bounds.upper);
+  if (bounds.lower) return fmt::format("{} is proven to be at least {:.3f}.", soil, *bounds.lower);
+  if (bounds.upper) return fmt::format("{} is proven to be at most {:.3f}.", soil, *bounds.upper);
+  return fmt::format("No bound of the factor of safety was proven: {}.", bounds.no_upper);
 }
 
 std::string say_agreement(const std::vector<Factor>& factors) {

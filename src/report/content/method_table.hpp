@@ -42,6 +42,9 @@ std::vector<Factor> list_other_factors(const results::RunResult& run);
 /// when no method found one. `factors` are those of all methods.
 std::string say_main_factors(const results::RunResult& run, const std::vector<Factor>& factors);
 
+/// "It is proven to lie between 1.432 and 1.446 for ψ = φ."; empty without proven bounds.
+std::string say_proven(const results::RunResult& run);
+
 /// How far the main factors lie apart, and how much of it is known to be the flow rule or the mesh; empty for fewer
 /// than two.
 std::string say_agreement(const std::vector<Factor>& factors);

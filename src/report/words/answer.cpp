@@ -96,7 +96,11 @@ constexpr const char* too_low = "A factor below one: the slope does not stand wi
 
 /// What the other methods found, and how they differ.
 void say_methods(const results::RunResult& run, const std::vector<Factor>& factors, json& sentences) {
-  const std::string sentence = say_main_factors(run, factors);
+  const std::string sentence = say_main_factors(run, factors), proven = say_proven(run);
+  if (!proven.empty() && sentence.empty()) {
+    sentences.push_back(proven);
+    return;
+  }
   if (sentence.empty()) {
     sentences.push_back("No method found a factor of safety.");
     return;
@@ -107,7 +111,7 @@ void say_methods(const results::RunResult& run, const std::vector<Factor>& facto
       std::any_of(factors.begin(), factors.end(), [](const Factor& f) { return f.is_main && *f.value < 1; }))
     sentences.push_back(too_low);
   for (const std::string& said :
-       {say_agreement(factors), has_design_values(run) ? run.methods->partial_factors->text : std::string()})
+       {proven, say_agreement(factors), has_design_values(run) ? run.methods->partial_factors->text : std::string()})
     if (!said.empty()) sentences.push_back(said);
 }
 
@@ -299,7 +303,7 @@ json make_answer(const ResultFolder& folder) {
   json sentences = json::array(), listed = json::array();
   say_state(run, sentences);
   say_unrest(run, sentences);
-  const bool lone = !asks_for(folder, Method::lem) && !asks_for(folder, Method::fem);
+  const bool lone = !asks_for_others(folder);
   if (!lone) say_methods(run, factors, sentences);
   say_factor(run, own, lone, sentences);
   say_runouts(run, sentences);

@@ -34,6 +34,7 @@ class Assumptions {
     if (run_.input.is_empty()) return sentences_;
     if (asks_for(folder_, Method::lem)) add_slices();
     if (asks_for(folder_, Method::fem)) add_elements();
+    if (asks_for(folder_, Method::bounds)) add_bounds();
     if (!asks_for(folder_, Method::mpm)) return sentences_;
     add_ground();
     add_soils();
@@ -82,6 +83,19 @@ class Assumptions {
       if (run.flow == results::Flow::associated)
         add("With associated flow (ψ = φ) the factor can be compared with slices and limit analysis; with ψ as given "
             "it should agree with that of material points.");
+  }
+
+  void add_bounds() {
+    add("Proven bounds: rigid, perfectly plastic soil in plane strain with ψ = φ, strength and pore pressures linear "
+        "in "
+        "the triangles of the first mesh, and the undeformed geometry. A stress field in equilibrium that nowhere "
+        "exceeds the strength proves the lower one, a mechanism that obeys the flow rule the upper one. Both fields "
+        "were checked by themselves. Soil with less cohesion or tensile strength than a millionth of the largest load "
+        "is "
+        "taken to have as much.");
+    if (data_.bounds.flow == input::BoundsFlow::davis)
+      add("They are those of soil with the strength of Davis, which is weaker where ψ < φ: of the soil as given they "
+          "prove nothing.");
   }
 
   void add_ground() {

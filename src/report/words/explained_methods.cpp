@@ -77,6 +77,7 @@ json list_methods(const ResultFolder& folder) {
   if (asks_for(folder, Method::lem)) add_slice_methods(run, methods);
   add_if(by_elements, "finite_elements");
   add_if(by_elements, "finite_element_reduction");
+  add_if(asks_for(folder, Method::bounds), "limit_analysis");
   add_if(run.methods && run.methods->partial_factors, "partial_factors");
   if (!moves_points) {
     if (by_elements) add_soil_methods(folder.data, methods);

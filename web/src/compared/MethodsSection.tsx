@@ -47,7 +47,7 @@ function RowTable({ rows, reference, compare, label }: RowsProps) {
             </th>
             <td>{row.criterion}</td>
             <td class="number">
-              <strong>{formatFactor(row.factor, "none")}</strong>
+              <strong>{formatFactor(row.factor, row.method === "bounds" ? "–" : "none")}</strong>
             </td>
             <td class="number">
               {row.lower === null || row.upper === null ? "–" : `${formatFactor(row.lower)}–${formatFactor(row.upper)}`}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The data contract between the program and this page, as the page imports it: every room of this folder. */
 export type * from "./answer";
+export type * from "./bounds";
 export type * from "./elements";
 export type * from "./head";
 export type * from "./laboratory";

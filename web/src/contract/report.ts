@@ -6,6 +6,7 @@
  * that schema, the tests of the page hold a real report against it too. Numbers are SI; `Unit.si` converts for display.
  */
 import type { Answer, Comparison } from "./answer";
+import type { ProvenBounds } from "./bounds";
 import type { FiniteElements } from "./elements";
 import type { InputTable, Project, Provenance, Timing } from "./head";
 import type { Calibration, PointTests } from "./laboratory";
@@ -49,6 +50,7 @@ export interface Report {
   method_table?: MethodTable;
   slices?: Slices;
   finite_elements?: FiniteElements;
+  proven_bounds?: ProvenBounds;
   /** Sentences: what the numbers rest on, and where they end. */
   assumptions: string[];
   /** Names of the paragraphs of the methods section that apply. */
@@ -95,5 +97,6 @@ export type Method =
   | "yield_acceleration"
   | "finite_elements"
   | "finite_element_reduction"
+  | "limit_analysis"
   | "partial_factors"
   | "sampling";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** What all parts of the contract share: kinds of methods and factors, units, packed arrays, columns. */
 
-/** Slices, finite elements, material points. */
-export type MethodName = "lem" | "fem" | "mpm";
+/** Slices, finite elements, proven bounds, material points. */
+export type MethodName = "lem" | "fem" | "bounds" | "mpm";
 
 export type SliceMethod =
   | "fellenius"
@@ -31,6 +31,7 @@ export type SurfaceSource =
   | "handed"
   | "optimised"
   | "band"
+  | "mechanism"
   | "slip_line";
 
 /** How a quantity is shown: value in SI = value shown × si. */

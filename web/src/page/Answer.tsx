@@ -13,8 +13,34 @@ const hasDesignValues = () => report.value.method_table?.partial_factors !== und
 const nameFactor = () => (hasDesignValues() ? "Factor of safety with design values" : "Factor of safety");
 const sayFailure = () => (hasDesignValues() ? "the slope is not verified" : "the slope fails as it stands");
 
-/** One beside the other where several methods answer. */
-function MainFactors({ factors }: { factors: Factor[] }) {
+/** Both ends of what is proven. */
+function Interval({ factor }: { factor: Factor }) {
+  return (
+    <span class={factor.lower! < 1 ? "value interval bad" : "value interval"}>
+      {formatFactor(factor.lower)} – {formatFactor(factor.upper)}
+    </span>
+  );
+}
+
+/** Of bounds alone. */
+function ProvenInterval({ factor }: { factor: Factor }) {
+  return (
+    <div class="main-factor">
+      <p class="number">
+        <Interval factor={factor} />
+      </p>
+      <WarningLink />
+      <p class="label">
+        {nameFactor()}
+        {factor.upper! < 1 && <strong class="bad">, below 1: {sayFailure()}</strong>}
+        <span class="criterion">{factor.title}</span>
+      </p>
+    </div>
+  );
+}
+
+/** One beside the other where several methods answer; what is proven stands last. */
+function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | undefined }) {
   return (
     <div class="main-factor several">
       <dl>
@@ -27,6 +53,15 @@ function MainFactors({ factors }: { factors: Factor[] }) {
             </dd>
           </div>
         ))}
+        {proven && (
+          <div>
+            <dt>{methodNames.bounds}</dt>
+            <dd>
+              <Interval factor={proven} />
+              <span class="criterion">{proven.title}</span>
+            </dd>
+          </div>
+        )}
       </dl>
       <WarningLink />
       <p class="label">
@@ -133,6 +168,7 @@ export function Answer() {
     .filter((factor) => factor.main && factor.value !== null)
     .sort((a, b) => a.value! - b.value!);
   const main = mains[0];
+  const proven = answer.factors.find(({ method, lower, upper }) => method === "bounds" && lower !== null && upper !== null);
   const results = pickResults(answer.results, main ? 4 : 6);
   const [first, ...others] = answer.sentences;
   const moreWords = others.length > 0 && <p class="more-words">{others.map(formatSentence).join(" ")}</p>;
@@ -148,11 +184,17 @@ export function Answer() {
       <h2 id="answer-title" class="unseen">
         Answer
       </h2>
-      {mains.length > 1 ? <MainFactors factors={mains} /> : main && <MainFactor factor={main} />}
-      {first && <p class={main ? "in-words" : "in-words only"}>{formatSentence(first)}</p>}
+      {mains.length > 1 || (main && proven) ? (
+        <MainFactors factors={mains} proven={proven} />
+      ) : main ? (
+        <MainFactor factor={main} />
+      ) : (
+        proven && <ProvenInterval factor={proven} />
+      )}
+      {first && <p class={main || proven ? "in-words" : "in-words only"}>{formatSentence(first)}</p>}
       {mains.length > 1 ? listedWords : moreWords}
       {answer.factors.length > 0 && <Factors factors={answer.factors} />}
-      {results.length > 0 && <Results results={results} large={!main} />}
+      {results.length > 0 && <Results results={results} large={!main && !proven} />}
       <Warnings />
     </section>
   );

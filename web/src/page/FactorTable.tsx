@@ -7,6 +7,7 @@ export const methodNames: Record<MethodName, string> = {
   mpm: "Material points",
   lem: "Slices",
   fem: "Finite elements",
+  bounds: "Proven bounds",
 };
 
 /** The pore water in the trials of a factor. */
@@ -23,12 +24,29 @@ function findRange(factors: Factor[]): [number, number] {
   return [low - room, high + room];
 }
 
-function Strip({ factor, range: [low, high] }: { factor: Factor; range: [number, number] }) {
-  const at = (x: number) => `${((x - low) / (high - low)) * 100}%`;
+interface StripProps {
+  factor: Factor;
+  range: [number, number];
+  /** What is proven, behind the marks of all methods. */
+  proven: Factor | undefined;
+}
+
+function Strip({ factor, range: [low, high], proven }: StripProps) {
+  const share = (x: number) => ((x - low) / (high - low)) * 100;
+  const at = (x: number) => `${share(x)}%`;
   const from = factor.lower ?? factor.value;
   const to = factor.upper ?? factor.value;
   return (
     <svg class="strip" width="100%" height="14" aria-hidden="true">
+      {proven && (
+        <rect
+          class="proven"
+          x={at(proven.lower!)}
+          width={`${share(proven.upper!) - share(proven.lower!)}%`}
+          y="0"
+          height="14"
+        />
+      )}
       <line class="axis" x1="0" x2="100%" y1="7" y2="7" />
       <line class="one" x1={at(1)} x2={at(1)} y1="0" y2="14" />
       {from !== null && to !== null && <line class="span" x1={at(from)} x2={at(to)} y1="7" y2="7" />}
@@ -47,6 +65,7 @@ interface Props {
 export function FactorTable({ factors, among, caption }: Props) {
   const range = findRange(among);
   const methods = new Set(among.map((factor) => factor.method));
+  const proven = among.find((factor) => factor.method === "bounds" && factor.lower !== null && factor.upper !== null);
   return (
     <table class="factors">
       <caption class="unseen">{caption}</caption>
@@ -73,16 +92,16 @@ export function FactorTable({ factors, among, caption }: Props) {
               {methods.size > 1 && <span class="method">{methodNames[factor.method]}: </span>}
               {factor.title}
               {factor.water && <span class="note">; {describeDrainage(factor.water)}</span>}
-              {factor.value === null && factor.note && <span class="note"> – {factor.note}</span>}
+              {factor.value === null && factor.lower === null && factor.note && <span class="note"> – {factor.note}</span>}
             </th>
-            <td class="number">{formatFactor(factor.value, "none")}</td>
+            <td class="number">{formatFactor(factor.value, factor.method === "bounds" ? "–" : "none")}</td>
             <td class="number muted">
               {factor.lower !== null && factor.upper !== null
                 ? `${formatFactor(factor.lower)}–${formatFactor(factor.upper)}`
                 : "–"}
             </td>
             <td class="strip-cell">
-              <Strip factor={factor} range={range} />
+              <Strip factor={factor} range={range} proven={proven} />
             </td>
           </tr>
         ))}

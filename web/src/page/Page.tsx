@@ -16,6 +16,7 @@ import {
 } from "../charts/Charts";
 import { MethodsSection } from "../compared/MethodsSection";
 import { Overview } from "../compared/Overview";
+import { BoundsSection } from "../bounds/BoundsSection";
 import { ElementsSection } from "../elements/ElementsSection";
 import { SamplingSection } from "../sampling/SamplingSection";
 import { SlicesSection } from "../slices/SlicesSection";
@@ -121,6 +122,15 @@ export function Page() {
             what="The part on finite elements"
             height={1400}
             draw={() => <ElementsSection />}
+          />
+        )}
+        {has("bounds") && (
+          <ChartPart
+            id="bounds"
+            title="Proven bounds"
+            what="The part on proven bounds"
+            height={900}
+            draw={() => <BoundsSection />}
           />
         )}
         {has("curve") && (

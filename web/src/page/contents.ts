@@ -21,6 +21,7 @@ export function listContents(report: Report): Entry[] {
     [report.method_table !== undefined, "compared", "Compared"],
     [report.slices !== undefined, "slices", "Slices"],
     [report.finite_elements !== undefined, "elements", "Elements"],
+    [report.proven_bounds !== undefined, "bounds", "Bounds"],
     [report.curve !== undefined, "curve", "Curve"],
     [has("history") || has("monitors"), "histories", "Histories"],
     [

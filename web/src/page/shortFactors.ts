@@ -11,6 +11,7 @@ export function splitFactors(factors: Factor[]): { shown: Factor[]; folded: Fact
   const main = factors.find((factor) => factor.method === "lem" && factor.main);
   const isShown = (factor: Factor) =>
     factor.main ||
+    factor.method === "bounds" ||
     ((factor.source === "noncircular" || factor.source === "critical") && factor.by === main?.by) ||
     factor.measure === "equilibrium" ||
     factor.by === "frozen" ||

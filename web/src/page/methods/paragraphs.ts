@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The paragraphs of the methods section: which there are, in which order, with equations and references numbered. */
+import { writeLimitAnalysis } from "./bounds";
 import { writeElementReduction, writeFiniteElements } from "./elements";
 import { writeDisplacementCurve, writeFrozenFactor, writeStrengthReduction } from "./factor";
 import { writeDamping, writeMassScaling, writeMaterialPoints, writeRunout, writeTimeStep } from "./motion";
@@ -48,6 +49,7 @@ const writers: { method: Method; title: string; write: Writer }[] = [
   { method: "yield_acceleration", title: "Yield acceleration", write: writeYieldAcceleration },
   { method: "finite_elements", title: "Finite elements", write: writeFiniteElements },
   { method: "finite_element_reduction", title: "Strength reduction by finite elements", write: writeElementReduction },
+  { method: "limit_analysis", title: "Proven bounds", write: writeLimitAnalysis },
   { method: "sampling", title: "Uncertain numbers", write: writeSampling },
   { method: "partial_factors", title: "Partial factors", write: writePartialFactors },
   { method: "material_point_method", title: "Material point method", write: writeMaterialPoints },

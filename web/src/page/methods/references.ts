@@ -5,6 +5,12 @@ export const references = {
     "Aldakhil, S. K. (2026). Application of the Material Point Method to the Stability and Runout Analysis of " +
     "Vegetated Slopes. Dissertation, University of California, Los Angeles. “The source” of the Talus manual: formulation in chapter 2, strength reduction " +
     "in chapter 3, rooted soil in chapter 4.",
+  drucker1952:
+    "Drucker, D. C., Prager, W., Greenberg, H. J. (1952). Extended limit design theorems for continuous media. " +
+    "Quarterly of Applied Mathematics 9, 381–389.",
+  lyamin2002:
+    "Lyamin, A. V., Sloan, S. W. (2002). Lower bound limit analysis using non-linear programming. International " +
+    "Journal for Numerical Methods in Engineering 55, 573–611.",
   sulsky1994:
     "Sulsky, D., Chen, Z., Schreyer, H. L. (1994). A particle method for history-dependent materials. Computer " +
     "Methods in Applied Mechanics and Engineering 118, 179–196.",

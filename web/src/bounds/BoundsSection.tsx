@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+/** Proven bounds: the interval, the fields that prove both ends, and how the meshes closed it. */
+import { useMemo, useState } from "preact/hooks";
+
+import { Choice } from "../charts/base/Legend";
+import { formatNumber, formatQuantity } from "../charts/base/numbers";
+import type { ProvenBounds } from "../contract";
+import { drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
+import { GroundKeys, LineKey } from "../drawing/Keys";
+import { findSoilBox } from "../drawing/pen";
+import { SectionCanvas } from "../drawing/SectionCanvas";
+import { drawSurface } from "../drawing/surfaceLines";
+import { paintTriangles } from "../drawing/trianglePainter";
+import { useOpacity } from "../drawing/useOpacity";
+import { bandLook } from "../elements/ElementsFigure";
+import { ChartTable, numbers } from "../page/DataTable";
+import { formatFactor, formatSentence } from "../page/format";
+import { report } from "../state";
+import { tabulateColours } from "../viewer/colours";
+import { makeScale } from "../viewer/scale";
+import { drawArrows, drawCrosses } from "./marks";
+import { useBounds } from "./useBounds";
+
+type Field = "holds" | "moves";
+
+const titles: Record<Field, string> = { holds: "stresses that hold", moves: "mechanism" };
+
+/** All but the most sheared triangles: a few small ones have by far the largest rate. */
+function findLimit(values: Float32Array): number {
+  const sorted = Float32Array.from(values).sort();
+  return sorted[Math.floor(0.97 * (sorted.length - 1))] || 1;
+}
+
+function Figure({ bounds }: { bounds: ProvenBounds }) {
+  const fields = useBounds(bounds);
+  const options = (["moves", "holds"] as const).filter((field) => bounds[field]);
+  const [chosen, choose] = useState<Field>("moves");
+  const field = options.includes(chosen) ? chosen : options[0];
+  const { opacity, slider } = useOpacity();
+  const colours = tabulateColours("viridis");
+  const scale = useMemo(
+    () => makeScale(0, field === "moves" && fields?.moves ? findLimit(fields.moves.dissipation) : 1),
+    [field, fields],
+  );
+  if (!field) return null;
+  const holds = field === "holds";
+  const factor = holds ? bounds.lower : bounds.upper;
+  const title = holds ? "Strength used" : "Shear strain rate";
+  return (
+    <figure class="chart-figure" aria-label="Fields that prove the bounds">
+      <h4>
+        {holds ? "Stresses in equilibrium" : "Velocities of a mechanism"} at F = {formatFactor(factor)}
+      </h4>
+      <div class="chart-bar">
+        {options.length > 1 && (
+          <Choice
+            label="Field"
+            value={field}
+            options={options.map((value) => ({ value, title: titles[value] }))}
+            onChange={choose}
+          />
+        )}
+        {slider}
+      </div>
+      <SectionCanvas
+        label={`${titles[field]}, F = ${formatFactor(factor)}`}
+        file={`proven_bounds_${field}`}
+        box={findSoilBox()}
+        bar={{ title, colours, scale, levels: null, below: false, above: !holds }}
+        draw={(pen) => {
+          drawSoils(pen);
+          if (holds && fields?.holds)
+            paintTriangles(pen, fields.holds.mesh, fields.holds.utilisation, colours, scale, opacity);
+          if (!holds && fields?.moves)
+            paintTriangles(pen, fields.moves.mesh, fields.moves.dissipation, colours, scale, opacity);
+          drawOutlines(pen);
+          drawSurcharges(pen);
+        }}
+        depends={[fields, field, opacity]}
+        drawOver={(pen) => {
+          if (holds && fields?.holds) drawCrosses(pen, fields.holds.middles, fields.holds.stress);
+          if (!holds && fields?.moves) drawArrows(pen, fields.moves.nodes, fields.moves.velocity);
+          drawSoilNames(pen);
+          if (!holds)
+            for (const line of bounds.slip_lines) drawSurface(pen.context, line.map(pen.place), bandLook, 2.4);
+        }}
+        dependsOver={[fields, field]}
+      />
+      <ul class="drawing-keys" aria-label="Legend">
+        <GroundKeys />
+        {holds ? (
+          <li>Crosses: principal effective stresses, red in tension</li>
+        ) : (
+          <li>Arrows: velocities; their size has no meaning</li>
+        )}
+        {!holds && bounds.slip_lines.length > 0 && (
+          <LineKey colour={bandLook.colour} width={2.4}>
+            Axis of the largest shear strain rate
+          </LineKey>
+        )}
+      </ul>
+    </figure>
+  );
+}
+
+function Meshes({ bounds }: { bounds: ProvenBounds }) {
+  return (
+    <ChartTable
+      label="Meshes of the proven bounds"
+      class="bounds-meshes"
+      head={numbers("Triangles", "Lower bound", "Upper bound", "Programs", "Iterations", "Seconds")}
+    >
+      {bounds.meshes.map((mesh) => (
+        <tr key={mesh.triangles}>
+          <td class="number">{formatNumber(mesh.triangles, 6)}</td>
+          <td class="number">{formatFactor(mesh.lower, "–")}</td>
+          <td class="number">{formatFactor(mesh.upper, "–")}</td>
+          <td class="number">{mesh.programs}</td>
+          <td class="number">{mesh.iterations}</td>
+          <td class="number">{formatNumber(mesh.seconds, 3)}</td>
+        </tr>
+      ))}
+    </ChartTable>
+  );
+}
+
+/** What is proven, in one sentence. */
+function sayInterval({ lower, upper, no_lower, no_upper, is_davis, takes_tension }: ProvenBounds): string {
+  const soil =
+    (is_davis ? "for soil with the strength of Davis, which is an estimate for ψ < φ" : "for ψ = φ") +
+    (takes_tension ? ", and soil that bears no more tension than given" : "");
+  if (lower !== null && upper !== null)
+    return (
+      `The factor of safety lies between ${formatFactor(lower)} and ${formatFactor(upper)}, ` +
+      `${formatNumber((200 * (upper - lower)) / (upper + lower), 2)} % of the middle. This is proven ${soil}.`
+    );
+  if (lower !== null) return `The factor of safety is at least ${formatFactor(lower)}, proven ${soil}. There is no upper bound: ${no_upper}.`;
+  if (upper !== null) return `The factor of safety is at most ${formatFactor(upper)}, proven ${soil}. There is no lower bound: ${no_lower}.`;
+  return `No bound was proven: ${no_lower}; ${no_upper}.`;
+}
+
+export function BoundsSection() {
+  const bounds = report.value.proven_bounds;
+  if (!bounds) return null;
+  return (
+    <section class="chart-section" aria-labelledby="chart-bounds-title">
+      <h3 id="chart-bounds-title">Proven bounds</h3>
+      {bounds.error ? (
+        <p>
+          <span class="chart-bad">No answer:</span> {formatSentence(bounds.error)}
+        </p>
+      ) : (
+        <p>
+          {sayInterval(bounds)} {formatQuantity(bounds.seconds, "s", 3)}.
+        </p>
+      )}
+      <Figure bounds={bounds} />
+      {bounds.meshes.length > 0 && <Meshes bounds={bounds} />}
+    </section>
+  );
+}
