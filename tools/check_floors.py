@@ -24,14 +24,14 @@ ALLOWED = {
     "bounds": ["base"],
     "output": ["base", "results", "input"],
     "ground": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "output"],
-    "run": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "output", "ground"],
+    "run": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "bounds", "output", "ground"],
     "laboratory": ["base", "material", "results", "input", "output", "ground", "run"],
     "study": ["base", "results", "input", "lem", "output", "run"],
     "report": ["base", "material", "mesh", "results", "input", "output", "ground", "run"],
     "app": ["base", "results", "input", "output", "run", "laboratory", "study", "report"],
 }
 # Rooms of one floor that do not know each other: no method owns the run.
-APART = [("input/language", "input/case"), ("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("output/files", "output/plots")]
+APART = [("input/language", "input/case"), ("run/mpm", "run/fem"), ("run/mpm", "run/lem"), ("run/fem", "run/lem"), ("run/bounds", "run/mpm"), ("run/bounds", "run/fem"), ("run/bounds", "run/lem"), ("output/files", "output/plots")]
 # One of them may use the other.
 MAY_USE = {("output/plots", "output/files"), ("input/case", "input/language")}
 LONGEST = 500
