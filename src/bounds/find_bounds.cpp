@@ -24,7 +24,7 @@ constexpr double rough = 5e-3;
 constexpr double nearest_proof = 5e-5, further = 4, furthest_proof = 1e-2;
 /// The strain rates of a mechanism keep so far inside the flow rule, as multipliers of the program; and where the soil
 /// flows, the flow rule of a factor larger by that share holds.
-constexpr double least_room = 1e-8, flow_room = 2e-5;
+constexpr double room_of_rates = 1e-8, flow_room = 2e-5;
 /// Triangles around a corner of the border are no wider [rad].
 constexpr double widest_fan = 0.2;
 /// Of the gap, in the triangles that are made finer; and of the triangles, which they are at least.
@@ -106,7 +106,7 @@ class BoundsSearch {
     ConicOptions options;
     options.tolerance = 1e-5, options.value_size = 1;
     ConicProgram program = make_program(result_.problem, bound, factor, units_);
-    const double room = bound == Bound::upper ? room_ : 0;
+    const double room = bound == Bound::upper ? room_of_rates : 0;
     leave_room(program, room);
     Trial trial{factor, 0, 0, solve(program, options)};
     if (trial.solution.end != ConicEnd::solved) return trial;
@@ -125,7 +125,7 @@ class BoundsSearch {
 
   /// Trials just outside the root, until one proves.
   void finish(FactorSearch& search, Bound bound) {
-    for (double outside = nearest_proof; outside <= furthest_proof; outside *= further, room_ *= further) {
+    for (double outside = nearest_proof; outside <= furthest_proof; outside *= further) {
       const double aim = search.root() * (bound == Bound::lower ? 1 - outside : 1 + outside);
       const auto is_near = [&] {
         return bound == Bound::lower ? result_.lower >= aim - 2 * outside * aim
@@ -181,7 +181,6 @@ class BoundsSearch {
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   BoundsResult result_;
   Units units_;
-  double room_ = least_room;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/folder_lock.hpp"
+#include "input/case/sampled_method.hpp"
 #include "input/echo.hpp"
 #include "results/json.hpp"
 #include "run/head.hpp"
@@ -45,7 +46,7 @@ SampleSet draw_samples(const input::LoadedCase& base) {
   set.told.seed = sampling.seed;
   set.told.plan = is_latin ? results::SampleDraw::latin_hypercube : results::SampleDraw::random;
   set.told.replicates = replicates;
-  set.told.method = static_cast<Method>(sampling.method);  // the words of [study] are those of the methods
+  set.told.method = input::find_method(sampling.method);
   set.told.numbers = set.sampled.numbers;
   set.told.notes = set.sampled.notes;
   return set;

@@ -225,11 +225,18 @@ TEST(Bounds, DrySlopeTightens) {
   EXPECT_DOUBLE_EQ(check(found.velocity_problem, found.velocity).factor, found.upper);
 }
 
-TEST(Bounds, MirroredAndMovedItIsTheSameSlope) {
+TEST(Bounds, MirroredMovedAndInOtherUnitsItIsTheSameSlope) {
   const BoundsResult here = find_bounds(make_slope(30000, 0, 18000), until(0.5, 100));
   const BoundsResult there = find_bounds(make_slope(30000, 0, 18000, true, 1000), until(0.5, 100));
   EXPECT_NEAR(there.lower, here.lower, 1e-4);
   EXPECT_NEAR(there.upper, here.upper, 1e-4);
+  // In feet and pounds, 1 ft = 0.3048 m and 1 lbf = 4.448 N.
+  constexpr double foot = 0.3048, pound = 4.448;
+  Problem scaled = make_slope(30000 * foot * foot / pound, 0, 18000 * foot * foot * foot / pound);
+  for (Vec<2>& x : scaled.nodes) x = {x[0] / foot, x[1] / foot};
+  const BoundsResult other = find_bounds(scaled, until(0.5, 100));
+  EXPECT_NEAR(other.lower, here.lower, 1e-4);
+  EXPECT_NEAR(other.upper, here.upper, 1e-4);
 }
 
 /// A field that somebody changed proves less, or nothing.

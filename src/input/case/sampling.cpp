@@ -8,6 +8,7 @@
 #include "base/cholesky.hpp"
 #include "base/nearest.hpp"
 #include "input/case/checks.hpp"
+#include "input/case/sampled_method.hpp"
 
 namespace talus::input {
 namespace {
@@ -40,15 +41,11 @@ void check_no_partial_factors(const Case& data, Findings& findings) {
 
 void check_method(const Case& data, Findings& findings) {
   if (data.study.mode != StudyMode::sample || !findings.is_sound("study") || !findings.is_sound("analysis")) return;
-  const std::pair<SampledMethod, std::pair<Method, const char*>> methods[] = {
-      {SampledMethod::lem, {Method::lem, "lem"}},
-      {SampledMethod::fem, {Method::fem, "fem"}},
-      {SampledMethod::mpm, {Method::mpm, "mpm"}}};
-  for (const auto& [sampled, method] : methods)
-    if (data.study.sampling.method == sampled && !uses(data, method.first))
-      findings.add("study.method", fmt::format("the samples are to be calculated by \"{}\", which 'methods' in "
-                                               "[analysis] does not name",
-                                               method.second));
+  const Method method = find_method(data.study.sampling.method);
+  if (!uses(data, method))
+    findings.add("study.method", fmt::format("the samples are to be calculated by \"{}\", which 'methods' in "
+                                             "[analysis] does not name",
+                                             get_word(method)));
 }
 
 /// The place of a key among the numbers; nothing and a finding when it is not one of them.
