@@ -21,7 +21,7 @@ constexpr double none = std::numeric_limits<double>::infinity();
 /// How near the first mesh comes to its root, of the factor.
 constexpr double rough = 5e-3;
 /// The trials that are to prove lie so far outside the root, of the factor; further after each that did not.
-constexpr double nearest_proof = 5e-5, further = 4, furthest_proof = 1e-2;
+constexpr double proofs[] = {5e-5, 2e-4, 8e-4, 3.2e-3};
 /// The strain rates of a mechanism keep so far inside the flow rule, as multipliers of the program; and where the soil
 /// flows, the flow rule of a factor larger by that share holds.
 constexpr double room_of_rates = 1e-8, flow_room = 2e-5;
@@ -125,7 +125,7 @@ class BoundsSearch {
 
   /// Trials just outside the root, until one proves.
   void finish(FactorSearch& search, Bound bound) {
-    for (double outside = nearest_proof; outside <= furthest_proof; outside *= further) {
+    for (const double outside : proofs) {
       const double aim = search.root() * (bound == Bound::lower ? 1 - outside : 1 + outside);
       const auto is_near = [&] {
         return bound == Bound::lower ? result_.lower >= aim - 2 * outside * aim

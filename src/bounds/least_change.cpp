@@ -23,8 +23,7 @@ Matrix make_matrix(const SparseRows& a, int rows, int n, double shift) {
   for (int i = 0; i < n; ++i) entries.emplace_back(i, i, 1.0);
   for (int r = 0; r < rows; ++r) {
     entries.emplace_back(n + r, n + r, -shift);
-    for (int k = a.first[static_cast<std::size_t>(r)]; k < a.first[static_cast<std::size_t>(r + 1)]; ++k)
-      entries.emplace_back(n + r, a.column[static_cast<std::size_t>(k)], a.value[static_cast<std::size_t>(k)]);
+    for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) entries.emplace_back(n + r, a.column[k], a.value[k]);
   }
   Matrix matrix(n + rows, n + rows);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -36,8 +35,7 @@ Eigen::VectorXd find_left(const SparseRows& a, int rows, const std::vector<doubl
   Eigen::VectorXd left(rows);
   for (int r = 0; r < rows; ++r) {
     double own = right[static_cast<std::size_t>(r)];
-    for (int k = a.first[static_cast<std::size_t>(r)]; k < a.first[static_cast<std::size_t>(r + 1)]; ++k)
-      own -= a.value[static_cast<std::size_t>(k)] * x[a.column[static_cast<std::size_t>(k)]];
+    for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) own -= a.value[k] * x[a.column[k]];
     left[r] = own;
   }
   return left;

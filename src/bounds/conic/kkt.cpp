@@ -40,19 +40,16 @@ void Kkt::find_blocks() {
   for (const int size : program_.cones) {
     Block block;
     block.first_row = row, block.rows = size;
-    const auto begin = a.first[static_cast<std::size_t>(row)], end = a.first[static_cast<std::size_t>(row + size)];
-    block.columns.assign(a.column.begin() + begin, a.column.begin() + end);
+    block.columns.assign(a.column.data() + a.begin(row), a.column.data() + a.begin(row + size));
     std::sort(block.columns.begin(), block.columns.end());
     block.columns.erase(std::unique(block.columns.begin(), block.columns.end()), block.columns.end());
     const std::size_t n = block.columns.size();
     block.values.assign(static_cast<std::size_t>(size) * n, 0);
     for (int r = 0; r < size; ++r)
-      for (int k = a.first[static_cast<std::size_t>(row + r)]; k < a.first[static_cast<std::size_t>(row + r + 1)];
-           ++k) {
-        const int column = a.column[static_cast<std::size_t>(k)];
-        const auto at = std::lower_bound(block.columns.begin(), block.columns.end(), column) - block.columns.begin();
-        block.values[static_cast<std::size_t>(r) * n + static_cast<std::size_t>(at)] =
-            a.value[static_cast<std::size_t>(k)];
+      for (std::size_t k = a.begin(row + r); k < a.begin(row + r + 1); ++k) {
+        const auto at =
+            std::lower_bound(block.columns.begin(), block.columns.end(), a.column[k]) - block.columns.begin();
+        block.values[static_cast<std::size_t>(r) * n + static_cast<std::size_t>(at)] = a.value[k];
       }
     blocks_.push_back(std::move(block));
     row += size;
@@ -63,10 +60,10 @@ void Kkt::find_pattern() {
   const int n = program_.variables, size = n + program_.equations;
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < size; ++i) entries.emplace_back(i, i, i < n ? shift : -shift);
+  if (entries.empty()) return;  // a program without variables and equations
   const SparseRows& a = program_.rows;
   for (int r = 0; r < program_.equations; ++r)
-    for (int k = a.first[static_cast<std::size_t>(r)]; k < a.first[static_cast<std::size_t>(r + 1)]; ++k)
-      entries.emplace_back(n + r, a.column[static_cast<std::size_t>(k)], a.value[static_cast<std::size_t>(k)]);
+    for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) entries.emplace_back(n + r, a.column[k], a.value[k]);
   for (const Block& block : blocks_)
     for (std::size_t i = 0; i < block.columns.size(); ++i)
       for (std::size_t j = 0; j <= i; ++j) entries.emplace_back(block.columns[i], block.columns[j], 0.0);

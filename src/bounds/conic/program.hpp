@@ -14,6 +14,8 @@ struct SparseRows {
   std::vector<double> value;
 
   int count() const { return static_cast<int>(first.size()) - 1; }
+  /// Of a row, the place of its first entry; of the one after the last row, the number of entries.
+  std::size_t begin(int row) const { return static_cast<std::size_t>(first[static_cast<std::size_t>(row)]); }
   void add(int at, double number) { column.push_back(at), value.push_back(number); }
   void end_row() { first.push_back(static_cast<int>(column.size())); }
 };
