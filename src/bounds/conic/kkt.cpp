@@ -60,7 +60,6 @@ void Kkt::find_pattern() {
   const int n = program_.variables, size = n + program_.equations;
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < size; ++i) entries.emplace_back(i, i, i < n ? shift : -shift);
-  if (entries.empty()) return;  // a program without variables and equations
   const SparseRows& a = program_.rows;
   for (int r = 0; r < program_.equations; ++r)
     for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) entries.emplace_back(n + r, a.column[k], a.value[k]);
