@@ -24,17 +24,15 @@ Vec<2> find_direction(const Vec<2>& from, const Vec<2>& to) {
   return {(to[0] - from[0]) / length, (to[1] - from[1]) / length};
 }
 
-const Side* find_side(const Problem& problem, const std::map<std::pair<int, int>, std::size_t>& sides,
-                      const Edge& edge) {
-  const auto found = sides.find({std::min(edge.from, edge.to), std::max(edge.from, edge.to)});
+const Side* find_side(const Problem& problem, const std::map<EdgeKey, std::size_t>& sides, const Edge& edge) {
+  const auto found = sides.find(make_key(edge.from, edge.to));
   return edge.other < 0 && found != sides.end() ? &problem.sides[found->second] : nullptr;
 }
 
-std::map<std::pair<int, int>, std::size_t> index_sides(const Problem& problem) {
-  std::map<std::pair<int, int>, std::size_t> sides;
+std::map<EdgeKey, std::size_t> index_sides(const Problem& problem) {
+  std::map<EdgeKey, std::size_t> sides;
   for (std::size_t s = 0; s < problem.sides.size(); ++s)
-    sides[{std::min(problem.sides[s].from, problem.sides[s].to),
-           std::max(problem.sides[s].from, problem.sides[s].to)}] = s;
+    sides[make_key(problem.sides[s].from, problem.sides[s].to)] = s;
   return sides;
 }
 
@@ -172,14 +170,18 @@ class KinematicSum {
   }
 
   void add_sides() {
-    std::map<std::pair<int, int>, int> middles;
-    for (const auto& t : field_.mesh.triangles)
-      for (std::size_t i = 0; i < 3; ++i)
-        middles[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}] = t[3 + i];
+    std::map<EdgeKey, int> middles;
+    for (std::size_t e = 0; e < problem_.size(); ++e)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto& t = field_.mesh.triangles[e];
+        const auto [at, is_new] = middles.try_emplace(make_key(t[i], t[(i + 1) % 3]), t[3 + i]);
+        // Both triangles of an edge move it by the same three nodes.
+        if (t[i] != problem_.triangles[e][i] || (!is_new && at->second != t[3 + i])) is_continuous_ = false;
+      }
     for (const Side& s : problem_.sides) {
       const Vec<2>&a = get_node(s.from), &b = get_node(s.to), along = find_direction(a, b), n{along[1], -along[0]};
       const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-      const std::array<int, 3> nodes{s.from, middles.at({std::min(s.from, s.to), std::max(s.from, s.to)}), s.to};
+      const std::array<int, 3> nodes{s.from, middles.at(make_key(s.from, s.to)), s.to};
       // Simpson's rule is exact for a parabola times a line.
       const std::array<double, 3> simpson{length / 6, 4 * length / 6, length / 6};
       for (std::size_t k = 0; k < 3; ++k) {
@@ -228,7 +230,7 @@ class KinematicSum {
     const auto moves = [&](double factor) { return flows(factor) && find_dissipation(factor) < found_.work; };
     double low = smallest_factor, high = largest_factor;
     found_.factor = std::numeric_limits<double>::infinity();
-    if (!is_finite || held_ > 1e-12 * fastest || !moves(high)) return found_;
+    if (!is_finite || !is_continuous_ || held_ > 1e-12 * fastest || !moves(high)) return found_;
     while (high > low * (1 + 1e-12)) {
       const double middle = std::sqrt(low * high);
       (moves(middle) ? high : low) = middle;
@@ -247,6 +249,7 @@ class KinematicSum {
   std::vector<Corner> corners_;
   KinematicCheck found_;
   double held_ = 0, largest_ = 0;
+  bool is_continuous_ = true;
 };
 
 }  // namespace

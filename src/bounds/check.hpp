@@ -28,7 +28,7 @@ struct KinematicCheck {
   double factor = 0;  ///< at this one, and above, the loads do more work than the soil can take up; infinite: for none
   double work = 0;    ///< of weights, loads and pore pressures [W/m per unit of velocity]
   double dissipation = 0;  ///< with strengths divided by the factor
-  bool holds = false;      ///< supports are held, and there is such a factor
+  bool holds = false;      ///< the field is continuous, supports are held, and there is such a factor
 };
 
 /// Strain rates at the corners, linear between them; the flow rule there; work exactly; dissipation, which is convex,

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "bounds/conic/solve.hpp"
 #include "bounds/factor_search.hpp"
+#include "bounds/read_field.hpp"
 #include "bounds/refine.hpp"
 
 namespace talus::bounds {
@@ -92,6 +94,7 @@ class BoundsSearch {
       result_.problem =
           refine(problem, mark(find_contributions(problem, holding.last().solution, moving.last().solution)));
     }
+    tell_end();
     refuse_contradiction();
     return std::move(result_);
   }
@@ -134,6 +137,14 @@ class BoundsSearch {
       if (is_near()) return;
       search.try_factor(aim);  // where the solver stops, the next one is further from the degenerate root
     }
+  }
+
+  /// A bound of an earlier mesh stays one where the search stopped on a later mesh.
+  void tell_end() {
+    if (result_.lower > 0) result_.stopped = std::exchange(result_.no_lower, "");
+    if (!std::isfinite(result_.upper)) return;
+    if (result_.stopped.empty()) result_.stopped = result_.no_upper;
+    result_.no_upper.clear();
   }
 
   /// Two proofs that contradict each other are none, and nobody is to read them as such.

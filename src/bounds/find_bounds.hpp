@@ -11,9 +11,9 @@
 namespace talus::bounds {
 
 struct BoundsOptions {
-  double gap = 0.01;          ///< of the interval over its middle, at which the meshes end
-  int most_triangles = 4000;  ///< of a mesh that is made finer no more
-  double start = 1;           ///< a factor to begin with
+  double gap = 0;          ///< of the interval over its middle, at which the meshes end
+  int most_triangles = 0;  ///< a mesh with as many is the last
+  double start = 1;        ///< a factor to begin with
   FactorRange range;
 };
 
@@ -30,6 +30,7 @@ struct BoundsResult {
   /// was found.
   double lower = 0, upper = 0;
   std::string no_lower, no_upper;  ///< why there is none; empty where there is one
+  std::string stopped;             ///< why no finer mesh followed, but the gap or the size; empty else
   Problem problem;                 ///< the finest mesh
   /// The fields that prove, with the meshes they are on.
   Problem stress_problem, velocity_problem;

@@ -24,21 +24,6 @@ void visit_strains(const Problem& problem, const Velocities& mesh, std::size_t e
     }
 }
 
-/// One row by its entries in any order.
-void add_row(ConicProgram& program, std::vector<std::pair<int, double>>& entries, double right) {
-  std::sort(entries.begin(), entries.end());
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    if (k > 0 && entries[k].first == entries[k - 1].first) {
-      program.rows.value.back() += entries[k].second;
-    } else {
-      program.rows.add(entries[k].first, entries[k].second);
-    }
-  }
-  entries.clear();
-  program.rows.end_row();
-  program.right.push_back(right);
-}
-
 /// Largest t with ε_v − t ≥ sin φ √(…) at the corners that may open, where the mean of their ε_v is one.
 ConicProgram make_program(const Problem& problem, const Velocities& mesh, double factor, double length) {
   ConicProgram program;
@@ -61,7 +46,7 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
         mean.push_back({n, share * (row[0] + row[1])});
       });
     }
-  add_row(program, mean, 1);
+  program.add_row(mean, 1);
   program.equations = program.rows.count();
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -71,17 +56,17 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
         entries.push_back({n, -length * (row[0] + row[1])});
       });
       entries.push_back({margin, 1});
-      add_row(program, entries, 0);
+      program.add_row(entries, 0);
       program.cones.push_back(sine > 0 ? 3 : 1);
       if (!(sine > 0)) continue;
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         entries.push_back({n, sine * length * (row[0] - row[1])});
       });
-      add_row(program, entries, 0);
+      program.add_row(entries, 0);
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         entries.push_back({n, sine * length * row[2]});
       });
-      add_row(program, entries, 0);
+      program.add_row(entries, 0);
     }
   return program;
 }

@@ -4,7 +4,8 @@
 
 #include <optional>
 
-#include "bounds/program_of.hpp"
+#include "bounds/conic/program.hpp"
+#include "bounds/velocities.hpp"
 
 namespace talus::bounds {
 

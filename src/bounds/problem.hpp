@@ -74,4 +74,12 @@ inline std::array<Vec<2>, 6> find_quadratic_gradients(const Shape& shape, std::s
   return g;
 }
 
+struct Units {
+  double length = 1;  ///< [m]
+  double stress = 1;  ///< [Pa]
+};
+
+/// Numbers of about one: the height of the section, and the largest weight over it or load.
+Units find_units(const Problem& problem);
+
 }  // namespace talus::bounds

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bounds/edges.hpp"
+#include "bounds/velocities.hpp"
 
 namespace talus::bounds {
 
@@ -15,9 +15,9 @@ namespace {
 /// Coefficients of the three components of a stress.
 using Row = std::array<double, 3>;
 
-std::map<std::pair<int, int>, const Side*> index_sides(const Problem& problem) {
-  std::map<std::pair<int, int>, const Side*> sides;
-  for (const Side& s : problem.sides) sides[{std::min(s.from, s.to), std::max(s.from, s.to)}] = &s;
+std::map<EdgeKey, const Side*> index_sides(const Problem& problem) {
+  std::map<EdgeKey, const Side*> sides;
+  for (const Side& s : problem.sides) sides[make_key(s.from, s.to)] = &s;
   return sides;
 }
 
@@ -79,7 +79,7 @@ class ProgramBuilder {
         entries_.push_back({static_cast<int>(9 * triangle + 3 * corner) + d, times * row[static_cast<std::size_t>(d)]});
   }
   void end_equation(double right) {
-    end_row(right);
+    program_.add_row(entries_, right);
     ++program_.equations;
   }
 
@@ -93,27 +93,14 @@ class ProgramBuilder {
   }
 
  private:
-  void end_row(double right) {
-    std::sort(entries_.begin(), entries_.end());
-    for (std::size_t k = 0; k < entries_.size(); ++k) {
-      if (k > 0 && entries_[k].first == entries_[k - 1].first) {
-        program_.rows.value.back() += entries_[k].second;
-      } else {
-        program_.rows.add(entries_[k].first, entries_[k].second);
-      }
-    }
-    entries_.clear();
-    program_.rows.end_row();
-    program_.right.push_back(right);
-  }
   void add_cone(std::size_t e, std::size_t i, double mean, double lacking, double available, int lack) {
     add(e, i, {mean, mean, 0});
     entries_.push_back({lack, -lacking});
-    end_row(available);
+    program_.add_row(entries_, available);
     add(e, i, {-0.5, 0.5, 0});
-    end_row(0);
+    program_.add_row(entries_, 0);
     add(e, i, {0, 0, -1});
-    end_row(0);
+    program_.add_row(entries_, 0);
     program_.cones.push_back(3);
   }
 
@@ -135,22 +122,7 @@ EdgeRows find_rows(const Vec<2>& from, const Vec<2>& to) {
   return {{n[0] * n[0], n[1] * n[1], 2 * n[0] * n[1]}, {n[0] * t[0], n[1] * t[1], n[0] * t[1] + n[1] * t[0]}, n, t};
 }
 
-}  // namespace
-
-Units find_units(const Problem& problem) {
-  Units units{0, 0};
-  Vec<2> low = problem.nodes.front(), high = low;
-  for (const Vec<2>& x : problem.nodes)
-    for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
-  units.length = high[1] - low[1];
-  for (const Vec<2>& b : problem.body_force) units.stress = std::max(units.stress, norm(b) * units.length);
-  for (const Side& s : problem.sides)
-    for (const Vec<2>& t : s.traction) units.stress = std::max(units.stress, norm(t));
-  if (!(units.stress > 0)) units.stress = 1;
-  return units;
-}
-
-static ConicProgram make_static_program(const Problem& problem, double factor, const Units& units) {
+ConicProgram make_static_program(const Problem& problem, double factor, const Units& units) {
   ProgramBuilder builder(problem, factor, units);
   const double unit = units.stress;
   for (std::size_t e = 0; e < problem.size(); ++e) {
@@ -173,7 +145,7 @@ static ConicProgram make_static_program(const Problem& problem, double factor, c
           &to = problem.nodes[static_cast<std::size_t>(edge.to)];
     const EdgeRows rows = find_rows(from, to);
     const auto e = static_cast<std::size_t>(edge.triangle);
-    const auto found = sides.find({std::min(edge.from, edge.to), std::max(edge.from, edge.to)});
+    const auto found = sides.find(make_key(edge.from, edge.to));
     const Side* side = edge.other < 0 && found != sides.end() ? found->second : nullptr;
     for (const int node : {edge.from, edge.to}) {
       const std::size_t i = find_corner(problem.triangles[e], node);
@@ -199,55 +171,7 @@ static ConicProgram make_static_program(const Problem& problem, double factor, c
   return builder.finish(Strengths::own);
 }
 
-Velocities number_velocities(const Problem& problem) {
-  Velocities v;
-  v.nodes = problem.nodes;
-  v.triangles.resize(problem.size());
-  const std::vector<Edge> edges = list_edges(problem.triangles);
-  auto& middles = v.middles;
-  for (const Edge& edge : edges) {
-    const Vec<2>&a = problem.nodes[static_cast<std::size_t>(edge.from)],
-          &b = problem.nodes[static_cast<std::size_t>(edge.to)];
-    middles[{std::min(edge.from, edge.to), std::max(edge.from, edge.to)}] = static_cast<int>(v.nodes.size());
-    v.nodes.push_back({0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])});
-  }
-  for (std::size_t e = 0; e < problem.size(); ++e)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int a = problem.triangles[e][i], b = problem.triangles[e][(i + 1) % 3];
-      v.triangles[e][i] = a;
-      v.triangles[e][3 + i] = middles.at({std::min(a, b), std::max(a, b)});
-    }
-  // Directions that are held, at most two that differ.
-  std::vector<std::vector<Vec<2>>> held(v.nodes.size());
-  auto hold = [&](int node, const Vec<2>& direction) {
-    auto& own = held[static_cast<std::size_t>(node)];
-    const bool known = std::any_of(own.begin(), own.end(), [&](const Vec<2>& h) {
-      return std::abs(h[0] * direction[1] - h[1] * direction[0]) < 1e-9;
-    });
-    if (!known) own.push_back(direction);
-  };
-  for (const Side& side : problem.sides) {
-    const EdgeRows rows =
-        find_rows(problem.nodes[static_cast<std::size_t>(side.from)], problem.nodes[static_cast<std::size_t>(side.to)]);
-    for (const int node :
-         {side.from, side.to, middles.at({std::min(side.from, side.to), std::max(side.from, side.to)})}) {
-      if (side.holds_normal) hold(node, rows.n);
-      if (side.holds_along) hold(node, rows.t);
-    }
-  }
-  v.freedoms.resize(v.nodes.size());
-  for (std::size_t n = 0; n < v.nodes.size(); ++n) {
-    if (held[n].empty()) {
-      v.freedoms[n] = {{{1, 0}, v.count}, {{0, 1}, v.count + 1}};
-      v.count += 2;
-    } else if (held[n].size() == 1) {
-      v.freedoms[n] = {{{-held[n][0][1], held[n][0][0]}, v.count++}};
-    }
-  }
-  return v;
-}
-
-static ConicProgram make_kinematic_program(const Problem& problem, double factor, const Units& units) {
+ConicProgram make_kinematic_program(const Problem& problem, double factor, const Units& units) {
   const Velocities v = number_velocities(problem);
   struct Use {
     std::size_t triangle, corner;
@@ -282,7 +206,7 @@ static ConicProgram make_kinematic_program(const Problem& problem, double factor
     const Vec<2>&a = problem.nodes[static_cast<std::size_t>(side.from)],
           &b = problem.nodes[static_cast<std::size_t>(side.to)];
     const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-    const int middle = v.middles.at({std::min(side.from, side.to), std::max(side.from, side.to)});
+    const int middle = v.middles.at(make_key(side.from, side.to));
     const auto& t = side.traction;
     each(side.from,
          [&](std::size_t number, const Vec<2>& d) { work[number] += length * dot(t[0], d) / 6 / force_unit; });
@@ -298,6 +222,8 @@ static ConicProgram make_kinematic_program(const Problem& problem, double factor
   }
   return builder.finish(Strengths::weighted);
 }
+
+}  // namespace
 
 double find_lack_rate(const Problem& problem, Bound bound, double factor, const Units& units,
                       const ConicSolution& solution) {
@@ -323,12 +249,11 @@ ConicProgram make_program(const Problem& problem, Bound bound, double factor, co
 
 // z = z' + room · e of each cone: Aᵀz + q = Aᵀz' + (q + room Σ first rows).
 void leave_room(ConicProgram& program, double room) {
-  auto row = static_cast<std::size_t>(program.equations);
+  int row = program.equations;
   for (const int size : program.cones) {
-    for (auto k = static_cast<std::size_t>(program.rows.first[row]);
-         k < static_cast<std::size_t>(program.rows.first[row + 1]); ++k)
+    for (std::size_t k = program.rows.begin(row); k < program.rows.begin(row + 1); ++k)
       program.cost[static_cast<std::size_t>(program.rows.column[k])] += room * program.rows.value[k];
-    row += static_cast<std::size_t>(size);
+    row += size;
   }
 }
 

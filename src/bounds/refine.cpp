@@ -12,10 +12,7 @@ namespace talus::bounds {
 
 namespace {
 
-using Key = std::pair<int, int>;
-Key make_key(int a, int b) {
-  return {std::min(a, b), std::max(a, b)};
-}
+using Key = EdgeKey;
 
 double find_angle(const Problem& problem, const Triangle& t, std::size_t i) {
   const auto get = [&](std::size_t k) -> const Vec<2>& { return problem.nodes[static_cast<std::size_t>(t[k % 3])]; };

@@ -56,7 +56,7 @@ inline double find_step(Part u, Part d) {
   return t;
 }
 
-/// The scaling W = η [w₀ w₁ᵀ; w₁ I + w₁w₁ᵀ/(1 + w₀)] with W z = W⁻¹ s = λ; `w` is the unit vector (w₀² − |w₁|² = 1).
+/// The scaling W = η [w₀ w₁ᵀ; w₁ I + w₁w₁ᵀ/(1 + w₀)] with W z = W⁻¹ s = λ; w₀² − |w₁|² = 1.
 struct Scaling {
   double eta = 1;
   MutablePart w;

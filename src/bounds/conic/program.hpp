@@ -2,7 +2,9 @@
 #pragma once
 // A second-order cone program, and what can be said of it: a solution, a proof that there is none, or a sentence.
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace talus::bounds {
@@ -30,6 +32,21 @@ struct ConicProgram {
   std::vector<double> cost;   ///< q
   SparseRows rows;            ///< A
   std::vector<double> right;  ///< b
+
+  /// A row by its entries in any order; those of one variable add up. `entries` is empty afterwards.
+  void add_row(std::vector<std::pair<int, double>>& entries, double right_side) {
+    std::sort(entries.begin(), entries.end());
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      if (k > 0 && entries[k].first == entries[k - 1].first) {
+        rows.value.back() += entries[k].second;
+      } else {
+        rows.add(entries[k].first, entries[k].second);
+      }
+    }
+    entries.clear();
+    rows.end_row();
+    right.push_back(right_side);
+  }
 };
 
 enum class ConicEnd {

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/interrupt.hpp"
 #include "bounds/conic/equilibrate.hpp"
 #include "bounds/conic/kkt.hpp"
 
@@ -73,6 +74,7 @@ class InteriorPoint {
   ConicSolution run(const ConicSolution* start) {
     if (!(start ? begin_from(*start) : begin())) return end_stalled("the system of the first step has no solution");
     for (int i = 0; i < options_.most_iterations; ++i) {
+      throw_if_interrupted();
       find_residuals();
       if (const auto end = judge(options_.tolerance, options_.proof)) return *end;
       ++iterations_;

@@ -8,8 +8,8 @@ namespace talus::bounds {
 
 /// Homogeneous self-dual embedding, scaling of Nesterov and Todd, corrector of Mehrotra: every program ends with a
 /// solution, with the proof that it has none, or with a sentence. `start`: the x, s and z of a near program of the same
-/// size, which are moved inside the cones; none begins anew. Source: Andersen, Roos and Terlaky, Math. Program. 95
-/// (2003); Goulart and Chen, Clarabel (2024).
+/// size, which are moved inside the cones; none begins anew. Throws Error (interrupted) when a signal arrives. Source:
+/// Andersen, Roos and Terlaky, Math. Program. 95 (2003); Goulart and Chen, Clarabel (2024).
 ConicSolution solve(const ConicProgram& program, const ConicOptions& options, const ConicSolution* start = nullptr);
 
 }  // namespace talus::bounds

@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "base/error.hpp"
-#include "base/interrupt.hpp"
+#include <algorithm>
+
 #include "bounds/find_bounds.hpp"
 #include "results/json.hpp"
+#include "run/attempt.hpp"
 #include "run/bounds/tell_bounds.hpp"
 
 namespace talus::run {
@@ -15,6 +16,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char *bounds_file = "bounds.json", *bounds_title = "proven bounds";
+
+/// Whether some soil bears less tension than the apex of its criterion.
+bool has_tension_limit(const bounds::Problem& problem) {
+  return std::any_of(problem.strength.begin(), problem.strength.end(), [](const auto& corners) {
+    return std::any_of(corners.begin(), corners.end(), [](const bounds::Strength& s) { return s.tension.has_value(); });
+  });
+}
 
 }  // namespace
 
@@ -25,15 +33,11 @@ BoundsRun::BoundsRun(const input::Case& data, bool alone, const RunOptions& opti
 template <class Part>
 void BoundsRun::attempt(Part part) {
   const auto start = Clock::now();
-  try {
-    part();
-  } catch (const Error& error) {
-    if (options_.progress) options_.progress->clear();
-    if (alone_ || error.code() == ExitCode::interrupted) throw;
+  if (const auto why = run::attempt(options_, alone_, part)) {
     made_.reset();
     file_ = {};
-    file_.summary.error = error.what();
-    file_.summary.warnings = {fmt::format("{}: {}", bounds_title, error.what())};
+    file_.summary.error = why;
+    file_.summary.warnings = {fmt::format("{}: {}", bounds_title, *why)};
   }
   spent_ += Clock::now() - start;
 }
@@ -66,18 +70,16 @@ void BoundsRun::calculate(std::optional<double> start) {
     show(fmt::format("{} triangles", made_->problem.size()));
     const bounds::BoundsResult found =
         bounds::find_bounds(made_->problem, options, [&](const bounds::BoundsLevel& level) {
-          throw_if_interrupted();
           show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles, level.lower, level.upper));
         });
-    file_ = tell_bounds(found);
+    file_ = tell_bounds(found, data_.bounds.gap);
     file_.summary.warnings.insert(file_.summary.warnings.begin(), made_->notes.begin(), made_->notes.end());
   });
   if (!made_) return;
   file_.input_hash = hash_;
   results::BoundsResult& result = file_.summary;
-  result.asked_gap = data_.bounds.gap;
   result.is_davis = data_.bounds.flow == input::BoundsFlow::davis;
-  result.takes_tension = data_.bounds.tension == input::BoundsTension::as_given;
+  result.takes_tension = has_tension_limit(made_->problem);
   result.fields_file = bounds_file;
   result.seepage = water_.seepage;
   result.seconds = spent_.count();

@@ -11,6 +11,7 @@
 #include "base/interrupt.hpp"
 #include "mesh/quality.hpp"
 #include "results/json.hpp"
+#include "run/attempt.hpp"
 #include "run/fem/fields_vtu.hpp"
 #include "run/fem/tell_elements.hpp"
 
@@ -57,15 +58,11 @@ template <int D>
 template <class Part>
 void ElementRun<D>::attempt(Part part) {
   const auto start = Clock::now();
-  try {
-    part();
-  } catch (const Error& error) {
-    if (options_.progress) options_.progress->clear();
-    if (alone_ || error.code() == ExitCode::interrupted) throw;
+  if (const auto why = run::attempt(options_, alone_, part)) {
     model_.reset();
     file_ = {};
-    file_.summary.error = error.what();
-    file_.summary.warnings = {fmt::format("{}: {}", element_title, error.what())};
+    file_.summary.error = why;
+    file_.summary.warnings = {fmt::format("{}: {}", element_title, *why)};
     is_told_ = true;
   }
   spent_ += Clock::now() - start;

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "base/error.hpp"
 #include "results/json.hpp"
+#include "run/attempt.hpp"
 
 namespace talus::run {
 namespace {
@@ -26,12 +26,9 @@ void SliceRun::calculate() {
     }
   }
   if (options_.progress) options_.progress->show("limit equilibrium: searching for the critical slip surface");
-  try {
-    outcome_ = run_lem(data_, prepared_, options_.threads);
-  } catch (const Error& error) {
-    if (alone_ || error.code() == ExitCode::interrupted) throw;
-    outcome_.result.error = error.what();
-    outcome_.result.warnings = {fmt::format("{}: {}", slice_title, error.what())};
+  if (const auto why = attempt(options_, alone_, [&] { outcome_ = run_lem(data_, prepared_, options_.threads); })) {
+    outcome_.result.error = why;
+    outcome_.result.warnings = {fmt::format("{}: {}", slice_title, *why)};
   }
   if (options_.progress) options_.progress->clear();
   is_done_ = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From solutions to fields.
+// Least changes of a solution.
 
-#include "bounds/field.hpp"
+#include "bounds/read_field.hpp"
 
 #include <algorithm>
 
