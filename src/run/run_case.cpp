@@ -215,7 +215,9 @@ std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {
 void check_methods(const input::Case& data) {
   if (input::uses(data, Method::lem) && !ground::needs_seepage(data)) prepare_slope(data);
   if (input::uses(data, Method::fem)) check_solid(data);
-  if (input::uses(data, Method::bounds)) check_bounds(data);
+  if (!input::uses(data, Method::bounds)) return;
+  check_bounds(data);
+  if (!ground::needs_seepage(data)) make_bounds_problem(data);  // a coarse mesh, and what lies on it
 }
 
 results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& options) {

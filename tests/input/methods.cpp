@@ -86,6 +86,10 @@ TEST(Methods, BoundsNeedTensionAndTakeNoWallsThatRub) {
   EXPECT_DOUBLE_EQ(read(whole).bounds.gap, 0.01);
   const std::string wall = "[[boundary]]\non = \"left\"\nfix = ";
   expect_fault(whole + wall + "@@\"friction\"\nfriction = 0.3\n", "proven bounds have no wall with friction");
+  // One sentence for both methods.
+  const std::string both = change(with_elements, "[\"lem\", \"fem\"]", "[\"fem\", \"bounds\"]");
+  expect_fault(both + wall + "@@\"friction\"\nfriction = 0.3\n",
+               "finite elements and proven bounds have no wall with friction; take \"fem\" and \"bounds\" out");
   expect_fault(whole + "[bounds]\ngap = @@2\n", "gap");
   expect_fault(change(all_three, "[\"lem\", \"fem\", \"mpm\"]", "[\"bounds\"]") + "[bounds]\ntriangles = @@0\n",
                "triangles");

@@ -55,10 +55,12 @@ bool has_sound_polygons(const Case& data, const Findings& findings) {
 
 /// What the mesh generator would refuse, where there will be a mesh.
 void check_for_mesher(const Case& data, Findings& findings) {
-  if (!uses(data, Method::fem) && !uses(data, Method::mpm)) return;
+  const bool has_bounds = uses(data, Method::bounds);
+  if (!uses(data, Method::fem) && !uses(data, Method::mpm) && !has_bounds) return;
   mesh::Plan plan = data.mesh;
-  if (plan.size <= 0) plan.size = data.fem.size.value_or(0);
-  if (plan.size <= 0 || !findings.is_sound("geometry") || !findings.is_sound("mesh") || !findings.is_sound("fem"))
+  if (plan.size <= 0) plan.size = data.fem.size.value_or(has_bounds ? find_bounds_size(data) : 0);
+  if (plan.size <= 0 || !findings.is_sound("bounds") || !findings.is_sound("geometry") || !findings.is_sound("mesh") ||
+      !findings.is_sound("fem"))
     return;
   try {
     mesh::check_plan(plan);

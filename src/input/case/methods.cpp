@@ -61,8 +61,9 @@ void check_slices_need(const Case& data, Findings& findings) {
   }
 }
 
-/// What both methods on the whole section cannot take: strengths that nobody knows, and walls that rub or move.
-void check_reduces(const Case& data, const char* who, Method method, Findings& findings) {
+/// What the methods on the whole section cannot take: strengths that nobody knows, and walls that rub or move. `who`
+/// and `words`: those of them that the case asks for.
+void check_reduces(const Case& data, const std::string& who, const std::string& words, Findings& findings) {
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
     if (material.traits().strength == material::Strength::hidden && findings.is_sound(path))
@@ -74,13 +75,23 @@ void check_reduces(const Case& data, const char* who, Method method, Findings& f
     const Boundary& b = data.boundaries[i];
     const std::string path = fmt::format("boundary.{}.fix", i);
     if ((b.fix == Fix::friction || b.fix == Fix::velocity) && findings.is_sound(path))
-      findings.add(path, fmt::format("{} have no {}; take \"{}\" out of 'methods' in [analysis], or fix '{}' in "
-                                     "another way",
-                                     who, b.fix == Fix::friction ? "wall with friction" : "boundary that moves",
-                                     get_word(method), b.on));
+      findings.add(path,
+                   fmt::format("{} have no {}; take {} out of 'methods' in [analysis], or fix '{}' in another way", who,
+                               b.fix == Fix::friction ? "wall with friction" : "boundary that moves", words, b.on));
   }
   if (data.boundaries.empty() && uses(data, Method::mpm) && findings.is_sound("boundary"))
     findings.add("boundary", fmt::format("there is no [[boundary]]: {} and material points need the soil held", who));
+}
+
+void check_reduces(const Case& data, Findings& findings) {
+  std::string who, words;
+  for (const Method method : {Method::fem, Method::bounds}) {
+    if (!uses(data, method)) continue;
+    const char* between = who.empty() ? "" : " and ";
+    who += between + std::string(get_title(method));
+    words += fmt::format("{}\"{}\"", between, get_word(method));
+  }
+  if (!who.empty()) check_reduces(data, who, words, findings);
 }
 
 void check_elements_need(const Case& data, Findings& findings) {
@@ -91,7 +102,6 @@ void check_elements_need(const Case& data, Findings& findings) {
     findings.add(
         findings.places.is_given("fem.from") ? "fem.from" : "fem.to",
         fmt::format("'from' is {:.6g} and 'to' is {:.6g}; 'from' must be smaller", data.fem.from, data.fem.to));
-  check_reduces(data, "finite elements", Method::fem, findings);
 }
 
 void check_bounds_need(const Case& data, Findings& findings) {
@@ -103,7 +113,6 @@ void check_bounds_need(const Case& data, Findings& findings) {
     findings.add("mesh.file",
                  "proven bounds make their own meshes from the polygons of the section, which a ready mesh does not "
                  "have; write them as [[geometry.polygon]], or take \"bounds\" out of 'methods' in [analysis]");
-  check_reduces(data, "proven bounds", Method::bounds, findings);
   for (const auto& [name, material] : data.materials) {
     const std::string path = "materials." + name + ".model";
     if (material.traits().strength != material::Strength::hidden && !material.traits().serves_slices &&
@@ -223,6 +232,7 @@ void check_methods(const Case& data, Findings& findings) {
   if (has_slices) check_slices_need(data, findings);
   if (has_elements) check_elements_need(data, findings);
   if (has_bounds) check_bounds_need(data, findings);
+  check_reduces(data, findings);
   if (uses(data, Method::mpm))
     for (const auto& [name, material] : data.materials) check_pressure_ratio(material, name, findings);
   if (!is_wet(data)) return;

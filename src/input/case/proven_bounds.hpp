@@ -51,4 +51,10 @@ void describe(Visitor& v, ProvenBounds& b) {
   v.key("flow", b.flow, plain(), "Plastic flow of the soils.");
 }
 
+struct Case;
+
+/// Size of the first mesh's triangles: the case's; else a sixth of the section's height, and a twelfth with pore water,
+/// whose pressure is linear in a triangle [m].
+double find_bounds_size(const Case& data);
+
 }  // namespace talus::input

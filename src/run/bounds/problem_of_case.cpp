@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "base/error.hpp"
@@ -22,8 +21,6 @@
 namespace talus::run {
 namespace {
 
-/// Of the section's height.
-constexpr double first_size = 1.0 / 6, first_size_with_water = 1.0 / 12;
 /// A normal that points along an axis to this is along it.
 constexpr double along_axis = 1 - 1e-9;
 /// Cohesion of soil that cannot yield, as slices take it [Pa].
@@ -48,7 +45,7 @@ void check_boundary(const input::Boundary& b) {
 class ProblemBuilder {
  public:
   explicit ProblemBuilder(const input::Case& data)
-      : data_(data), mesh_(mesh::generate<2>(mesh::resize(data.mesh, find_bounds_size(data)))) {}
+      : data_(data), mesh_(mesh::generate<2>(mesh::resize(data.mesh, input::find_bounds_size(data)))) {}
 
   ProblemOfCase build() {
     if (!data_.mesh.polygons.empty()) {
@@ -127,18 +124,15 @@ class ProblemBuilder {
     return soil;
   }
 
-  using Key = std::pair<int, int>;
-  Key find_key(const std::array<int, 2>& side) const {
-    const int a = number_[static_cast<std::size_t>(side[0])], b = number_[static_cast<std::size_t>(side[1])];
-    return {std::min(a, b), std::max(a, b)};
+  bounds::EdgeKey find_key(const std::array<int, 2>& side) const {
+    return bounds::make_key(number_[static_cast<std::size_t>(side[0])], number_[static_cast<std::size_t>(side[1])]);
   }
 
   void add_sides() {
     bounds::Problem& p = made_.problem;
-    std::map<Key, bounds::Side> border;
+    std::map<bounds::EdgeKey, bounds::Side> border;
     for (const bounds::Edge& edge : bounds::list_edges(p.triangles))
-      if (edge.other < 0)
-        border[{std::min(edge.from, edge.to), std::max(edge.from, edge.to)}] = {edge.from, edge.to, false, false, {}};
+      if (edge.other < 0) border[bounds::make_key(edge.from, edge.to)] = {edge.from, edge.to, false, false, {}};
     for (const input::Boundary& b : data_.boundaries) {
       check_boundary(b);
       for (const auto& named : ground::find_sides(mesh_, b.on))
@@ -188,15 +182,6 @@ class ProblemBuilder {
 };
 
 }  // namespace
-
-double find_bounds_size(const input::Case& data) {
-  if (data.bounds.size) return *data.bounds.size;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const mesh::Polygon& polygon : data.mesh.polygons)
-    for (const auto& x : polygon.points) low = std::min(low, x[1]), high = std::max(high, x[1]);
-  const bool has_water = data.initial.water.pressure != input::InitialPressure::zero;
-  return (has_water ? first_size_with_water : first_size) * (high - low);
-}
 
 void check_bounds(const input::Case& data) {
   for (const auto& [region, name] : data.regions) check_material(name, data.materials.at(name));

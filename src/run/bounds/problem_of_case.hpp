@@ -25,8 +25,4 @@ ProblemOfCase make_bounds_problem(const input::Case& data);
 /// Throws Error (wrong_input) for what make_bounds_problem() refuses, without a mesh.
 void check_bounds(const input::Case& data);
 
-/// Size of the first mesh's triangles: the case's; else a sixth of the section's height, and a twelfth with pore water,
-/// whose pressure is linear in a triangle [m].
-double find_bounds_size(const input::Case& data);
-
 }  // namespace talus::run

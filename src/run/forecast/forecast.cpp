@@ -174,12 +174,14 @@ std::string describe(const MethodForecast& f) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "about " : ", ") + part; };
   if (f.surfaces > 0) add(write_count(f.surfaces) + " circles");
-  if (f.elements > 0) add(write_count(f.elements) + " elements");
+  if (f.elements > 0) add((f.method == input::Method::bounds ? "up to " : "") + write_count(f.elements) + " elements");
   if (f.points > 0) add(write_count(f.points) + " points");
   if (f.bytes > 0 && f.elements > 0) add(write_bytes(f.bytes) + " of memory");
   const bool has_steps = f.method == input::Method::mpm && f.steps > 0;
   if (has_steps) add("up to " + write_count(f.steps) + " steps");
-  if (f.seconds > 0) add((has_steps ? "up to " : "") + write_time(f.seconds));
+  // Bounds end where they are near enough to each other.
+  const bool is_most = has_steps || f.method == input::Method::bounds;
+  if (f.seconds > 0) add((is_most ? "up to " : "") + write_time(f.seconds));
   return text;
 }
 
