@@ -2,6 +2,7 @@
 #pragma once
 // The interval that limit analysis proves: bounds, meshes, and the fields that prove them.
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,15 @@
 #include "results/water.hpp"
 
 namespace talus::results {
+
+/// A bound as it is shown, with the three digits of a factor: rounded away from the interval's middle, so that what is
+/// shown is proven too.
+inline double show_lower(double factor) {
+  return std::floor(1e3 * factor) / 1e3;
+}
+inline double show_upper(double factor) {
+  return std::ceil(1e3 * factor) / 1e3;
+}
 
 /// One of the nested meshes.
 struct BoundsMesh {
@@ -87,15 +97,15 @@ void describe(V& v, R& r) {
 struct MovingField {
   std::vector<Point> nodes;  ///< corners, then middles of edges [m]
   std::vector<std::vector<int>> triangles;
-  std::vector<Point> velocity;      ///< of the nodes; the fastest has 1
-  std::vector<double> dissipation;  ///< of each triangle, per area; the largest is 1
+  std::vector<Point> velocity;     ///< of the nodes; the fastest has 1
+  std::vector<double> shear_rate;  ///< of each triangle; the largest is 1
 };
 template <class V, As<MovingField> R>
 void describe(V& v, R& r) {
   v.key("nodes", r.nodes, {"m", "nodes"});
   v.key("triangles", r.triangles, {"", "nodes of the triangles: corners, then middles"});
   v.key("velocity", r.velocity, {"", "velocity of the nodes; the fastest has 1"});
-  v.key("dissipation", r.dissipation, {"", "dissipation per area; the largest is 1"});
+  v.key("shear_rate", r.shear_rate, {"", "shear strain rate of the triangles; the largest is 1"});
 }
 
 /// bounds.json: what an interrupted run need not calculate again, and the fields.

@@ -82,4 +82,9 @@ std::optional<double> find_main_factor(const RunResult& run) {
   return least;
 }
 
+bool is_main_factor_proven(const RunResult& run) {
+  const std::optional<double> main = find_main_factor(run);
+  return main && run.bounds && (main == run.bounds->lower || main == run.bounds->upper);
+}
+
 }  // namespace talus::results

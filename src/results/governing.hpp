@@ -31,4 +31,8 @@ std::optional<double> find_points_factor(const RunResult& run);
 /// That of the finite elements: with ψ as given before ψ = φ.
 std::optional<double> find_elements_factor(const RunResult& run);
 
+/// Whether the main factor is an end of what is proven: the lower one of bounds alone, or an upper one below what all
+/// other methods found.
+bool is_main_factor_proven(const RunResult& run);
+
 }  // namespace talus::results

@@ -24,21 +24,26 @@ std::string write_main_factor(const results::RunResult& run) {
   const std::optional<double> factor = results::find_main_factor(run);
   const auto surface = results::find_governing_surface(run);
   if (!factor || !run.methods) return "";
+  // The governing number of bounds is one end of an interval.
+  if (results::is_main_factor_proven(run))
+    return run.bounds->lower == factor
+               ? fmt::format("Factor of safety at least {:.3f} (proven lower bound)\n", results::show_lower(*factor))
+               : fmt::format("Factor of safety at most {:.3f} (proven upper bound)\n", results::show_upper(*factor));
   const bool by_slices = surface && surface->found->surface.factor == factor;
   return fmt::format("Factor of safety {:.3f} ({})\n", *factor,
                      by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface))
                      : results::find_elements_factor(run) == factor ? "finite elements"
-                     : run.bounds && run.bounds->upper == factor    ? "proven upper bound"
-                     : run.bounds && run.bounds->lower == factor    ? "proven lower bound"
                                                                     : "material points");
 }
 
 /// "1.441", "1.432–1.446" of what is proven, "none".
 std::string write_factor(const results::MethodRow& row) {
   if (row.factor) return fmt::format("{:6.3f}", *row.factor);
-  if (row.lower && row.upper) return fmt::format(" {:.3f}–{:.3f}", *row.lower, *row.upper);
-  if (row.lower) return fmt::format("≥ {:.3f}", *row.lower);
-  return row.upper ? fmt::format("≤ {:.3f}", *row.upper) : "  none";
+  if (row.method != Method::bounds) return "  none";
+  const double lower = results::show_lower(row.lower.value_or(0)), upper = results::show_upper(row.upper.value_or(0));
+  if (row.lower && row.upper) return fmt::format(" {:.3f}–{:.3f}", lower, upper);
+  if (row.lower) return fmt::format("≥ {:.3f}", lower);
+  return row.upper ? fmt::format("≤ {:.3f}", upper) : "  none";
 }
 
 /// The factors of all methods side by side, and the sentences on their differences.

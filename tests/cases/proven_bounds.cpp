@@ -73,6 +73,12 @@ TEST_F(BoundsTest, SayWhereAMethodLiesOutside) {
   EXPECT_EQ(summary.at("main_factor"), summary.at("bounds").at("upper")) << "it is proven to be no higher";
 }
 
+TEST_F(BoundsTest, SayThatTheIntervalIsWiderThanWasAskedFor) {
+  const json summary = run(write_case("\"bounds\"", "[bounds]\ngap = 0.001\ntriangles = 300\n"));
+  read_interval(summary);
+  EXPECT_NE(find_text(summary.at("warnings"), "give more 'triangles' in [bounds]"), "");
+}
+
 TEST_F(BoundsTest, TakeWaterLoadsAndEarthquakes) {
   const std::string text = write_case("\"bounds\"", rough);
   const auto [lower, upper] = read_interval(run(text));
@@ -121,6 +127,7 @@ tensile_strength = 0
   EXPECT_EQ(summary.at("bounds").at("no_lower"), "no stress field is in equilibrium with the loads");
   EXPECT_TRUE(summary.at("bounds").at("lower").is_null());
   EXPECT_TRUE(summary.at("main_factor").is_null());
+  EXPECT_NE(find_text(summary.at("warnings"), "there is no lower bound"), "");
 }
 
 }  // namespace

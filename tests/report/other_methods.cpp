@@ -357,5 +357,39 @@ TEST(SampledStudy, TellsItsProbabilityFirst) {
   fs::remove_all(folder);
 }
 
+/// The same slope by slices and proven bounds alone.
+TEST(BoundsInReports, KeepTheContractAndAreShownOutward) {
+  const fs::path folder = make_test_folder("bounds_report");
+  const json summary = run(folder, {{"analysis.methods", "[\"lem\", \"bounds\"]"},
+                                    {"bounds.gap", "0.15"},
+                                    {"bounds.triangles", "400"},
+                                    {"bounds.size", "3"}});
+  const ReadPage page(read_text(write_report(folder)));
+  const json& document = page.document;
+  EXPECT_EQ(find_schema_faults(document), "");
+  const json &bounds = summary.at("bounds"), &shown = document.at("proven_bounds");
+  const double lower = bounds.at("lower"), upper = bounds.at("upper");
+  EXPECT_LE(shown.at("lower").get<double>(), lower);
+  EXPECT_GE(shown.at("upper").get<double>(), upper);
+  EXPECT_NEAR(shown.at("lower").get<double>(), lower, 1e-3);
+  EXPECT_NEAR(shown.at("upper").get<double>(), upper, 1e-3);
+  ASSERT_TRUE(shown.contains("holds") && shown.contains("moves"));
+  EXPECT_EQ(shown.at("holds").at("utilisation").at("shape")[0], shown.at("holds").at("triangles").at("shape")[0]);
+  int rows = 0;
+  for (const json& factor : document.at("answer").at("factors"))
+    if (factor.at("method") == "bounds") {
+      ++rows;
+      EXPECT_TRUE(factor.at("value").is_null()) << "an interval is no factor";
+      EXPECT_LE(factor.at("lower").get<double>(), lower);
+      EXPECT_GE(factor.at("upper").get<double>(), upper);
+    }
+  EXPECT_EQ(rows, 1);
+  bool is_said = false;
+  for (const json& sentence : document.at("answer").at("sentences"))
+    is_said = is_said || sentence.get<std::string>().find("is proven to lie between") != std::string::npos;
+  EXPECT_TRUE(is_said);
+  fs::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace talus::report

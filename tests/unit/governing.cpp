@@ -62,8 +62,17 @@ TEST(MainFactor, IsNotAboveAProvenUpperBound) {
   run.slices->critical[0].surface.factor = 1.2;
   EXPECT_EQ(find_main_factor(run), 1.2) << "nothing is proven for ψ < φ";
   run.slices->critical[0].surface.factor = 1.5;
+  EXPECT_TRUE(is_main_factor_proven(run));
   run.bounds->is_davis = true;
   EXPECT_EQ(find_main_factor(run), 1.5) << "proven of a weaker soil";
+  EXPECT_FALSE(is_main_factor_proven(run));
+}
+
+TEST(ProvenBounds, AreShownAwayFromTheirMiddle) {
+  EXPECT_DOUBLE_EQ(show_lower(1.43199), 1.431);
+  EXPECT_DOUBLE_EQ(show_upper(1.44501), 1.446);
+  EXPECT_LE(show_lower(1.432), 1.432);
+  EXPECT_GE(show_upper(1.445), 1.445);
 }
 
 TEST(GoverningSurface, IsNotOneThatASearchWouldRefuseWhereThereIsAnother) {

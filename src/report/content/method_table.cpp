@@ -74,6 +74,16 @@ SurfaceSource find_source(const MethodRow& row) {
   return row.surface == "lem.noncircular." + row.name ? SurfaceSource::noncircular : SurfaceSource::given;
 }
 
+/// The ends of a bracket, as they are found; of what is proven, as they are shown.
+std::optional<double> take_lower(const MethodRow& row) {
+  const auto lower = take_factor(row.lower);
+  return lower && row.method == Method::bounds ? results::show_lower(*lower) : lower;
+}
+std::optional<double> take_upper(const MethodRow& row) {
+  const auto upper = take_factor(row.upper);
+  return upper && row.method == Method::bounds ? results::show_upper(*upper) : upper;
+}
+
 json take_row(const MethodRow& row) {
   return {{"method", to_word(row.method)},
           {"name", row.name},
@@ -83,8 +93,8 @@ json take_row(const MethodRow& row) {
           {"source", to_word(find_source(row))},
           {"note", row.note},
           {"factor", write(take_factor(row.factor))},
-          {"lower", write(take_factor(row.lower))},
-          {"upper", write(take_factor(row.upper))},
+          {"lower", write(take_lower(row))},
+          {"upper", write(take_upper(row))},
           {"seconds", write(row.seconds)}};
 }
 
@@ -121,8 +131,8 @@ Factor make_factor(const MethodRow& row) {
   factor.name = name_result(row);
   factor.title = describe(row);
   factor.value = take_factor(row.factor);
-  factor.lower = take_factor(row.lower);
-  factor.upper = take_factor(row.upper);
+  factor.lower = take_lower(row);
+  factor.upper = take_upper(row);
   factor.note = row.note;
   factor.source = find_source(row);
   if (row.method == Method::lem) {
@@ -263,7 +273,7 @@ std::vector<Factor> list_other_factors(const results::RunResult& run) {
 std::string say_main_factors(const results::RunResult& run, const std::vector<Factor>& factors) {
   std::vector<const Factor*> mains;
   for (const Factor& factor : factors)
-    if (factor.is_main) mains.push_back(&factor);
+    if (factor.is_main && factor.value) mains.push_back(&factor);
   if (mains.empty()) return "";
   // The one that governs stands first.
   std::stable_sort(mains.begin(), mains.end(), [](auto* a, auto* b) { return *a->value < *b->value; });
@@ -279,10 +289,11 @@ std::string say_proven(const results::RunResult& run) {
   const results::BoundsResult& bounds = *run.bounds;
   const std::string soil = bounds.is_davis ? "For soil with the strength of Davis, an estimate for ψ < φ, it"
                                            : "For ψ = φ the factor of safety";
-  if (bounds.is_interval())
-    return fmt::format("{} is proven to lie between {:.3f} and {:.3f}.", soil, *bounds.lower, *bounds.upper);
-  if (bounds.lower) return fmt::format("{} is proven to be at least {:.3f}.", soil, *bounds.lower);
-  if (bounds.upper) return fmt::format("{} is proven to be at most {:.3f}.", soil, *bounds.upper);
+  const double lower = results::show_lower(bounds.lower.value_or(0)),
+               upper = results::show_upper(bounds.upper.value_or(0));
+  if (bounds.is_interval()) return fmt::format("{} is proven to lie between {:.3f} and {:.3f}.", soil, lower, upper);
+  if (bounds.lower) return fmt::format("{} is proven to be at least {:.3f}.", soil, lower);
+  if (bounds.upper) return fmt::format("{} is proven to be at most {:.3f}.", soil, upper);
   return fmt::format("No bound of the factor of safety was proven: {}.", bounds.no_upper);
 }
 

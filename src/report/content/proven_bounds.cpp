@@ -20,8 +20,11 @@ namespace {
 constexpr std::size_t most_field_triangles = 60000;
 constexpr std::size_t components = 3;  ///< xx, yy, xy
 
-json write_bound(std::optional<double> value) {
-  return value ? json(*value) : json();
+json write_lower(std::optional<double> value) {
+  return value ? json(results::show_lower(*value)) : json();
+}
+json write_upper(std::optional<double> value) {
+  return value ? json(results::show_upper(*value)) : json();
 }
 
 std::vector<double> join_places(const std::vector<results::Point>& places) {
@@ -75,13 +78,13 @@ json pack_holding(const results::HoldingField& field, Packer& packer) {
 json pack_moving(const results::MovingField& field, Packer& packer) {
   constexpr std::size_t nodes_of_triangle = 6;
   const std::size_t triangles = field.triangles.size(), nodes = field.nodes.size();
-  if (!can_be_drawn(triangles, field.dissipation.size()) || field.velocity.size() != nodes) return {};
+  if (!can_be_drawn(triangles, field.shear_rate.size()) || field.velocity.size() != nodes) return {};
   return {{"nodes", packer.add_reals("bounds.moves.nodes", join_places(field.nodes), {nodes, 2})},
           {"triangles",
            packer.add_numbers("bounds.moves.triangles", join_triangles(field.triangles, nodes_of_triangle, nodes),
                               {triangles, nodes_of_triangle}, true)},
           {"velocity", packer.add_values("bounds.moves.velocity", join_places(field.velocity), {nodes, 2}, false)},
-          {"dissipation", packer.add_values("bounds.moves.dissipation", field.dissipation, {triangles}, false)}};
+          {"shear_rate", packer.add_values("bounds.moves.shear_rate", field.shear_rate, {triangles}, false)}};
 }
 
 }  // namespace
@@ -89,8 +92,8 @@ json pack_moving(const results::MovingField& field, Packer& packer) {
 json make_proven_bounds(const ResultFolder& folder, Packer& packer, json& warnings) {
   if (!folder.run.bounds) return {};
   const results::BoundsResult& bounds = *folder.run.bounds;
-  json block{{"lower", write_bound(bounds.lower)},
-             {"upper", write_bound(bounds.upper)},
+  json block{{"lower", write_lower(bounds.lower)},
+             {"upper", write_upper(bounds.upper)},
              {"no_lower", bounds.no_lower},
              {"no_upper", bounds.no_upper},
              {"asked_gap", bounds.asked_gap},
@@ -102,8 +105,8 @@ json make_proven_bounds(const ResultFolder& folder, Packer& packer, json& warnin
   if (bounds.error) block["error"] = *bounds.error;
   for (const results::BoundsMesh& mesh : bounds.meshes)
     block["meshes"].push_back({{"triangles", mesh.triangles},
-                               {"lower", write_bound(mesh.lower)},
-                               {"upper", write_bound(mesh.upper)},
+                               {"lower", write_lower(mesh.lower)},
+                               {"upper", write_upper(mesh.upper)},
                                {"programs", mesh.programs},
                                {"iterations", mesh.iterations},
                                {"seconds", mesh.seconds}});

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include "report/content/step_choices.hpp"
 #include "report/words/numbers.hpp"
 #include "report/words/water_words.hpp"
+#include "results/governing.hpp"
 
 namespace talus::report {
 
@@ -96,22 +98,21 @@ constexpr const char* too_low = "A factor below one: the slope does not stand wi
 
 /// What the other methods found, and how they differ.
 void say_methods(const results::RunResult& run, const std::vector<Factor>& factors, json& sentences) {
-  const std::string sentence = say_main_factors(run, factors), proven = say_proven(run);
-  if (!proven.empty() && sentence.empty()) {
-    sentences.push_back(proven);
-    return;
-  }
-  if (sentence.empty()) {
+  const std::string found = say_main_factors(run, factors), proven = say_proven(run);
+  if (found.empty() && proven.empty()) {
     sentences.push_back("No method found a factor of safety.");
     return;
   }
-  sentences.push_back(sentence);
+  const bool governs = results::is_main_factor_proven(run);
+  for (const std::string& said : governs ? std::array{proven, found} : std::array{found, proven})
+    if (!said.empty()) sentences.push_back(said);
   // For design values the statement on partial factors says so.
-  if (!has_design_values(run) &&
-      std::any_of(factors.begin(), factors.end(), [](const Factor& f) { return f.is_main && *f.value < 1; }))
-    sentences.push_back(too_low);
+  const bool is_low = std::any_of(factors.begin(), factors.end(),
+                                  [](const Factor& f) { return f.is_main && f.value && *f.value < 1; }) ||
+                      (governs && run.bounds->upper && *run.bounds->upper < 1);
+  if (!has_design_values(run) && is_low) sentences.push_back(too_low);
   for (const std::string& said :
-       {proven, say_agreement(factors), has_design_values(run) ? run.methods->partial_factors->text : std::string()})
+       {say_agreement(factors), has_design_values(run) ? run.methods->partial_factors->text : std::string()})
     if (!said.empty()) sentences.push_back(said);
 }
 
@@ -300,6 +301,8 @@ json make_answer(const ResultFolder& folder) {
   // By slices, by finite elements, by material points.
   std::vector<Factor> factors = list_other_factors(run);
   factors.insert(factors.end(), own.begin(), own.end());
+  for (Factor& factor : factors)
+    if (factor.method == Method::bounds) factor.is_main = results::is_main_factor_proven(run);
   json sentences = json::array(), listed = json::array();
   say_state(run, sentences);
   say_unrest(run, sentences);

@@ -36,7 +36,7 @@ results::HoldingField tell_stress(const bounds::Problem& problem, const bounds::
   return told;
 }
 
-/// √((ε_x − ε_y)² + γ²) in the middle of a triangle, times its area: sheared where the mechanism slides.
+/// The shear strain rate of a triangle is the mean of √((ε_x − ε_y)² + γ²) at its corners.
 results::MovingField tell_velocity(const bounds::Problem& problem, const bounds::VelocityField& field) {
   results::MovingField told;
   double fastest = 0, most = 0;
@@ -61,10 +61,10 @@ results::MovingField tell_velocity(const bounds::Problem& problem, const bounds:
       }
       sum += std::hypot(x - y, xy) / 3;
     }
-    told.dissipation.push_back(sum);
+    told.shear_rate.push_back(sum);
     most = std::max(most, sum);
   }
-  for (double& d : told.dissipation) d = most > 0 ? round_to(d / most, share_digits) : 0;
+  for (double& d : told.shear_rate) d = most > 0 ? round_to(d / most, share_digits) : 0;
   return told;
 }
 
@@ -113,9 +113,24 @@ std::vector<results::SideLine> find_lines(const bounds::Problem& problem, const 
   return lines;
 }
 
+std::vector<std::string> list_warnings(const results::BoundsResult& told, const bounds::BoundsResult& found) {
+  std::vector<std::string> warnings;
+  if (!told.lower) warnings.push_back("there is no lower bound: " + told.no_lower);
+  if (!told.upper) warnings.push_back("there is no upper bound: " + told.no_upper);
+  if (!told.is_interval()) return warnings;
+  const double gap = 2 * (*told.upper - *told.lower) / (*told.upper + *told.lower);
+  if (gap > told.asked_gap)
+    warnings.push_back(fmt::format(
+        "the interval is {:.2g} % wide, and {:.2g} % was asked for: {}", 100 * gap, 100 * told.asked_gap,
+        found.stopped.empty()
+            ? fmt::format("the last mesh has {} triangles, give more 'triangles' in [bounds]", found.problem.size())
+            : found.stopped));
+  return warnings;
+}
+
 }  // namespace
 
-results::BoundsFile tell_bounds(const bounds::BoundsResult& found) {
+results::BoundsFile tell_bounds(const bounds::BoundsResult& found, double asked_gap) {
   results::BoundsFile file;
   results::BoundsResult& told = file.summary;
   told.no_lower = found.no_lower, told.no_upper = found.no_upper;
@@ -123,6 +138,8 @@ results::BoundsFile tell_bounds(const bounds::BoundsResult& found) {
   if (std::isfinite(found.upper)) told.upper = found.upper;
   if (!told.lower && told.no_lower.empty()) told.no_lower = "no stress field passed its check";
   if (!told.upper && told.no_upper.empty()) told.no_upper = "no mechanism passed its check";
+  told.asked_gap = asked_gap;
+  told.warnings = list_warnings(told, found);
   for (const bounds::BoundsLevel& level : found.levels) {
     results::BoundsMesh mesh{level.triangles, {}, {}, level.programs, level.iterations, level.seconds};
     if (level.lower > 0) mesh.lower = level.lower;

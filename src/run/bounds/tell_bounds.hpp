@@ -7,7 +7,8 @@
 
 namespace talus::run {
 
-/// Bounds, meshes, fields and the lines of the mechanism.
-results::BoundsFile tell_bounds(const bounds::BoundsResult& found);
+/// Bounds, meshes, fields and the lines of the mechanism; warnings where a bound is missing, or the interval is wider
+/// than the gap that was asked for.
+results::BoundsFile tell_bounds(const bounds::BoundsResult& found, double asked_gap);
 
 }  // namespace talus::run

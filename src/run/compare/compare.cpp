@@ -154,7 +154,7 @@ class Comparison {
       add_lines({results::mechanism_name,
                  "Mechanism of the upper bound",
                  Method::bounds,
-                 bounds.upper,
+                 bounds.upper ? std::optional(results::show_upper(*bounds.upper)) : std::nullopt,
                  bounds.sides->front().points,
                  {},
                  {},

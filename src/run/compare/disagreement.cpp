@@ -196,11 +196,11 @@ class Warnings {
     if (upper && factor - uncertainty > *upper)
       warnings_.push_back(fmt::format(
           "The factor {:.3f} by {} is above the proven upper bound, {:.3f}: it is too high by {:.1f} % at least.{}",
-          factor, words, *upper, 100 * (factor / *upper - 1), above));
+          factor, words, results::show_upper(*upper), 100 * (factor / *upper - 1), above));
     if (lower && factor + uncertainty < *lower)
       warnings_.push_back(
           fmt::format("The factor {:.3f} by {} is below the lower bound that is proven for ψ = φ, {:.3f}. {}", factor,
-                      words, *lower, below));
+                      words, results::show_lower(*lower), below));
   }
 
   /// What is known to move a method by the order of the difference.

@@ -101,7 +101,7 @@ class Reading {
           "That is proven of this weaker soil. Of the soil as given it is an estimate.",
           low, high);
     say("Limit analysis proves that the factor lies between {:.3f} and {:.3f} ({:.1f} % of their middle) for ψ = φ{}.",
-        low, high, 200 * (high - low) / (high + low),
+        results::show_lower(low), results::show_upper(high), 200 * (high - low) / (high + low),
         run_.bounds->takes_tension ? " and soil that bears no more tension than given" : "");
     std::vector<std::string> inside;
     const auto add = [&](std::optional<double> factor, const std::string& name) {

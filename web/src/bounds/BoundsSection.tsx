@@ -39,7 +39,7 @@ function Figure({ bounds }: { bounds: ProvenBounds }) {
   const { opacity, slider } = useOpacity();
   const colours = tabulateColours("viridis");
   const scale = useMemo(
-    () => makeScale(0, field === "moves" && fields?.moves ? findLimit(fields.moves.dissipation) : 1),
+    () => makeScale(0, field === "moves" && fields?.moves ? findLimit(fields.moves.shear_rate) : 1),
     [field, fields],
   );
   if (!field) return null;
@@ -72,7 +72,7 @@ function Figure({ bounds }: { bounds: ProvenBounds }) {
           if (holds && fields?.holds)
             paintTriangles(pen, fields.holds.mesh, fields.holds.utilisation, colours, scale, opacity);
           if (!holds && fields?.moves)
-            paintTriangles(pen, fields.moves.mesh, fields.moves.dissipation, colours, scale, opacity);
+            paintTriangles(pen, fields.moves.mesh, fields.moves.shear_rate, colours, scale, opacity);
           drawOutlines(pen);
           drawSurcharges(pen);
         }}

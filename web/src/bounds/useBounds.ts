@@ -8,7 +8,7 @@ import { load, loadIntegers } from "../state";
 
 export interface BoundsFields {
   holds: { mesh: Triangles; middles: number[][]; stress: Float32Array; utilisation: Float32Array } | null;
-  moves: { mesh: Triangles; nodes: Float32Array; velocity: Float32Array; dissipation: Float32Array } | null;
+  moves: { mesh: Triangles; nodes: Float32Array; velocity: Float32Array; shear_rate: Float32Array } | null;
 }
 
 /** Every triangle on nodes of its own, so that it has one colour; `stride`: nodes of a triangle, corners first. */
@@ -46,13 +46,13 @@ async function loadHolds(field: ProvenBounds["holds"]): Promise<BoundsFields["ho
 
 async function loadMoves(field: ProvenBounds["moves"]): Promise<BoundsFields["moves"]> {
   if (!field) return null;
-  const [nodes, triangles, velocity, dissipation] = await Promise.all([
+  const [nodes, triangles, velocity, shear_rate] = await Promise.all([
     load(field.nodes),
     loadIntegers(field.triangles),
     load(field.velocity),
-    load(field.dissipation),
+    load(field.shear_rate),
   ]);
-  return { mesh: separate(nodes, triangles, 6), nodes, velocity, dissipation: repeat(dissipation) };
+  return { mesh: separate(nodes, triangles, 6), nodes, velocity, shear_rate: repeat(shear_rate) };
 }
 
 /** null until they are there. */

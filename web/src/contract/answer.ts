@@ -27,7 +27,7 @@ export interface Factor {
   lower: number | null;
   upper: number | null;
   note: string;
-  /** The one that the first sentence names. */
+  /** The one that the first sentence names; of proven bounds: whether an end of theirs governs. */
   main: boolean;
   /** What pore water did in the trials: absent where the ground is dry. */
   water?: "flows" | "held";

@@ -45,6 +45,6 @@ export interface ProvenBounds {
     /** [node][2] u16; the fastest has 1. */
     velocity: PackedArray;
     /** [triangle] u16: shear strain rate; the largest is 1. */
-    dissipation: PackedArray;
+    shear_rate: PackedArray;
   };
 }

@@ -13,13 +13,15 @@ const hasDesignValues = () => report.value.method_table?.partial_factors !== und
 const nameFactor = () => (hasDesignValues() ? "Factor of safety with design values" : "Factor of safety");
 const sayFailure = () => (hasDesignValues() ? "the slope is not verified" : "the slope fails as it stands");
 
-/** Both ends of what is proven. */
-function Interval({ factor }: { factor: Factor }) {
-  return (
-    <span class={factor.lower! < 1 ? "value interval bad" : "value interval"}>
-      {formatFactor(factor.lower)} – {formatFactor(factor.upper)}
-    </span>
-  );
+/** Both ends of what is proven, or the one that there is. */
+function Interval({ factor: { lower, upper } }: { factor: Factor }) {
+  const text =
+    lower === null
+      ? `≤ ${formatFactor(upper)}`
+      : upper === null
+        ? `≥ ${formatFactor(lower)}`
+        : `${formatFactor(lower)} – ${formatFactor(upper)}`;
+  return <span class={(lower ?? upper)! < 1 ? "value interval bad" : "value interval"}>{text}</span>;
 }
 
 /** Of bounds alone. */
@@ -32,41 +34,45 @@ function ProvenInterval({ factor }: { factor: Factor }) {
       <WarningLink />
       <p class="label">
         {nameFactor()}
-        {factor.upper! < 1 && <strong class="bad">, below 1: {sayFailure()}</strong>}
+        {factor.upper !== null && factor.upper < 1 && <strong class="bad">, below 1: {sayFailure()}</strong>}
         <span class="criterion">{factor.title}</span>
       </p>
     </div>
   );
 }
 
-/** One beside the other where several methods answer; what is proven stands last. */
-function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | undefined }) {
+function MethodValue({ factor }: { factor: Factor }) {
   return (
-    <div class="main-factor several">
-      <dl>
-        {factors.map((factor) => (
-          <div key={factor.name}>
-            <dt>{methodNames[factor.method]}</dt>
-            <dd>
-              <span class={factor.value! < 1 ? "value bad" : "value"}>{formatFactor(factor.value)}</span>
-              <span class="criterion">{factor.title}</span>
-            </dd>
-          </div>
-        ))}
-        {proven && (
-          <div>
-            <dt>{methodNames.bounds}</dt>
-            <dd>
-              <Interval factor={proven} />
-              <span class="criterion">{proven.title}</span>
-            </dd>
-          </div>
+    <div>
+      <dt>{methodNames[factor.method]}</dt>
+      <dd>
+        {factor.value === null ? (
+          <Interval factor={factor} />
+        ) : (
+          <span class={factor.value < 1 ? "value bad" : "value"}>{formatFactor(factor.value)}</span>
         )}
+        <span class="criterion">{factor.title}</span>
+      </dd>
+    </div>
+  );
+}
+
+/** One beside the other where several methods answer. What is proven stands last, unless it governs. */
+function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | undefined }) {
+  const governs = proven?.main === true;
+  const shown = [...(proven && governs ? [proven] : []), ...factors, ...(proven && !governs ? [proven] : [])];
+  const fails = governs ? (proven.upper ?? 1) < 1 : factors.some((factor) => factor.value! < 1);
+  return (
+    <div class={governs ? "main-factor several by-proof" : "main-factor several"}>
+      <dl>
+        {shown.map((factor) => (
+          <MethodValue key={factor.name} factor={factor} />
+        ))}
       </dl>
       <WarningLink />
       <p class="label">
         {nameFactor()}
-        {factors.some((factor) => factor.value! < 1) && <strong class="bad">, below 1: {sayFailure()}</strong>}
+        {fails && <strong class="bad">, below 1: {sayFailure()}</strong>}
       </p>
     </div>
   );
@@ -168,7 +174,9 @@ export function Answer() {
     .filter((factor) => factor.main && factor.value !== null)
     .sort((a, b) => a.value! - b.value!);
   const main = mains[0];
-  const proven = answer.factors.find(({ method, lower, upper }) => method === "bounds" && lower !== null && upper !== null);
+  const proven = answer.factors.find(
+    ({ method, lower, upper }) => method === "bounds" && (lower !== null || upper !== null),
+  );
   const results = pickResults(answer.results, main ? 4 : 6);
   const [first, ...others] = answer.sentences;
   const moreWords = others.length > 0 && <p class="more-words">{others.map(formatSentence).join(" ")}</p>;
