@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 class MethodFactor:
     """A row of the table of methods."""
 
-    method: str  #: "lem", "fem", "mpm": slices, finite elements, material points
+    method: str  #: "lem", "fem", "bounds", "mpm": slices, finite elements, proven bounds, material points
     name: str  #: "spencer", "as_given", "frozen"
     title: str  #: in words
     criterion: str  #: "critical circle", "no equilibrium"
@@ -59,9 +59,9 @@ class MethodTable(list[MethodFactor]):
 class Surface:
     """A slip surface of a method."""
 
-    name: str  #: "lem.spencer", "fem.band", "mpm.slip_line"
+    name: str  #: "lem.spencer", "fem.band", "bounds.mechanism", "mpm.slip_line"
     title: str  #: in words
-    method: str  #: "lem", "fem", "mpm"
+    method: str  #: "lem", "fem", "bounds", "mpm"
     factor: Optional[float]
     points: NDArray[Any]  #: (points, 2) [m]
     direction: Optional[int] = None  #: 1: its soil moves towards larger x, -1: smaller; None: all soil moves one way
