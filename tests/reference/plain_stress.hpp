@@ -32,8 +32,16 @@ std::vector<double> smooth_over_nodes(const Body<D>& body, const std::vector<dou
   return smoothed;
 }
 
-/// L and Δε = sym(L)Δt of every active element (2.43); on request with the smoothed volumetric part. The correction is
-/// spread over three components also in plane strain, as the text of 2.5.4 (and not Anura3D, which takes two) has it.
+/// What a change of the volumetric strain is in each direction that moves. In plane strain these are two: over three,
+/// as the text of 2.5.4 has it, a strain out of plane is left, and a third of the change becomes a deviator.
+template <int D>
+Tensor spread_volumetric(double change) {
+  Tensor strain = Tensor::Zero();
+  strain.topLeftCorner<D, D>().diagonal().setConstant(change / D);
+  return strain;
+}
+
+/// L and Δε = sym(L)Δt of every active element (2.43); on request with the smoothed volumetric part.
 template <int D>
 void compute_strain_increments(Body<D>& body, const Settings& settings) {
   std::vector<double> volumetric(body.cells.size(), 0);
@@ -49,7 +57,7 @@ void compute_strain_increments(Body<D>& body, const Settings& settings) {
   if (settings.smoothing == Smoothing::none) return;
   const std::vector<double> smoothed = smooth_over_nodes(body, volumetric);
   for (std::size_t e = 0; e < body.cells.size(); ++e)
-    body.cells[e].strain_increment += (smoothed[e] - volumetric[e]) / 3 * Tensor::Identity();
+    body.cells[e].strain_increment += spread_volumetric<D>(smoothed[e] - volumetric[e]);
 }
 
 /// R of Hughes and Winget (1980) for the spin W = (L − Lᵀ)Δt/2: orthogonal for any W.

@@ -70,7 +70,7 @@ void compute_wet_increments(WetBody<D>& body, const WetSettings& settings) {
   const std::vector<double> solid = smooth_with_weights(body.mesh, active_volumes(body), volumetric);
   const std::vector<double> water = smooth_with_weights(body.mesh, wet_volumes(body, true), divergence);
   for (std::size_t e = 0; e < body.cells.size(); ++e) {
-    body.cells[e].strain_increment += (solid[e] - volumetric[e]) / 3 * Tensor::Identity();
+    body.cells[e].strain_increment += spread_volumetric<D>(solid[e] - volumetric[e]);
     body.cells[e].flux_divergence = water[e];
   }
 }

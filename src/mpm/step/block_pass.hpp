@@ -147,12 +147,12 @@ TALUS_KERNEL StressIncrement<D> strain_elements(Pass& pass, const BlockPlace<D>&
   if (pass.options.objective) increment.rotation = Rotation<D, Pack>(block.motion.grad);
   block.motion.strain(d_epsilon);
   block.volumetric = d_epsilon[0] + d_epsilon[1] + d_epsilon[2];
-  if (pass.options.smoothing != input::Smoothing::none) {  // (2.95), recomposed over three components
+  if (pass.options.smoothing != input::Smoothing::none) {  // (2.95), recomposed over the components that move
     const Pack own = block.volumetric;
     block.smooth(pass, at);
-    const Pack correction = (block.volumetric - own) * (1.0 / 3);
+    const Pack correction = (block.volumetric - own) * (1.0 / D);
     TALUS_UNROLL
-    for (int i = 0; i < 3; ++i) d_epsilon[i] += correction;
+    for (int i = 0; i < D; ++i) d_epsilon[i] += correction;
     if (pass.is_stable()) increment.pending = load<Pack>(&pass.body.elements.return_pressure[at.first]);
   }
   double* strain = &pass.body.elements.strain[at.first * NS];
