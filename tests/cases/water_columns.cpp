@@ -39,6 +39,19 @@ TEST(WaterColumns, UndrainedWaveHasThePublishedStepHeightAndTimes) {
   EXPECT_LT(run.budget_error, 1e-11);
 }
 
+/// Net damping strengthens explicit drag by its share; a step that did not know it burst within forty steps.
+TEST(WaterColumns, ExplicitDragUnderHeavyDampingNeedsNoSmallerStep) {
+  for (const char* permeability : {"1.0214e-12", "1.0214e-15"}) {
+    const WaterRun run("terzaghi/case.toml", {{"stage.consolidation.drag", "explicit"},
+                                              {"stage.consolidation.damping", "0.75"},
+                                              {"stage.consolidation.water_damping", "0.75"},
+                                              {"stage.consolidation.mass_scaling", "40"},
+                                              {"stage.consolidation.duration", "1e-4"},
+                                              {"materials.soil.water.permeability", permeability}});
+    EXPECT_FALSE(run.summary.at("stages")[0].contains("setbacks")) << permeability;
+  }
+}
+
 TEST(WaterColumns, ConsolidationFollowsTerzaghiAtHundredsOfTimesThePrintedStep) {
   const double modulus = 1e7 * 0.7 / 0.52, storage = 1 / modulus + 0.4 / 2.15e9;
   const double c_v = 1000 * 9.81 / 1.002e-3 * 1.0214e-13 / (weight * storage), start = 1e4 / modulus / storage;

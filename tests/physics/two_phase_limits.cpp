@@ -92,6 +92,38 @@ TEST(TwoPhaseLimits, ExactLimitIsWhereTheOneDimensionalSchemeBeginsToGrow) {
       }
 }
 
+/// Largest velocity after `steps` of the 1-D scheme with explicit drag, where a share α of what is left of the forces
+/// slows both phases (T14.10).
+double march_damped(const CoupledSoil& soil, double length, double dt, double alpha, int steps) {
+  const Eigen::Matrix2d k = soil.stiffness() * 4 / (length * length);
+  Eigen::Matrix2d c;
+  c << 1, -1, -1, 1;
+  c *= soil.drag();
+  Eigen::Vector2d u(0, 0), v(1, -0.5);
+  for (int i = 0; i < steps; ++i) {
+    const Eigen::Vector2d force = -k * u - c * v;
+    for (int phase = 0; phase < 2; ++phase)
+      v[phase] += dt / soil.mass()[phase] * (force[phase] - alpha * std::abs(force[phase]) * (v[phase] > 0 ? 1 : -1));
+    u += dt * v;
+    if (!(v.norm() < 1e6)) break;
+  }
+  return v.norm();
+}
+
+/// Net damping makes explicit drag act as if it were stronger by its share. The limit without it is then far too long.
+TEST(TwoPhaseLimits, NetDampingShortensTheStepOfExplicitDrag) {
+  for (const double alpha : {0.2, 0.5, 0.75, 0.9})
+    for (const double conductivity : {1e-5, 1e-9}) {
+      CoupledSoil soil = terzaghi_soil();
+      soil.conductivity = conductivity;
+      const double length = 0.02, dt = critical_step(soil, length, 1 / (1 + alpha), Drag::explicit_as_source);
+      EXPECT_LT(march_damped(soil, length, 0.98 * dt, alpha, 3000), 1) << alpha << ", " << conductivity;
+      if (conductivity == 1e-9) {
+        EXPECT_GT(march_damped(soil, length, 1.02 * dt, alpha, 3000), 1e3) << alpha;
+      }
+    }
+}
+
 TEST(TwoPhaseLimits, UnsaturatedSoilHasTheStorageOfItsRetentionCurve) {
   // S = 0.5 and dS/dp = −1e-5/Pa: the pressure answers 4 to 5 orders more softly than in saturated soil.
   CoupledSoil soil = terzaghi_soil();

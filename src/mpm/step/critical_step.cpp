@@ -37,6 +37,14 @@ double find_modulus(const material::Law& law, const double* p) {
   return material::constrained_modulus(law, sigma, state);
 }
 
+/// Mass scaling over the share by which damping strengthens a force. Explicit drag slows what it acts on, and net
+/// damping (T14.10) adds its own share to it: stiffness and drag act as if they were larger by that.
+template <int D>
+double find_scaling_in_drag(const StepOptions<D>& o) {
+  const bool strengthens = !o.implicit_drag && o.net_damping;
+  return o.mass_scaling / (strengthens ? 1 + std::max(o.damping, o.water_damping) : 1.0);
+}
+
 /// Smallest altitude of an element and its neighbours, which its points may enter before the next look.
 template <int D>
 std::pair<double, int> find_shortest(const mesh::Mesh<D>& mesh, int e) {
@@ -118,7 +126,7 @@ CriticalStep find_critical_step(const Body<D>& body, const StepOptions<D>& o) {
         const double pressure = p[(body.water.first_field + WaterFields<D>::pressure) * lane_width];
         const CoupledSoil soil = make_coupled_soil(law, modulus, 1 - mass / (law.grain_density * volume), pressure,
                                                    o.implicit_drag ? nullptr : &o.conductivity_factor);
-        dt = find_coupled_step(soil, length, o.mass_scaling, o.implicit_drag);
+        dt = find_coupled_step(soil, length, find_scaling_in_drag(o), o.implicit_drag);
       }
       if (critical.element < 0 || !(dt >= critical.dt)) critical = {dt, shortest};
     }
