@@ -247,7 +247,7 @@ struct FrozenFactor {
   double uncertainty = 0;              ///< half the width of the interval: brackets, and what the mesh does
   double bracket = 0;                  ///< of it, half the width of the brackets as the extrapolation passes them on
   std::optional<double> mesh_effect;   ///< of it, what the mesh does; nothing: not estimated
-  std::optional<double> extrapolated;  ///< linear in h to h = 0, from the two finest meshes
+  std::optional<double> extrapolated;  ///< to h = 0, from the two finest meshes
   std::vector<MeshFactor> meshes;      ///< coarse to fine
   std::optional<MeshFactor> other;     ///< the coarse mesh by another mesher
   double dilatancy_angle_min = 0, dilatancy_angle_max = 0;  ///< [deg]

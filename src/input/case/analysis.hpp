@@ -106,8 +106,7 @@ void describe(Visitor& v, FrozenFactor& f) {
   v.key("resolution", f.resolution, plain().above(0), "Width of the last bracket.");
   v.key("meshes", f.meshes, plain().at_least(1).at_most(3),
         "1: one mesh of the case's element size. 2: also one of half that size, and the factor extrapolated to size "
-        "zero. 3: and one of a quarter; the two finest are extrapolated, and the two coarsest show how far that can be "
-        "trusted.");
+        "zero. 3: and one of a quarter; the two finest are extrapolated.");
   v.key("mesh_scatter", f.mesh_scatter, plain(),
         "With two meshes, calculate the coarse one by another mesher too: the distance of the two factors is what the "
         "mesh does, and a part of the interval that is printed.");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/extrapolate.hpp"
 #include "base/parallel.hpp"
 #include "run/mpm/start/prepare.hpp"
 
@@ -32,29 +33,17 @@ std::string explain(const results::MeshFactor& mesh) {
 
 namespace {
 
-/// Factors that are extrapolated from h and h/2 scatter by this over sizes and meshers, whatever two meshers happen to
-/// say (docs/theory/factor-of-safety.md) [-].
-constexpr double known_scatter = 0.02;
+/// The error of a factor falls with this power of the size, give or take one by slope and mesh: the error of half the
+/// size is a third of the other's (docs/theory/factor-of-safety.md).
+const double order = std::log2(3.0);
+/// Factors of meshes of one size scatter by this from mesh to mesh, whatever two of them happen to say [-].
+constexpr double known_scatter = 0.01;
 
-/// The two finest meshes to h = 0.
-double extrapolate(const results::MeshFactor& coarse, const results::MeshFactor& fine) {
-  return extrapolate_to_zero(coarse.size, *coarse.factor(), fine.size, *fine.factor());
-}
-
-/// What the individual mesh does to the extrapolated factor. It is 2F(h/2) - F(h); a scatter of the meshes that falls
-/// with h makes √2 times that of the coarse mesh, which is the mean square of the distance of two meshers there. Of
-/// three meshes, the two extrapolations lie as far apart as the coarser of them is wrong, and the finer one is half
-/// that.
-std::optional<double> find_mesh_effect(const std::vector<results::MeshFactor>& meshes,
-                                       const std::optional<results::MeshFactor>& other, double factor) {
-  if (meshes.size() == 3) {
-    const double distance = std::abs(extrapolate(meshes[0], meshes[1]) - extrapolate(meshes[1], meshes[2]));
-    return 0.5 * std::max(distance, known_scatter * factor);
-  }
-  if (meshes.size() != 2 || !other || !other->factor()) return std::nullopt;
-  const double coarse = *meshes[0].factor(), correction = std::abs(coarse - *meshes[1].factor());
-  const double guess = correction > far_apart * *meshes[1].factor() ? correction : 0;
-  return std::max({std::abs(coarse - *other->factor()), known_scatter * factor, guess});
+/// What the mesh does to the extrapolated factor: no less than what lies between its two meshes, which holds the limit
+/// for orders of three quarters and more; nor than what two meshers of one size say.
+double find_mesh_effect(double coarse, double fine, const std::optional<results::MeshFactor>& other, double factor) {
+  const double scatter = other && other->factor() ? std::abs(coarse - *other->factor()) : 0;
+  return std::max({std::abs(coarse - fine), scatter, known_scatter * factor});
 }
 
 }  // namespace
@@ -70,12 +59,12 @@ results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::
     frozen.bracket = half(fine);
     if (meshes.size() > 1) {
       const results::MeshFactor& coarse = meshes[meshes.size() - 2];
-      frozen.factor = extrapolate(coarse, fine);
+      frozen.factor = extrapolate_to_zero(coarse.size, *coarse.factor(), fine.size, *fine.factor(), order);
       frozen.extrapolated = frozen.factor;
-      const double share = fine.size / (coarse.size - fine.size);
-      frozen.bracket = half(fine) * (1 + share) + half(coarse) * share;
+      const double rest = find_rest(coarse.size, fine.size, order);
+      frozen.bracket = half(fine) * (1 + rest) + half(coarse) * rest;
+      frozen.mesh_effect = find_mesh_effect(*coarse.factor(), *fine.factor(), other, *frozen.factor);
     }
-    frozen.mesh_effect = find_mesh_effect(meshes, other, *frozen.factor);
     frozen.uncertainty = frozen.bracket + frozen.mesh_effect.value_or(0);
   }
   frozen.meshes = std::move(meshes);

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/extrapolate.hpp"
 #include "run/mpm/reduction/trial.hpp"
 
 namespace talus::run {
@@ -31,7 +30,7 @@ template <int D>
 results::MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::Case& data,
                                        const input::FrozenFactor& settings, double slope_height, int threads);
 
-/// Factors of the two meshes farther apart than this make a straight line a guess [-].
+/// Factors of the two meshes farther apart than this make the extrapolation a guess [-].
 inline constexpr double far_apart = 0.1;
 
 /// The factor of one mesh, or of the two finest extrapolated to elements of no size. Its interval: half the width of
@@ -39,7 +38,5 @@ inline constexpr double far_apart = 0.1;
 /// the coarsest by another mesher, where it was calculated. Angles of dilatancy are left to the caller.
 results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes,
                                   std::optional<results::MeshFactor> other = {});
-
-using talus::extrapolate_to_zero;
 
 }  // namespace talus::run
