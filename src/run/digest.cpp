@@ -66,7 +66,8 @@ std::string write_factors(const results::PointFactors& factors) {
   if (factors.frozen) {
     const results::FrozenFactor& f = *factors.frozen;
     text += f.factor ? fmt::format("Factor of safety {:.3f}", *f.factor) : "Factor of safety: none, " + f.note;
-    if (f.mesh_effect) text += fmt::format(" ± {:.2f}", f.uncertainty);
+    // Outward: an interval that is shown must not be narrower than the one that was found.
+    if (f.mesh_effect) text += fmt::format(" ± {:.2f}", std::ceil(100 * f.uncertainty - 1e-9) / 100);
     if (!f.factor) {
       text += " (at frozen geometry)";
     } else if (f.extrapolated) {
