@@ -33,6 +33,26 @@ describe("writeMethods", () => {
     ).toEqual([...allMethods].sort());
   });
 
+  it("says how the frozen factor of these meshes was extrapolated and what its interval holds", () => {
+    const write = (frozen: InputTable) => {
+      const used = { ...input, strength_reduction: { frozen } };
+      const report = { methods: ["frozen_factor"], input: used, model: { dimension: 2 } } as unknown as Report;
+      const { paragraphs, cited } = writeMethods(report);
+      return writePlainMethods(paragraphs, cited);
+    };
+    const two = write({ meshes: given(2), mesh_scatter: given(true) });
+    // As src/run/mpm/reduction/frozen_factor.cpp has it: 1.443 and 1.422 give 1.4115.
+    expect(two).toContain("F = F_h/2 − ½ (F_h − F_h/2)");
+    expect(two).toContain("of two meshers");
+    expect(two).toContain("at least 1 %");
+    const others: InputTable[] = [{ meshes: given(2), mesh_scatter: given(false) }, { meshes: given(3) }];
+    for (const other of others) {
+      expect(write(other)).toContain("F = F_h/2 − ½ (F_h − F_h/2)");
+      expect(write(other)).toContain("the distance of these two factors, but at least 1 %");
+    }
+    expect(write({ meshes: given(1) })).toContain("not extrapolated; on eight slopes");
+  });
+
   it("names only what was used", () => {
     expect(make(["runout", "mohr_coulomb"]).paragraphs.map((paragraph) => paragraph.method)).toEqual([
       "mohr_coulomb",
