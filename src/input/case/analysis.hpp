@@ -108,8 +108,8 @@ void describe(Visitor& v, FrozenFactor& f) {
         "1: one mesh of the case's element size. 2: also one of half that size, and the factor extrapolated to size "
         "zero. 3: and one of a quarter; the two finest are extrapolated.");
   v.key("mesh_scatter", f.mesh_scatter, plain(),
-        "With two meshes, calculate the coarse one by another mesher too: the distance of the two factors is what the "
-        "mesh does, and a part of the interval that is printed.");
+        "With two meshes, calculate the coarse one by another mesher too. The interval that is printed is no narrower "
+        "than the distance of the two factors.");
   v.key("algorithm", f.algorithm, plain(),
         "Gmsh's algorithm for these meshes (a ready mesh file is used as it is). Irregular ones lock least.");
   v.key("window", f.window, quantity("s").above(0), "A trial that has not decided by then is reported as undecided.");
