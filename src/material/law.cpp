@@ -137,6 +137,17 @@ void show_state(const Law& law, const double* state, double saturation, double* 
       law);
 }
 
+double find_gap(const Law& law, const double* state) {
+  return std::visit(
+      [&]([[maybe_unused]] const auto& l) {
+        if constexpr (requires { l.find_gap(state); })
+          return l.find_gap(state);
+        else
+          return 0.0;
+      },
+      law);
+}
+
 std::optional<LawFailure> take_failure(const Law& law) {
   return std::visit(
       []([[maybe_unused]] const auto& l) -> std::optional<LawFailure> {

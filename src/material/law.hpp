@@ -138,6 +138,8 @@ double elastic_energy(const Law& law, const double* sigma, const double* state);
 std::vector<StateField> list_state_fields(const Law& law);
 /// Writes one value per field. `saturation` is that of the pore water, 1 in dry soil.
 void show_state(const Law& law, const double* state, double saturation, double* values);
+/// The gap that the soil has come apart by, as a volume strain [-]; 0 for laws that keep none.
+double find_gap(const Law& law, const double* state);
 /// What a law could not calculate since the last look; the first point of it.
 std::optional<LawFailure> take_failure(const Law& law);
 

@@ -21,7 +21,12 @@ template <class T>
 struct Response {
   bool any_plastic;       ///< false: no lane yielded, the state is as before and the rest is zero
   T plastic_mean_stress;  ///< change of the mean stress by the plastic return [Pa]
-  T dissipation;          ///< plastic work σ:Δε^p [J/m³]
+  /// Plastic work of the step [J/m³]. Mohr–Coulomb's is that of the mean of the stresses before and after,
+  /// ½(σ_old + σ):Δε^p, which is what the elastic energy and the work of a finite step leave.
+  T dissipation;
+  // Of soil that comes apart, separation.hpp.
+  T opened{0.0};  ///< growth of its gaps, below zero where they closed [-]
+  T gap{0.0};     ///< at the end of the step [-]
 };
 
 struct YoungInput {

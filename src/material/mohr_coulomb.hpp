@@ -16,6 +16,7 @@
 
 #include "material/linear_elastic.hpp"
 #include "material/principal_stress.hpp"
+#include "material/separation.hpp"
 
 namespace talus::material {
 
@@ -88,7 +89,9 @@ class MohrCoulomb {
                                  .serves_slices = true,
                                  .has_friction = true,
                                  .paragraphs = {"mohr_coulomb"}};
-  static constexpr int state_size = 1;  ///< state[0]: ∫√(⅔ ė^p:ė^p) dt, the deviatoric plastic strain [-]
+  /// state[0]: ∫√(⅔ ė^p:ė^p) dt, the deviatoric plastic strain [-]; state[1]: gap (separation.hpp), read and written
+  /// only where the surroundings ask for it
+  static constexpr int state_size = 2, gap_states = 1;
   static constexpr bool is_plastic = true;
 
   using Input = Needs<YoungInput, PoissonInput, MohrCoulombStrength, CohesionGradient>;
@@ -118,9 +121,12 @@ class MohrCoulomb {
   /// Stress at the end of a step with strain increment `d_epsilon`. Lanes outside `active` may hold anything.
   template <int NS, class T>
   TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
-                                  const Surroundings<T>& = {}) const {
-    return update_within<NS>(sigma, d_epsilon, state, active, bounds_);
+                                  const Surroundings<T>& around = {}) const {
+    return update_within<NS>(sigma, d_epsilon, state, state + 1, active, bounds_, around);
   }
+  static std::vector<StateField> fields() { return {separation_field}; }
+  static void show(const double* state, double /*saturation*/, double* values) { values[0] = state[1]; }
+  static double find_gap(const double* state) { return state[1]; }
 
   /// The bounds with `extra` cohesion [Pa] of the points' own. σ_t stays as given: roots let the soil bear more tension
   /// only as far as the apex held it below σ_t.
@@ -130,24 +136,19 @@ class MohrCoulomb {
     const T tension = lane_min(T(strength_.tensile_strength), intercept * apex_per_intercept_);
     return {intercept, tension, tension + tolerance_, bounds_.cone_offset + extra * cone_per_cohesion_};
   }
-  /// update() within other bounds.
+  /// update() within other bounds. `gap`: of the points' state.
   template <int NS, class T, class B>
-  TALUS_KERNEL Response<T> update_within(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
-                                         const MohrCoulombBounds<B>& bounds) const {
-    elastic_.add_elastic_increment<NS>(sigma, d_epsilon);
-    if constexpr (NS == 4) {
-      return return_to_surface<NS>(PlanePrincipal<T>(sigma), sigma, state, active, bounds);
-    } else {
-      // A cone inside the pyramid rules most points out before any principal stress is computed.
-      const T p = (sigma[0] + sigma[1] + sigma[2]) * (1.0 / 3);
-      const T x = sigma[0] - p, y = sigma[1] - p, z = sigma[2] - p;
-      const T root_j2 =
-          lane_sqrt(0.5 * (x * x + y * y + z * z) + sigma[3] * sigma[3] + sigma[4] * sigma[4] + sigma[5] * sigma[5]);
-      const auto outside = active && (root_j2 > bounds.cone_offset - cone_slope_ * p ||
-                                      p + two_over_root3 * root_j2 > T(bounds.tension_limit));
-      if (!any(outside)) return {false, T(0.0), T(0.0)};
-      return return_to_surface<NS>(SpacePrincipal<T>(sigma, cosine_), sigma, state, outside, bounds);
+  TALUS_KERNEL Response<T> update_within(T* sigma, const T* d_epsilon, T* state, T* gap, MaskOf<T> active,
+                                         const MohrCoulombBounds<B>& bounds, const Surroundings<T>& around) const {
+    if (around.gaps == Gaps::kept) {
+      const AfterClosing<NS, T> rest(elastic_, sigma, d_epsilon, *gap, active);
+      Response<T> response = update_coherent<NS>(sigma, rest.strain, state, active, bounds);
+      rest.finish(response, gap, active);
+      return response;
     }
+    Response<T> response = update_coherent<NS>(sigma, d_epsilon, state, active, bounds);
+    if (around.gaps == Gaps::none && response.any_plastic) response.gap = *gap = response.opened;
+    return response;
   }
 
   /// Returns principal stresses s1 >= s2 >= s3 [Pa] that violate the strength. Public for the tests.
@@ -205,9 +206,28 @@ class MohrCoulomb {
   };
   static constexpr double two_over_root3 = 1.1547005383792517;
 
+  /// Of soil that does not look at its gaps.
+  template <int NS, class T, class B>
+  TALUS_KERNEL Response<T> update_coherent(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
+                                           const MohrCoulombBounds<B>& bounds) const {
+    elastic_.add_elastic_increment<NS>(sigma, d_epsilon);
+    if constexpr (NS == 4) {
+      return return_to_surface<NS>(PlanePrincipal<T>(sigma), sigma, d_epsilon, state, active, bounds);
+    } else {
+      // A cone inside the pyramid rules most points out before any principal stress is computed.
+      const T p = (sigma[0] + sigma[1] + sigma[2]) * (1.0 / 3);
+      const T x = sigma[0] - p, y = sigma[1] - p, z = sigma[2] - p;
+      const T root_j2 =
+          lane_sqrt(0.5 * (x * x + y * y + z * z) + sigma[3] * sigma[3] + sigma[4] * sigma[4] + sigma[5] * sigma[5]);
+      const auto outside = active && (root_j2 > bounds.cone_offset - cone_slope_ * p ||
+                                      p + two_over_root3 * root_j2 > T(bounds.tension_limit));
+      if (!any(outside)) return {false, T(0.0), T(0.0)};
+      return return_to_surface<NS>(SpacePrincipal<T>(sigma, cosine_), sigma, d_epsilon, state, outside, bounds);
+    }
+  }
   template <int NS, class T, class Principal, class B>
-  TALUS_KERNEL Response<T> return_to_surface(const Principal& trial, T* sigma, T* state, MaskOf<T> active,
-                                             const MohrCoulombBounds<B>& bounds) const {
+  TALUS_KERNEL Response<T> return_to_surface(const Principal& trial, T* sigma, const T* d_epsilon, T* state,
+                                             MaskOf<T> active, const MohrCoulombBounds<B>& bounds) const {
     const auto yields =
         active && (k_ * trial.s1 - trial.s3 > T(bounds.intercept + tolerance_) || trial.s1 > T(bounds.tension_limit));
     if (!any(yields)) return {false, T(0.0), T(0.0)};
@@ -224,10 +244,20 @@ class MohrCoulomb {
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) composed[i] = sigma[i];
     trial.compose(n1, n2, n3, composed);
+    // σ_old:Δε^p = (σ_trial - C:Δε):C⁻¹:(σ_trial - σ)
+    T old_work = (trial.s1 * (d1 - e_mean) + trial.s2 * (d2 - e_mean) + trial.s3 * (d3 - e_mean)) * half_over_mu_;
     TALUS_UNROLL
-    for (int i = 0; i < NS; ++i) sigma[i] = select(yields, composed[i], sigma[i]);
+    for (int i = 0; i < NS; ++i) {
+      old_work -= d_epsilon[i] * (sigma[i] - composed[i]);
+      sigma[i] = select(yields, composed[i], sigma[i]);
+    }
     state[0] = select(yields, state[0] + shear, state[0]);
-    return {true, select(yields, -mean, T(0.0)), select(yields, work, T(0.0))};
+    // Where all directions that move bear the most tension the soil comes apart; tr ε^p = tr(σ_trial - σ) / 3K.
+    T borne = composed[0] + composed[1];
+    if constexpr (NS == 6) borne += composed[2];
+    const auto apart = yields && borne > T((NS == 6 ? 3 : 2) * bounds.tension - tolerance_);
+    return {true, select(yields, -mean, T(0.0)), select(yields, 0.5 * (old_work + work), T(0.0)),
+            select(apart, (trace - 3.0 * e_mean) * half_over_mu_, T(0.0))};
   }
 
   /// From the trial stress to the tension planes, or to where they meet the shear planes.

@@ -18,7 +18,8 @@ void describe(Visitor& v, RootCohesionInput& in, const Users& users) {
         "c_r, added to the cohesion, where no [[roots]] says otherwise.");
 }
 
-/// State variables: 0 as Mohr–Coulomb's; 1 root cohesion c_r, and what the cohesion has grown with depth [Pa].
+/// State variables: 0 as Mohr–Coulomb's; 1 root cohesion c_r, and what the cohesion has grown with depth [Pa];
+/// 2 gap (separation.hpp).
 class RootedMohrCoulomb {
  public:
   static constexpr Traits traits{.word = "rooted_mohr_coulomb",
@@ -28,7 +29,7 @@ class RootedMohrCoulomb {
                                  .has_friction = true,
                                  .roots = RootEffect::cohesion,
                                  .paragraphs = {"mohr_coulomb", "root_cohesion"}};
-  static constexpr int state_size = 2;
+  static constexpr int state_size = 3, gap_states = 1;
   static constexpr bool is_plastic = true;
 
   using Input = Needs<YoungInput, PoissonInput, MohrCoulombStrength, CohesionGradient, RootCohesionInput>;
@@ -66,13 +67,18 @@ class RootedMohrCoulomb {
   }
   template <int NS, class T>
   TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
-                                  const Surroundings<T>& = {}) const {
-    return soil_.update_within<NS>(sigma, d_epsilon, state, active, soil_.widen_bounds<T>(state[1] * root_share_));
+                                  const Surroundings<T>& around = {}) const {
+    return soil_.update_within<NS>(sigma, d_epsilon, state, state + 2, active,
+                                   soil_.widen_bounds<T>(state[1] * root_share_), around);
   }
 
   static void read_roots(const double* state, StateStart& start) { start.root_cohesion = state[1]; }
-  static std::vector<StateField> fields() { return {{"root_cohesion", "Pa", 0}}; }
-  static void show(const double* state, double /*saturation*/, double* values) { values[0] = state[1]; }
+  static std::vector<StateField> fields() { return {{"root_cohesion", "Pa", 0}, separation_field}; }
+  static void show(const double* state, double /*saturation*/, double* values) {
+    values[0] = state[1];
+    values[1] = state[2];
+  }
+  static double find_gap(const double* state) { return state[2]; }
 
  private:
   MohrCoulomb soil_;

@@ -9,12 +9,20 @@
 
 namespace talus::material {
 
+/// What is known of the gaps of soil that comes apart (separation.hpp).
+enum class Gaps {
+  ignored,  ///< the soil keeps none: its volume grows as if it flowed
+  none,     ///< none of these points has one yet; the state of gaps is not read
+  kept,     ///< a gap closes before the soil bears load again
+};
+
 /// The rest of a point at the end of the step whose strain increment is given. Laws that need none of it ignore it.
 template <class T>
 struct Surroundings {
   T saturation{1.0};            ///< S_w of the pore water [-]; 1 in soil without pore water
   const int* points = nullptr;  ///< number of each lane's point, -1 where there is none; nullptr: not known
   double time = 0, dt = 0;      ///< start of the step and its length [s]
+  Gaps gaps = Gaps::ignored;
 };
 
 /// A quantity that a law has beside stress, for results.

@@ -94,7 +94,9 @@ class Tresca {
   template <int NS, class T>
   TALUS_KERNEL Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active,
                                   const Surroundings<T>& = {}) const {
-    return soil_.update_within<NS>(sigma, d_epsilon, state, active, soil_.widen_bounds<T>(state[1] * share_));
+    // Without a limit of tension it never comes apart, and keeps no gap.
+    return soil_.update_within<NS>(sigma, d_epsilon, state, static_cast<T*>(nullptr), active,
+                                   soil_.widen_bounds<T>(state[1] * share_), {});
   }
 
   static std::vector<StateField> fields() { return {{"undrained_strength", "Pa"}}; }

@@ -37,7 +37,7 @@ TEST(ReferenceSmoothing, PlasticChangeOfMeanStressIsAveragedAndTheDeviatorKept) 
   std::vector<double> change(6, 0);
   for (std::size_t p : body.cells[0].points) change[p] = -900;
   body.points[0].sigma(0, 1) = body.points[0].sigma(1, 0) = 55;
-  smooth_plastic_mean_stress(body, change);
+  smooth_plastic_mean_stress(body, {}, change);
   for (std::size_t e : {0u, 1u})
     for (std::size_t p : body.cells[e].points)
       EXPECT_NEAR(body.points[p].sigma.trace() / 3, e == 0 ? 300 : -300, 1e-10);

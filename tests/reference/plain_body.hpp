@@ -22,6 +22,7 @@ using Gradients = Eigen::Matrix<double, D + 1, D>;  ///< ∇N_i of an element's 
 
 template <int D>
 struct Point {
+  static constexpr int dimension = D;
   int id = 0;                       ///< stays with the point when others are removed
   int element = 0;                  ///< the element that contains x
   int material = 0;                 ///< index into Body::materials
@@ -30,6 +31,7 @@ struct Point {
   Tensor sigma = Tensor::Zero();    ///< tension positive; in plane strain with its own σ_zz [Pa]
   Tensor strain = Tensor::Zero();   ///< sum of the increments [-]
   double plastic_strain = 0;        ///< accumulated sqrt(2/3 e^p:e^p) [-]
+  double gap = 0;                   ///< volume strain by which the soil has come apart [-]
   double volume = 0;                ///< V_p [m³], in 2D per metre of thickness
   double mass = 0;                  ///< m_p [kg]
 };
@@ -74,6 +76,7 @@ struct Node {
 struct Cell {
   std::vector<std::size_t> points;           ///< indices into Body::points
   bool full = false;                         ///< one Gauss point with the mean stress and the whole volume
+  bool apart = false;                        ///< a point keeps a gap: takes no part in averages over the nodes
   Tensor gradient = Tensor::Zero();          ///< L = Σ v_i ⊗ ∇N_i [1/s]
   Tensor strain_increment = Tensor::Zero();  ///< Δε, smoothed where asked for [-]
 

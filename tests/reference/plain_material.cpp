@@ -89,4 +89,26 @@ StressUpdate update_stress(const Material& m, const Tensor& sigma, const Tensor&
           ordered.mean() - ordered_trial.mean()};
 }
 
+StressUpdate update_separating(const Material& m, const Tensor& sigma, const Tensor& strain_increment, double gap,
+                               int dimensions) {
+  if (!m.plastic) return update_stress(m, sigma, strain_increment);
+  const double shear = m.young_modulus / (2 * (1 + m.poisson_ratio));
+  const double lambda = principal_stiffness(m)(0, 1);
+  const double tension = std::max(0.0, sigma.diagonal().head(dimensions).mean());  // of the directions that move
+  const double pressed = -strain_increment.trace() - tension / (lambda + 2 * shear / dimensions);
+  const double closed = std::clamp(pressed, 0.0, gap);
+  Tensor rest = strain_increment;
+  rest.diagonal().head(dimensions).array() += closed / dimensions;
+  StressUpdate update = update_stress(m, sigma, rest);
+  // It comes apart where the stress is, in all directions that move, the tension that it bears at most.
+  const double apex = m.friction_angle > 0 ? m.cohesion / std::tan(m.friction_angle) : INFINITY;
+  const double limit = std::min(m.tensile_strength, apex);
+  const double bulk = lambda + 2 * shear / 3;
+  const double borne = update.sigma.diagonal().head(dimensions).sum();
+  if (update.mean_stress_change < 0 && borne > dimensions * limit - 1e-12 * shear)
+    update.opened = -update.mean_stress_change / bulk;
+  update.opened -= closed;
+  return update;
+}
+
 }  // namespace talus::reference

@@ -31,6 +31,7 @@ struct StressUpdate {
   Tensor sigma;                   ///< [Pa]
   double plastic_strain = 0;      ///< sqrt(2/3 e^p:e^p) of the deviatoric plastic strain of this increment [-]
   double mean_stress_change = 0;  ///< p(σ_returned) − p(σ_trial) [Pa], p = tr σ/3
+  double opened = 0;              ///< growth of the gap in soil that comes apart, below zero where it closed [-]
 };
 
 /// A linear yield function of the ordered principal stresses: f = normal·σ − strength, flow along `flow`.
@@ -59,5 +60,11 @@ Vector3 return_principal(const Material& m, const Vector3& trial);
 /// Elastic increment and, for a plastic material, the return to the yield surface. Plane strain passes the same
 /// three-dimensional tensors with ε_zz = 0.
 StressUpdate update_stress(const Material& m, const Tensor& sigma, const Tensor& strain_increment);
+
+/// The same of soil with a gap, in `dimensions` directions that move. Pressing takes tension away first, elastically,
+/// then closes the gap, and only then the soil bears. What it yields by where it bears no more tension in any of these
+/// directions opens the gap.
+StressUpdate update_separating(const Material& m, const Tensor& sigma, const Tensor& strain_increment, double gap,
+                               int dimensions);
 
 }  // namespace talus::reference

@@ -42,6 +42,7 @@ void classify_elements(Body<D>& body, const Settings& settings) {
       if (neighbour >= 0 && !at(body.cells, neighbour).is_active()) at_free_surface = true;
     cell.full = settings.mixed && one_material && (!at_free_surface || volume > full_share * at(body.mesh.volumes, e));
   }
+  note_gaps(body, settings);
 }
 
 /// Nodal mass (2.35), momentum, gravity and tractions (2.37), and internal force (2.38, 2.92).
@@ -186,7 +187,7 @@ void step(Body<D>& body, const Settings& settings) {
   // The positions wait until the end of the list: the strains belong to the elements the points were in.
   compute_strain_increments(body, settings);                                     // (2.43), (2.94), (2.95)
   const std::vector<double> mean_stress_change = update_points(body, settings);  // (2.44), (2.45)
-  if (settings.smoothing == Smoothing::stable) smooth_plastic_mean_stress(body, mean_stress_change);
+  if (settings.smoothing == Smoothing::stable) smooth_plastic_mean_stress(body, settings, mean_stress_change);
   if (settings.frozen) return;
   move_points(body, settings);  // (2.42)
   relocate_points(body);

@@ -11,12 +11,13 @@
 
 namespace talus::reference {
 
-/// An element field averaged to the nodes over active elements with weights V_e (2.94), and back (2.95).
+/// An element field averaged to the nodes with weights V_e (2.94), and back (2.95). Elements without points take no
+/// part, nor do those of soil that has come apart: these keep what they have.
 template <int D>
 std::vector<double> smooth_over_nodes(const Body<D>& body, const std::vector<double>& field) {
   std::vector<double> sum(body.nodes.size(), 0), volume(body.nodes.size(), 0), smoothed(field.size(), 0);
   for (int e = 0; e < body.mesh.element_count(); ++e) {
-    if (!at(body.cells, e).is_active()) continue;
+    if (!at(body.cells, e).is_active() || at(body.cells, e).apart) continue;
     for (int i = 0; i <= D; ++i) {
       at(sum, node_of(body.mesh, e, i)) += at(field, e) * at(body.mesh.volumes, e);
       at(volume, node_of(body.mesh, e, i)) += at(body.mesh.volumes, e);
@@ -24,12 +25,23 @@ std::vector<double> smooth_over_nodes(const Body<D>& body, const std::vector<dou
   }
   for (int e = 0; e < body.mesh.element_count(); ++e) {
     if (!at(body.cells, e).is_active()) continue;
-    for (int i = 0; i <= D; ++i) {
+    if (at(body.cells, e).apart) at(smoothed, e) = at(field, e);
+    for (int i = 0; i <= D && !at(body.cells, e).apart; ++i) {
       const int node = node_of(body.mesh, e, i);
       at(smoothed, e) += at(sum, node) / at(volume, node) / (D + 1);
     }
   }
   return smoothed;
+}
+
+/// Finds the elements with a point that keeps a gap.
+template <class Body, class Settings>
+void note_gaps(Body& body, const Settings& settings) {
+  for (auto& cell : body.cells) {
+    cell.apart = false;
+    for (std::size_t p : cell.points)
+      if (!settings.frozen && body.points[p].gap > 0) cell.apart = true;
+  }
 }
 
 /// What a change of the volumetric strain is in each direction that moves. In plane strain these are two: over three,
@@ -66,19 +78,31 @@ inline Tensor rotation_increment(const Tensor& gradient, double time_step) {
   return (Tensor::Identity() - spin / 2).inverse() * (Tensor::Identity() + spin / 2);
 }
 
-/// Gives the V_p-weighted means of stress and plastic strain to every point of a full element.
+/// Gives the V_p-weighted means of stress, plastic strain and gap to every point of a full element.
 template <int D>
 void share_mean_state(Body<D>& body, const Cell& cell) {
   const Tensor sigma = average_stress(body, cell);
-  double plastic_strain = 0, volume = 0;
+  double plastic_strain = 0, gap = 0, volume = 0;
   for (std::size_t p : cell.points) {
     plastic_strain += body.points[p].volume * body.points[p].plastic_strain;
+    gap += body.points[p].volume * body.points[p].gap;
     volume += body.points[p].volume;
   }
   for (std::size_t p : cell.points) {
     body.points[p].sigma = sigma;
     body.points[p].plastic_strain = plastic_strain / volume;
+    body.points[p].gap = gap / volume;
   }
+}
+
+/// The update of a point: where it moves, it keeps the gap by which it has come apart.
+template <class Point, class Settings, int D = Point::dimension>
+StressUpdate update_moving_stress(const Material& material, const Tensor& sigma, const Tensor& strain_increment,
+                                  const Settings& settings, Point& point) {
+  if (settings.frozen) return update_stress(material, sigma, strain_increment);
+  const StressUpdate update = update_separating(material, sigma, strain_increment, point.gap, D);
+  point.gap += update.opened;
+  return update;
 }
 
 /// Stress (2.44), strain, plastic strain and volume (2.45) of every point. The points of a full element start from the
@@ -93,11 +117,12 @@ std::vector<double> update_points(Body<D>& body, const Settings& settings) {
     for (std::size_t p : cell.points) {
       Point<D>& point = body.points[p];
       const Tensor rotated = r * point.sigma * r.transpose();
-      const StressUpdate update = update_stress(at(body.materials, point.material), rotated, cell.strain_increment);
+      const StressUpdate update =
+          update_moving_stress(at(body.materials, point.material), rotated, cell.strain_increment, settings, point);
       point.sigma = update.sigma;
       point.plastic_strain += update.plastic_strain;
       point.strain += cell.strain_increment;
-      if (!settings.frozen) point.volume *= 1 + cell.strain_increment.trace();
+      if (!settings.frozen) point.volume *= (1 + cell.strain_increment.trace()) * (1 - update.opened);
       mean_stress_change[p] = update.mean_stress_change;
     }
   }
@@ -107,7 +132,9 @@ std::vector<double> update_points(Body<D>& body, const Settings& settings) {
 /// Smoothing::stable: the change of the mean stress by the plastic return, averaged over the nodes like the strain.
 /// With smoothed strains but unsmoothed returns a dilatant soil explodes. The weights V_p are the updated volumes.
 template <int D>
-void smooth_plastic_mean_stress(Body<D>& body, const std::vector<double>& mean_stress_change) {
+void smooth_plastic_mean_stress(Body<D>& body, const Settings& settings,
+                                const std::vector<double>& mean_stress_change) {
+  note_gaps(body, settings);
   std::vector<double> element_value(body.cells.size(), 0);
   for (std::size_t e = 0; e < body.cells.size(); ++e) {
     double sum = 0, volume = 0;

@@ -78,7 +78,7 @@ void step(WetBody<D>& body, const WetSettings& settings) {
   smooth_water_increments(body, settings);                               // (2.96), (2.97)
   exchange_water(body, settings);                                        // (T14.9)
   const std::vector<double> change = update_wet_points(body, settings);  // (2.82), (3.4), (2.50)
-  if (settings.smoothing == Smoothing::stable) smooth_wet_plastic_mean_stress(body, change);
+  if (settings.smoothing == Smoothing::stable) smooth_wet_plastic_mean_stress(body, settings, change);
   if (!settings.frozen) move_wet_points(body, settings);
   ++body.steps;
 }

@@ -36,6 +36,7 @@ void classify_wet_elements(WetBody<D>& body, const WetSettings& settings) {
     cell.full = settings.mixed && one_material && (!at_free_surface || volume > full_share * at(body.mesh.volumes, e));
     if (cell.full) cell.stretch = at(body.mesh.volumes, e) / volume;
   }
+  note_gaps(body, settings);
 }
 
 /// Masses (2.68)–(2.70), momenta, gravity and the drag coefficient (2.75).

@@ -30,12 +30,12 @@ std::vector<double> smooth_with_weights(const mesh::Mesh<D>& mesh, const std::ve
   return smoothed;
 }
 
-/// V_e of the active elements.
+/// V_e of the elements whose volume change is averaged: those with points, unless these have come apart.
 template <int D>
-std::vector<double> active_volumes(const WetBody<D>& body) {
+std::vector<double> averaged_volumes(const WetBody<D>& body) {
   std::vector<double> weights(body.cells.size(), 0);
   for (std::size_t e = 0; e < body.cells.size(); ++e)
-    if (body.cells[e].is_active()) weights[e] = body.mesh.volumes[e];
+    if (body.cells[e].is_active() && !body.cells[e].apart) weights[e] = body.mesh.volumes[e];
   return weights;
 }
 
@@ -67,10 +67,10 @@ void compute_wet_increments(WetBody<D>& body, const WetSettings& settings) {
     at(divergence, e) = cell.flux_divergence;
   }
   if (settings.smoothing == Smoothing::none) return;
-  const std::vector<double> solid = smooth_with_weights(body.mesh, active_volumes(body), volumetric);
+  const std::vector<double> solid = smooth_with_weights(body.mesh, averaged_volumes(body), volumetric);
   const std::vector<double> water = smooth_with_weights(body.mesh, wet_volumes(body, true), divergence);
   for (std::size_t e = 0; e < body.cells.size(); ++e) {
-    body.cells[e].strain_increment += spread_volumetric<D>(solid[e] - volumetric[e]);
+    if (!body.cells[e].apart) body.cells[e].strain_increment += spread_volumetric<D>(solid[e] - volumetric[e]);
     body.cells[e].flux_divergence = water[e];
   }
 }
@@ -117,7 +117,10 @@ std::vector<double> update_wet_points(WetBody<D>& body, const WetSettings& setti
       if (!settings.frozen) point.volume *= 1 + (soil.wet ? cell.stretch : 1.0) * volumetric;
       if (soil.wet && !cell.full)
         point.pressure = find_pressure(soil.water, pore_volume(body, point), point.water_mass, point.pressure);
-      const StressUpdate update = update_stress(soil.skeleton, r * point.sigma * r.transpose(), cell.strain_increment);
+      const StressUpdate update =
+          update_moving_stress(soil.skeleton, r * point.sigma * r.transpose(), cell.strain_increment, settings, point);
+      // Gaps of wet soil are pores: they fill with water and air.
+      if (!settings.frozen && !soil.wet) point.volume *= 1 - update.opened;
       point.sigma = update.sigma;
       point.plastic_strain += update.plastic_strain;
       point.strain += cell.strain_increment;
@@ -130,7 +133,9 @@ std::vector<double> update_wet_points(WetBody<D>& body, const WetSettings& setti
 
 /// Smoothing::stable, as in one phase, on the effective stress.
 template <int D>
-void smooth_wet_plastic_mean_stress(WetBody<D>& body, const std::vector<double>& mean_stress_change) {
+void smooth_wet_plastic_mean_stress(WetBody<D>& body, const WetSettings& settings,
+                                    const std::vector<double>& mean_stress_change) {
+  note_gaps(body, settings);
   std::vector<double> value(body.cells.size(), 0);
   for (std::size_t e = 0; e < body.cells.size(); ++e) {
     double sum = 0, volume = 0;
@@ -140,9 +145,10 @@ void smooth_wet_plastic_mean_stress(WetBody<D>& body, const std::vector<double>&
     }
     if (volume > 0) value[e] = sum / volume;
   }
-  const std::vector<double> smoothed = smooth_with_weights(body.mesh, active_volumes(body), value);
+  const std::vector<double> smoothed = smooth_with_weights(body.mesh, averaged_volumes(body), value);
   for (std::size_t e = 0; e < body.cells.size(); ++e)
-    for (std::size_t p : body.cells[e].points) body.points[p].sigma += (smoothed[e] - value[e]) * Tensor::Identity();
+    for (std::size_t p : body.cells[e].points)
+      if (!body.cells[e].apart) body.points[p].sigma += (smoothed[e] - value[e]) * Tensor::Identity();
 }
 
 }  // namespace talus::reference

@@ -57,23 +57,25 @@ void share_water(WetBody<D>& body, const WetCell& cell) {
   }
 }
 
-/// Gives the points of every full element one state: V_p-weighted means of effective stress and plastic strain, and
-/// the water.
+/// Gives the points of every full element one state: V_p-weighted means of effective stress, plastic strain and
+/// gap, and the water.
 template <int D>
 void share_wet_state(WetBody<D>& body) {
   for (const WetCell& cell : body.cells) {
     if (!cell.full) continue;
     Tensor sigma = Tensor::Zero();
-    double plastic_strain = 0, volume = 0;
+    double plastic_strain = 0, gap = 0, volume = 0;
     for (std::size_t i : cell.points) {
       const WetPoint<D>& point = body.points[i];
       sigma += point.volume * point.sigma;
       plastic_strain += point.volume * point.plastic_strain;
+      gap += point.volume * point.gap;
       volume += point.volume;
     }
     for (std::size_t i : cell.points) {
       body.points[i].sigma = sigma / volume;
       body.points[i].plastic_strain = plastic_strain / volume;
+      body.points[i].gap = gap / volume;
     }
     if (cell.wet) share_water(body, cell);
   }

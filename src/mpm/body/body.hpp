@@ -78,7 +78,8 @@ struct Elements {
   AlignedVector<double> strain;      ///< [stress_size] strain summed since the element exists [-]
   AlignedVector<double> fill_limit;  ///< mixed integration: an element is full when ΣV_p exceeds this [m³]
   AlignedVector<double>
-      return_pressure;  ///< change of mean stress still to be given to the points (stable smoothing) [Pa]
+      return_pressure;          ///< change of mean stress still to be given to the points (stable smoothing) [Pa]
+  AlignedVector<double> apart;  ///< 1 where a point keeps a gap: such soil takes no part in nodal averages
   AlignedVector<double> force_volume;     ///< volume that the internal force of the last pass was taken over [m³]
   AlignedVector<double> plastic_mean;     ///< mean-stress change of the last plastic return, element mean [Pa]
   AlignedVector<double> held_saturation;  ///< S of pore water that is held while one phase moves [-]; empty: no water
@@ -91,6 +92,7 @@ struct Nodes {
   AlignedVector<double> average;     ///< [row][2]: Σ value V_e, Σ V_e of a nodal average
   AlignedVector<double> smoothed;    ///< [row] a nodal average
   std::vector<Vec<D>> load;          ///< forces of tractions at the start of the step [N]; empty when there are none
+  double motion_step = 0;            ///< Δt of the step that `motion` is of [s]
   std::vector<Vec<D>> displacement;  ///< frozen geometry: summed v Δt [m]
 };
 
@@ -100,6 +102,8 @@ struct Work {
   double external = 0;    ///< gravity and tractions
   double damped = 0;      ///< local damping (2.89)
   double dissipated = 0;  ///< plastic
+  double walls = 0;       ///< friction of walls, and what walls and supports stop; below zero where they push
+  double mapping = 0;     ///< lost between points and nodes
 };
 
 /// Quantities of the last step that rest and failure are judged by; nodal, over free directions.

@@ -169,8 +169,8 @@ Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material:
 
   body.elements.moments.assign(blocks * moment_size<D> * lane_width, 0.0);
   body.elements.strain.assign(blocks * P::stress_size * lane_width, 0.0);
-  for (auto* field : {&body.elements.fill_limit, &body.elements.return_pressure, &body.elements.force_volume,
-                      &body.elements.plastic_mean}) {
+  for (auto* field : {&body.elements.fill_limit, &body.elements.return_pressure, &body.elements.apart,
+                      &body.elements.force_volume, &body.elements.plastic_mean}) {
     field->assign(blocks * lane_width, 0.0);
   }
   body.nodes.sums.assign(rows * sums_stride, 0.0);
@@ -220,6 +220,7 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
   std::fill(body.elements.moments.begin(), body.elements.moments.end(), 0.0);
   const int elements = body.mesh().element_count();
   for (int e = 0; e < elements; ++e) update_fill_limit(body, e);
+  for (int e = 0; e < elements; ++e) note_gaps(body, o, e);
   for (int e = 0; e < elements; ++e) {
     const int b = e / lane_width, lane = e % lane_width;
     for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {

@@ -19,6 +19,19 @@ void for_blocks(const Body<D>& body, int threads, Work&& work) {
   });
 }
 
+/// Elements with a point that keeps a gap.
+template <int D>
+TALUS_KERNEL Mask is_apart(const Body<D>& body, std::size_t first) {
+  return load<Pack>(&body.elements.apart[first]) > Pack(0.0);
+}
+
+/// Elements that take part in nodal averages: they hold points, and none of these keeps a gap. Soil that has come apart
+/// hands no volume change on, and averaging over it would make energy (theory 4).
+template <int D>
+TALUS_KERNEL Mask takes_part(const Body<D>& body, std::size_t first) {
+  return load<Pack>(&body.points.count[first]) > Pack(0.0) && !is_apart(body, first);
+}
+
 /// Adds packs to the rows of a block's nodes.
 template <int D, int Columns>
 TALUS_KERNEL void add_average(AlignedVector<double>& average, const int* rows, const Pack (&values)[Columns]) {

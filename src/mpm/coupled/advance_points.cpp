@@ -96,6 +96,8 @@ struct WetSlot {
     mass = select(own, m, mass);
   }
 
+  /// Gaps of wet soil are pores: they fill with water and air.
+  TALUS_KERNEL Pack find_solid_share(Pack opened) const { return 1.0 - select(wet, Pack(0.0), opened); }
   TALUS_KERNEL void store_fields() const {
     TALUS_UNROLL
     for (int d = 0; d < D; ++d) store(fields + (W::velocity + d) * lane_width, w[d]);

@@ -42,7 +42,7 @@ void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& o) {
     for_blocks(body, o.threads, [&](int b, const int* rows) {
       const std::size_t first = static_cast<std::size_t>(b) * lane_width;
       const Mask active = load<Pack>(&body.points.count[first]) > Pack(0.0);
-      const Pack V_e = select(active, load<Pack>(&body.layout->volumes[first]), Pack(0.0));
+      const Pack V_e = select(takes_part(body, first), load<Pack>(&body.layout->volumes[first]), Pack(0.0));
       const Pack wet = select(active, load<Pack>(&water.volume[first]) * load<Pack>(&water.stretch[first]), Pack(0.0));
       const auto [strain, divergence] = find_increments(body, b, rows, o.dt);
       add_average<D>(water.average, rows,
@@ -56,7 +56,7 @@ void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& o) {
     const std::size_t first = static_cast<std::size_t>(b) * lane_width;
     auto [strain, divergence] = find_increments(body, b, rows, o.dt);
     if (strains) {
-      strain = find_node_mean<D, columns>(water.smoothed.data(), rows);
+      strain = select(is_apart(body, first), strain, find_node_mean<D, columns>(water.smoothed.data(), rows));
       divergence = find_node_mean<D, columns>(water.smoothed.data() + 1, rows);
     }
     store(&water.surplus[first],

@@ -44,6 +44,8 @@ struct DryBlock {
     TALUS_KERNEL Pack update_water(const DryPass<D>&, const DryBlock& block, const Update&, const SlotPoints<D>&) {
       return block.saturation;
     }
+    /// Gaps are no volume of the soil.
+    TALUS_KERNEL Pack find_solid_share(Pack opened) const { return 1.0 - opened; }
     TALUS_KERNEL void store_fields() const {}
     TALUS_KERNEL void keep(Mask) {}
     TALUS_KERNEL void add_to(DryBlock&, SlotPoints<D>&) {}

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/parallel.hpp"
+#include "mpm/body/node_average.hpp"
 #include "mpm/body/rows.hpp"
 #include "mpm/step/full_element.hpp"
 #include "mpm/step/step.hpp"
@@ -139,7 +140,7 @@ struct BlockSums {
 };
 
 /// Strain of the elements and its rotation; sums the strain. The block gets its `volumetric`.
-template <class Pass, class Block, int D = Pass::dimension>
+template <bool Apart, class Pass, class Block, int D = Pass::dimension>
 TALUS_KERNEL StressIncrement<D> strain_elements(Pass& pass, const BlockPlace<D>& at, Block& block) {
   constexpr int NS = material::stress_size<D>;
   StressIncrement<D> increment{{}, {}, Pack(0.0), pass.body.time};
@@ -150,6 +151,7 @@ TALUS_KERNEL StressIncrement<D> strain_elements(Pass& pass, const BlockPlace<D>&
   if (pass.options.smoothing != input::Smoothing::none) {  // (2.95), recomposed over the components that move
     const Pack own = block.volumetric;
     block.smooth(pass, at);
+    if constexpr (Apart) block.volumetric = select(is_apart(pass.body, at.first), own, block.volumetric);
     const Pack correction = (block.volumetric - own) * (1.0 / D);
     TALUS_UNROLL
     for (int i = 0; i < D; ++i) d_epsilon[i] += correction;
@@ -159,6 +161,14 @@ TALUS_KERNEL StressIncrement<D> strain_elements(Pass& pass, const BlockPlace<D>&
   TALUS_UNROLL
   for (int i = 0; i < NS; ++i) store(strain + i * lane_width, load<Pack>(strain + i * lane_width) + d_epsilon[i]);
   return increment;
+}
+
+/// Notes elements with a gap where they stand: few have one, and a sum over the slots would cost all a register.
+template <int D>
+TALUS_KERNEL void note_apart(Body<D>& body, const BlockPlace<D>& at, Mask apart) {
+  if (!any(apart)) return;
+  double* noted = &body.elements.apart[at.first];
+  store(noted, select(apart, Pack(1.0), load<Pack>(noted)));
 }
 
 /// Takes the points of slot `k` through the step, and adds what stays in its element to the sums.
@@ -180,12 +190,18 @@ TALUS_KERNEL void advance_slot(Pass& pass, const BlockPlace<D>& at, Block& block
   const Pack saturation = slot.update_water(pass, block, update, points);
   const material::Response<Pack> response = update_point_stress(update, saturation, points);
   if constexpr (Law::is_plastic) {
+    if (o.moving && (Update::apart || any(response.opened > Pack(0.0)))) {
+      points.volume *= slot.find_solid_share(response.opened);
+      note_apart(pass.body, at, points.active && response.gap > Pack(0.0));
+    }
     if (response.any_plastic) sums.add_plastic(points.active, points.volume, response);
     if (pass.is_stable()) sums.all_volume += select(points.active, points.volume, Pack(0.0));
   }
   points.store_fields(o.moving);
   slot.store_fields();
-  if (Update::mixed || response.any_plastic) points.store_state(update.law.state_size);
+  if (Update::mixed || response.any_plastic)
+    points.store_state(Update::apart || (o.moving && response.any_plastic) ? update.law.state_size
+                                                                           : update.law.core_size);
 
   Mask stays = points.active;
   if (o.moving) {
@@ -205,9 +221,10 @@ TALUS_KERNEL void advance_slot(Pass& pass, const BlockPlace<D>& at, Block& block
   sums.solid.add(points.mass, points.volume, points.xi, points.u, points.s);
 }
 
-/// Gives the sums to the elements and to their nodes.
+/// Gives the sums to the elements and to their nodes. `weight`: V_e/Σ V_p where the forces of this step were taken over
+/// V_e; the work of the stress is that of the forces.
 template <bool Mixed, class Law, class Pass, class Block, int D = Pass::dimension>
-TALUS_KERNEL void give_sums(Pass& pass, const BlockPlace<D>& at, const Block& block, const Mask& was_full,
+TALUS_KERNEL void give_sums(Pass& pass, const BlockPlace<D>& at, const Block& block, const Mask& was_full, Pack weight,
                             BlockSums<D>& sums) {
   Elements<D>& elements = pass.body.elements;
   Pack stretch(1.0);
@@ -225,7 +242,9 @@ TALUS_KERNEL void give_sums(Pass& pass, const BlockPlace<D>& at, const Block& bl
           select(some, sums.plastic_mean / select(some, sums.all_volume, Pack(1.0)), Pack(0.0)));
     store(&elements.force_volume[at.first], sums.staying_volume * stretch);
   }
-  if constexpr (Law::is_plastic) pass.dissipated += sums.dissipated;
+  if constexpr (Law::is_plastic) {
+    pass.dissipated += sums.dissipated * weight;
+  }
   Pack out[D + 1][1 + 2 * D];
   sums.solid.to_nodes(at.g, out);
   block.add_to_nodes(pass, at, stretch, out);
@@ -234,26 +253,32 @@ TALUS_KERNEL void give_sums(Pass& pass, const BlockPlace<D>& at, const Block& bl
   for (int i = 0; i < moment_size<D>; ++i) store(moments + i * lane_width, sums.solid.moments[i]);
 }
 
-/// `Mixed` is a template parameter because the second source of stress costs registers that plain points need.
-template <bool Mixed, class Pass, class Law>
+/// `Mixed` and `Apart`, whether a point of the block keeps a gap, are template parameters because the second source of
+/// stress and the closing of gaps cost registers that other points need.
+template <bool Mixed, bool Apart, class Pass, class Law>
 void advance_block(Pass& pass, const Law& law, int b) {
   constexpr int D = Pass::dimension;
   Body<D>& body = pass.body;
   const BlockPlace<D> at(body, b);
   typename Pass::template Block<Law> block(pass, at);
-  const StressIncrement<D> increment = strain_elements(pass, at, block);
+  const StressIncrement<D> increment = strain_elements<Apart>(pass, at, block);
   FullElement<D, Law> element;
   if constexpr (Mixed) {
-    element = gather_full_elements(body, law, b, at.count);
+    element = gather_full_elements<Apart>(body, law, b, at.count);
     const Pack saturation = block.share_water(pass, at, element);
-    update_full_elements(body, pass.options, law, b, increment, saturation, element);
+    update_full_elements<Apart>(body, pass.options, law, b, increment, saturation, element);
   }
   block.find_growth();
   const bool none_partial = Mixed && all(element.full || !(at.count > Pack(0.0)));
-  const StressUpdate<Mixed, D, Law> update{pass.options, law, increment, element, none_partial};
+  const StressUpdate<Mixed, Apart, D, Law> update{pass.options, law, increment, element, none_partial};
+  if constexpr (Apart) store(&body.elements.apart[at.first], Pack(0.0));
   BlockSums<D> sums;
   for (int k = 0; k < body.points.block_used[b]; ++k) advance_slot(pass, at, block, update, sums, k);
-  give_sums<Mixed, Law>(pass, at, block, element.full, sums);
+  Pack weight(1.0);
+  if constexpr (Mixed && Law::is_plastic)
+    weight = select(element.full,
+                    load<Pack>(&body.layout->volumes[at.first]) / select(element.full, element.volume, weight), weight);
+  give_sums<Mixed, Law>(pass, at, block, element.full, weight, sums);
 }
 
 /// Prefetches what block `b` will read and write. Inlined by force: GCC takes a function that only prefetches for one
@@ -282,10 +307,11 @@ void advance_chunk(Pass& pass, int c) {
   const auto advance = [&](const auto& law, int b) {
     if (far && b + ahead < end && body.points.block_used[b + ahead] > 0) prefetch_block<Pass>(body, b + ahead);
     if (body.points.block_used[b] == 0) return;
+    const bool apart = any(is_apart(body, static_cast<std::size_t>(b) * lane_width));
     if (pass.options.mixed)
-      advance_block<true>(pass, law, b);
+      apart ? advance_block<true, true>(pass, law, b) : advance_block<true, false>(pass, law, b);
     else
-      advance_block<false>(pass, law, b);
+      apart ? advance_block<false, true>(pass, law, b) : advance_block<false, false>(pass, law, b);
   };
   if (body.laws.size() == 1) {
     visit_laws(body.laws, 1u, [&](const auto& law) {

@@ -68,6 +68,62 @@ bool update_fill_limit(Body<D>& body, int e) {
 }
 
 template <int D>
+double find_sharing_loss(const Body<D>& body, const StepOptions<D>& options, int e) {
+  using P = Points<D>;
+  constexpr int NS = P::stress_size;
+  const P& points = body.points;
+  const std::int64_t first = points.block_start[e / lane_width];
+  const int n = static_cast<int>(points.count[e]);
+  if (!options.mixed || n < 2) return 0;
+  std::array<double, NS> mean{};
+  double volume = 0, energy = 0;
+  const auto find_material = [&](int k) {
+    const int id = points.id[static_cast<std::size_t>((first + k) * lane_width + e % lane_width)];
+    return points.material[static_cast<std::size_t>(id)];
+  };
+  const material::Law& law = body.laws[find_material(0)];
+  std::array<double, material::max_state_size> state{}, mean_state{};
+  const int states = material::state_size(law);
+  for (int k = 0; k < n; ++k) {
+    if (find_material(k) != find_material(0)) return 0;
+    const double* p = points.slot(first + k) + e % lane_width;
+    const double v = p[P::volume * lane_width];
+    std::array<double, NS> stress;
+    for (int i = 0; i < NS; ++i) {
+      stress[i] = p[(P::stress + i) * lane_width] + (i < 3 ? body.elements.return_pressure[e] : 0.0);
+      mean[i] += v * stress[i];
+    }
+    for (int i = 0; i < states; ++i) {
+      state[static_cast<std::size_t>(i)] = p[(P::state + i) * lane_width];
+      mean_state[static_cast<std::size_t>(i)] += v * state[static_cast<std::size_t>(i)];
+    }
+    volume += v;
+    energy += v * material::elastic_energy<NS>(law, stress.data(), state.data());
+  }
+  if (!(volume > body.elements.fill_limit[e])) return 0;
+  for (double& s : mean) s /= volume;
+  for (double& s : mean_state) s /= volume;
+  return energy - volume * material::elastic_energy<NS>(law, mean.data(), mean_state.data());
+}
+
+template <int D>
+void note_gaps(Body<D>& body, const StepOptions<D>& options, int e) {
+  using P = Points<D>;
+  const P& points = body.points;
+  const std::int64_t first = points.block_start[e / lane_width];
+  bool apart = false;
+  for (int k = 0; options.moving && k < static_cast<int>(points.count[e]); ++k) {
+    const double* p = points.slot(first + k) + e % lane_width;
+    const int id = points.id[static_cast<std::size_t>((first + k) * lane_width + e % lane_width)];
+    const material::Law& law = body.laws[points.material[static_cast<std::size_t>(id)]];
+    double state[material::max_state_size];
+    for (int i = 0; i < material::state_size(law); ++i) state[i] = p[(P::state + i) * lane_width];
+    apart = apart || material::find_gap(law, state) > 0;
+  }
+  body.elements.apart[static_cast<std::size_t>(e)] = apart ? 1 : 0;
+}
+
+template <int D>
 void add_point_mass(Body<D>& body, int e, const double* fields) {
   using P = Points<D>;
   const double zero[P::stress_size] = {};
@@ -88,6 +144,10 @@ template void add_internal_force<2>(Body<2>&, int, bool, double);
 template void add_internal_force<3>(Body<3>&, int, bool, double);
 template bool update_fill_limit<2>(Body<2>&, int);
 template bool update_fill_limit<3>(Body<3>&, int);
+template double find_sharing_loss<2>(const Body<2>&, const StepOptions<2>&, int);
+template double find_sharing_loss<3>(const Body<3>&, const StepOptions<3>&, int);
+template void note_gaps<2>(Body<2>&, const StepOptions<2>&, int);
+template void note_gaps<3>(Body<3>&, const StepOptions<3>&, int);
 template void add_point_mass<2>(Body<2>&, int, const double*);
 template void add_point_mass<3>(Body<3>&, int, const double*);
 

@@ -2,7 +2,7 @@
 #pragma once
 // Internal force and free surface of single elements, for the few that relocation touches and for a fresh start.
 
-#include "mpm/body/body.hpp"
+#include "mpm/step/step.hpp"
 
 namespace talus::mpm {
 
@@ -21,5 +21,13 @@ bool update_fill_limit(Body<D>& body, int e);
 /// Adds mass, momentum and moments of one point to its element's node rows.
 template <int D>
 void add_point_mass(Body<D>& body, int e, const double* fields);
+
+/// Elastic energy that the points of element `e` lose when it is full and shares their stress [J].
+template <int D>
+double find_sharing_loss(const Body<D>& body, const StepOptions<D>& options, int e);
+
+/// Finds out whether a point of element `e` keeps a gap.
+template <int D>
+void note_gaps(Body<D>& body, const StepOptions<D>& options, int e);
 
 }  // namespace talus::mpm

@@ -26,8 +26,16 @@ struct StressIncrement {
   double time;   ///< at the start of the step [s]
 };
 
-/// Which elements of block `b` are full, and the means of their points' stress and state.
-template <int D, class Law>
+/// What the law is told of the gaps of a block.
+template <bool Apart>
+material::Gaps know_gaps(bool moving) {
+  using material::Gaps;
+  return !moving ? Gaps::ignored : Apart ? Gaps::kept : Gaps::none;
+}
+
+/// Which elements of block `b` are full, and the means of their points' stress and state. `Apart`: a point of the block
+/// keeps a gap.
+template <bool Apart, int D, class Law>
 FullElement<D, Law> gather_full_elements(const Body<D>& body, const Law& law, int b, Pack count) {
   using P = Points<D>;
   constexpr int NS = P::stress_size;
@@ -45,7 +53,11 @@ FullElement<D, Law> gather_full_elements(const Body<D>& body, const Law& law, in
     volume += v;
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) e.stress[i] += v * load<Pack>(p + (P::stress + i) * lane_width);
-    for (int i = 0; i < law.state_size; ++i) e.state[i] += v * load<Pack>(p + (P::state + i) * lane_width);
+    for (int i = 0; i < law.core_size; ++i) e.state[i] += v * load<Pack>(p + (P::state + i) * lane_width);
+    if constexpr (Apart) {
+      for (int i = law.core_size; i < law.state_size; ++i)
+        e.state[i] += v * load<Pack>(p + (P::state + i) * lane_width);
+    }
     if constexpr (!Law::is_single) {
       const Pack m = lane_materials(points, points.block_start[b] + k);
       if (k == 0) e.material = m;
@@ -63,7 +75,7 @@ FullElement<D, Law> gather_full_elements(const Body<D>& body, const Law& law, in
 }
 
 /// Stress and state of the full elements of block `b` at the end of the step. `saturation`: of their pore water then.
-template <int D, class Law>
+template <bool Apart, int D, class Law>
 TALUS_KERNEL void update_full_elements(const Body<D>& body, const StepOptions<D>& options, const Law& law, int b,
                                        const StressIncrement<D>& increment, Pack saturation, FullElement<D, Law>& e) {
   if (!any(e.full)) return;
@@ -71,15 +83,16 @@ TALUS_KERNEL void update_full_elements(const Body<D>& body, const StepOptions<D>
   for (int i = 0; i < 3; ++i) e.stress[i] += increment.pending;
   if (options.objective) increment.rotation.apply(e.stress);
   const int* first_points = &body.points.id[static_cast<std::size_t>(body.points.block_start[b] * lane_width)];
-  e.response = law.template update<Points<D>::stress_size>(e.stress, increment.d_epsilon, e.state, e.full, e.material,
-                                                           {saturation, first_points, increment.time, options.dt});
+  e.response = law.template update<Points<D>::stress_size>(
+      e.stress, increment.d_epsilon, e.state, e.full, e.material,
+      {saturation, first_points, increment.time, options.dt, know_gaps<Apart>(options.moving)});
 }
 
 /// Where the points of a block take their new stress from: their element where it is full, else their own.
-template <bool Mixed, int D, class L>
+template <bool Mixed, bool Apart, int D, class L>
 struct StressUpdate {
   using Law = L;
-  static constexpr bool mixed = Mixed;
+  static constexpr bool mixed = Mixed, apart = Apart;
   const StepOptions<D>& options;
   const Law& law;
   const StressIncrement<D>& increment;
@@ -88,9 +101,9 @@ struct StressUpdate {
 };
 
 /// Stress and state of the points of a slot at the end of the step. `saturation`: of their pore water then.
-template <class Slot, bool Mixed, int D, class Law>
-TALUS_KERNEL material::Response<Pack> update_point_stress(const StressUpdate<Mixed, D, Law>& update, Pack saturation,
-                                                          Slot& points) {
+template <class Slot, bool Mixed, bool Apart, int D, class Law>
+TALUS_KERNEL material::Response<Pack> update_point_stress(const StressUpdate<Mixed, Apart, D, Law>& update,
+                                                          Pack saturation, Slot& points) {
   using P = Points<D>;
   constexpr int NS = P::stress_size;
   const auto& [options, law, increment, element, none_partial] = update;
@@ -104,15 +117,18 @@ TALUS_KERNEL material::Response<Pack> update_point_stress(const StressUpdate<Mix
   const double* p = points.p;
   TALUS_UNROLL
   for (int i = 0; i < NS; ++i) s[i] = load<Pack>(p + (P::stress + i) * lane_width);
-  for (int i = 0; i < law.state_size; ++i) q[i] = load<Pack>(p + (P::state + i) * lane_width);
+  for (int i = 0; i < law.core_size; ++i) q[i] = load<Pack>(p + (P::state + i) * lane_width);
+  for (int i = law.core_size; i < law.state_size; ++i)
+    q[i] = Apart ? load<Pack>(p + (P::state + i) * lane_width) : Pack(0.0);
   if (options.smoothing == input::Smoothing::stable) {
     TALUS_UNROLL
     for (int i = 0; i < 3; ++i) s[i] += increment.pending;
   }
   if (options.objective) increment.rotation.apply(s);
   const Mask own = Mixed ? points.active && !element.full : points.active;
-  material::Response<Pack> response = law.template update<NS>(s, increment.d_epsilon, q, own, points.material,
-                                                              {saturation, points.ids, increment.time, options.dt});
+  material::Response<Pack> response =
+      law.template update<NS>(s, increment.d_epsilon, q, own, points.material,
+                              {saturation, points.ids, increment.time, options.dt, know_gaps<Apart>(options.moving)});
   if constexpr (Mixed) {
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) s[i] = select(element.full, element.stress[i], s[i]);
@@ -121,6 +137,8 @@ TALUS_KERNEL material::Response<Pack> update_point_stress(const StressUpdate<Mix
     response.dissipation = select(element.full, element.response.dissipation, response.dissipation);
     response.plastic_mean_stress =
         select(element.full, element.response.plastic_mean_stress, response.plastic_mean_stress);
+    response.opened = select(element.full, element.response.opened, response.opened);
+    response.gap = select(element.full, element.response.gap, response.gap);
   }
   return response;
 }

@@ -16,6 +16,13 @@ struct OneLaw {
   static constexpr bool is_single = true;
   static constexpr bool is_plastic = L::is_plastic;
   static constexpr int state_size = L::state_size;
+  /// The states but the gap, which comes last and is zero in most blocks: these need not read it.
+  static constexpr int core_size = [] {
+    if constexpr (requires { L::gap_states; })
+      return L::state_size - L::gap_states;
+    else
+      return L::state_size;
+  }();
   L law;  // a copy: its parameters then live in registers, not behind a pointer that a store might alias
 
   template <int NS>
@@ -32,6 +39,7 @@ struct ManyLaws {
   const std::vector<material::Law>* laws;
   std::uint32_t present;  ///< bit set of the materials in the block
   int state_size;         ///< most state variables of a law of the body
+  int core_size = state_size;
 
   template <int NS>
   material::Response<Pack> update(Pack* sigma, const Pack* d_epsilon, Pack* state, Mask active, Pack material,
@@ -55,6 +63,8 @@ struct ManyLaws {
             total.any_plastic = total.any_plastic || r.any_plastic;
             total.plastic_mean_stress = select(mine, r.plastic_mean_stress, total.plastic_mean_stress);
             total.dissipation = select(mine, r.dissipation, total.dissipation);
+            total.opened = select(mine, r.opened, total.opened);
+            total.gap = select(mine, r.gap, total.gap);
           },
           (*laws)[m]);
     }

@@ -147,9 +147,10 @@ std::vector<int> find_changed_elements(const Body<D>& body, const std::vector<Re
 }
 
 /// Puts the records into their elements; with mixed integration, elements whose filling or surface changes have their
-/// internal force taken anew.
+/// internal force taken anew. These will share their stress.
 template <int D>
-void insert_with_mixed_forces(Body<D>& body, const std::vector<Record<D>>& records, const std::vector<int>& sources) {
+void insert_with_mixed_forces(Body<D>& body, const StepOptions<D>& o, const std::vector<Record<D>>& records,
+                              const std::vector<int>& sources) {
   const std::vector<int> candidates = find_changed_elements(body, records, sources);
   for (int e : candidates) add_internal_force(body, e, true, -1);
   for (const Record<D>& r : records) {
@@ -158,7 +159,10 @@ void insert_with_mixed_forces(Body<D>& body, const std::vector<Record<D>>& recor
     add_point_mass(body, r.element, r.fields);
   }
   for (int e : candidates) update_fill_limit(body, e);
-  for (int e : candidates) add_internal_force(body, e, true, 1);
+  for (int e : candidates) {
+    add_internal_force(body, e, true, 1);
+    body.work.mapping += find_sharing_loss(body, o, e);
+  }
 }
 
 /// The same with pore water, where an element's sums are no sums over its points: they share their pressure. Elements
@@ -186,6 +190,7 @@ void insert_wet_points(Body<D>& body, const StepOptions<D>& o, const std::vector
   for (int e : candidates) {
     share_wet_element(body, e, o);
     add_wet_element(body, e, o, 1);
+    body.work.mapping += find_sharing_loss(body, o, e);
   }
 }
 
@@ -223,7 +228,7 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
   if (wet) {
     insert_wet_points(body, o, staying, sources);
   } else if (o.mixed) {
-    insert_with_mixed_forces(body, staying, sources);
+    insert_with_mixed_forces(body, o, staying, sources);
   } else {
     for (const Record<D>& r : staying) {
       wake_block(body, r.element / lane_width);
@@ -232,6 +237,8 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
       add_point_force(body, r);
     }
   }
+  for (const Record<D>& r : staying) sources.push_back(r.element);
+  for (int e : sources) note_gaps(body, o, e);
 }
 
 template void relocate<2>(Body<2>&, const StepOptions<2>&, const MoverLists&);

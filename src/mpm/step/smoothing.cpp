@@ -10,13 +10,13 @@
 namespace talus::mpm {
 namespace {
 
-/// nodes.smoothed = Σ_e value_e V_e / Σ_e V_e over the elements at each node that hold points. `value(block, rows)`
+/// nodes.smoothed = Σ_e value_e V_e / Σ_e V_e over the elements at each node that take part. `value(block, rows)`
 /// gives the values of a block.
 template <int D, class Value>
 void average_at_nodes(Body<D>& body, int threads, Value&& value) {
   for_blocks(body, threads, [&](int b, const int* rows) {
     const std::size_t first = static_cast<std::size_t>(b) * lane_width;
-    const Mask active = load<Pack>(&body.points.count[first]) > Pack(0.0);
+    const Mask active = takes_part(body, first);
     const Pack V_e = select(active, load<Pack>(&body.layout->volumes[first]), Pack(0.0));
     add_average<D>(body.nodes.average, rows, {V_e * select(active, value(b, rows), Pack(0.0)), V_e});
   });
@@ -53,7 +53,7 @@ void smooth_plastic_return(Body<D>& body, const StepOptions<D>& o) {
   for_blocks(body, o.threads, [&](int b, const int* rows) {
     const std::size_t first = static_cast<std::size_t>(b) * lane_width;
     const Pack mean = find_node_mean<D, 1>(body.nodes.smoothed.data(), rows);
-    const Mask active = load<Pack>(&body.points.count[first]) > Pack(0.0);
+    const Mask active = takes_part(body, first);
     const Pack change = select(active, mean - load<Pack>(&body.elements.plastic_mean[first]), Pack(0.0));
     store(&body.elements.return_pressure[first], change);
     // the internal force that the changed mean stress makes

@@ -38,6 +38,7 @@ const std::map<std::string, Words>& list_words() {
       {"void_ratio", {"void ratio e", true}},
       {"root_content", {"root content", false, "%"}},
       {"root_activation_strain", {"activation strain of the roots", false}},
+      {"separation", {"gap that the soil has come apart by", false}},
       {"intact_roots", {"share of the roots that is intact", false}},
       {"root_cohesion", {"root cohesion", false}},
   };
