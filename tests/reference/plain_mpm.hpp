@@ -176,6 +176,51 @@ void relocate_points(Body<D>& body) {
   body.points = inside;
 }
 
+/// Puts the points' velocities onto those that nodes can have: v_p = Σ N_i u_i, with the u that has the momentum of the
+/// points at every node, M u = p. Eight steps of Chebyshev's iteration for lumped⁻¹ M with eigenvalues from 0.1 to 1
+/// (Saad 2003, Iterative Methods for Sparse Linear Systems, algorithm 12.1).
+template <int D>
+void fade_unseen(Body<D>& body) {
+  std::vector<double> mass(body.nodes.size(), 0);
+  const auto gather = [&](auto&& velocity) {
+    std::vector<Vector<D>> sum(body.nodes.size(), Vector<D>::Zero());
+    for (const Point<D>& point : body.points) {
+      const Weights<D> n = shape_functions(body.mesh, point.element, point.x);
+      for (int i = 0; i <= D; ++i)
+        at(sum, node_of(body.mesh, point.element, i)) += n[i] * point.mass * velocity(point, n);
+    }
+    return sum;
+  };
+  for (const Point<D>& point : body.points) {
+    const Weights<D> n = shape_functions(body.mesh, point.element, point.x);
+    for (int i = 0; i <= D; ++i) at(mass, node_of(body.mesh, point.element, i)) += n[i] * point.mass;
+  }
+  const double limit = massless_limit(body);
+  const std::vector<Vector<D>> momentum = gather([](const Point<D>& point, const Weights<D>&) { return point.v; });
+  std::vector<Vector<D>> u(body.nodes.size(), Vector<D>::Zero()), d = u;
+  for (std::size_t i = 0; i < u.size(); ++i)
+    if (mass[i] > limit) u[i] = momentum[i] / mass[i];
+  const auto interpolate = [&](const Point<D>& point, const Weights<D>& n) {
+    Vector<D> v = Vector<D>::Zero();
+    for (int i = 0; i <= D; ++i) v += n[i] * at(u, node_of(body.mesh, point.element, i));
+    return v;
+  };
+  const double theta = 0.55, delta = 0.45;
+  double rho = delta / theta;
+  for (int k = 0; k < 8; ++k) {
+    const std::vector<Vector<D>> product = gather(interpolate);
+    const double next = k == 0 ? rho : 1 / (2 * theta / delta - rho);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      if (!(mass[i] > limit)) continue;
+      const Vector<D> residual = (momentum[i] - product[i]) / mass[i];
+      d[i] = k == 0 ? Vector<D>(residual / theta) : Vector<D>(next * rho * d[i] + 2 * next / delta * residual);
+      u[i] += d[i];
+    }
+    rho = next;
+  }
+  for (Point<D>& point : body.points) point.v = interpolate(point, shape_functions(body.mesh, point.element, point.x));
+}
+
 /// One step of length Δt.
 template <int D>
 void step(Body<D>& body, const Settings& settings) {

@@ -26,6 +26,7 @@ struct StepSettings {
   Smoothing smoothing = Smoothing::none;
   Geometry geometry = Geometry::moving;
   bool objective_rate = true;  ///< rotate the stress with the soil (Hughes and Winget)
+  bool fade_unseen = true;     ///< take velocities of points away that no node sees
   double courant = 0.9;        ///< fraction of (2.84) [-]
   // Soil with pore water only.
   WaterMotion water = WaterMotion::flows;  ///< held: pore pressures stay as they are (drained), frozen geometry only
@@ -104,6 +105,8 @@ void describe(Visitor& v, StepSettings& s) {
   v.key("smoothing", s.smoothing, plain(), "Against volumetric locking.");
   v.key("geometry", s.geometry, plain(), "Whether the soil changes its place.");
   v.key("objective_rate", s.objective_rate, plain(), "Rotate the stress with the soil.");
+  v.key("fade_unseen", s.fade_unseen, plain(),
+        "Take velocities of points away that no node sees; false keeps them, as the textbook step does.");
   v.key("courant", s.courant, plain().above(0).at_most(1), "Time step over the largest stable one.");
   v.key("water", s.water, plain(), "Whether pore water moves.");
   v.key("drag", s.drag, plain(), "How the drag between water and grains is integrated.");

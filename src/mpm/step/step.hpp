@@ -79,6 +79,11 @@ void smooth_plastic_return(Body<D>& body, const StepOptions<D>& options);
 template <int D>
 void relocate(Body<D>& body, const StepOptions<D>& options, const MoverLists& movers);
 
+/// Between steps: takes the velocities away that points have and no node sees. Reads and writes the nodal sums of
+/// momentum. Linear momentum is kept exactly; the kinetic energy that is lost goes to work.mapping.
+template <int D>
+void fade_unseen(Body<D>& body, const StepOptions<D>& options);
+
 /// Nodal forces of the tractions (2.37) for the step that starts at body.time. Writes nodes.load.
 template <int D>
 void gather_loads(Body<D>& body);

@@ -294,6 +294,9 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     const std::size_t lost_before = body.lost.size();
     mpm::step(body, options);
     ++state.steps;
+    // At the end of a step, before the look: a checkpoint has what faded. In so many steps a wave crosses as many
+    // elements.
+    if (plan.step.fade_unseen && options.moving && state.steps % look_interval == 0) mpm::fade_unseen(body, options);
     watch_external_models(body, plan, save_last_good);
     if (const auto runaway =
             find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * state.wave_speed)) {

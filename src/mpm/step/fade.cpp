@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Velocities of points that no node sees. Points are more than nodes, so they may keep velocities whose sum Σ m_p N_i
+// v_p is zero at every node. No force ever changes these; crossing an element makes some of them, and they come back as
+// noise. Here the points' velocities are put onto the velocities that nodes can have: v = Σ N_i u_i with the u that has
+// the points' momentum at every node, Σ_j M_ij u_j = Σ_p m_p N_i v_p. That keeps linear momentum exactly, and
+// everything that is affine, a rotation too, as far as the iteration for u converges (theory 2).
+
+#include "mpm/body/node_average.hpp"
+#include "mpm/body/rows.hpp"
+#include "mpm/coupled/coupled_step.hpp"
+#include "mpm/coupled/kernels.hpp"
+#include "mpm/step/kernels.hpp"
+#include "mpm/step/step.hpp"
+
+namespace talus::mpm {
+namespace {
+
+/// Chebyshev's iteration for lumped⁻¹ M u = lumped⁻¹ p, whose eigenvalues lie between 0 and 1: fixed numbers, so the
+/// result is linear in p and needs no sums over the body. Velocities with eigenvalues below `smallest` are nearly
+/// unseen and fade too.
+constexpr int iterations = 8;
+constexpr double smallest = 0.1, middle = (1 + smallest) / 2, half_width = (1 - smallest) / 2;
+
+/// Where the points' masses and velocities and the sums of one phase stand.
+template <int D, int SumsStride, int MassColumn, int MomentumColumn>
+struct Phase {
+  static constexpr int sums_stride = SumsStride, mass_column = MassColumn, momentum_column = MomentumColumn;
+  AlignedVector<double>& sums;
+  const AlignedVector<double>& moments;
+  int mass_field, velocity_field;  ///< of a slot
+};
+
+constexpr int row_stride = 8;  ///< of a node row of this file
+
+/// Calls work(node, sum) with the node's momentum-sized sum over the columns from First on of its rows.
+template <int Count, int Stride, int First, int D, class Work>
+void for_nodes(const Body<D>& body, int threads, const AlignedVector<double>& rows, Work&& work) {
+  const Layout<D>& layout = *body.layout;
+  parallel_for(layout.chunks, threads, [&](int c) {
+    for (int i = first_node(body, c); i < first_node(body, c + 1); ++i) {
+      double sum[Count] = {};
+      for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) {
+        const double* row = &rows[static_cast<std::size_t>(layout.node_rows[r]) * Stride + First];
+        for (int q = 0; q < Count; ++q) sum[q] += row[q];
+      }
+      work(i, sum);
+    }
+  });
+}
+
+/// The nodal velocities that have the momentum of the points, in rows.
+template <int D, class P>
+AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const P& phase) {
+  const Layout<D>& layout = *body.layout;
+  const std::size_t nodes = body.mesh().nodes.size();
+  const double cutoff = 1e-12 * body.smallest_mass;
+  std::vector<double> inverse(nodes, 0);
+  std::vector<Vec<D>> momentum(nodes), u(nodes), direction(nodes);
+  AlignedVector<double> rows(static_cast<std::size_t>(layout.rows) * row_stride, 0.0), product(rows.size(), 0.0);
+  const auto give = [&](int i) {
+    for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) {
+      for (int d = 0; d < D; ++d)
+        rows[static_cast<std::size_t>(layout.node_rows[r]) * row_stride + static_cast<std::size_t>(d)] = u[i][d];
+    }
+  };
+  for_nodes<1, P::sums_stride, P::mass_column>(body, threads, phase.sums, [&](int i, const double* mass) {
+    if (mass[0] > cutoff) inverse[static_cast<std::size_t>(i)] = 1 / mass[0];
+  });
+  for_nodes<D, P::sums_stride, P::momentum_column>(body, threads, phase.sums, [&](int i, const double* p) {
+    for (int d = 0; d < D; ++d) {
+      momentum[i][d] = p[d];
+      u[i][d] = p[d] * inverse[i];
+    }
+    give(i);
+  });
+  double rho = half_width / middle;
+  for (int n = 0; n < iterations; ++n) {
+    const double next = n == 0 ? rho : 1 / (2 * middle / half_width - rho);
+    const double keep = n == 0 ? 0 : next * rho, step = n == 0 ? 1 / middle : 2 * next / half_width;
+    std::fill(product.begin(), product.end(), 0.0);
+    for_blocks(body, threads, [&](int b, const int* at) {
+      Pack value[D + 1][D], out[D + 1][D], m[moment_size<D>];
+      for (int k = 0; k <= D; ++k) load_rows<D, row_stride>(rows.data(), at + k * lane_width, value[k]);
+      for (int q = 0; q < moment_size<D>; ++q)
+        m[q] = load<Pack>(
+            &phase.moments[(static_cast<std::size_t>(b) * moment_size<D> + static_cast<std::size_t>(q)) * lane_width]);
+      remap_element<D, Pack>(m, value, 1, out);
+      for (int k = 0; k <= D; ++k) add_rows<D>(product.data(), at + k * lane_width, out[k]);
+    });
+    for_nodes<D, row_stride, 0>(body, threads, product, [&](int i, const double* Mu) {
+      for (int d = 0; d < D; ++d) {
+        direction[i][d] = keep * direction[i][d] + step * (momentum[i][d] - Mu[d]) * inverse[i];
+        u[i][d] += direction[i][d];
+      }
+      give(i);
+    });
+    rho = next;
+  }
+  return rows;
+}
+
+template <int D, class P>
+void fade_phase(Body<D>& body, const StepOptions<D>& o, const P& phase) {
+  const Layout<D>& layout = *body.layout;
+  const AlignedVector<double> rows = solve_for_momentum(body, o.threads, phase);
+  std::vector<double> lost(static_cast<std::size_t>(layout.chunks), 0);
+  for (std::size_t row = 0; row < static_cast<std::size_t>(layout.rows); ++row)
+    std::fill_n(&phase.sums[row * P::sums_stride + P::momentum_column], D, 0.0);
+  parallel_for(layout.chunks, o.threads, [&](int c) {
+    Pack kinetic(0.0);
+    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
+      if (body.points.block_used[b] == 0) continue;
+      const int* at = &layout.connectivity[static_cast<std::size_t>(b) * lane_width * (D + 1)];
+      Pack value[D + 1][D], out[D + 1][D], m[moment_size<D>];
+      for (int k = 0; k <= D; ++k) load_rows<D, row_stride>(rows.data(), at + k * lane_width, value[k]);
+      for (int q = 0; q < moment_size<D>; ++q)
+        m[q] = load<Pack>(
+            &phase.moments[(static_cast<std::size_t>(b) * moment_size<D> + static_cast<std::size_t>(q)) * lane_width]);
+      remap_element<D, Pack>(m, value, 1, out);
+      for (int k = 0; k <= D; ++k)
+        add_rows<D, P::momentum_column, P::sums_stride>(phase.sums.data(), at + k * lane_width, out[k]);
+      const Pack count = load<Pack>(&body.points.count[static_cast<std::size_t>(b) * lane_width]);
+      for (int k = 0; k < body.points.block_used[b]; ++k) {
+        double* p = body.points.slot(body.points.block_start[b] + k);
+        const Mask active = count > Pack(static_cast<double>(k));
+        const Pack mass = load<Pack>(p + phase.mass_field * lane_width);
+        for (int d = 0; d < D; ++d) {
+          double* velocity = p + (phase.velocity_field + d) * lane_width;
+          const Pack before = load<Pack>(velocity);
+          Pack after = value[0][d];
+          for (int n = 0; n < D; ++n)
+            after += load<Pack>(p + (Points<D>::xi + n) * lane_width) * (value[n + 1][d] - value[0][d]);
+          kinetic += select(active, 0.5 * mass * (before * before - after * after), Pack(0.0));
+          store(velocity, select(active, after, before));
+        }
+      }
+    }
+    for (int l = 0; l < lane_width; ++l) lost[static_cast<std::size_t>(c)] += kinetic.value[l];
+  });
+  for (double e : lost) body.work.mapping += e;
+}
+
+}  // namespace
+
+template <int D>
+void fade_unseen(Body<D>& body, const StepOptions<D>& o) {
+  using P = Points<D>;
+  if (!body.water.is_wet()) {
+    fade_phase(body, o, Phase<D, sums_stride, 0, 1>{body.nodes.sums, body.elements.moments, P::mass, P::velocity});
+    return;
+  }
+  using C = WetColumns<D>;
+  using W = WaterFields<D>;
+  Water<D>& water = body.water;
+  constexpr int stride = wet_sums_stride<D>;
+  fade_phase(body, o, Phase<D, stride, C::mass, C::momentum>{water.sums, body.elements.moments, P::mass, P::velocity});
+  fade_phase(body, o,
+             Phase<D, stride, C::water_mass, C::water_momentum>{water.sums, water.moments, water.first_field + W::mass,
+                                                                water.first_field + W::velocity});
+}
+
+template void fade_unseen<2>(Body<2>&, const StepOptions<2>&);
+template void fade_unseen<3>(Body<3>&, const StepOptions<3>&);
+
+}  // namespace talus::mpm
