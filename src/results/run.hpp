@@ -79,6 +79,7 @@ struct Budgets {
   int points = 0;
   double kinetic_energy = 0, potential_energy = 0, elastic_energy = 0;  ///< [J]
   double plastic_work = 0, damping_work = 0, external_work = 0;         ///< [J]
+  double wall_work = 0, mapping_loss = 0;                               ///< [J]
   std::vector<double> momentum;                                         ///< [kg m/s]
   LostPoints lost;
 };
@@ -91,6 +92,8 @@ void describe(V& v, R& r) {
   v.key("elastic_energy", r.elastic_energy, {"J", "elastic energy"});
   v.key("plastic_work", r.plastic_work, {"J", "plastic work"});
   v.key("damping_work", r.damping_work, {"J", "work of the damping"});
+  v.key("wall_work", r.wall_work, {"J", "work of walls: friction, and what they stop"});
+  v.key("mapping_loss", r.mapping_loss, {"J", "energy lost between points and nodes"});
   v.key("external_work", r.external_work, {"J", "external work"});
   v.key("momentum", r.momentum, {"kg m/s", "momentum"});
   v.key("lost", r.lost, {"", "points that left the grid"});

@@ -19,7 +19,8 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
   const double cutoff = 1e-12 * body.smallest_mass;
   const double alpha = o.damping, inverse_scaling = 1 / o.mass_scaling;
   const bool loaded = !body.nodes.load.empty();
-  double external_work = 0, damped = 0;  // locals: they stay in registers
+  const double last_dt = body.nodes.motion_step;
+  double damped = 0, walls = 0, mapping = 0;  // locals: they stay in registers
   const auto& constraint_of = body.conditions.constraint_of_node;
   for (int i = begin; i < end; ++i) {
     const int* rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
@@ -72,12 +73,27 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
           for (int d = 0; d < D; ++d) a[d] -= (v[d] - kept[d]) / o.dt;
         }
       }
-      // Work along the nodes' paths: exact for the nodal kinetic energy, ΔE = Σ f·(v + a Δt/2) Δt.
-      for (int d = 0; d < D; ++d) {
-        const double path = (t[1 + d] * inverse_mass + 0.5 * o.dt * a[d]) * o.dt;
-        external_work += f_ext[d] * path;
-        damped -= f_damp[d] * path;
+      // What is lost on the way to the points is added up here and in remap_momentum(), theory 9.
+      const double* last = &body.nodes.motion[static_cast<std::size_t>(rows[0]) * motion_stride<D> + D];
+      double lost = 0;
+      for (int d = 0; d < D; ++d) lost += last_dt * last[d] * t[1 + D + d] - o.dt * a[d] * t[1 + d];
+      if (alpha > 0) {
+        double braked = 0;
+        for (int d = 0; d < D; ++d) braked -= f_damp[d] * (t[1 + d] * inverse_mass + 0.5 * o.dt * a[d]) * o.dt;
+        damped += braked;
+        lost -= 2 * braked;
       }
+      if (c >= 0) {
+        double wall = 0;  // friction along the way that is left, and the motion that the wall stops
+        for (int d = 0; d < D; ++d) {
+          const double change = o.dt * a[d];
+          const double held = o.mass_scaling * m_i * a[d] - t[1 + D + d] - f_ext[d] - f_damp[d];
+          wall += 0.5 * m_i * change * change - held * (t[1 + d] * inverse_mass + change) * o.dt;
+        }
+        walls += wall;
+        lost -= 2 * wall;
+      }
+      mapping += 0.5 * lost;
       if (o.monitor) {
         Vec<D> f, v;
         for (int d = 0; d < D; ++d) {
@@ -107,8 +123,9 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
       for (int d = 0; d < D; ++d) row[d] = a[d];
     }
   }
-  sums.external_work += external_work;
   sums.damped += damped;
+  sums.walls += walls;
+  sums.mapping += mapping;
 }
 
 }  // namespace
@@ -149,13 +166,16 @@ void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
     }
   });
   const double cutoff = 1e-12 * body.smallest_mass;
+  const bool loaded = !body.nodes.load.empty();
+  std::vector<double> external(static_cast<std::size_t>(layout.chunks), 0), mapping = external;
   parallel_for(layout.chunks, o.threads, [&](int c) {
     const int begin = first_node(body, c), end = first_node(body, c + 1);
+    double work = 0, lost = 0;
     for (int i = begin; i < end; ++i) {
       const int* node_rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
       const int copies = layout.row_start[i + 1] - layout.row_start[i];
-      double t[1 + D];
-      sum_rows<1 + D, sums_stride>(body.nodes.sums, node_rows, copies, t);
+      double t[1 + 2 * D];
+      sum_rows<1 + 2 * D, sums_stride>(body.nodes.sums, node_rows, copies, t);
       Vec<D> v{};
       if (t[0] > cutoff) {
         const double inverse = 1 / t[0];
@@ -163,6 +183,11 @@ void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
         const int constraint = body.conditions.constraint_of_node[i];
         if (constraint >= 0) {
           v = constrain_remapped(body.conditions, constraint, v, body.time + o.dt);
+        }
+        const double* a = &body.nodes.motion[static_cast<std::size_t>(node_rows[0]) * motion_stride<D>];
+        for (int d = 0; d < D; ++d) {
+          lost += t[1 + D + d] * v[d] - a[d] * t[1 + d];
+          work += (t[0] * o.gravity[d] + (loaded ? body.nodes.load[i][d] : 0.0)) * v[d];
         }
       }
       for (int k = 0; k < copies; ++k) {
@@ -176,7 +201,12 @@ void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
         for (int d = 0; d < D; ++d) body.nodes.displacement[i][d] += o.dt * v[d];
       }
     }
+    external[static_cast<std::size_t>(c)] = o.dt * work;
+    mapping[static_cast<std::size_t>(c)] = o.dt * (0.5 * lost + work);
   });
+  for (double work : external) body.work.external += work;
+  for (double lost : mapping) body.work.mapping += lost;
+  body.nodes.motion_step = o.dt;
 }
 
 template void solve_momentum<2>(Dry, Body<2>&, const StepOptions<2>&);

@@ -36,7 +36,7 @@ enum class HistoryQuantity {
 };
 
 /// Terms of the balance of energy: energy that enters the body, and its forms.
-enum class EnergyPart { external, kinetic, elastic, plastic, damping };
+enum class EnergyPart { external, kinetic, elastic, plastic, damping, walls, mapping };
 
 struct HistoryColumn {
   HistoryQuantity quantity = HistoryQuantity::state;
@@ -57,8 +57,9 @@ namespace talus::results {
 template <>
 inline constexpr auto words<output::EnergyPart> =
     std::array{Word{output::EnergyPart::external, "external"}, Word{output::EnergyPart::kinetic, "kinetic"},
-               Word{output::EnergyPart::elastic, "elastic"}, Word{output::EnergyPart::plastic, "plastic"},
-               Word{output::EnergyPart::damping, "damping"}};
+               Word{output::EnergyPart::elastic, "elastic"},   Word{output::EnergyPart::plastic, "plastic"},
+               Word{output::EnergyPart::damping, "damping"},   Word{output::EnergyPart::walls, "walls"},
+               Word{output::EnergyPart::mapping, "mapping"}};
 
 template <>
 inline constexpr auto words<output::HistoryQuantity> =

@@ -300,6 +300,8 @@ void PointRun<D>::end_stages(results::RunResult& run) {
   results::Budgets& budgets = run.budgets.emplace(tell_budgets<D>(body_, find_gravity<D>(data_.gravity)));
   budgets.plastic_work -= work_before_.dissipated;
   budgets.damping_work -= work_before_.damped;
+  budgets.wall_work -= work_before_.walls;
+  budgets.mapping_loss -= work_before_.mapping;
   budgets.external_work -= work_before_.external;
   if (body_.water.is_wet()) run.water = tell_water<D>(data_, body_, initial_water_);
 }

@@ -42,6 +42,8 @@ results::Budgets tell_budgets(const mpm::Body<D>& body, const Vec<D>& gravity) {
   told.elastic_energy = t.elastic;
   told.plastic_work = body.work.dissipated;
   told.damping_work = body.work.damped;
+  told.wall_work = body.work.walls;
+  told.mapping_loss = body.work.mapping;
   told.external_work = body.work.external;
   told.momentum.assign(t.momentum.begin(), t.momentum.end());
   told.lost.points = body.lost.size();

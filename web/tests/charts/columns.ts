@@ -16,6 +16,8 @@ const energies: Partial<Record<string, TableColumn["part"]>> = {
   elastic_energy: "elastic",
   plastic_work: "plastic",
   damping_work: "damping",
+  wall_work: "walls",
+  mapping_loss: "mapping",
   external_work: "external",
 };
 

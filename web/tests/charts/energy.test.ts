@@ -37,6 +37,12 @@ test("damping that is missing from its column appears as residual, with its sign
   residual.forEach((r, i) => expect(r).toBeCloseTo(5 * times[i]!, 9));
 });
 
+test("what walls take and what is lost between points and nodes belong to the balance", () => {
+  const table = makeOscillator(5);
+  table.columns.push(column("walls", times.map((t) => 3 * t)), column("mapping", times.map((t) => 7 + 2 * t)));
+  findEnergyBalance(table)!.residual.forEach((r) => expect(Math.abs(r!)).toBeLessThan(1e-9));
+});
+
 test("no balance without all columns, none in a row with a gap", () => {
   const table = makeOscillator(0);
   expect(findEnergyBalance({ columns: table.columns.slice(0, 4) })).toBeNull();

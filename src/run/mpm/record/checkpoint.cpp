@@ -47,6 +47,7 @@ void visit_reals(Body& body, Visit&& visit) {
   visit("elements/strain", body.elements.strain);
   visit("elements/fill_limit", body.elements.fill_limit);
   visit("elements/return_pressure", body.elements.return_pressure);
+  visit("elements/apart", body.elements.apart);
   visit("elements/force_volume", body.elements.force_volume);
   visit("elements/plastic_mean", body.elements.plastic_mean);
   visit("nodes/sums", body.nodes.sums);
@@ -177,6 +178,9 @@ void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
                                     body.work.external,
                                     body.work.damped,
                                     body.work.dissipated,
+                                    body.work.walls,
+                                    body.work.mapping,
+                                    body.nodes.motion_step,
                                     body.monitor.out_of_balance,
                                     body.monitor.external,
                                     body.monitor.kinetic_energy,
@@ -224,8 +228,9 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
   }
   const auto& scalars = archive.reals("scalars");
   body.time = scalars[0];
-  body.work = {scalars[1], scalars[2], scalars[3]};
-  body.monitor = {scalars[4], scalars[5], scalars[6], scalars[7], static_cast<int>(counts[2])};
+  body.work = {scalars[1], scalars[2], scalars[3], scalars[4], scalars[5]};
+  body.nodes.motion_step = scalars[6];
+  body.monitor = {scalars[7], scalars[8], scalars[9], scalars[10], static_cast<int>(counts[2])};
   body.step_count = counts[0];
 }
 

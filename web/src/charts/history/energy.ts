@@ -3,9 +3,11 @@
 import type { TableColumn } from "../../contract";
 
 const stores = ["kinetic", "elastic", "plastic", "damping"] as const;
+/** Absent from results of 0.2.0 and earlier. */
+const laterStores = ["walls", "mapping"] as const;
 
 export interface EnergyBalance {
-  /** external work − (kinetic + elastic + plastic + damping), all as changes since the first row [J]. */
+  /** external work − (kinetic + elastic + plastic + damping + walls + mapping), all as changes since the first row [J]. */
   residual: (number | null)[];
   /** Largest change of the external work [J]. */
   work: number;
@@ -25,7 +27,8 @@ export function findEnergyBalance(table: { columns: Pick<TableColumn, "part" | "
   const work = table.columns.find(isWork);
   const parts = stores.map((part) => table.columns.find((c) => c.part === part));
   if (!work || parts.some((p) => !p)) return null;
-  const changes = parts.map((p) => takeChange(p!.values));
+  parts.push(...laterStores.map((part) => table.columns.find((c) => c.part === part)));
+  const changes = parts.flatMap((p) => (p ? [takeChange(p.values)] : []));
   const done = takeChange(work.values);
   const residual = done.map((w, i) => {
     if (w === null) return null;
