@@ -73,6 +73,41 @@ TEST(TwoPhaseConditions, GivenPressureLoadsTheWaterAndPressesTheMixtureButDoesNo
   }
 }
 
+TEST(TwoPhaseConditions, WeightlessSoilUnderWaterIsAtRestHoweverFullItsSurfaceIs) {
+  // Grains as heavy as water, and the water's pressure inside and outside: nothing moves, also where some of the points
+  // of an element are left.
+  Soil soil = make_table_soil();
+  soil.grain_density = soil.water.density;
+  for (const bool mixed : {false, true}) {
+    WetBody<2> body = make_wet_body(make_box<2>({8, 8}, {2.0, 2.0}), soil);
+    body.gravity = {0, -9.81};
+    fix_wet_box(body, {2.0, 2.0});
+    fill_wet(
+        body, 0.4, 0, [](const Vector<2>& x) { return x[1] < 1.4; }, [](const Vector<2>&) { return 0.0; });
+    body.surface.assign(body.mesh.nodes.size(), {.kind = SurfaceKind::head, .head = 5});
+    const double unit_weight = 9.81 * soil.water.density;
+    std::erase_if(body.points, [](const WetPoint<2>& p) { return p.x[1] > 1.25 && p.id % 3 != 0; });
+    for (WetPoint<2>& p : body.points) {
+      p.pressure = -unit_weight * (5 - p.x[1]);
+      p.water_mass = pore_volume(body, p) * soil.water.density;
+    }
+    classify_wet_elements(body, {.mixed = mixed});
+    map_wet_points(body);
+    add_wet_forces(body);
+    load_free_surface(body);
+    int loaded = 0;
+    double largest = 0;
+    for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+      const auto& x = body.mesh.nodes[i];
+      if (x[0] < 1e-9 || x[0] > 2 - 1e-9 || x[1] < 1e-9 || body.nodes[i].solid_mass == 0) continue;
+      largest = std::max({largest, body.nodes[i].force.norm(), body.nodes[i].water_force.norm()});
+      loaded += body.nodes[i].surface.norm() > 0;
+    }
+    EXPECT_GT(loaded, 6);
+    EXPECT_LT(largest, 1e-9 * unit_weight) << (mixed ? "mixed" : "points");
+  }
+}
+
 TEST(TwoPhaseConditions, PointsOfAFullElementHoldTheirWaterAtOnePressure) {
   const Soil soil = make_retaining_soil();
   WetBody<2> body = make_column<2>(1, 1.0, soil, 0.4);

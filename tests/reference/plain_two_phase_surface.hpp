@@ -31,13 +31,13 @@ inline constexpr double surface_share = 1e-3;
 /// them by round-off, and the sides that touch the node say where outside is.
 inline constexpr double closed_share = 1e-9;
 
-/// Pressure of the outer water on the soil at a node that is loaded by it [Pa].
+/// Pressure of the outer water on the soil at a node that is loaded by it, under the condition of node `like` [Pa].
 template <int D>
-double outer_pressure(const WetBody<D>& body, int node) {
-  const SurfaceCondition<D> condition = surface_condition(body, node);
+double outer_pressure(const WetBody<D>& body, int node, int like) {
+  const SurfaceCondition<D> condition = surface_condition(body, like);
   if (condition.kind == SurfaceKind::pressure) return condition.pressure;
   const double unit_weight = body.soils[0].water.density * body.gravity.norm();
-  return -unit_weight * std::max(0.0, submergence(body, node));
+  return -unit_weight * std::max(0.0, condition.head - at(body.mesh.nodes, node)[1]);
 }
 
 /// Whether outer water stands at a node, or a pressure is given there.
@@ -48,19 +48,47 @@ bool has_outer_water(const WetBody<D>& body, int node) {
 }
 
 /// Loads an open side whose nodes all have outer water: p̂, linear over the side from its nodes' values, on the water
-/// and, where it presses, on the mixture. `share` is what each node has of the side, n S/D.
+/// and, where it presses, on the mixture. `share` is what each node has of the side, n S/D. Returns whether it does.
 template <int D>
-void load_side(WetBody<D>& body, const std::vector<int>& nodes, const Vector<D>& share) {
+bool load_side(WetBody<D>& body, const std::vector<int>& nodes, const Vector<D>& share) {
   double sum = 0;
   for (int node : nodes) {
-    if (!has_outer_water(body, node)) return;
-    sum += outer_pressure(body, node);
+    if (!has_outer_water(body, node)) return false;
+    sum += outer_pressure(body, node, node);
   }
   for (int node : nodes) {
-    const double mean = (sum + outer_pressure(body, node)) / (D + 1);
+    const double mean = (sum + outer_pressure(body, node, node)) / (D + 1);
     at(body.nodes, node).water_force += mean * share;
     at(body.nodes, node).force += std::min(0.0, mean) * share;
   }
+  return true;
+}
+
+/// In an element that is not full the soil, and with it the outer pressure, ends inside: ∮ p̂ N_i n dA over the soil's
+/// surface differs from that over the element's by ∫ div(p̂ N_i) dV over what the soil does not fill. p̂ is linear in the
+/// element; at the node that is not on the side it follows the condition of the side's last node.
+template <int D>
+void load_inside(WetBody<D>& body, int e, int opposite, int like) {
+  const Gradients<D> b = shape_gradients(body.mesh, e);
+  const auto add = [&](double most, auto&& force_of) {
+    Weights<D> pressure;
+    for (int k = 0; k <= D; ++k) {
+      const int node = node_of(body.mesh, e, k);
+      pressure[k] = std::min(most, outer_pressure(body, node, k == opposite ? like : node));
+    }
+    const Vector<D> slope = b.transpose() * pressure;
+    const auto integrate = [&](double volume, const Weights<D>& n) {
+      for (int i = 0; i <= D; ++i)
+        force_of(at(body.nodes, node_of(body.mesh, e, i))) +=
+            volume * (n.dot(pressure) * b.row(i).transpose() + n[i] * slope);
+    };
+    integrate(-at(body.mesh.volumes, e), Weights<D>::Constant(1.0 / (D + 1)));
+    for (std::size_t p : at(body.cells, e).points)
+      if (soil_of(body, body.points[p]).wet)
+        integrate(body.points[p].volume, shape_functions(body.mesh, e, body.points[p].x));
+  };
+  add(INFINITY, [](WetNode<D>& node) -> Vector<D>& { return node.water_force; });
+  add(0, [](WetNode<D>& node) -> Vector<D>& { return node.force; });
 }
 
 /// V_p-weighted mean of the pressure over the wet points of an element [Pa].
@@ -87,7 +115,7 @@ void load_free_surface(WetBody<D>& body) {
   for (int e = 0; e < body.mesh.element_count(); ++e) {
     if (!at(body.cells, e).wet) continue;
     const Gradients<D> b = shape_gradients(body.mesh, e);
-    bool is_open = false;
+    bool is_open = false, is_loaded = false;
     for (int k = 0; k <= D; ++k) {
       const int neighbour = at(at(body.mesh.neighbours, e), k);
       if (neighbour >= 0 && at(body.cells, neighbour).wet) continue;
@@ -102,7 +130,10 @@ void load_free_surface(WetBody<D>& body) {
       }
       if (closed) continue;
       is_open = true;
-      load_side(body, nodes, share);
+      if (load_side(body, nodes, share) && !is_loaded) {
+        is_loaded = true;
+        if (!at(body.cells, e).full) load_inside(body, e, k, nodes.back());
+      }
       for (int i = 0; i <= D; ++i) {
         at(facing, node_of(body.mesh, e, i)) += share;
         at(size, node_of(body.mesh, e, i)) += share.norm();

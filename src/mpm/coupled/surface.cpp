@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "mesh/shape_gradient.hpp"
 #include "mpm/coupled/coupled_step.hpp"
@@ -84,31 +86,110 @@ void find_suctions(Body<D>& body) {
   }
 }
 
+/// Pressure of the water outside at node `i`, under the condition of node `like` [Pa]; nothing where there is none.
+template <int D>
+std::optional<double> find_outer_pressure(const Body<D>& body, int i, int like, double unit_weight,
+                                          const std::type_identity_t<Vec<D>>& up) {
+  const SurfaceCondition& c = body.water.surfaces[body.water.surface_of_node[like]];
+  const double value = c.value.time.empty() ? 0.0 : c.value.at(body.time);
+  if (c.kind == SurfaceKind::head)
+    return -unit_weight * std::max(0.0, find_submergence<D>(value, up, body.mesh().nodes[i]));
+  if (c.kind == SurfaceKind::pressure) return value;
+  return std::nullopt;
+}
+
+/// What the points of an element fill of it.
+template <int D>
+struct Filling {
+  double volume = 0;       ///< Σ V of wet points [m³]
+  double moment[D + 1]{};  ///< Σ V N_i [m³]
+  bool full = false;       ///< it is integrated as a whole
+
+  Filling(const Body<D>& body, int e, bool mixed) {
+    using P = Points<D>;
+    const P& points = body.points;
+    const std::int64_t first = points.block_start[e / lane_width];
+    double all = 0;
+    int material = -1;
+    bool uniform = true;
+    for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {
+      const double* p = points.slot(first + k) + e % lane_width;
+      const int m = points.material[points.id[static_cast<std::size_t>((first + k) * lane_width + e % lane_width)]];
+      const double v = p[P::volume * lane_width];
+      all += v;
+      uniform = uniform && (k == 0 || m == material);
+      material = m;
+      if (!body.water.laws[m].wet) continue;
+      double rest = 1;
+      for (int d = 0; d < D; ++d) {
+        const double xi = p[(P::xi + d) * lane_width];
+        moment[d + 1] += v * xi;
+        rest -= xi;
+      }
+      moment[0] += v * rest;
+      volume += v;
+    }
+    full = mixed && uniform && all > body.elements.fill_limit[e];
+  }
+};
+
+/// The soil of an element that is not full ends inside it, and so does the pressure outside. On the sides where other
+/// soil is behind, nothing changes: ∮ p̂ N_i n dA over the soil's surface differs from that over the element's by
+/// ∫ div(p̂ N_i) dV over what the soil does not fill.
+template <int D>
+void load_inside(Body<D>& body, int e, const Filling<D>& filling, const double (&pressure)[D + 1]) {
+  Water<D>& water = body.water;
+  const mesh::Mesh<D>& mesh = body.mesh();
+  Vec<D> gradient[D + 1];
+  for (int k = 0; k <= D; ++k) gradient[k] = mesh::find_shape_gradient(mesh, e, k);
+  const auto add = [&](std::vector<Vec<D>>& load, double most) {
+    double missing = 0;  // ∫ p̂ dV over the points less that over the element
+    Vec<D> slope{};
+    for (int k = 0; k <= D; ++k) {
+      const double p = std::min(most, pressure[k]);
+      missing += p * (filling.moment[k] - mesh.volumes[e] / (D + 1));
+      for (int d = 0; d < D; ++d) slope[d] += p * gradient[k][d];
+    }
+    for (int k = 0; k <= D; ++k) {
+      const double share = filling.moment[k] - mesh.volumes[e] / (D + 1);
+      for (int d = 0; d < D; ++d) load[mesh.elements[e][k]][d] += missing * gradient[k][d] + share * slope[d];
+    }
+  };
+  add(water.load, std::numeric_limits<double>::infinity());
+  add(water.mixture_load, 0.0);
+}
+
 /// Forces of the water outside, linear along a side between the pressures at its nodes, where all of them have such a
 /// condition: on the water; on the mixture when it presses.
 template <int D>
-void load_open_sides(Body<D>& body, double unit_weight, const std::type_identity_t<Vec<D>>& up) {
+void load_open_sides(Body<D>& body, bool mixed, double unit_weight, const std::type_identity_t<Vec<D>>& up) {
   Water<D>& water = body.water;
   const mesh::Mesh<D>& mesh = body.mesh();
   water.load.assign(mesh.nodes.size(), Vec<D>{});
   water.mixture_load.assign(mesh.nodes.size(), Vec<D>{});
-  for (const OpenSide<D>& side : water.open_sides) {
+  int last = -1;
+  for (const OpenSide<D>& side : water.open_sides) {  // the sides of an element follow one another
     double pressure[D + 1] = {}, sum = 0;
     bool loaded = true;
+    int like = -1;  // the last node of the side
     for (int i = 0; i <= D && loaded; ++i) {
       if (i == side.opposite) continue;
-      const int node = mesh.elements[side.element][i];
-      const SurfaceCondition& c = water.surfaces[water.surface_of_node[node]];
-      const double value = c.value.time.empty() ? 0.0 : c.value.at(body.time);
-      if (c.kind == SurfaceKind::head)
-        pressure[i] = -unit_weight * std::max(0.0, find_submergence<D>(value, up, mesh.nodes[node]));
-      else if (c.kind == SurfaceKind::pressure)
-        pressure[i] = value;
-      else
-        loaded = false;
+      const int node = like = mesh.elements[side.element][i];
+      const auto outer = find_outer_pressure(body, node, node, unit_weight, up);
+      loaded = outer.has_value();
+      pressure[i] = outer.value_or(0);
       sum += pressure[i];
     }
     if (!loaded) continue;
+    if (side.element != last) {
+      last = side.element;
+      const Filling<D> filling(body, last, mixed);
+      double everywhere[D + 1];
+      for (int i = 0; i <= D; ++i)
+        everywhere[i] = i == side.opposite ? *find_outer_pressure(body, mesh.elements[last][i], like, unit_weight, up)
+                                           : pressure[i];
+      if (!filling.full) load_inside(body, last, filling, everywhere);
+    }
     for (int i = 0; i <= D; ++i) {
       if (i == side.opposite) continue;
       const int node = mesh.elements[side.element][i];
@@ -132,7 +213,7 @@ void load_surface(Body<D>& body, const StepOptions<D>& o) {
     loads = loads || c.kind == SurfaceKind::head || c.kind == SurfaceKind::pressure;
     evaporates = evaporates || (c.kind == SurfaceKind::rain && !std::isinf(c.suction_limit));
   }
-  if (loads) load_open_sides(body, water.density * norm(o.gravity), find_up<D>(o.gravity));
+  if (loads) load_open_sides(body, o.mixed, water.density * norm(o.gravity), find_up<D>(o.gravity));
   if (evaporates) find_suctions(body);
 }
 
