@@ -33,7 +33,7 @@ double find_wave_speed(const mpm::Body<D>& body) {
     double sum =
         material::constrained_modulus(body.laws[p.material], p.stress.data(), p.state.data()) * p.volume / p.mass;
     if (p.wet) {
-      // The trace of M⁻¹K (T14.12) with S = 1 and ζ' = n/K_w, which is above its greatest eigenvalue.
+      // The trace of M⁻¹K (T14.13) with S = 1 and ζ' = n/K_w, which is above its greatest eigenvalue.
       const mpm::WaterLaw& law = body.water.laws[p.material];
       const double n = p.porosity;
       sum += law.bulk_modulus * ((1 - n) / (n * law.grain_density) + 1 / law.density);

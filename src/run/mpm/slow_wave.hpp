@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Mass scaling makes soil slow: what it says when the soil no longer keeps up with what happens to it.
+
+#include <optional>
+#include <string>
+
+#include "run/mpm/stage.hpp"
+
+namespace talus::run {
+
+/// Times of a stage that mass scaling must leave apart (theory 5).
+struct DrainedWave {
+  double crossing = 0;  ///< of the soil's height by a compression wave of drained soil, H √(βρ/E_c) [s]
+  std::optional<double> drainage{};  ///< H²/c_v of the soil that drains fastest, where water flows [s]
+};
+
+/// Of the body as it stands at the start of the stage.
+template <int D>
+DrainedWave find_drained_wave(const mpm::Body<D>& body, const StagePlan<D>& plan);
+
+/// "stage 'rain': with mass_scaling = 1e+08 …", with the mass scaling that would do; nothing where the soil keeps up.
+template <int D>
+std::optional<std::string> describe_slow_wave(const mpm::Body<D>& body, const StagePlan<D>& plan);
+
+}  // namespace talus::run

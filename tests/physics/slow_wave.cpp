@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// When mass scaling makes the soil too slow for what happens to it: closed forms of the two times, and what is said.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "run/mpm/slow_wave.hpp"
+#include "support/wet_case.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double young = 10e6, poisson = 0.3, height = 2;
+constexpr double constrained = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
+
+mpm::Body<2> make_wet_column(const input::Case& data) {
+  return run::prepare<2>(data,
+                         support::make_box_mesh<2>(
+                             {2, 21}, {0.2, 2.1}, {"soil"}, [](const Vec<2>& x) { return x[1] < height ? 0 : -1; }, 0));
+}
+
+TEST(SlowWave, TimesAreTheClosedForms) {
+  const input::Case data = support::make_box_case<2>(support::make_wet_soil(young));
+  const mpm::Body<2> body = make_wet_column(data);
+  const run::StagePlan<2> plan = support::make_stage(data, body, 10, {.mass_scaling = 1e4});
+  const run::DrainedWave wave = run::find_drained_wave(body, plan);
+  const double density = 0.6 * 2650 + 0.4 * 1000;  // between the outermost points, a share of an element is missing
+  EXPECT_NEAR(wave.crossing, height * std::sqrt(1e4 * density / constrained), 0.03 * wave.crossing);
+  ASSERT_TRUE(wave.drainage);
+  EXPECT_NEAR(*wave.drainage, height * height / (1e-4 * constrained / (1000 * 9.81)), 0.06 * *wave.drainage);
+}
+
+TEST(SlowWave, SaysWhichTimeIsTooShortAndWhatWouldDo) {
+  const input::Case data = support::make_box_case<2>(support::make_wet_soil(young));
+  const mpm::Body<2> body = make_wet_column(data);
+  const auto say = [&](double scaling, double duration, bool until_rest = false, double factor = 1) {
+    run::StagePlan<2> plan =
+        support::make_stage(data, body, duration, {.mass_scaling = scaling, .conductivity_factor = factor});
+    plan.until_rest = until_rest;
+    return run::describe_slow_wave(body, plan).value_or("");
+  };
+  EXPECT_EQ(say(1, 1e-3), "") << "nothing is scaled";
+  EXPECT_EQ(say(100, 1000), "") << "0.24 s in 28 s";
+  EXPECT_NE(say(1e5, 1000).find("the soil drains in 28 s"), std::string::npos) << say(1e5, 1000);
+  EXPECT_NE(say(1e4, 10).find("the stage lasts 10 s"), std::string::npos) << say(1e4, 10);
+  EXPECT_EQ(say(1e4, 10, true, 1e-3), "") << "it ends at rest, however long that takes, and hardly drains";
+  // The proposed scaling keeps it below a tenth.
+  const std::string said = say(1e5, 1000);
+  const double proposed = std::stod(said.substr(said.find("up to ") + 6));
+  EXPECT_LT(proposed, 1e5);
+  EXPECT_EQ(say(proposed, 1000), "");
+}
+
+}  // namespace
+}  // namespace talus
