@@ -242,23 +242,30 @@ void describe(V& v, R& r) {
 
 /// Rest or run-away at frozen geometry.
 struct FrozenFactor {
-  std::optional<double> factor;        ///< nothing: a mesh has none
-  std::string note;                    ///< why there is none
-  double uncertainty = 0;              ///< half the width of the interval: brackets, and what the mesh does
+  std::optional<double> factor;  ///< nothing: a mesh has none
+  std::string note;              ///< why there is none
+  /// Half the width of the interval: brackets, and what the mesh does. Nothing from one mesh: its bracket is that of
+  /// the search, and says nothing of the mesh.
+  std::optional<double> uncertainty;
   double bracket = 0;                  ///< of it, half the width of the brackets as the extrapolation passes them on
   std::optional<double> mesh_effect;   ///< of it, what the mesh does; nothing: not estimated
   std::optional<double> extrapolated;  ///< to h = 0, from the two finest meshes
   std::vector<MeshFactor> meshes;      ///< coarse to fine
   std::optional<MeshFactor> other;     ///< the coarse mesh by another mesher
   double dilatancy_angle_min = 0, dilatancy_angle_max = 0;  ///< [deg]
-  std::optional<double> lower() const { return factor ? std::optional(*factor - uncertainty) : std::nullopt; }
-  std::optional<double> upper() const { return factor ? std::optional(*factor + uncertainty) : std::nullopt; }
+  std::optional<double> lower() const {
+    return factor && uncertainty && mesh_effect ? std::optional(*factor - *uncertainty) : std::nullopt;
+  }
+  std::optional<double> upper() const {
+    return factor && uncertainty && mesh_effect ? std::optional(*factor + *uncertainty) : std::nullopt;
+  }
 };
 template <class V, As<FrozenFactor> R>
 void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("note", r.note, {"", "why there is none"});
-  v.key("uncertainty", r.uncertainty, {"", "half the width of the interval of brackets and mesh"});
+  v.key("uncertainty", r.uncertainty,
+        {"", "half the width of the interval of brackets and mesh; nothing from one mesh"});
   v.key("bracket", r.bracket, {"", "half the width of the brackets, as the extrapolation passes them on"});
   v.maybe("mesh_effect", r.mesh_effect, {"", "what the mesh does to the factor"});
   v.key("extrapolated", r.extrapolated, {"", "factor extrapolated to elements of no size"});

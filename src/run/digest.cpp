@@ -67,7 +67,7 @@ std::string write_factors(const results::PointFactors& factors) {
     const results::FrozenFactor& f = *factors.frozen;
     text += f.factor ? fmt::format("Factor of safety {:.3f}", *f.factor) : "Factor of safety: none, " + f.note;
     // Outward: an interval that is shown must not be narrower than the one that was found.
-    if (f.mesh_effect) text += fmt::format(" ± {:.2f}", std::ceil(100 * f.uncertainty - 1e-9) / 100);
+    if (f.uncertainty) text += fmt::format(" ± {:.2f}", std::ceil(100 * *f.uncertainty - 1e-9) / 100);
     if (!f.factor) {
       text += " (at frozen geometry)";
     } else if (f.extrapolated) {

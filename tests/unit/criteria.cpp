@@ -186,7 +186,7 @@ TEST(FrozenInterval, HoldsBracketsAndWhatTheMeshDoes) {
   EXPECT_NEAR(*plain.factor, 1.411, 1e-12) << "the error of half the size is a third";
   EXPECT_NEAR(plain.bracket, 0.004, 1e-12) << "(1.5 + 0.5) times half a bracket";
   EXPECT_NEAR(plain.mesh_effect.value(), 0.032, 1e-12) << "what lies between the meshes";
-  EXPECT_NEAR(plain.uncertainty, 0.036, 1e-12);
+  EXPECT_NEAR(plain.uncertainty.value(), 0.036, 1e-12);
   const results::FrozenFactor apart = join_meshes(pair(), make_mesh(0.75, 1.496));
   EXPECT_EQ(apart.factor, plain.factor) << "the other mesher moves no factor";
   EXPECT_NEAR(apart.mesh_effect.value(), 0.037, 1e-12);
@@ -198,7 +198,11 @@ TEST(FrozenInterval, HoldsBracketsAndWhatTheMeshDoes) {
   const results::FrozenFactor finest = join_meshes(three);
   EXPECT_NEAR(*finest.factor, 1.403, 1e-12);
   EXPECT_NEAR(finest.mesh_effect.value(), 0.016, 1e-12);
-  EXPECT_FALSE(join_meshes({make_mesh(0.75, 1.459)}).mesh_effect.has_value()) << "one mesh says nothing of another";
+  const results::FrozenFactor one = join_meshes({make_mesh(0.75, 1.459)});
+  EXPECT_FALSE(one.mesh_effect.has_value()) << "one mesh says nothing of another";
+  EXPECT_FALSE(one.uncertainty.has_value());
+  EXPECT_FALSE(one.lower().has_value()) << "a bracket of the search is no interval of the factor";
+  EXPECT_NEAR(one.bracket, 0.002, 1e-12);
 }
 
 /// Pairs of the study of eight slopes with ψ = φ (docs/verification_data/frozen_meshes.md) and the ends of what is

@@ -14,6 +14,7 @@
 #include "report/content/step_choices.hpp"
 #include "report/words/numbers.hpp"
 #include "report/words/water_words.hpp"
+#include "results/bounds.hpp"
 #include "results/governing.hpp"
 
 namespace talus::report {
@@ -54,8 +55,8 @@ Factor make_factor(CriterionKind criterion, std::optional<double> value) {
 
 Factor make_frozen_factor(const results::FrozenFactor& frozen, const ShownUnit& length) {
   Factor factor = make_factor(CriterionKind::frozen, frozen.factor);
-  factor.lower = frozen.lower();
-  factor.upper = frozen.upper();
+  if (const auto lower = frozen.lower()) factor.lower = results::show_lower(*lower);
+  if (const auto upper = frozen.upper()) factor.upper = results::show_upper(*upper);
   factor.is_extrapolated = frozen.extrapolated.has_value();
   factor.note =
       !frozen.factor
@@ -66,7 +67,8 @@ Factor make_frozen_factor(const results::FrozenFactor& frozen, const ShownUnit& 
                             ? fmt::format("the interval holds the brackets of the search, ± {:.3f}, and what the mesh "
                                           "does, ± {:.3f}",
                                           frozen.bracket, *frozen.mesh_effect)
-                            : "the bracket is that of the search on these meshes only");
+                            : fmt::format("the search ended with ± {:.3f}; what the mesh does is not known from one",
+                                          frozen.bracket));
   return factor;
 }
 

@@ -183,11 +183,12 @@ class Warnings {
                          ? "Trials may have run out of iterations."
                          : "ψ is smaller than φ, for which the bounds are not made: soil without dilatancy may fail "
                            "earlier.");
-    if (const auto f = results::find_points_factor(run_))
-      warn_outside("material points", *f,
-                   run_.factor_of_safety->frozen ? run_.factor_of_safety->frozen->uncertainty : 0,
+    if (const auto f = results::find_points_factor(run_)) {
+      const auto& frozen = run_.factor_of_safety->frozen;
+      warn_outside("material points", *f, frozen ? frozen->uncertainty.value_or(frozen->bracket) : 0,
                    " Their mesh is too coarse, or their trials end too early.",
                    "ψ may be smaller than φ, for which the bounds are not made.");
+    }
   }
 
   void warn_outside(const std::string& words, double factor, double uncertainty, const std::string& above,

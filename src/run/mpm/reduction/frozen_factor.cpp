@@ -64,8 +64,8 @@ results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::
       const double rest = find_rest(coarse.size, fine.size, order);
       frozen.bracket = half(fine) * (1 + rest) + half(coarse) * rest;
       frozen.mesh_effect = find_mesh_effect(*coarse.factor(), *fine.factor(), other, *frozen.factor);
+      frozen.uncertainty = frozen.bracket + *frozen.mesh_effect;
     }
-    frozen.uncertainty = frozen.bracket + frozen.mesh_effect.value_or(0);
   }
   frozen.meshes = std::move(meshes);
   frozen.other = std::move(other);
