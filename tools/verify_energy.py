@@ -23,6 +23,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "docs" / "verification_data" / "energy.md"
 GATE = 0.01
 PARTS = ("kinetic_energy", "elastic_energy", "plastic_work", "damping_work", "wall_work", "mapping_loss")
+WATER_PARTS = ("drag_work", "pore_water_work")  # of soil with pore water
 
 SAND = """
 [materials.sand]
@@ -99,6 +100,23 @@ history_interval = 0.05
 """
 
 
+def make_wet_column(conductivity):
+    """A column of saturated sand that lets its water out; soft water, which the balance does not mind."""
+    water = f"""[materials.sand.water]
+retention = "saturated"
+conductivity = "{conductivity} m/s"
+
+[water]
+bulk_modulus = "20 MPa"
+
+[regions]"""
+    start = """[initial]
+pore_pressure = "water_table"
+water_table = [[0, 1], [7, 1]]"""
+    text = make_column(1).replace("Column of sand", "Column of saturated sand")
+    return text.replace("[regions]", water).replace("[initial]", start).replace('smoothing = "stable"', 'smoothing = "none"')
+
+
 def make_slope():
     """The dry slope of the source at 1/1.75 of its strength, with its weight carried."""
     return f"""title = "Runout of the dry slope"
@@ -145,6 +163,8 @@ BODIES = {
     "sand block, floor with μ = 0.3": (make_block("frictional", "stable"), (0.2, 0.1, 0.05)),
     "column, h/r = 1": (make_column(1), (0.1, 0.05, 0.025)),
     "column, h/r = 2": (make_column(2), (0.1, 0.05, 0.025)),
+    "saturated column, k = 1 mm/s": (make_wet_column("1e-3"), (0.2, 0.1, 0.05)),
+    "saturated column, k = 0.01 mm/s": (make_wet_column("1e-5"), (0.2, 0.1, 0.05)),
     "runout of the dry slope, F = 1.75": (make_slope(), (2, 1, 0.5)),
 }
 
@@ -156,12 +176,13 @@ def read_budget(folder, from_time):
     rows = [r for r in rows if r["time"] >= from_time - 1e-9]
     first, last = rows[0], rows[-1]
     change = lambda row, part: row[part] - first[part]
-    residual = lambda row: change(row, "external_work") - sum(change(row, p) for p in PARTS)
+    parts = [p for p in PARTS + WATER_PARTS if p in first]
+    residual = lambda row: change(row, "external_work") - sum(change(row, p) for p in parts)
     work = max(abs(change(r, "external_work")) for r in rows) + first["kinetic_energy"]
     steps = [r["time_step"] for r in rows[1:]]
     return {
         "work": work, "residual": residual(last) / work, "worst": max((residual(r) / work for r in rows), key=abs),
-        **{p: change(last, p) / work for p in PARTS}, "kinetic_energy": last["kinetic_energy"] / work,
+        **{p: change(last, p) / work if p in first else None for p in PARTS + WATER_PARTS}, "kinetic_energy": last["kinetic_energy"] / work,
         "centre": change(last, "centre_x"), "step": min(steps) / max(steps), "speed": last["nodal_speed"],
     }
 
@@ -172,7 +193,7 @@ def measure(runner, name, size):
     except Broken as error:
         return {"said": str(error)}
     stages = summary["stages"]
-    start = sum(s["duration"] for s in stages[:-1])
+    start = stages[-2]["time"] if len(stages) > 1 else 0
     return {**read_budget(runner.get_folder(f"{name} {size:g}"), start), "front": summary["runout"]["front_advance"]}
 
 
@@ -183,11 +204,11 @@ def find_order(values):
 
 
 def write_table(results):
-    percent = lambda v: f"{100 * v:.1f}"
+    percent = lambda v: "–" if v is None else f"{100 * v:.1f}"
     lines = ["# Where the energy goes", "", "Made by `tools/verify_energy.py PROGRAM --write`. Shares of the work done, in percent; the residual is what the columns do not explain,",
              "the worst its largest value on the way ([theory](../theory/09-budgets.md)). The step is the smallest over the largest.", "",
-             "| body | h [m] | work [kJ/m] | plastic | walls | damping | mapping | in motion | residual | worst | step | centre of mass [m] | front [m] |",
-             "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"]
+             "| body | h [m] | work [kJ/m] | plastic | walls | damping | drag | pore water | mapping | in motion | residual | worst | step | centre of mass [m] | front [m] |",
+             "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"]
     orders, missed = [], []
     for name, (_, sizes) in BODIES.items():
         rows = [results.get((name, size)) for size in sizes]
@@ -195,11 +216,11 @@ def write_table(results):
             if r is None:
                 continue
             if "said" in r:
-                lines.append(f"| {name} | {size:g} | – | " + "| " * 9 + f"{r['said']} |")
+                lines.append(f"| {name} | {size:g} | – | " + "| " * 11 + f"{r['said']} |")
                 missed.append(f"{name}, h = {size:g} m: {r['said']}")
                 continue
             lines.append(f"| {name} | {size:g} | {r['work'] / 1000:.3g} | " + " | ".join(
-                percent(r[p]) for p in ("plastic_work", "wall_work", "damping_work", "mapping_loss", "kinetic_energy")) +
+                percent(r[p]) for p in ("plastic_work", "wall_work", "damping_work", *WATER_PARTS, "mapping_loss", "kinetic_energy")) +
                 f" | {100 * r['residual']:+.2f} | {100 * r['worst']:+.2f} | {r['step']:.2f} | {r['centre']:.3f} | {r['front']:.2f} |")
             if abs(r["worst"]) > GATE:
                 missed.append(f"{name}, h = {size:g} m: {100 * r['worst']:+.2f} %")

@@ -80,6 +80,7 @@ struct Budgets {
   double kinetic_energy = 0, potential_energy = 0, elastic_energy = 0;  ///< [J]
   double plastic_work = 0, damping_work = 0, external_work = 0;         ///< [J]
   double wall_work = 0, mapping_loss = 0;                               ///< [J]
+  std::optional<double> drag_work, pore_water_work;                     ///< of soil with pore water [J]
   std::vector<double> momentum;                                         ///< [kg m/s]
   LostPoints lost;
 };
@@ -94,6 +95,8 @@ void describe(V& v, R& r) {
   v.key("damping_work", r.damping_work, {"J", "work of the damping"});
   v.key("wall_work", r.wall_work, {"J", "work of walls: friction, and what they stop"});
   v.key("mapping_loss", r.mapping_loss, {"J", "energy lost between points and nodes"});
+  v.key("drag_work", r.drag_work, {"J", "work of the drag between water and grains"});
+  v.key("pore_water_work", r.pore_water_work, {"J", "work done on the pore water"});
   v.key("external_work", r.external_work, {"J", "external work"});
   v.key("momentum", r.momentum, {"kg m/s", "momentum"});
   v.key("lost", r.lost, {"", "points that left the grid"});

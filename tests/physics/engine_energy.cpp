@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // No energy comes from nothing: loose sand that slides, opens and closes pays for everything it does; and velocities
-// that no node sees fade without a change of momentum.
+// that no node sees fade without a change of momentum. Saturated soil pays for its flow, too.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,9 @@
 #include <cmath>
 #include <random>
 
+#include "support/point_soils.hpp"
 #include "support/soil_body.hpp"
+#include "support/wet_case.hpp"
 
 namespace talus {
 namespace {
@@ -99,6 +101,28 @@ TEST(EngineEnergy, SandBlockPaysForItsSlideOnAnyFloor) {
       EXPECT_NEAR(volume / before_volume, 1, 0.01) << name;
     }
   }
+}
+
+TEST(EngineEnergy, SaturatedSoilPaysForItsSlideAndItsFlow) {
+  // A cliff of 1 m of saturated sand collapses and lets water out.
+  input::Material soil = support::make_wet_soil(5e6);
+  soil.model = material::model_of<material::MohrCoulomb>;
+  soil.friction_angle = 0.52;
+  soil.water.conductivity = 1e-3;
+  input::Case data = support::make_box_case<2>(soil);
+  data.water.bulk_modulus = 2e7;
+  mpm::Body<2> body = run::prepare<2>(data, support::make_step_mesh<2>());
+  const auto before = mpm::sum_points(body, {0, -9.81});
+  run::StageState state;
+  run::run_stage(body, support::make_stage(data, body, 1, {.smoothing = input::Smoothing::none}), state);
+  const auto after = mpm::sum_points(body, {0, -9.81});
+  const mpm::Work& w = body.work;
+  const double lost = w.dissipated + w.damped + w.walls + w.mapping + w.drag + w.pore_water;
+  const double residual = w.external + before.kinetic + before.elastic - after.kinetic - after.elastic - lost;
+  EXPECT_LT(std::abs(residual), 0.01 * w.external);
+  EXPECT_GT(w.dissipated, 0.5 * w.external);
+  EXPECT_GT(w.drag, 0.01 * w.external);
+  EXPECT_NEAR(w.external, before.potential - after.potential, 0.01 * w.external);
 }
 
 TEST(EngineEnergy, WhatNoNodeSeesFadesAndMomentumStays) {

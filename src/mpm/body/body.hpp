@@ -104,6 +104,13 @@ struct Work {
   double dissipated = 0;  ///< plastic
   double walls = 0;       ///< friction of walls, and what walls and supports stop; below zero where they push
   double mapping = 0;     ///< lost between points and nodes
+  double drag = 0;        ///< of the flow between water and grains
+  double pore_water = 0;  ///< done on the pore water: pressed, under suction, or passed out with its pressure
+
+  Work operator-(const Work& o) const {
+    return {external - o.external, damped - o.damped, dissipated - o.dissipated, walls - o.walls,
+            mapping - o.mapping,   drag - o.drag,     pore_water - o.pore_water};
+  }
 };
 
 /// Quantities of the last step that rest and failure are judged by; nodal, over free directions.

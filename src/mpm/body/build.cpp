@@ -89,8 +89,8 @@ void allocate_water(Body<D>& body, std::vector<WaterLaw> laws) {
   water.first_field = body.points.fields;
   body.points.fields += WaterFields<D>::count;
   water.moments.assign(lanes * moment_size<D>, 0.0);
-  for (auto* field :
-       {&water.volume, &water.mean_saturation, &water.mean_pressure, &water.mean_resistance, &water.surplus})
+  for (auto* field : {&water.volume, &water.mean_saturation, &water.mean_pressure, &water.mean_bishop,
+                      &water.mean_resistance, &water.surplus})
     field->assign(lanes, 0.0);
   water.stretch.assign(lanes, 1.0);
   water.sums.assign(rows * wet_sums_stride<D>, 0.0);

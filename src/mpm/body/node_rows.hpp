@@ -66,7 +66,7 @@ Vec<D> constrain_remapped(const Conditions<D>& conditions, int c, std::type_iden
 
 /// What the pieces of a node loop sum up.
 struct PieceSums {
-  double external_work = 0, damped = 0, walls = 0, mapping = 0;
+  double damped = 0, walls = 0, drag = 0, mapping = 0;
   double out_of_balance2 = 0, external2 = 0, kinetic = 0, speed2 = 0;
   int fastest = -1;
 
@@ -90,9 +90,9 @@ void solve_pieces(Body<D>& body, int threads, bool monitor, Solve&& solve) {
   });
   PieceSums all;
   for (const PieceSums& s : pieces) {
-    body.work.external += s.external_work;
     body.work.damped += s.damped;
     body.work.walls += s.walls;
+    body.work.drag += s.drag;
     body.work.mapping += s.mapping;
     all.out_of_balance2 += s.out_of_balance2;
     all.external2 += s.external2;

@@ -21,6 +21,7 @@ struct WetPass : ChunkPass<D> {
   std::vector<int> newly_full;
   double density;        ///< ρ_w at zero pressure [kg/m³]
   Pack pressed_in{0.0};  ///< see Water::pressed_in [kg]
+  Pack pore_work{0.0};   ///< see Work::pore_water [J]
 
   WetPass(Body<D>& b, const StepOptions<D>& o) : ChunkPass<D>(b, o), density(b.water.density) {}
   TALUS_KERNEL static void prefetch_node(const Body<D>& body, std::size_t row) {
@@ -43,6 +44,7 @@ struct WetPass : ChunkPass<D> {
     body.water.newly_full.clear();
     for (const std::optional<WetPass>& pass : passes) {
       body.water.pressed_in += sum_lanes(pass->pressed_in);
+      body.work.pore_water += sum_lanes(pass->pore_work);
       body.water.newly_full.insert(body.water.newly_full.end(), pass->newly_full.begin(), pass->newly_full.end());
     }
   }
@@ -116,7 +118,7 @@ struct WetSlot {
   TALUS_KERNEL void add_to(WetBlock<D, Law>& block, SlotPoints<D>& points) const {
     TALUS_UNROLL
     for (int i = 0; i < D; ++i) points.s[i] += pore.bishop;
-    block.sums.add({mass, select(wet, points.volume, Pack(0.0)), pore.pressure, pore.saturation,
+    block.sums.add({mass, select(wet, points.volume, Pack(0.0)), pore.pressure, pore.bishop, pore.saturation,
                     block.lanes.get_resistance(points.material), pore.relative},
                    points.xi, w);
   }
@@ -203,7 +205,16 @@ struct WetBlock {
     shared_pore = lanes.find(content, guess, wet, element.material);
   }
 
-  TALUS_KERNEL void add_to_nodes(const WetPass<D>& pass, const BlockPlace<D>& at, Pack force_stretch,
+  /// Work of the mean of the pressures before and after on what the pores and the flux take. Exchange and roots move
+  /// water without a force on any node.
+  TALUS_KERNEL Pack find_pore_work(const Water<D>& water, std::size_t first, Pack force_stretch) const {
+    const Pack before = load<Pack>(&water.volume[first]) * load<Pack>(&water.stretch[first]);
+    const Pack on_water = before * load<Pack>(&water.mean_pressure[first]) + sums.pressure * force_stretch;
+    const Pack on_soil = before * load<Pack>(&water.mean_bishop[first]) + sums.bishop * force_stretch;
+    return 0.5 * (on_water * divergence + on_soil * volumetric);
+  }
+
+  TALUS_KERNEL void add_to_nodes(WetPass<D>& pass, const BlockPlace<D>& at, Pack force_stretch,
                                  const Pack solid[D + 1][1 + 2 * D]) const {
     using C = WetColumns<D>;
     Water<D>& water = pass.body.water;
@@ -213,6 +224,7 @@ struct WetBlock {
     TALUS_UNROLL
     for (int k = 0; k <= D; ++k)
       add_rows<C::count, 0, wet_sums_stride<D>>(water.sums.data(), at.rows + k * lane_width, out[k]);
+    pass.pore_work += select(at.count > Pack(0.0), find_pore_work(water, at.first, force_stretch), Pack(0.0));
     const Pack wet_volume = sums.volume[0];
     const Mask some = wet_volume > Pack(0.0);
     const Pack inverse = 1.0 / select(some, wet_volume, Pack(1.0));
@@ -220,6 +232,7 @@ struct WetBlock {
     store(&water.stretch[at.first], force_stretch);
     store(&water.mean_saturation[at.first], sums.saturation * inverse);
     store(&water.mean_pressure[at.first], sums.pressure * inverse);
+    store(&water.mean_bishop[at.first], sums.bishop * inverse);
     store(&water.mean_resistance[at.first], sums.resistance[0] / select(some, sums.relative[0], Pack(1.0)));
     double* moments = &water.moments[at.first * moment_size<D>];
     TALUS_UNROLL

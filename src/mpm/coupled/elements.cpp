@@ -53,9 +53,9 @@ void add_wet_element(Body<D>& body, int e, const StepOptions<D>& o, double sign)
       if (i < D) stress[i] += pore.bishop;
     }
     sums.add(p[P::mass * lane_width], volume, xi, u, stress);
-    water_sums.add(
-        {w[W::mass * lane_width], law.wet ? volume : 0.0, pore.pressure, pore.saturation, resistance, pore.relative},
-        xi, uw);
+    water_sums.add({w[W::mass * lane_width], law.wet ? volume : 0.0, pore.pressure, pore.bishop, pore.saturation,
+                    resistance, pore.relative},
+                   xi, uw);
   }
   const std::size_t block = static_cast<std::size_t>(e / lane_width), lane = static_cast<std::size_t>(e % lane_width);
   double g[D * D], solid[D + 1][1 + 2 * D], out[D + 1][C::count];
@@ -74,6 +74,7 @@ void add_wet_element(Body<D>& body, int e, const StepOptions<D>& o, double sign)
   water.volume[e] = volume;
   water.mean_saturation[e] = volume > 0 ? water_sums.saturation / volume : 0.0;
   water.mean_pressure[e] = volume > 0 ? water_sums.pressure / volume : 0.0;
+  water.mean_bishop[e] = volume > 0 ? water_sums.bishop / volume : 0.0;
   water.mean_resistance[e] = volume > 0 ? water_sums.resistance[0] / water_sums.relative[0] : 0.0;
   for (std::size_t i = 0; i < moment_size<D>; ++i) {
     const std::size_t at = (block * moment_size<D> + i) * lane_width + lane;

@@ -33,12 +33,13 @@ struct NodePack {
 
 /// Work of packs of nodes, by lane [J].
 struct PackWork {
-  Pack external{0.0}, damped{0.0};
+  Pack damped{0.0}, drag{0.0}, mapping{0.0};
 
   void add_to(PieceSums& sums) const {
     for (int l = 0; l < lane_width; ++l) {
-      sums.external_work += external[l];
       sums.damped += damped[l];
+      sums.drag += drag[l];
+      sums.mapping += mapping[l];
     }
   }
 };
@@ -57,8 +58,9 @@ void solve_free_nodes(Body<D>& body, const StepOptions<D>& o, double density, co
   using C = WetColumns<D>;
   const double beta = o.mass_scaling;
   const Pack zero(0.0), one(1.0);
-  Pack t[wet_sums_stride<D>];
+  Pack t[wet_sums_stride<D>], last[4 * D];
   load_rows<C::count, wet_sums_stride<D>>(body.water.sums.data(), nodes.rows, t);
+  load_rows<4 * D, wet_motion_stride<D>>(body.water.motion.data(), nodes.rows, last);
   const Pack grains = t[C::mass], water = t[C::water_mass];
   const Mask some = grains > Pack(1e-12 * body.smallest_mass), wet = some && water > zero;
   const Pack whole = select(wet, t[C::volume] * density, zero);
@@ -69,9 +71,10 @@ void solve_free_nodes(Body<D>& body, const StepOptions<D>& o, double density, co
   const Pack inverse = 1.0 / select(wet, solid * fluid + implicit * (solid + content * fluid), one);
   const Pack ss = select(wet, (fluid + implicit) * inverse, per_grains * (1 / beta)), sw = content * implicit * inverse;
   const Pack ww = select(wet, (solid + content * implicit) * inverse, zero), ws = select(wet, implicit * inverse, zero);
-  Pack out[8];
+  Pack damped(0.0), rubbed(0.0), lost(0.0);
+  Pack out[8];  // the rest of the row stays: special nodes in the pack still need their velocities
   TALUS_UNROLL
-  for (Pack& a : out) a = zero;
+  for (int c = 0; c < 8; ++c) out[c] = last[c];
   TALUS_UNROLL
   for (int d = 0; d < D; ++d) {
     const Pack v = t[C::momentum + d] * per_grains, w = select(wet, t[C::water_momentum + d] * per_water, zero);
@@ -86,13 +89,18 @@ void solve_free_nodes(Body<D>& body, const StepOptions<D>& o, double density, co
     }
     const Pack damp_w = find_damping(left_w, w, o.water_damping), damp_s = find_damping(left_s, v, o.damping);
     const Pack a_w = ww * (f_w + damp_w) + ws * (f_s + damp_s), a_s = ss * (f_s + damp_s) + sw * (f_w + damp_w);
-    const Pack path = (v + 0.5 * o.dt * a_s) * o.dt, water_path = (w + 0.5 * o.dt * a_w) * o.dt;
-    const Pack weight = water * o.gravity[d];
-    work.external += select(some && nodes.free, (external - weight) * path + weight * water_path, zero);
-    work.damped -= select(some && nodes.free, damp_s * path + content * damp_w * water_path, zero);
+    const Pack relative = w - v + (o.implicit_drag ? o.dt : 0.0) * (a_w - a_s);
+    damped -= damp_s * (v + 0.5 * o.dt * a_s) + content * damp_w * (w + 0.5 * o.dt * a_w);
+    rubbed += content * drag * relative * relative;
+    lost += body.nodes.motion_step * (t[C::force + d] * last[2 * D + d] + t[C::water_force + d] * last[3 * D + d]) -
+            o.dt * (a_s * t[C::momentum + d] + select(wet, a_w * t[C::water_momentum + d], zero));
     out[d] = select(some, a_s, zero);
     out[D + d] = select(wet, a_w, zero);
   }
+  const Mask mine = some && nodes.free;
+  work.damped += select(mine, o.dt * damped, zero);
+  work.drag += select(mine, o.dt * rubbed, zero);
+  work.mapping += select(mine, 0.5 * lost - o.dt * (damped + rubbed), zero);
   store_rows<wet_motion_stride<D>>(body.water.motion.data(), nodes.rows, out);
 }
 

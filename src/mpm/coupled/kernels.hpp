@@ -63,7 +63,7 @@ struct WaterMotion {
 /// What a point gives to the sums of the water; a dry one has V = m = 0.
 template <class T>
 struct WaterPoint {
-  T mass, volume, pressure, saturation;
+  T mass, volume, pressure, bishop, saturation;
   T resistance;  ///< ρ_w g/k_sat [N s/m⁴]
   T relative;    ///< k_r [-]
 };
@@ -76,7 +76,8 @@ struct WaterSums {
   T volume[D + 1];            ///< Σ V, Σ V ξ_k [m³]
   T resistance[D + 1];        ///< Σ V ρ_w g/k_sat, Σ V ξ_k ρ_w g/k_sat [kg/s]
   T relative[D + 1];          ///< Σ V k_r, Σ V ξ_k k_r [m³]
-  T pressure, saturation;     ///< Σ V p [N m], Σ V S [m³]
+  T pressure, bishop;         ///< Σ V p, Σ V χp [N m]
+  T saturation;               ///< Σ V S [m³]
 
   TALUS_KERNEL WaterSums() {
     TALUS_UNROLL
@@ -87,7 +88,7 @@ struct WaterSums {
       TALUS_UNROLL
       for (int d = 0; d < D; ++d) momentum[k][d] = T(0.0);
     }
-    pressure = saturation = T(0.0);
+    pressure = bishop = saturation = T(0.0);
   }
 
   TALUS_KERNEL void add(const WaterPoint<T>& point, const T* xi, const T* w) {
@@ -118,6 +119,7 @@ struct WaterSums {
       for (int k = 0; k < D; ++k) momentum[k + 1][d] += m_xi[k] * w[d];
     }
     pressure += V * point.pressure;
+    bishop += V * point.bishop;
     saturation += V * point.saturation;
   }
 

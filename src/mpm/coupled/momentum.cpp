@@ -227,6 +227,31 @@ PhaseVectors<D> solve_bound_node(const NodePass<D>& pass, int i, const double* t
   return a;
 }
 
+/// Work of damping, of drag, and of walls and supports: friction along the way, and the motion that is stopped. What
+/// the forces do beyond it reaches the points, or is lost on the way (theory 9).
+template <int D>
+void count_node_work(const StepOptions<D>& o, const CoupledNode<D>& node, const PhaseForces<D>& damping,
+                     const PhaseVectors<D>& a, bool held, PieceSums& sums) {
+  double damped = 0, drag = 0, walls = 0;
+  const PhasePair& pair = node.pair;
+  const double implicit = o.implicit_drag ? o.dt : 0.0;
+  for (int d = 0; d < D; ++d) {
+    const double v = node.now.solid[d], w = node.now.water[d];
+    const double dv = o.dt * a.solid[d], dw = o.dt * a.water[d];
+    const double relative = w - v + implicit * (a.water[d] - a.solid[d]), pull = pair.drag * relative;
+    damped -= (damping.solid[d] * (v + 0.5 * dv) + node.content * damping.water[d] * (w + 0.5 * dw)) * o.dt;
+    drag += node.content * pull * relative * o.dt;
+    if (!held) continue;
+    const double on_solid = pair.solid * a.solid[d] - node.forces.solid[d] - damping.solid[d] - node.content * pull;
+    const double on_water = pair.water * a.water[d] - node.forces.water[d] - damping.water[d] + pull;
+    walls -= (on_solid * (v + 0.5 * dv) + node.content * on_water * (w + 0.5 * dw)) * o.dt;
+  }
+  sums.damped += damped;
+  sums.drag += drag;
+  sums.walls += walls;
+  sums.mapping -= damped + drag + walls;
+}
+
 /// Nodes one by one, whatever meets at them.
 template <int D>
 void solve_single_nodes(const NodePass<D>& pass, int begin, int end, PieceSums& sums) {
@@ -236,7 +261,7 @@ void solve_single_nodes(const NodePass<D>& pass, int begin, int end, PieceSums& 
   const Layout<D>& layout = *body.layout;
   const double cutoff = 1e-12 * body.smallest_mass;
   const bool damps = o.damping > 0 || o.water_damping > 0;
-  double external_work = 0, damped = 0;  // locals: they stay in registers
+  const double last_dt = body.nodes.motion_step;
   for (int i = begin; i < end; ++i) {
     const int* rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
     const int copies = layout.row_start[i + 1] - layout.row_start[i];
@@ -247,7 +272,8 @@ void solve_single_nodes(const NodePass<D>& pass, int begin, int end, PieceSums& 
       const CoupledNode<D> node(pass, i, t);
       const Vec<D>& facing = body.water.facing[i];
       PhaseForces<D> damping;
-      if (body.water.axes_of_node[i] < 0 && dot(facing, facing) == 0) {
+      const bool held = body.water.axes_of_node[i] >= 0;
+      if (!held && dot(facing, facing) == 0) {
         a = solve_free_phases<D>(node.pair, node.forces, node.now);
         if (damps) {
           damping = find_phase_damping(o, o.net_damping ? find_inertia(node.pair, a) : node.forces, node.now);
@@ -256,13 +282,13 @@ void solve_single_nodes(const NodePass<D>& pass, int begin, int end, PieceSums& 
       } else {
         a = solve_bound_node(pass, i, t, node, damping);
       }
-      for (int d = 0; d < D; ++d) {
-        const double path = (node.now.solid[d] + 0.5 * o.dt * a.solid[d]) * o.dt;
-        const double water_path = (node.now.water[d] + 0.5 * o.dt * a.water[d]) * o.dt;
-        const double on_water = node.water_mass * o.gravity[d];
-        external_work += (node.external[d] - on_water) * path + on_water * water_path;
-        damped -= damping.solid[d] * path + node.content * damping.water[d] * water_path;
-      }
+      const double* last = &body.water.motion[static_cast<std::size_t>(rows[0]) * wet_motion_stride<D>];
+      double lost = 0;
+      for (int d = 0; d < D; ++d)
+        lost += last_dt * (t[C::force + d] * last[2 * D + d] + t[C::water_force + d] * last[3 * D + d]) -
+                o.dt * (a.solid[d] * t[C::momentum + d] + a.water[d] * t[C::water_momentum + d]);
+      sums.mapping += 0.5 * lost;
+      count_node_work(o, node, damping, a, held, sums);
       if (o.monitor) monitor_node(body, i, node, sums);
     }
     for (int k = 0; k < copies; ++k) {
@@ -273,8 +299,6 @@ void solve_single_nodes(const NodePass<D>& pass, int begin, int end, PieceSums& 
       }
     }
   }
-  sums.external_work += external_work;
-  sums.damped += damped;
 }
 
 template <int D>

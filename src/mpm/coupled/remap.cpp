@@ -93,10 +93,38 @@ void collect_budgets(const std::vector<std::vector<SurfaceBudget>>& pieces, std:
   }
 }
 
-}  // namespace
-
+/// Work of gravity, loads and outer water at a node, and what is lost of it on the way to the points, but for what
+/// solve_momentum() counts; both over Δt (theory 9).
 template <int D>
-void remap_momentum(Wet, Body<D>& body, const StepOptions<D>& o) {
+struct NodeWork {
+  double external = 0, lost = 0;
+
+  void add(const NodePass<D>& pass, int i, const double* t, const double* a, const PhaseVectors<D>& v) {
+    using C = WetColumns<D>;
+    const Body<D>& body = pass.body;
+    const Water<D>& water = body.water;
+    const Vec<D>& g = pass.options.gravity;
+    const bool loaded = !body.nodes.load.empty(), pressed = !water.load.empty();
+    double work = 0, inside = 0;
+    for (int d = 0; d < D; ++d) {
+      double mixture = (t[C::mass] + t[C::water_mass]) * g[d], on_water = pass.density * t[C::volume] * g[d];
+      if (loaded) mixture += body.nodes.load[i][d];
+      if (pressed) {
+        mixture += water.mixture_load[i][d];
+        on_water += water.load[i][d];
+      }
+      work += mixture * v.solid[d] + on_water * v.water[d];
+      inside += t[C::force + d] * v.solid[d] + t[C::water_force + d] * v.water[d] - a[d] * t[C::momentum + d] -
+                a[D + d] * t[C::water_momentum + d];
+    }
+    external += work;
+    lost += work + 0.5 * inside;
+  }
+};
+
+/// Adds what the accelerations give to the points' momenta, as the nodes see it.
+template <int D>
+void add_momentum_changes(Body<D>& body, const StepOptions<D>& o) {
   using C = WetColumns<D>;
   const Layout<D>& layout = *body.layout;
   Water<D>& water = body.water;
@@ -140,21 +168,36 @@ void remap_momentum(Wet, Body<D>& body, const StepOptions<D>& o) {
       }
     }
   });
+}
+
+}  // namespace
+
+template <int D>
+void remap_momentum(Wet, Body<D>& body, const StepOptions<D>& o) {
+  using C = WetColumns<D>;
+  const Layout<D>& layout = *body.layout;
+  Water<D>& water = body.water;
+  add_momentum_changes(body, o);
   const double cutoff = 1e-12 * body.smallest_mass;
   const NodePass<D> pass(body, o);
   const std::size_t pieces = static_cast<std::size_t>(layout.chunks);
   water.budgets.resize(water.surfaces.size());
   std::vector<std::vector<SurfaceBudget>> budgets(pieces, std::vector<SurfaceBudget>(water.surfaces.size()));
   std::vector<double> lost(pieces, 0.0);
+  std::vector<NodeWork<D>> works(pieces);
   parallel_for(layout.chunks, o.threads, [&](int c) {
     double lost_between = 0;
+    NodeWork<D> work;
     for (int i = first_node(body, c); i < first_node(body, c + 1); ++i) {
       const int* node_rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
       const int copies = layout.row_start[i + 1] - layout.row_start[i];
       double t[C::count];
       sum_rows<C::count, wet_sums_stride<D>>(water.sums, node_rows, copies, t);
       PhaseVectors<D> v;
-      if (t[C::mass] > cutoff) v = remap_node(pass, i, t, budgets[static_cast<std::size_t>(c)], lost_between);
+      if (t[C::mass] > cutoff) {
+        v = remap_node(pass, i, t, budgets[static_cast<std::size_t>(c)], lost_between);
+        work.add(pass, i, t, &water.motion[static_cast<std::size_t>(node_rows[0]) * wet_motion_stride<D>], v);
+      }
       for (int k = 0; k < copies; ++k) {
         double* sums = &water.sums[static_cast<std::size_t>(node_rows[k]) * wet_sums_stride<D>];
         TALUS_UNROLL
@@ -170,8 +213,14 @@ void remap_momentum(Wet, Body<D>& body, const StepOptions<D>& o) {
       }
     }
     lost[static_cast<std::size_t>(c)] = lost_between;
+    works[static_cast<std::size_t>(c)] = work;
   });
   for (const double mass : lost) water.lost_between += mass;
+  for (const NodeWork<D>& work : works) {
+    body.work.external += o.dt * work.external;
+    body.work.mapping += o.dt * work.lost;
+  }
+  body.nodes.motion_step = o.dt;
   collect_budgets(budgets, water.budgets);
 }
 

@@ -105,6 +105,7 @@ struct Water {
   AlignedVector<double> stretch;          ///< V_e/Σ V_p in full elements, else 1 [-]
   AlignedVector<double> mean_saturation;  ///< Σ V_p S/Σ V_p [-]
   AlignedVector<double> mean_pressure;    ///< Σ V_p p/Σ V_p [Pa]
+  AlignedVector<double> mean_bishop;      ///< Σ V_p χp/Σ V_p [Pa]
   AlignedVector<double> mean_resistance;  ///< ρ_w g/k of the element [N s/m⁴]
   AlignedVector<double> surplus;          ///< what smoothing, exchange and roots take from the water per volume [-]
 

@@ -84,11 +84,11 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
         lost -= 2 * braked;
       }
       if (c >= 0) {
-        double wall = 0;  // friction along the way that is left, and the motion that the wall stops
+        double wall = 0;  // friction along the way, and the motion that the wall stops
         for (int d = 0; d < D; ++d) {
           const double change = o.dt * a[d];
           const double held = o.mass_scaling * m_i * a[d] - t[1 + D + d] - f_ext[d] - f_damp[d];
-          wall += 0.5 * m_i * change * change - held * (t[1 + d] * inverse_mass + change) * o.dt;
+          wall -= held * (t[1 + d] * inverse_mass + 0.5 * change) * o.dt;
         }
         walls += wall;
         lost -= 2 * wall;

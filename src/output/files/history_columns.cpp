@@ -27,6 +27,8 @@ const std::map<std::string_view, Known>& list_known() {
       {"damping_work", {energy, true, EnergyPart::damping}},
       {"wall_work", {energy, true, EnergyPart::walls}},
       {"mapping_loss", {energy, true, EnergyPart::mapping}},
+      {"drag_work", {energy, true, EnergyPart::drag}},
+      {"pore_water_work", {energy, true, EnergyPart::pore_water}},
       {"external_work", {energy, true, EnergyPart::external}},
       {"force_ratio", {force_ratio}},
       {"nodal_speed", {nodal_speed}},

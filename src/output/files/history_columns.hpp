@@ -36,7 +36,7 @@ enum class HistoryQuantity {
 };
 
 /// Terms of the balance of energy: energy that enters the body, and its forms.
-enum class EnergyPart { external, kinetic, elastic, plastic, damping, walls, mapping };
+enum class EnergyPart { external, kinetic, elastic, plastic, damping, walls, mapping, drag, pore_water };
 
 struct HistoryColumn {
   HistoryQuantity quantity = HistoryQuantity::state;
@@ -56,10 +56,11 @@ namespace talus::results {
 
 template <>
 inline constexpr auto words<output::EnergyPart> =
-    std::array{Word{output::EnergyPart::external, "external"}, Word{output::EnergyPart::kinetic, "kinetic"},
-               Word{output::EnergyPart::elastic, "elastic"},   Word{output::EnergyPart::plastic, "plastic"},
-               Word{output::EnergyPart::damping, "damping"},   Word{output::EnergyPart::walls, "walls"},
-               Word{output::EnergyPart::mapping, "mapping"}};
+    std::array{Word{output::EnergyPart::external, "external"},    Word{output::EnergyPart::kinetic, "kinetic"},
+               Word{output::EnergyPart::elastic, "elastic"},      Word{output::EnergyPart::plastic, "plastic"},
+               Word{output::EnergyPart::damping, "damping"},      Word{output::EnergyPart::walls, "walls"},
+               Word{output::EnergyPart::mapping, "mapping"},      Word{output::EnergyPart::drag, "drag"},
+               Word{output::EnergyPart::pore_water, "pore_water"}};
 
 template <>
 inline constexpr auto words<output::HistoryQuantity> =

@@ -25,6 +25,7 @@
 #include "run/mpm/record/sections.hpp"
 #include "run/mpm/record/water_record.hpp"
 #include "run/mpm/reduction/strength_reduction.hpp"
+#include "run/mpm/slow_wave.hpp"
 #include "run/mpm/start/initial_state.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "run/mpm/tell_points.hpp"
@@ -248,6 +249,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
       if (i > 0 || !data_.initial.result.empty()) state.gravity_share = 1;
       if (stage.reset_displacement) mpm::reset_displacements(body_);
     }
+    if (const auto slow = describe_slow_wave(body_, plan)) warnings_.push_back(*slow);
     const auto start = Clock::now();
     const StageHooks<D> hooks = recorder.begin_leg(i, plan, body_, state);
     results::Stage report;
@@ -297,12 +299,7 @@ void PointRun<D>::warn_about(const input::Stage& stage, const results::Stage& re
 template <int D>
 void PointRun<D>::end_stages(results::RunResult& run) {
   save_end_state(options_.folder, loaded_.echo, mesh_input_, hash_, body_, ground::write_root_input(data_));
-  results::Budgets& budgets = run.budgets.emplace(tell_budgets<D>(body_, find_gravity<D>(data_.gravity)));
-  budgets.plastic_work -= work_before_.dissipated;
-  budgets.damping_work -= work_before_.damped;
-  budgets.wall_work -= work_before_.walls;
-  budgets.mapping_loss -= work_before_.mapping;
-  budgets.external_work -= work_before_.external;
+  run.budgets = tell_budgets<D>(body_, find_gravity<D>(data_.gravity), work_before_);
   if (body_.water.is_wet()) run.water = tell_water<D>(data_, body_, initial_water_);
 }
 

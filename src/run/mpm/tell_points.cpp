@@ -32,7 +32,7 @@ results::Mesh tell_mesh(const mpm::Body<D>& body) {
 }
 
 template <int D>
-results::Budgets tell_budgets(const mpm::Body<D>& body, const Vec<D>& gravity) {
+results::Budgets tell_budgets(const mpm::Body<D>& body, const Vec<D>& gravity, const mpm::Work& before) {
   const auto t = mpm::sum_points(body, gravity);
   results::Budgets told;
   told.mass = t.mass;
@@ -40,11 +40,16 @@ results::Budgets tell_budgets(const mpm::Body<D>& body, const Vec<D>& gravity) {
   told.kinetic_energy = t.kinetic;
   told.potential_energy = t.potential;
   told.elastic_energy = t.elastic;
-  told.plastic_work = body.work.dissipated;
-  told.damping_work = body.work.damped;
-  told.wall_work = body.work.walls;
-  told.mapping_loss = body.work.mapping;
-  told.external_work = body.work.external;
+  const mpm::Work work = body.work - before;
+  told.plastic_work = work.dissipated;
+  told.damping_work = work.damped;
+  told.wall_work = work.walls;
+  told.mapping_loss = work.mapping;
+  told.external_work = work.external;
+  if (body.water.is_wet()) {
+    told.drag_work = work.drag;
+    told.pore_water_work = work.pore_water;
+  }
   told.momentum.assign(t.momentum.begin(), t.momentum.end());
   told.lost.points = body.lost.size();
   told.lost.momentum.assign(D, 0.0);
@@ -63,7 +68,7 @@ results::StepSeconds tell_seconds(const mpm::Timing& t) {
 
 template results::Mesh tell_mesh<2>(const mpm::Body<2>&);
 template results::Mesh tell_mesh<3>(const mpm::Body<3>&);
-template results::Budgets tell_budgets<2>(const mpm::Body<2>&, const Vec<2>&);
-template results::Budgets tell_budgets<3>(const mpm::Body<3>&, const Vec<3>&);
+template results::Budgets tell_budgets<2>(const mpm::Body<2>&, const Vec<2>&, const mpm::Work&);
+template results::Budgets tell_budgets<3>(const mpm::Body<3>&, const Vec<3>&, const mpm::Work&);
 
 }  // namespace talus::run

@@ -13,7 +13,7 @@ results::Mesh tell_mesh(const mpm::Body<D>& body);
 
 /// Energy, momentum and mass: what came in, what is there, what was lost.
 template <int D>
-results::Budgets tell_budgets(const mpm::Body<D>& body, const Vec<D>& gravity);
+results::Budgets tell_budgets(const mpm::Body<D>& body, const Vec<D>& gravity, const mpm::Work& before);
 
 /// Wall seconds by part of the step.
 results::StepSeconds tell_seconds(const mpm::Timing& timing);

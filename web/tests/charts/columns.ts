@@ -18,6 +18,8 @@ const energies: Partial<Record<string, TableColumn["part"]>> = {
   damping_work: "damping",
   wall_work: "walls",
   mapping_loss: "mapping",
+  drag_work: "drag",
+  pore_water_work: "pore_water",
   external_work: "external",
 };
 

@@ -62,6 +62,7 @@ void visit_water(Body& body, Visit&& visit) {
   visit("water/stretch", body.water.stretch);
   visit("water/mean_saturation", body.water.mean_saturation);
   visit("water/mean_pressure", body.water.mean_pressure);
+  visit("water/mean_bishop", body.water.mean_bishop);
   visit("water/mean_resistance", body.water.mean_resistance);
   visit("water/surplus", body.water.surplus);
   visit("water/sums", body.water.sums);
@@ -180,6 +181,8 @@ void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
                                     body.work.dissipated,
                                     body.work.walls,
                                     body.work.mapping,
+                                    body.work.drag,
+                                    body.work.pore_water,
                                     body.nodes.motion_step,
                                     body.monitor.out_of_balance,
                                     body.monitor.external,
@@ -228,9 +231,9 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
   }
   const auto& scalars = archive.reals("scalars");
   body.time = scalars[0];
-  body.work = {scalars[1], scalars[2], scalars[3], scalars[4], scalars[5]};
-  body.nodes.motion_step = scalars[6];
-  body.monitor = {scalars[7], scalars[8], scalars[9], scalars[10], static_cast<int>(counts[2])};
+  body.work = {scalars[1], scalars[2], scalars[3], scalars[4], scalars[5], scalars[6], scalars[7]};
+  body.nodes.motion_step = scalars[8];
+  body.monitor = {scalars[9], scalars[10], scalars[11], scalars[12], static_cast<int>(counts[2])};
   body.step_count = counts[0];
 }
 

@@ -24,7 +24,7 @@ constexpr int rows_per_leg = 200;
 const char* const axes[] = {"x", "y", "z"};
 
 template <int D>
-std::vector<output::Column> list_columns(const input::Case& data) {
+std::vector<output::Column> list_columns(const input::Case& data, bool wet) {
   std::vector<output::Column> columns{{"time", "s"},
                                       {"step", "-"},
                                       {"time_step", "s"},
@@ -43,6 +43,7 @@ std::vector<output::Column> list_columns(const input::Case& data) {
   for (int d = 0; d < D; ++d) columns.push_back({fmt::format("momentum_{}", axes[d]), "kg m/s"});
   for (int d = 0; d < D; ++d) columns.push_back({fmt::format("centre_{}", axes[d]), data.output.length_unit});
   columns.push_back({"largest_displacement", data.output.displacement_unit});
+  if (wet) columns.insert(columns.end(), {{"drag_work", "J"}, {"pore_water_work", "J"}});
   return columns;
 }
 
@@ -128,7 +129,7 @@ void Recorder<D>::open_histories(bool resumes) {
     return resumes ? output::History::resume(path, columns) : output::History::start(path, columns);
   };
   if (!settings_.keeps_history) return;
-  std::vector<output::Column> columns = list_columns<D>(*settings_.data);
+  std::vector<output::Column> columns = list_columns<D>(*settings_.data, water_.has_value());
   if (water_) {
     const auto more = water_->list_columns();
     columns.insert(columns.end(), more.begin(), more.end());
@@ -222,17 +223,18 @@ void Recorder<D>::write_rows(const mpm::Body<D>& body) {
   const double stress = units::get_si_factor(settings_.data->output.stress_unit);
   const auto t = mpm::sum_points(body, plan_->gravity);
   const double ratio = body.monitor.external > 0 ? body.monitor.out_of_balance / body.monitor.external : 0;
+  const mpm::Work work = body.work - settings_.work_before;
   std::vector<double> row{body.time,
                           static_cast<double>(body.step_count),
                           body.step_count > 0 ? plan_->step.courant * find_critical_step(body, *plan_).dt : 0.0,
                           t.kinetic,
                           t.potential,
                           t.elastic,
-                          body.work.dissipated - settings_.work_before.dissipated,
-                          body.work.damped - settings_.work_before.damped,
-                          body.work.walls - settings_.work_before.walls,
-                          body.work.mapping - settings_.work_before.mapping,
-                          body.work.external - settings_.work_before.external,
+                          work.dissipated,
+                          work.damped,
+                          work.walls,
+                          work.mapping,
+                          work.external,
                           ratio,
                           body.monitor.speed,
                           static_cast<double>(t.points),
@@ -240,7 +242,10 @@ void Recorder<D>::write_rows(const mpm::Body<D>& body) {
   for (const double p : t.momentum) row.push_back(p);
   for (const double x : t.centre) row.push_back(x / length);
   row.push_back(mpm::find_largest_displacement(body).value / displacement);
-  if (water_) water_->append(body, row);
+  if (water_) {
+    row.insert(row.end(), {work.drag, work.pore_water});
+    water_->append(body, row);
+  }
   history_->append(row);
   if (!monitors_) return;
   row = {body.time};

@@ -3,11 +3,11 @@
 import type { TableColumn } from "../../contract";
 
 const stores = ["kinetic", "elastic", "plastic", "damping"] as const;
-/** Absent from results of 0.2.0 and earlier. */
-const laterStores = ["walls", "mapping"] as const;
+/** Absent from results of 0.2.0 and earlier; the last two also without pore water. */
+const laterStores = ["walls", "mapping", "drag", "pore_water"] as const;
 
 export interface EnergyBalance {
-  /** external work − (kinetic + elastic + plastic + damping + walls + mapping), all as changes since the first row [J]. */
+  /** external work − (kinetic + elastic + plastic + damping + walls + mapping + drag + pore water), as changes since the first row [J]. */
   residual: (number | null)[];
   /** Largest change of the external work [J]. */
   work: number;
