@@ -44,7 +44,7 @@ def run(program, case, aspect, size, extra, folder):
     start, end = history[0], history[-1]
     number = lambda row, key: float(row[key])
     stored = number(end, "kinetic_energy [J]") + number(end, "elastic_energy [J]") - number(start, "elastic_energy [J]")
-    spent = stored + number(end, "plastic_work [J]") + number(end, "damping_work [J]")
+    spent = stored + sum(number(end, f"{part} [J]") for part in ("plastic_work", "damping_work", "wall_work", "mapping_loss"))
     released = number(start, "potential_energy [J]") - number(end, "potential_energy [J]")
     return {
         "a": aspect, "runout": summary["runout"]["toe"] - 1, "height": max(h for _, h in profile),
