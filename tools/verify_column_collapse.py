@@ -3,7 +3,9 @@
 """Runs examples/column_collapse for several aspect ratios and compares runout and height with Lube et al. (2005).
 
 Usage: tools/verify_column_collapse.py PROGRAM FOLDER [--size H] [ASPECT ...] [-- KEY=VALUE ...]
-Writes column_collapse_hH.csv and the profiles to FOLDER and prints the table as Markdown.
+       tools/verify_column_collapse.py --draw FOLDER TARGET
+Writes column_collapse_hH.csv and the profiles to FOLDER and prints the table as Markdown; seconds for a mesh. --draw makes the pictures of
+what FOLDER holds, column_collapse.svg and column_collapse_deposits.svg, in TARGET.
 """
 import csv
 import json
@@ -58,8 +60,49 @@ def run(program, case, aspect, size, extra, folder):
     }
 
 
+def read_table(path):
+    with open(path, newline="") as file:
+        return [{k: float(v) for k, v in row.items() if k != "end"} for row in csv.DictReader(file)]
+
+
+def draw(folder, target):
+    import matplotlib
+    matplotlib.use("svg")
+    matplotlib.rcParams.update({"svg.hashsalt": "talus", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
+    import matplotlib.pyplot as plt
+    tables = {float(p.stem.rpartition("_h")[2]): read_table(p) for p in folder.glob("column_collapse_h*.csv")}
+    sizes = sorted(tables, reverse=True)
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+    aspects = [0.4 + 0.05 * i for i in range(116)]
+    short, tall = [a for a in aspects if a <= 1.8], [a for a in aspects if a >= 2.8]
+    for part in (short, tall):
+        left.plot(part, [law_runout(a)[0] for a in part], "k-", lw=1, label="Lube et al. (2005)" if part is short else None)
+    for part, disks in (([a for a in aspects if a < 2.3], lambda a: 1.67 * a), ([a for a in aspects if a >= 2.3], lambda a: 2.5 * a ** (2 / 3))):
+        left.plot(part, [disks(a) for a in part], "k--", lw=0.8, label="disks in two dimensions, Kumar (2015)" if part[0] < 2.3 else None)
+    right.plot(aspects, [law_height(a) for a in aspects], "k-", lw=1, label="Lube et al. (2005)")
+    for size, mark in zip(sizes, ("o", "s", "^")):
+        for axes, key in ((left, "runout"), (right, "height")):
+            axes.plot([r["a"] for r in tables[size]], [r[key] for r in tables[size]], mark, ms=4, mfc="none", label=f"Talus, d0/{1 / size:.0f}")
+    left.set(xlabel="height over width of the column, a", ylabel="runout (d∞ − d0)/d0", xlim=(0, 6.3), ylim=0)
+    right.set(xlabel="height over width of the column, a", ylabel="height of the heap h∞/d0", xlim=(0, 6.3), ylim=0)
+    left.legend(frameon=False, loc="upper left")
+    right.legend(frameon=False, loc="lower right")
+    figure.savefig(target / "column_collapse.svg", metadata={"Date": None})
+    figure, axes = plt.subplots(figsize=(9, 2.6), layout="constrained")
+    for row in tables[sizes[-1]]:
+        with open(folder / f"profile_a{row['a']:g}_h{sizes[-1]:g}.csv", newline="") as file:
+            profile = [(float(p["x/d0"]), float(p["h/d0"])) for p in csv.DictReader(file)]
+        axes.plot(*zip(*profile), lw=1, label=f"a = {row['a']:g}")
+    axes.set(xlabel="x/d0", ylabel="h/d0", xlim=(0, 10), ylim=0, aspect="equal")
+    axes.legend(frameon=False, ncols=2)
+    figure.savefig(target / "column_collapse_deposits.svg", metadata={"Date": None})
+
+
 def main():
     arguments, extra = sys.argv[1:], []
+    if arguments[:1] == ["--draw"]:
+        draw(pathlib.Path(arguments[1]), pathlib.Path(arguments[2]))
+        return
     if "--" in arguments:
         cut = arguments.index("--")
         arguments, extra = arguments[:cut], arguments[cut + 1:]
