@@ -74,17 +74,17 @@ void number_rows(Layout<D>& layout) {
 
 /// Room for the fields of the water; every surface is a seepage face.
 template <int D>
-void allocate_water(Body<D>& body, const std::vector<WaterLaw>& laws) {
+void allocate_water(Body<D>& body, std::vector<WaterLaw> laws) {
   const Layout<D>& l = *body.layout;
   const std::size_t lanes = static_cast<std::size_t>(l.blocks) * lane_width, rows = static_cast<std::size_t>(l.rows),
                     nodes = l.mesh.nodes.size();
   Water<D>& water = body.water;
-  for (const WaterLaw& law : laws) {
+  for (WaterLaw& law : laws) {
     if (law.wet) {
       water.density = law.density;
       water.bulk_modulus = law.bulk_modulus;
     }
-    water.laws.push_back(finish(law));
+    water.laws.push_back(finish(std::move(law)));
   }
   water.first_field = body.points.fields;
   body.points.fields += WaterFields<D>::count;
