@@ -74,17 +74,17 @@ void number_rows(Layout<D>& layout) {
 
 /// Room for the fields of the water; every surface is a seepage face.
 template <int D>
-void allocate_water(Body<D>& body, std::vector<WaterLaw> laws) {
+void allocate_water(Body<D>& body, const std::vector<WaterLaw>& laws) {
   const Layout<D>& l = *body.layout;
   const std::size_t lanes = static_cast<std::size_t>(l.blocks) * lane_width, rows = static_cast<std::size_t>(l.rows),
                     nodes = l.mesh.nodes.size();
   Water<D>& water = body.water;
-  for (WaterLaw& law : laws) {
+  for (const WaterLaw& law : laws) {
     if (law.wet) {
       water.density = law.density;
       water.bulk_modulus = law.bulk_modulus;
     }
-    water.laws.push_back(finish(std::move(law)));
+    water.laws.push_back(finish(law));
   }
   water.first_field = body.points.fields;
   body.points.fields += WaterFields<D>::count;
@@ -140,7 +140,7 @@ template <int D>
 Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws,
                   // NOLINTNEXTLINE(performance-unnecessary-value-param)
                   std::vector<std::string> names, const std::vector<InitialPoint<D>>& initial,
-                  std::vector<WaterLaw> water) {
+                  const std::vector<WaterLaw>& water) {
   using P = Points<D>;
   Body<D> body;
   body.layout = std::move(layout);
@@ -153,7 +153,7 @@ Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material:
   P& points = body.points;
   const int states = find_state_size(body.laws);
   points.fields = P::state + states;
-  if (!water.empty()) allocate_water(body, std::move(water));
+  if (!water.empty()) allocate_water(body, water);
   const std::size_t n = initial.size();
   points.element.assign(n, -1);
   points.place.assign(n, -1);
@@ -249,9 +249,9 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
 template std::shared_ptr<const Layout<2>> make_layout<2>(mesh::Mesh<2>, const std::vector<int>&, int);
 template std::shared_ptr<const Layout<3>> make_layout<3>(mesh::Mesh<3>, const std::vector<int>&, int);
 template Body<2> make_body<2>(std::shared_ptr<const Layout<2>>, std::vector<material::Law>, std::vector<std::string>,
-                              const std::vector<InitialPoint<2>>&, std::vector<WaterLaw>);
+                              const std::vector<InitialPoint<2>>&, const std::vector<WaterLaw>&);
 template Body<3> make_body<3>(std::shared_ptr<const Layout<3>>, std::vector<material::Law>, std::vector<std::string>,
-                              const std::vector<InitialPoint<3>>&, std::vector<WaterLaw>);
+                              const std::vector<InitialPoint<3>>&, const std::vector<WaterLaw>&);
 template void gather_nodal_sums<2>(Body<2>&, const StepOptions<2>&);
 template void gather_nodal_sums<3>(Body<3>&, const StepOptions<3>&);
 

@@ -32,6 +32,6 @@ std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vect
 template <int D>
 Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material::Law> laws,
                   std::vector<std::string> names, const std::vector<InitialPoint<D>>& points,
-                  std::vector<WaterLaw> water = {});
+                  const std::vector<WaterLaw>& water = {});
 
 }  // namespace talus::mpm
