@@ -232,12 +232,17 @@ TEST_F(WetReport, EachFactorSaysWhetherItIsDrainedOrCoupled) {
   changed["input"]["strength_reduction"] = {
       {"curve", {{"enabled", leaf(true)}, {"water", leaf("flows")}, {"window", leaf(5)}}},
       {"frozen", {{"enabled", leaf(true)}, {"water", leaf("held")}}}};
-  changed["factor_of_safety"] = {
-      {"frozen", {{"factor", 1.2}, {"uncertainty", 0.01}, {"meshes", {{{"factor", 1.2}, {"size", 0.7}}}}}},
-      {"criteria", {{{"name", "jump"}, {"factor", 1.3}, {"note", ""}}}}};
+  changed["factor_of_safety"] = {{"frozen",
+                                  {{"factor", 1.2},
+                                   {"uncertainty", 0.0104},
+                                   {"mesh_effect", 0.01},
+                                   {"meshes", {{{"factor", 1.2}, {"size", 0.7}}}}}},
+                                 {"criteria", {{{"name", "jump"}, {"factor", 1.3}, {"note", ""}}}}};
   const json document = collect_with(changed);
   const json& factors = document.at("answer").at("factors");
   EXPECT_EQ(factors[0].at("water"), "held");
+  EXPECT_EQ(factors[0].at("lower"), 1.189) << "of 1.1896: an interval is rounded outward";
+  EXPECT_EQ(factors[0].at("upper"), 1.211) << "of 1.2104";
   EXPECT_EQ(factors[1].at("water"), "flows");
   EXPECT_SAYS(join_all(document.at("answer").at("sentences")), "and pore pressures held (drained)");
   const std::string text = join_all(document.at("assumptions"));

@@ -101,8 +101,7 @@ std::optional<double> find_outer_pressure(const Body<D>& body, int i, int like, 
 /// What the points of an element fill of it.
 template <int D>
 struct Filling {
-  double volume = 0;       ///< Σ V of wet points [m³]
-  double moment[D + 1]{};  ///< Σ V N_i [m³]
+  double moment[D + 1]{};  ///< Σ V N_i of wet points [m³]
   bool full = false;       ///< it is integrated as a whole
 
   Filling(const Body<D>& body, int e, bool mixed) {
@@ -127,7 +126,6 @@ struct Filling {
         rest -= xi;
       }
       moment[0] += v * rest;
-      volume += v;
     }
     full = mixed && uniform && all > body.elements.fill_limit[e];
   }

@@ -48,6 +48,18 @@ void for_nodes(const Body<D>& body, int threads, const AlignedVector<double>& ro
   });
 }
 
+/// Σ_j M_ij u_j of the elements of block `b`; `value` gets the u of their nodes `at` from the rows.
+template <int D>
+TALUS_KERNEL void multiply_mass(const AlignedVector<double>& moments, const AlignedVector<double>& rows, int b,
+                                const int* at, Pack (&value)[D + 1][D], Pack (&out)[D + 1][D]) {
+  Pack m[moment_size<D>];
+  for (int k = 0; k <= D; ++k) load_rows<D, row_stride>(rows.data(), at + k * lane_width, value[k]);
+  for (int q = 0; q < moment_size<D>; ++q)
+    m[q] =
+        load<Pack>(&moments[(static_cast<std::size_t>(b) * moment_size<D> + static_cast<std::size_t>(q)) * lane_width]);
+  remap_element<D, Pack>(m, value, 1, out);
+}
+
 /// The nodal velocities that have the momentum of the points, in rows.
 template <int D, class P>
 AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const P& phase) {
@@ -79,12 +91,8 @@ AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const
     const double keep = n == 0 ? 0 : next * rho, step = n == 0 ? 1 / middle : 2 * next / half_width;
     std::fill(product.begin(), product.end(), 0.0);
     for_blocks(body, threads, [&](int b, const int* at) {
-      Pack value[D + 1][D], out[D + 1][D], m[moment_size<D>];
-      for (int k = 0; k <= D; ++k) load_rows<D, row_stride>(rows.data(), at + k * lane_width, value[k]);
-      for (int q = 0; q < moment_size<D>; ++q)
-        m[q] = load<Pack>(
-            &phase.moments[(static_cast<std::size_t>(b) * moment_size<D> + static_cast<std::size_t>(q)) * lane_width]);
-      remap_element<D, Pack>(m, value, 1, out);
+      Pack value[D + 1][D], out[D + 1][D];
+      multiply_mass<D>(phase.moments, rows, b, at, value, out);
       for (int k = 0; k <= D; ++k) add_rows<D>(product.data(), at + k * lane_width, out[k]);
     });
     for_nodes<D, row_stride, 0>(body, threads, product, [&](int i, const double* Mu) {
@@ -111,12 +119,8 @@ void fade_phase(Body<D>& body, const StepOptions<D>& o, const P& phase) {
     for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
       if (body.points.block_used[b] == 0) continue;
       const int* at = &layout.connectivity[static_cast<std::size_t>(b) * lane_width * (D + 1)];
-      Pack value[D + 1][D], out[D + 1][D], m[moment_size<D>];
-      for (int k = 0; k <= D; ++k) load_rows<D, row_stride>(rows.data(), at + k * lane_width, value[k]);
-      for (int q = 0; q < moment_size<D>; ++q)
-        m[q] = load<Pack>(
-            &phase.moments[(static_cast<std::size_t>(b) * moment_size<D> + static_cast<std::size_t>(q)) * lane_width]);
-      remap_element<D, Pack>(m, value, 1, out);
+      Pack value[D + 1][D], out[D + 1][D];
+      multiply_mass<D>(phase.moments, rows, b, at, value, out);
       for (int k = 0; k <= D; ++k)
         add_rows<D, P::momentum_column, P::sums_stride>(phase.sums.data(), at + k * lane_width, out[k]);
       const Pack count = load<Pack>(&body.points.count[static_cast<std::size_t>(b) * lane_width]);

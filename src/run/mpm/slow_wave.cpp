@@ -57,9 +57,8 @@ std::optional<std::string> describe_slow_wave(const mpm::Body<D>& body, const St
   const double process = drains ? *wave.drainage : lasting, share = wave.crossing / process;
   if (!(share > largest_share)) return std::nullopt;
   return fmt::format(
-      "stage '{}': with mass_scaling = {:.3g} a wave needs {:.2g} s through the drained soil, and {} {:.2g} s: the "
-      "soil "
-      "lags behind what happens to it; a mass_scaling up to {:g} keeps it below a tenth of that",
+      "stage '{}': with mass_scaling = {:.3g} a wave needs {:.2g} s to cross the drained soil. What takes less than "
+      "ten times as long lags behind, and {} {:.2g} s. A mass_scaling up to {:g} follows it",
       plan.name, scaling, wave.crossing, drains ? "the soil drains in" : "the stage lasts", process,
       round_down(std::max(1.0, scaling * std::pow(largest_share / share, 2))));
 }

@@ -108,7 +108,7 @@ function Factors({ factors }: { factors: Factor[] }) {
       <FactorTable
         factors={shown}
         among={factors}
-        caption="Factor of safety by each criterion, with the bracket that the search ended with"
+        caption="Factor of safety by each criterion, with its interval, or the bracket that its search ended with"
       />
       {folded.length > 0 && (
         <details class="more-factors no-print">
