@@ -6,7 +6,7 @@ Usage: tools/verify_energy.py PROGRAM [--only NAME …] [--jobs N] [--out FOLDER
 
 Each body on three meshes, one half the size of the other. The residual is what the columns of history.csv do not explain, over the work
 done: the largest external work and the energy of motion at the start. --write stores the table in docs/verification_data/energy.md. --out
-keeps cases and results, and finished runs found there are taken. Ten minutes on two cores. Ends with 1 where a residual is above 1 %.
+keeps cases and results, and finished runs found there are taken. Five minutes on two cores. Ends with 1 where a residual is above 1 %.
 """
 import argparse
 import concurrent.futures
