@@ -39,12 +39,11 @@ std::size_t memory_per_point(const talus::mpm::Body<D>& body) {
   const auto& w = body.water;
   const auto& l = *body.layout;
   const auto& m = l.mesh;
-  std::size_t total =
-      count_bytes(p.data, p.id, p.count, p.element, p.place, p.material, p.reference, p.strain_offset) +
-      count_bytes(e.moments, e.strain, e.fill_limit, e.return_pressure, e.force_volume, e.plastic_mean) +
-      count_bytes(n.sums, n.motion, n.average, n.smoothed, n.load, n.displacement) +
-      count_bytes(l.connectivity, l.gradients, l.volumes, l.node_rows, l.row_start) +
-      count_bytes(m.nodes, m.elements, m.neighbours, m.volumes, m.gradients, m.altitudes);
+  std::size_t total = count_bytes(p.data, p.id, p.count, p.element, p.place, p.material, p.reference, p.strain_offset) +
+                      count_bytes(e.moments, e.strain, e.fill_limit, e.apart, e.plastic_dilation, e.rough) +
+                      count_bytes(n.sums, n.motion, n.average, n.smoothed, n.load, n.displacement) +
+                      count_bytes(l.connectivity, l.gradients, l.volumes, l.node_rows, l.row_start) +
+                      count_bytes(m.nodes, m.elements, m.neighbours, m.volumes, m.gradients, m.altitudes);
   total += count_bytes(w.constraint_of_node, w.constraints, w.surface_of_node, w.moments, w.volume, w.stretch,
                        w.mean_saturation, w.mean_pressure, w.surplus, w.sums, w.motion, w.average, w.smoothed,
                        w.open_sides, w.facing, w.load, w.mixture_load);
@@ -90,10 +89,10 @@ void print_state(const talus::mpm::Body<D>& body) {
 void print_parts(const talus::mpm::Timing& t, int steps) {
   const double scale = 1e6 / steps;
   fmt::print(
-      "parts [us/step]: momentum {:.2f}, remap {:.2f}, smoothing {:.2f}, points {:.2f}, return {:.2f}, relocate "
+      "parts [us/step]: momentum {:.2f}, remap {:.2f}, smoothing {:.2f}, points {:.2f}, relocate "
       "{:.2f}\n",
       t.solve_momentum * scale, t.remap_momentum * scale, t.smooth_strain * scale, t.advance_points * scale,
-      t.smooth_return * scale, t.relocate * scale);
+      t.relocate * scale);
 }
 
 template <int D>

@@ -208,6 +208,8 @@ class CamClay {
                             6.0 * shear * over_m * over_c, specific * over_plastic_slope_, floor_ * over_c},
                            yields);
     const T p = select(yields, back.pressure * p_c, p_trial), ratio = select(yields, back.shear, T(1.0));
+    T dilation = (p - p_trial) / bulk;
+    if constexpr (NS == 4) dilation = dilation * (2.0 / 3) - sigma[2] * (1.0 - ratio) / (2.0 * shear);
     TALUS_UNROLL
     for (int i = 0; i < 3; ++i) sigma[i] = sigma[i] * ratio - p;
     TALUS_UNROLL
@@ -215,7 +217,7 @@ class CamClay {
     const T multiplier = select(yields, back.multiplier, T(0.0));
     state[0] += multiplier * (2.0 * over_c * over_m) * lane_sqrt(q_square) * ratio;
     state[1] = select(yields, raise_to_floor(state[1], p_c, exponent) * back.growth, state[1]);
-    return {true, p_trial - p, multiplier * back.pressure * back.growth * p_c};
+    return {true, dilation, multiplier * back.pressure * back.growth * p_c};
   }
 
   /// p'_c with suction and roots (4.6-4.10) [Pa]; `not_set` as it is.

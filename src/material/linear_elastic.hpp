@@ -19,8 +19,8 @@ inline constexpr int stress_size = D == 2 ? 4 : 6;
 /// What an update tells beside the new stress. All per point.
 template <class T>
 struct Response {
-  bool any_plastic;       ///< false: no lane yielded, the state is as before and the rest is zero
-  T plastic_mean_stress;  ///< change of the mean stress by the plastic return [Pa]
+  bool any_plastic;    ///< false: no lane yielded, the state is as before and the rest is zero
+  T plastic_dilation;  ///< Δε^p of the step, summed over the directions that move: two of NS = 4, all of 6 [-]
   /// Plastic work of the step [J/m³]. Mohr–Coulomb's is that of the mean of the stresses before and after,
   /// ½(σ_old + σ):Δε^p, which is what the elastic energy and the work of a finite step leave.
   T dissipation;

@@ -231,6 +231,7 @@ class MohrCoulomb {
     const auto yields =
         active && (k_ * trial.s1 - trial.s3 > T(bounds.intercept + tolerance_) || trial.s1 > T(bounds.tension_limit));
     if (!any(yields)) return {false, T(0.0), T(0.0)};
+    constexpr int D = NS == 4 ? 2 : 3;  // directions that move
     T n1 = trial.s1, n2 = trial.s2, n3 = trial.s3;
     return_principal(n1, n2, n3, bounds);
     const T d1 = trial.s1 - n1, d2 = trial.s2 - n2, d3 = trial.s3 - n3;
@@ -246,6 +247,9 @@ class MohrCoulomb {
     trial.compose(n1, n2, n3, composed);
     // σ_old:Δε^p = (σ_trial - C:Δε):C⁻¹:(σ_trial - σ)
     T old_work = (trial.s1 * (d1 - e_mean) + trial.s2 * (d2 - e_mean) + trial.s3 * (d3 - e_mean)) * half_over_mu_;
+    T dilation = -static_cast<double>(D) * e_mean;
+    TALUS_UNROLL
+    for (int i = 0; i < D; ++i) dilation += sigma[i] - composed[i];
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) {
       old_work -= d_epsilon[i] * (sigma[i] - composed[i]);
@@ -254,9 +258,9 @@ class MohrCoulomb {
     state[0] = select(yields, state[0] + shear, state[0]);
     // Where all directions that move bear the most tension the soil comes apart; tr ε^p = tr(σ_trial - σ) / 3K.
     T borne = composed[0] + composed[1];
-    if constexpr (NS == 6) borne += composed[2];
-    const auto apart = yields && borne > T((NS == 6 ? 3 : 2) * bounds.tension - tolerance_);
-    return {true, select(yields, -mean, T(0.0)), select(yields, 0.5 * (old_work + work), T(0.0)),
+    if constexpr (D == 3) borne += composed[2];
+    const auto apart = yields && borne > T(D * bounds.tension - tolerance_);
+    return {true, select(yields, dilation * half_over_mu_, T(0.0)), select(yields, 0.5 * (old_work + work), T(0.0)),
             select(apart, (trace - 3.0 * e_mean) * half_over_mu_, T(0.0))};
   }
 

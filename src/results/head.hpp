@@ -80,7 +80,7 @@ void describe(V& v, R& r) {
 
 /// Seconds of the parts of the step.
 struct StepSeconds {
-  double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, smooth_return = 0, relocate = 0;
+  double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, relocate = 0;
 };
 template <class V, As<StepSeconds> R>
 void describe(V& v, R& r) {
@@ -88,7 +88,6 @@ void describe(V& v, R& r) {
   v.key("remap_momentum", r.remap_momentum, {"s", "remapping of the momentum"});
   v.key("smooth_strain", r.smooth_strain, {"s", "smoothing of the strain"});
   v.key("advance_points", r.advance_points, {"s", "material points: motion, strain, stress"});
-  v.key("smooth_return", r.smooth_return, {"s", "smoothing of the stress return"});
   v.key("relocate", r.relocate, {"s", "points that changed their element"});
 }
 

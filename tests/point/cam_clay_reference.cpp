@@ -88,7 +88,7 @@ void compare_paths(int count, unsigned seed) {
         point.saturation += drying;
         point.step(law, d);
         plastic += point.dissipation > 0;
-        dry += point.plastic_mean_stress < 0;
+        dry += point.plastic_dilation > 0;
         for (int j = 0; j < substeps; ++j) {
           plain.saturation += drying / substeps;
           reference::step_explicitly(clay, plain, part);

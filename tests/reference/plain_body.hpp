@@ -94,6 +94,9 @@ struct Body {
   int left = 0;                ///< points that have left the mesh and were removed
   std::vector<Node<D>> nodes;  ///< of the last step, to be looked at
   std::vector<Cell> cells;     ///< of the last step, one per element
+  // By element, of the last step; empty before the first.
+  std::vector<double> plastic_dilation;  ///< mean over the points [-]
+  std::vector<double> rough;             ///< what averaging took from the elastic increment [-]
 };
 
 /// container[index] without the casts that an int index would need everywhere.

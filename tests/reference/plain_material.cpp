@@ -86,7 +86,7 @@ StressUpdate update_stress(const Material& m, const Tensor& sigma, const Tensor&
   const Vector3 plastic = principal_stiffness(m).inverse() * (ordered_trial - ordered);
   const Vector3 plastic_deviator = plastic - Vector3::Constant(plastic.mean());
   return {axes * ordered.asDiagonal() * axes.transpose(), std::sqrt(2.0 / 3) * plastic_deviator.norm(),
-          ordered.mean() - ordered_trial.mean()};
+          axes * plastic.asDiagonal() * axes.transpose()};
 }
 
 StressUpdate update_separating(const Material& m, const Tensor& sigma, const Tensor& strain_increment, double gap,
@@ -103,10 +103,8 @@ StressUpdate update_separating(const Material& m, const Tensor& sigma, const Ten
   // It comes apart where the stress is, in all directions that move, the tension that it bears at most.
   const double apex = m.friction_angle > 0 ? m.cohesion / std::tan(m.friction_angle) : INFINITY;
   const double limit = std::min(m.tensile_strength, apex);
-  const double bulk = lambda + 2 * shear / 3;
   const double borne = update.sigma.diagonal().head(dimensions).sum();
-  if (update.mean_stress_change < 0 && borne > dimensions * limit - 1e-12 * shear)
-    update.opened = -update.mean_stress_change / bulk;
+  if (update.plastic.trace() > 0 && borne > dimensions * limit - 1e-12 * shear) update.opened = update.plastic.trace();
   update.opened -= closed;
   return update;
 }

@@ -28,10 +28,10 @@ struct Material {
 };
 
 struct StressUpdate {
-  Tensor sigma;                   ///< [Pa]
-  double plastic_strain = 0;      ///< sqrt(2/3 e^p:e^p) of the deviatoric plastic strain of this increment [-]
-  double mean_stress_change = 0;  ///< p(σ_returned) − p(σ_trial) [Pa], p = tr σ/3
-  double opened = 0;              ///< growth of the gap in soil that comes apart, below zero where it closed [-]
+  Tensor sigma;                     ///< [Pa]
+  double plastic_strain = 0;        ///< sqrt(2/3 e^p:e^p) of the deviatoric plastic strain of this increment [-]
+  Tensor plastic = Tensor::Zero();  ///< Δε^p = C⁻¹:(σ_trial − σ) [-]
+  double opened = 0;                ///< growth of the gap in soil that comes apart, below zero where it closed [-]
 };
 
 /// A linear yield function of the ordered principal stresses: f = normal·σ − strength, flow along `flow`.

@@ -230,9 +230,8 @@ void step(Body<D>& body, const Settings& settings) {
   accelerate_points(body, settings);  // (2.40)
   remap_momentum(body);               // (2.41)
   // The positions wait until the end of the list: the strains belong to the elements the points were in.
-  compute_strain_increments(body, settings);                                     // (2.43), (2.94), (2.95)
-  const std::vector<double> mean_stress_change = update_points(body, settings);  // (2.44), (2.45)
-  if (settings.smoothing == Smoothing::stable) smooth_plastic_mean_stress(body, settings, mean_stress_change);
+  compute_strain_increments(body, settings);  // (2.43), (2.94), (2.95)
+  update_points(body, settings);              // (2.44), (2.45)
   if (settings.frozen) return;
   move_points(body, settings);  // (2.42)
   relocate_points(body);
@@ -243,7 +242,7 @@ extern template void classify_elements(Body<2>&, const Settings&);
 extern template void map_points_to_nodes(Body<2>&);
 extern template void solve_momentum(Body<2>&, const Settings&);
 extern template void compute_strain_increments(Body<2>&, const Settings&);
-extern template std::vector<double> update_points(Body<2>&, const Settings&);
+extern template void update_points(Body<2>&, const Settings&);
 extern template std::vector<double> smooth_over_nodes(const Body<2>&, const std::vector<double>&);
 extern template void relocate_points(Body<2>&);
 extern template void step(Body<2>&, const Settings&);
@@ -251,7 +250,7 @@ extern template void classify_elements(Body<3>&, const Settings&);
 extern template void map_points_to_nodes(Body<3>&);
 extern template void solve_momentum(Body<3>&, const Settings&);
 extern template void compute_strain_increments(Body<3>&, const Settings&);
-extern template std::vector<double> update_points(Body<3>&, const Settings&);
+extern template void update_points(Body<3>&, const Settings&);
 extern template std::vector<double> smooth_over_nodes(const Body<3>&, const std::vector<double>&);
 extern template void relocate_points(Body<3>&);
 extern template void step(Body<3>&, const Settings&);

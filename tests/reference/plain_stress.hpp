@@ -53,6 +53,28 @@ Tensor spread_volumetric(double change) {
   return strain;
 }
 
+/// What smoothing adds to the volumetric increments of the elements. `average` gives the nodal averages of an element
+/// field; elements that take no part keep what they have. Smoothing::stable averages what is elastic (T4.4): plastic
+/// flow answers to the shear of its own element, and with the dilation of others a dilatant soil explodes. Of the
+/// plastic part the last step's is known. A quarter of what is taken comes one step late (T4.5).
+template <class Body, class Average>
+std::vector<double> find_smoothing_change(Body& body, Smoothing smoothing, std::vector<double> elastic,
+                                          Average&& average) {
+  const bool stable = smoothing == Smoothing::stable;
+  body.plastic_dilation.resize(elastic.size(), 0);
+  body.rough.resize(elastic.size(), 0);
+  for (std::size_t e = 0; e < elastic.size() && stable; ++e) elastic[e] -= body.plastic_dilation[e];
+  const std::vector<double> smoothed = average(elastic);
+  std::vector<double> change(elastic.size(), 0);
+  for (std::size_t e = 0; e < elastic.size(); ++e) {
+    const bool part = body.cells[e].is_active() && !body.cells[e].apart;
+    const double rough = part ? elastic[e] - smoothed[e] : 0;
+    if (part) change[e] = stable ? 0.25 * (rough - body.rough[e]) - rough : -rough;
+    body.rough[e] = stable ? rough : 0;
+  }
+  return change;
+}
+
 /// L and Δε = sym(L)Δt of every active element (2.43); on request with the smoothed volumetric part.
 template <int D>
 void compute_strain_increments(Body<D>& body, const Settings& settings) {
@@ -67,9 +89,9 @@ void compute_strain_increments(Body<D>& body, const Settings& settings) {
     at(volumetric, e) = cell.strain_increment.trace();
   }
   if (settings.smoothing == Smoothing::none) return;
-  const std::vector<double> smoothed = smooth_over_nodes(body, volumetric);
-  for (std::size_t e = 0; e < body.cells.size(); ++e)
-    body.cells[e].strain_increment += spread_volumetric<D>(smoothed[e] - volumetric[e]);
+  const std::vector<double> change = find_smoothing_change(
+      body, settings.smoothing, volumetric, [&](const auto& field) { return smooth_over_nodes(body, field); });
+  for (std::size_t e = 0; e < body.cells.size(); ++e) body.cells[e].strain_increment += spread_volumetric<D>(change[e]);
 }
 
 /// R of Hughes and Winget (1980) for the spin W = (L − Lᵀ)Δt/2: orthogonal for any W.
@@ -105,14 +127,22 @@ StressUpdate update_moving_stress(const Material& material, const Tensor& sigma,
   return update;
 }
 
-/// Stress (2.44), strain, plastic strain and volume (2.45) of every point. The points of a full element start from the
-/// same mean state and so end in the same state: it is one update, given to all of them.
-/// Returns p(σ_returned) − p(σ_trial) of every point [Pa].
+/// The plastic strain of an update, summed over the directions that move.
 template <int D>
-std::vector<double> update_points(Body<D>& body, const Settings& settings) {
-  std::vector<double> mean_stress_change(body.points.size(), 0);
-  for (const Cell& cell : body.cells) {
+double find_dilation(const StressUpdate& update) {
+  return update.plastic.topLeftCorner<D, D>().trace();
+}
+
+/// Stress (2.44), strain, plastic strain and volume (2.45) of every point, and the plastic dilation of the elements.
+/// The points of a full element start from the same mean state and so end in the same state: it is one update, given to
+/// all of them.
+template <int D>
+void update_points(Body<D>& body, const Settings& settings) {
+  body.plastic_dilation.assign(body.cells.size(), 0);
+  for (std::size_t e = 0; e < body.cells.size(); ++e) {
+    const Cell& cell = body.cells[e];
     if (cell.full) share_mean_state(body, cell);
+    double dilation = 0, volume = 0;
     const Tensor r = settings.objective ? rotation_increment(cell.gradient, settings.time_step) : Tensor::Identity();
     for (std::size_t p : cell.points) {
       Point<D>& point = body.points[p];
@@ -123,31 +153,11 @@ std::vector<double> update_points(Body<D>& body, const Settings& settings) {
       point.plastic_strain += update.plastic_strain;
       point.strain += cell.strain_increment;
       if (!settings.frozen) point.volume *= (1 + cell.strain_increment.trace()) * (1 - update.opened);
-      mean_stress_change[p] = update.mean_stress_change;
+      dilation += point.volume * find_dilation<D>(update);
+      volume += point.volume;
     }
+    if (cell.is_active()) body.plastic_dilation[e] = dilation / volume;
   }
-  return mean_stress_change;
-}
-
-/// Smoothing::stable: the change of the mean stress by the plastic return, averaged over the nodes like the strain.
-/// With smoothed strains but unsmoothed returns a dilatant soil explodes. The weights V_p are the updated volumes.
-template <int D>
-void smooth_plastic_mean_stress(Body<D>& body, const Settings& settings,
-                                const std::vector<double>& mean_stress_change) {
-  note_gaps(body, settings);
-  std::vector<double> element_value(body.cells.size(), 0);
-  for (std::size_t e = 0; e < body.cells.size(); ++e) {
-    double sum = 0, volume = 0;
-    for (std::size_t p : body.cells[e].points) {
-      sum += body.points[p].volume * mean_stress_change[p];
-      volume += body.points[p].volume;
-    }
-    if (volume > 0) element_value[e] = sum / volume;
-  }
-  const std::vector<double> smoothed = smooth_over_nodes(body, element_value);
-  for (std::size_t e = 0; e < body.cells.size(); ++e)
-    for (std::size_t p : body.cells[e].points)
-      body.points[p].sigma += (smoothed[e] - element_value[e]) * Tensor::Identity();
 }
 
 }  // namespace talus::reference

@@ -74,11 +74,10 @@ void step(WetBody<D>& body, const WetSettings& settings) {
   accelerate_wet_points(body, settings);  // (2.76), (2.77)
   remap_wet_momentum(body);               // (2.78), (2.79)
   count_water(body, settings);
-  compute_wet_increments(body, settings);                                // (2.80), (2.81), (2.94), (2.95)
-  smooth_water_increments(body, settings);                               // (2.96), (2.97)
-  exchange_water(body, settings);                                        // (T14.9)
-  const std::vector<double> change = update_wet_points(body, settings);  // (2.82), (3.4), (2.50)
-  if (settings.smoothing == Smoothing::stable) smooth_wet_plastic_mean_stress(body, settings, change);
+  compute_wet_increments(body, settings);   // (2.80), (2.81), (2.94), (2.95)
+  smooth_water_increments(body, settings);  // (2.96), (2.97)
+  exchange_water(body, settings);           // (T14.9)
+  update_wet_points(body, settings);        // (2.82), (3.4), (2.50)
   if (!settings.frozen) move_wet_points(body, settings);
   ++body.steps;
 }
@@ -92,7 +91,7 @@ extern template void load_free_surface(WetBody<2>&);
 extern template void solve_wet_momentum(WetBody<2>&, const WetSettings&);
 extern template void compute_wet_increments(WetBody<2>&, const WetSettings&);
 extern template void smooth_water_increments(WetBody<2>&, const WetSettings&);
-extern template std::vector<double> update_wet_points(WetBody<2>&, const WetSettings&);
+extern template void update_wet_points(WetBody<2>&, const WetSettings&);
 extern template void exchange_water(WetBody<2>&, const WetSettings&);
 extern template void move_wet_points(WetBody<2>&, const WetSettings&);
 extern template void step(WetBody<2>&, const WetSettings&);
@@ -104,7 +103,7 @@ extern template void load_free_surface(WetBody<3>&);
 extern template void solve_wet_momentum(WetBody<3>&, const WetSettings&);
 extern template void compute_wet_increments(WetBody<3>&, const WetSettings&);
 extern template void smooth_water_increments(WetBody<3>&, const WetSettings&);
-extern template std::vector<double> update_wet_points(WetBody<3>&, const WetSettings&);
+extern template void update_wet_points(WetBody<3>&, const WetSettings&);
 extern template void exchange_water(WetBody<3>&, const WetSettings&);
 extern template void move_wet_points(WetBody<3>&, const WetSettings&);
 extern template void step(WetBody<3>&, const WetSettings&);

@@ -153,6 +153,9 @@ struct WetBody {
   int left = 0;                   ///< points that have left the mesh and were removed
   std::vector<WetNode<D>> nodes;  ///< of the last step, to be looked at
   std::vector<WetCell> cells;     ///< of the last step, one per element
+  // By element, of the last step; empty before the first.
+  std::vector<double> plastic_dilation;  ///< mean over the points [-]
+  std::vector<double> rough;             ///< what averaging took from the elastic increment [-]
   WaterBudget budget;
   int steps = 0;
   std::vector<WaterBudget> node_budgets;  ///< the same by node

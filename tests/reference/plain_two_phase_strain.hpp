@@ -67,10 +67,12 @@ void compute_wet_increments(WetBody<D>& body, const WetSettings& settings) {
     at(divergence, e) = cell.flux_divergence;
   }
   if (settings.smoothing == Smoothing::none) return;
-  const std::vector<double> solid = smooth_with_weights(body.mesh, averaged_volumes(body), volumetric);
+  const std::vector<double> solid = find_smoothing_change(body, settings.smoothing, volumetric, [&](const auto& field) {
+    return smooth_with_weights(body.mesh, averaged_volumes(body), field);
+  });
   const std::vector<double> water = smooth_with_weights(body.mesh, wet_volumes(body, true), divergence);
   for (std::size_t e = 0; e < body.cells.size(); ++e) {
-    if (!body.cells[e].apart) body.cells[e].strain_increment += spread_volumetric<D>(solid[e] - volumetric[e]);
+    body.cells[e].strain_increment += spread_volumetric<D>(solid[e]);
     body.cells[e].flux_divergence = water[e];
   }
 }
@@ -94,12 +96,13 @@ void smooth_water_increments(WetBody<D>& body, const WetSettings& settings) {
   for (std::size_t e = 0; e < body.cells.size(); ++e) body.cells[e].surplus = smoothed[e] - increment[e];
 }
 
-/// Water, volume, pressure, effective stress and strain of every point. Returns the change of the mean effective stress
-/// by the plastic return [Pa].
+/// Water, volume, pressure, effective stress and strain of every point.
 template <int D>
-std::vector<double> update_wet_points(WetBody<D>& body, const WetSettings& settings) {
-  std::vector<double> mean_stress_change(body.points.size(), 0);
-  for (const WetCell& cell : body.cells) {
+void update_wet_points(WetBody<D>& body, const WetSettings& settings) {
+  body.plastic_dilation.assign(body.cells.size(), 0);
+  for (std::size_t e = 0; e < body.cells.size(); ++e) {
+    const WetCell& cell = body.cells[e];
+    double dilation = 0, volume = 0;
     const double volumetric = cell.strain_increment.trace();
     const Tensor r = settings.objective ? rotation_increment(cell.gradient, settings.time_step) : Tensor::Identity();
     for (std::size_t p : cell.points) {
@@ -124,31 +127,12 @@ std::vector<double> update_wet_points(WetBody<D>& body, const WetSettings& setti
       point.sigma = update.sigma;
       point.plastic_strain += update.plastic_strain;
       point.strain += cell.strain_increment;
-      mean_stress_change[p] = update.mean_stress_change;
+      dilation += point.volume * find_dilation<D>(update);
+      volume += point.volume;
     }
+    if (cell.is_active()) body.plastic_dilation[e] = dilation / volume;
     if (cell.full && cell.wet) share_water(body, cell);
   }
-  return mean_stress_change;
-}
-
-/// Smoothing::stable, as in one phase, on the effective stress.
-template <int D>
-void smooth_wet_plastic_mean_stress(WetBody<D>& body, const WetSettings& settings,
-                                    const std::vector<double>& mean_stress_change) {
-  note_gaps(body, settings);
-  std::vector<double> value(body.cells.size(), 0);
-  for (std::size_t e = 0; e < body.cells.size(); ++e) {
-    double sum = 0, volume = 0;
-    for (std::size_t p : body.cells[e].points) {
-      sum += body.points[p].volume * mean_stress_change[p];
-      volume += body.points[p].volume;
-    }
-    if (volume > 0) value[e] = sum / volume;
-  }
-  const std::vector<double> smoothed = smooth_with_weights(body.mesh, averaged_volumes(body), value);
-  for (std::size_t e = 0; e < body.cells.size(); ++e)
-    for (std::size_t p : body.cells[e].points)
-      if (!body.cells[e].apart) body.points[p].sigma += (smoothed[e] - value[e]) * Tensor::Identity();
 }
 
 }  // namespace talus::reference

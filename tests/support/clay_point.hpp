@@ -19,7 +19,7 @@ struct ClayPoint {
   std::array<double, NS> stress{};
   std::array<double, Law::state_size> state{};
   double saturation = 1;
-  double plastic_mean_stress = 0, dissipation = 0;  ///< of the last step
+  double plastic_dilation = 0, dissipation = 0;  ///< of the last step
 
   double p() const { return -(stress[0] + stress[1] + stress[2]) / 3; }
   double q() const {
@@ -30,7 +30,7 @@ struct ClayPoint {
   void step(const Law& law, const std::array<double, NS>& d_epsilon) {
     const auto r = law.template update<NS>(stress.data(), d_epsilon.data(), state.data(), true,
                                            material::Surroundings<double>{saturation});
-    plastic_mean_stress = r.plastic_mean_stress;
+    plastic_dilation = r.plastic_dilation;
     dissipation = r.dissipation;
   }
 };

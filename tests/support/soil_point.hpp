@@ -33,7 +33,7 @@ struct Soil {
 template <int NS>
 struct Outcome {
   Voigt<NS> stress{};
-  double plastic_strain = 0, plastic_mean_stress = 0, dissipation = 0;
+  double plastic_strain = 0, plastic_dilation = 0, dissipation = 0;
   bool yielded = false;
 };
 
@@ -44,7 +44,7 @@ Outcome<NS> drive(const material::MohrCoulomb& law, const Voigt<NS>& stress, con
   o.stress = stress;
   const auto r = law.update<NS>(o.stress.data(), d.data(), &o.plastic_strain, true);
   o.yielded = r.any_plastic;
-  o.plastic_mean_stress = r.plastic_mean_stress;
+  o.plastic_dilation = r.plastic_dilation;
   o.dissipation = r.dissipation;
   return o;
 }

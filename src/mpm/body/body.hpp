@@ -77,12 +77,10 @@ struct Elements {
   AlignedVector<double> moments;     ///< [moment_size] [kg]
   AlignedVector<double> strain;      ///< [stress_size] strain summed since the element exists [-]
   AlignedVector<double> fill_limit;  ///< mixed integration: an element is full when ΣV_p exceeds this [m³]
-  AlignedVector<double>
-      return_pressure;          ///< change of mean stress still to be given to the points (stable smoothing) [Pa]
-  AlignedVector<double> apart;  ///< 1 where a point keeps a gap: such soil takes no part in nodal averages
-  AlignedVector<double> force_volume;     ///< volume that the internal force of the last pass was taken over [m³]
-  AlignedVector<double> plastic_mean;     ///< mean-stress change of the last plastic return, element mean [Pa]
-  AlignedVector<double> held_saturation;  ///< S of pore water that is held while one phase moves [-]; empty: no water
+  AlignedVector<double> apart;       ///< 1 where a point keeps a gap: such soil takes no part in nodal averages
+  AlignedVector<double> rough;  ///< what averaging took from the last elastic volume increment (stable smoothing) [-]
+  AlignedVector<double> plastic_dilation;  ///< of the last step's returns, mean over the points (stable smoothing) [-]
+  AlignedVector<double> held_saturation;   ///< S of pore water that is held while one phase moves [-]; empty: no water
 };
 
 template <int D>
@@ -124,14 +122,13 @@ struct Monitor {
 
 /// Wall time spent in the lines of the step [s].
 struct Timing {
-  double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, smooth_return = 0, relocate = 0;
+  double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, relocate = 0;
 
   Timing& operator+=(const Timing& other) {
     solve_momentum += other.solve_momentum;
     remap_momentum += other.remap_momentum;
     smooth_strain += other.smooth_strain;
     advance_points += other.advance_points;
-    smooth_return += other.smooth_return;
     relocate += other.relocate;
     return *this;
   }

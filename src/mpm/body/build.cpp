@@ -169,8 +169,8 @@ Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material:
 
   body.elements.moments.assign(blocks * moment_size<D> * lane_width, 0.0);
   body.elements.strain.assign(blocks * P::stress_size * lane_width, 0.0);
-  for (auto* field : {&body.elements.fill_limit, &body.elements.return_pressure, &body.elements.apart,
-                      &body.elements.force_volume, &body.elements.plastic_mean}) {
+  for (auto* field :
+       {&body.elements.fill_limit, &body.elements.apart, &body.elements.plastic_dilation, &body.elements.rough}) {
     field->assign(blocks * lane_width, 0.0);
   }
   body.nodes.sums.assign(rows * sums_stride, 0.0);
@@ -225,12 +225,12 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
     const int b = e / lane_width, lane = e % lane_width;
     for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {
       double* p = points.slot(points.block_start[b] + k) + lane;
-      for (int i = 0; i < 3; ++i) p[(P::stress + i) * lane_width] += body.elements.return_pressure[e];
       double fields[P::state];
       for (int i = 0; i < P::state; ++i) fields[i] = p[i * lane_width];
       add_point_mass(body, e, fields);
     }
-    body.elements.return_pressure[e] = 0;
+    if (o.smoothing != input::Smoothing::stable)  // nobody would renew them
+      body.elements.plastic_dilation[e] = body.elements.rough[e] = 0;
     if (points.count[e] > 0) add_internal_force(body, e, o.mixed, 1);
   }
   if (body.water.is_wet()) {  // with the forces of the water, and with their own rows

@@ -32,6 +32,18 @@ TALUS_KERNEL Mask takes_part(const Body<D>& body, std::size_t first) {
   return load<Pack>(&body.points.count[first]) > Pack(0.0) && !is_apart(body, first);
 }
 
+/// Share of what averaging takes that an element keeps for one step, as a viscosity of what no node feels (T4.5).
+inline constexpr double kept_share = 0.25;
+
+/// The volumetric strain increment of the elements of a block under stable smoothing, from their `own` and the nodal
+/// `average` of what is elastic of it (T4.4, T4.5). `rough`: what averaging took, for the next step.
+template <int D>
+TALUS_KERNEL Pack join_dilation(const Body<D>& body, std::size_t first, Pack own, Pack average, Pack& rough) {
+  const Pack plastic = load<Pack>(&body.elements.plastic_dilation[first]);
+  rough = select(takes_part(body, first), own - plastic - average, Pack(0.0));
+  return average + plastic + kept_share * (rough - load<Pack>(&body.elements.rough[first]));
+}
+
 /// Adds packs to the rows of a block's nodes.
 template <int D, int Columns>
 TALUS_KERNEL void add_average(AlignedVector<double>& average, const int* rows, const Pack (&values)[Columns]) {

@@ -55,7 +55,7 @@ PointView<D> view_point(const Body<D>& body, int id) {
   const std::size_t block = static_cast<std::size_t>(v.element / lane_width),
                     lane = static_cast<std::size_t>(v.element % lane_width);
   for (std::size_t i = 0; i < P::stress_size; ++i) {
-    v.stress[i] = f[(P::stress + i) * lane_width] + (i < 3 ? body.elements.return_pressure[v.element] : 0.0);
+    v.stress[i] = f[(P::stress + i) * lane_width];
     v.strain[i] =
         body.points.strain_offset[id][i] + body.elements.strain[(block * P::stress_size + i) * lane_width + lane];
   }

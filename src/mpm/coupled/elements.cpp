@@ -49,7 +49,6 @@ void add_wet_element(Body<D>& body, int e, const StepOptions<D>& o, double sign)
     }
     for (int i = 0; i < P::stress_size; ++i) {
       stress[i] = p[(P::stress + i) * lane_width];
-      if (i < 3) stress[i] += body.elements.return_pressure[e];
       if (i < D) stress[i] += pore.bishop;
     }
     sums.add(p[P::mass * lane_width], volume, xi, u, stress);

@@ -37,14 +37,15 @@ std::pair<Pack, Pack> find_increments(const Body<D>& body, int b, const int* row
 template <int D>
 void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
-  const bool strains = o.smoothing != input::Smoothing::none;
+  const bool strains = o.smoothing != input::Smoothing::none, stable = o.smoothing == input::Smoothing::stable;
   if (strains) {
     for_blocks(body, o.threads, [&](int b, const int* rows) {
       const std::size_t first = static_cast<std::size_t>(b) * lane_width;
       const Mask active = load<Pack>(&body.points.count[first]) > Pack(0.0);
       const Pack V_e = select(takes_part(body, first), load<Pack>(&body.layout->volumes[first]), Pack(0.0));
       const Pack wet = select(active, load<Pack>(&water.volume[first]) * load<Pack>(&water.stretch[first]), Pack(0.0));
-      const auto [strain, divergence] = find_increments(body, b, rows, o.dt);
+      auto [strain, divergence] = find_increments(body, b, rows, o.dt);
+      if (stable) strain -= load<Pack>(&body.elements.plastic_dilation[first]);
       add_average<D>(water.average, rows,
                      {V_e * select(active, strain, Pack(0.0)), V_e, wet * select(active, divergence, Pack(0.0)), wet});
     });
@@ -56,7 +57,9 @@ void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& o) {
     const std::size_t first = static_cast<std::size_t>(b) * lane_width;
     auto [strain, divergence] = find_increments(body, b, rows, o.dt);
     if (strains) {
-      strain = select(is_apart(body, first), strain, find_node_mean<D, columns>(water.smoothed.data(), rows));
+      Pack smooth = find_node_mean<D, columns>(water.smoothed.data(), rows), rough;
+      if (stable) smooth = join_dilation(body, first, strain, smooth, rough);
+      strain = select(is_apart(body, first), strain, smooth);
       divergence = find_node_mean<D, columns>(water.smoothed.data() + 1, rows);
     }
     store(&water.surplus[first],

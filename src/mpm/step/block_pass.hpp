@@ -125,13 +125,13 @@ struct SlotPoints {
 template <int D>
 struct BlockSums {
   ElementSums<D, Pack> solid;
-  Pack staying_volume{0.0}, all_volume{0.0}, plastic_mean{0.0}, dissipated{0.0}, first_material{-1.0};
+  Pack staying_volume{0.0}, all_volume{0.0}, plastic_dilation{0.0}, dissipated{0.0}, first_material{-1.0};
   Mask uniform{true};
 
   TALUS_KERNEL void add_plastic(Mask active, Pack volume, const material::Response<Pack>& response) {
     const Pack v_p = select(active, volume, Pack(0.0));
     dissipated += v_p * select(active, response.dissipation, Pack(0.0));
-    plastic_mean += v_p * select(active, response.plastic_mean_stress, Pack(0.0));
+    plastic_dilation += v_p * select(active, response.plastic_dilation, Pack(0.0));
   }
   TALUS_KERNEL void add_material(Mask stays, Pack material) {
     uniform = uniform && (!stays || first_material < Pack(0.0) || material == first_material);
@@ -143,7 +143,7 @@ struct BlockSums {
 template <bool Apart, class Pass, class Block, int D = Pass::dimension>
 TALUS_KERNEL StressIncrement<D> strain_elements(Pass& pass, const BlockPlace<D>& at, Block& block) {
   constexpr int NS = material::stress_size<D>;
-  StressIncrement<D> increment{{}, {}, Pack(0.0), pass.body.time};
+  StressIncrement<D> increment{{}, {}, pass.body.time};
   Pack* d_epsilon = increment.d_epsilon;
   if (pass.options.objective) increment.rotation = Rotation<D, Pack>(block.motion.grad);
   block.motion.strain(d_epsilon);
@@ -151,11 +151,15 @@ TALUS_KERNEL StressIncrement<D> strain_elements(Pass& pass, const BlockPlace<D>&
   if (pass.options.smoothing != input::Smoothing::none) {  // (2.95), recomposed over the components that move
     const Pack own = block.volumetric;
     block.smooth(pass, at);
+    if (pass.is_stable()) {
+      Pack rough;
+      block.volumetric = join_dilation(pass.body, at.first, own, block.volumetric, rough);
+      store(&pass.body.elements.rough[at.first], rough);
+    }
     if constexpr (Apart) block.volumetric = select(is_apart(pass.body, at.first), own, block.volumetric);
     const Pack correction = (block.volumetric - own) * (1.0 / D);
     TALUS_UNROLL
     for (int i = 0; i < D; ++i) d_epsilon[i] += correction;
-    if (pass.is_stable()) increment.pending = load<Pack>(&pass.body.elements.return_pressure[at.first]);
   }
   double* strain = &pass.body.elements.strain[at.first * NS];
   TALUS_UNROLL
@@ -238,9 +242,8 @@ TALUS_KERNEL void give_sums(Pass& pass, const BlockPlace<D>& at, const Block& bl
   }
   if (pass.is_stable()) {
     const Mask some = sums.all_volume > Pack(0.0);
-    store(&elements.plastic_mean[at.first],
-          select(some, sums.plastic_mean / select(some, sums.all_volume, Pack(1.0)), Pack(0.0)));
-    store(&elements.force_volume[at.first], sums.staying_volume * stretch);
+    store(&elements.plastic_dilation[at.first],
+          select(some, sums.plastic_dilation / select(some, sums.all_volume, Pack(1.0)), Pack(0.0)));
   }
   if constexpr (Law::is_plastic) {
     pass.dissipated += sums.dissipated * weight;

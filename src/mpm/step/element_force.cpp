@@ -36,9 +36,7 @@ void add_internal_force(Body<D>& body, int e, bool mixed, double sign) {
     const double v = p[P::volume * lane_width];
     volume += v;
     for (int i = 0; i < force_size<D>; ++i) {
-      const int c = force_component<D>(i);
-      const double pending = c < 3 ? body.elements.return_pressure[e] : 0.0;
-      stress[i] += v * (p[(P::stress + c) * lane_width] + pending);
+      stress[i] += v * p[(P::stress + force_component<D>(i)) * lane_width];
     }
     const int m = points.material[points.id[static_cast<std::size_t>((points.block_start[b] + k) * lane_width + lane)]];
     if (k == 0) first_material = m;
@@ -90,7 +88,7 @@ double find_sharing_loss(const Body<D>& body, const StepOptions<D>& options, int
     const double v = p[P::volume * lane_width];
     std::array<double, NS> stress;
     for (int i = 0; i < NS; ++i) {
-      stress[i] = p[(P::stress + i) * lane_width] + (i < 3 ? body.elements.return_pressure[e] : 0.0);
+      stress[i] = p[(P::stress + i) * lane_width];
       mean[i] += v * stress[i];
     }
     for (int i = 0; i < states; ++i) {

@@ -22,8 +22,7 @@ template <int D>
 struct StressIncrement {
   Rotation<D, Pack> rotation;
   Pack d_epsilon[material::stress_size<D>];
-  Pack pending;  ///< of the last plastic return (stable smoothing) [Pa]
-  double time;   ///< at the start of the step [s]
+  double time;  ///< at the start of the step [s]
 };
 
 /// What the law is told of the gaps of a block.
@@ -79,8 +78,6 @@ template <bool Apart, int D, class Law>
 TALUS_KERNEL void update_full_elements(const Body<D>& body, const StepOptions<D>& options, const Law& law, int b,
                                        const StressIncrement<D>& increment, Pack saturation, FullElement<D, Law>& e) {
   if (!any(e.full)) return;
-  TALUS_UNROLL
-  for (int i = 0; i < 3; ++i) e.stress[i] += increment.pending;
   if (options.objective) increment.rotation.apply(e.stress);
   const int* first_points = &body.points.id[static_cast<std::size_t>(body.points.block_start[b] * lane_width)];
   e.response = law.template update<Points<D>::stress_size>(
@@ -120,10 +117,6 @@ TALUS_KERNEL material::Response<Pack> update_point_stress(const StressUpdate<Mix
   for (int i = 0; i < law.core_size; ++i) q[i] = load<Pack>(p + (P::state + i) * lane_width);
   for (int i = law.core_size; i < law.state_size; ++i)
     q[i] = Apart ? load<Pack>(p + (P::state + i) * lane_width) : Pack(0.0);
-  if (options.smoothing == input::Smoothing::stable) {
-    TALUS_UNROLL
-    for (int i = 0; i < 3; ++i) s[i] += increment.pending;
-  }
   if (options.objective) increment.rotation.apply(s);
   const Mask own = Mixed ? points.active && !element.full : points.active;
   material::Response<Pack> response =
@@ -135,8 +128,7 @@ TALUS_KERNEL material::Response<Pack> update_point_stress(const StressUpdate<Mix
     for (int i = 0; i < law.state_size; ++i) q[i] = select(element.full, element.state[i], q[i]);
     response.any_plastic = response.any_plastic || element.response.any_plastic;
     response.dissipation = select(element.full, element.response.dissipation, response.dissipation);
-    response.plastic_mean_stress =
-        select(element.full, element.response.plastic_mean_stress, response.plastic_mean_stress);
+    response.plastic_dilation = select(element.full, element.response.plastic_dilation, response.plastic_dilation);
     response.opened = select(element.full, element.response.opened, response.opened);
     response.gap = select(element.full, element.response.gap, response.gap);
   }

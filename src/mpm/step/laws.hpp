@@ -61,7 +61,7 @@ struct ManyLaws {
             for (int i = 0; i < NS; ++i) result[i] = select(mine, s[i], result[i]);
             for (int i = 0; i < state_size; ++i) result_state[i] = select(mine, q[i], result_state[i]);
             total.any_plastic = total.any_plastic || r.any_plastic;
-            total.plastic_mean_stress = select(mine, r.plastic_mean_stress, total.plastic_mean_stress);
+            total.plastic_dilation = select(mine, r.plastic_dilation, total.plastic_dilation);
             total.dissipation = select(mine, r.dissipation, total.dissipation);
             total.opened = select(mine, r.opened, total.opened);
             total.gap = select(mine, r.gap, total.gap);

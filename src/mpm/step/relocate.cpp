@@ -74,8 +74,7 @@ void record_loss(Body<D>& body, const Record<D>& r) {
   body.points.place[r.id] = -1;
 }
 
-/// What a point carries from element to element beside its own fields: strain is summed in the elements, and the
-/// stress change of the last plastic return waits there for the next pass.
+/// What a point carries from element to element beside its own fields: strain is summed in the elements.
 template <int D>
 void hand_over(Body<D>& body, Record<D>& r, int from) {
   constexpr int NS = Points<D>::stress_size;
@@ -86,8 +85,6 @@ void hand_over(Body<D>& body, Record<D>& r, int from) {
   for (int i = 0; i < NS; ++i) {
     body.points.strain_offset[r.id][i] += body.elements.strain[at(from, i)] - body.elements.strain[at(r.element, i)];
   }
-  const double change = body.elements.return_pressure[from] - body.elements.return_pressure[r.element];
-  for (int i = 0; i < 3; ++i) r.stress()[i] += change;
 }
 
 template <int D>
@@ -95,9 +92,7 @@ void add_point_force(Body<D>& body, const Record<D>& r) {
   using P = Points<D>;
   double stress[force_size<D>], g[D * D], out[D + 1][1 + 2 * D];
   for (int i = 0; i < force_size<D>; ++i) {
-    const int c = force_component<D>(i);
-    const double pending = c < 3 ? body.elements.return_pressure[r.element] : 0.0;
-    stress[i] = r.fields[P::volume] * (r.fields[P::stress + c] + pending);
+    stress[i] = r.fields[P::volume] * r.fields[P::stress + force_component<D>(i)];
   }
   for (int i = 0; i < D * D; ++i) g[i] = body.mesh().gradients[r.element][i];
   ElementSums<D, double>::force_to_nodes(stress, g, out);
@@ -238,7 +233,10 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
     }
   }
   for (const Record<D>& r : staying) sources.push_back(r.element);
-  for (int e : sources) note_gaps(body, o, e);
+  for (int e : sources) {
+    note_gaps(body, o, e);
+    if (body.points.count[e] == 0) body.elements.plastic_dilation[e] = body.elements.rough[e] = 0;
+  }
 }
 
 template void relocate<2>(Body<2>&, const StepOptions<2>&, const MoverLists&);

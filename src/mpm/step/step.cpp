@@ -23,7 +23,6 @@ void run_lines(Phase phase, Body<D>& body, const StepOptions<D>& o, Stopwatch ti
   if (exchanges && o.exchange_water) timed(t.smooth_strain, [&] { exchange_water(body, o); });
   if (exchanges && !body.water.uptakes.empty()) timed(t.smooth_strain, [&] { draw_root_water(body, o); });
   timed(t.advance_points, [&] { movers = advance_points(phase, body, o); });
-  if (o.smoothing == Smoothing::stable) timed(t.smooth_return, [&] { smooth_plastic_return(body, o); });
   body.time += o.dt;
   ++body.step_count;
   timed(t.relocate, [&] { relocate(body, o, movers); });

@@ -54,7 +54,8 @@ void solve_momentum(Dry, Body<D>& body, const StepOptions<D>& options);
 template <int D>
 void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& options);
 
-/// Nodal averages of the volumetric strain increment (2.94). Reads motion (v); writes smoothed.
+/// Nodal averages of the volumetric strain increment (2.94), without the plastic part of the last step where smoothing
+/// is stable (T4.4). Reads motion (v), plastic_dilation; writes smoothed.
 template <int D>
 void smooth_increments(Dry, Body<D>& body, const StepOptions<D>& options);
 
@@ -68,11 +69,6 @@ using MoverLists = std::vector<std::vector<Mover>>;  ///< by chunk
 /// v_p, ξ_p, Δε_p, σ_p, V_p (2.40, 2.42-2.45) and the nodal sums of the next step (2.35, 2.38), in one pass.
 template <int D>
 MoverLists advance_points(Dry, Body<D>& body, const StepOptions<D>& options);
-
-/// Averages the plastic return's mean stress like (2.94-2.95) and corrects the internal forces; the points receive it
-/// at the start of the next pass (return_pressure). Reads plastic_mean, force_volume.
-template <int D>
-void smooth_plastic_return(Body<D>& body, const StepOptions<D>& options);
 
 /// Moves the points that left their element, and their share of the nodal sums, in an order that does not depend on
 /// threads. Points that left the grid are recorded in `lost`.

@@ -166,7 +166,6 @@ std::vector<results::TimedPart> PointRun<D>::list_parts(double cpu) const {
   add("remap_momentum", "remapping of the momentum", steps.remap_momentum);
   add("smooth_strain", "smoothing of the strain", steps.smooth_strain);
   add("advance_points", "material points: motion, strain, stress", steps.advance_points);
-  add("smooth_return", "smoothing of the stress return", steps.smooth_return);
   add("relocate", "points that changed their element", steps.relocate);
   add("other", "loads, time step, rest, meshes of trials, output", cpu - known);
   return parts;

@@ -63,7 +63,7 @@ results::Budgets tell_budgets(const mpm::Body<D>& body, const Vec<D>& gravity, c
 }
 
 results::StepSeconds tell_seconds(const mpm::Timing& t) {
-  return {t.solve_momentum, t.remap_momentum, t.smooth_strain, t.advance_points, t.smooth_return, t.relocate};
+  return {t.solve_momentum, t.remap_momentum, t.smooth_strain, t.advance_points, t.relocate};
 }
 
 template results::Mesh tell_mesh<2>(const mpm::Body<2>&);

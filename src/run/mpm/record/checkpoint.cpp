@@ -46,10 +46,9 @@ void visit_reals(Body& body, Visit&& visit) {
   visit("elements/moments", body.elements.moments);
   visit("elements/strain", body.elements.strain);
   visit("elements/fill_limit", body.elements.fill_limit);
-  visit("elements/return_pressure", body.elements.return_pressure);
   visit("elements/apart", body.elements.apart);
-  visit("elements/force_volume", body.elements.force_volume);
-  visit("elements/plastic_mean", body.elements.plastic_mean);
+  visit("elements/plastic_dilation", body.elements.plastic_dilation);
+  visit("elements/rough", body.elements.rough);
   visit("nodes/sums", body.nodes.sums);
   visit("nodes/motion", body.nodes.motion);
 }

@@ -29,18 +29,11 @@ std::string explain(const results::MeshFactor& mesh) {
       first);
 }
 
-}  // namespace
-
-namespace {
-
-/// The error of a factor falls with this power of the size, give or take one by slope and mesh: the error of half the
-/// size is a third of the other's (docs/theory/factor-of-safety.md).
-const double order = std::log2(3.0);
 /// Factors of meshes of one size scatter by this from mesh to mesh, whatever two of them happen to say [-].
 constexpr double known_scatter = 0.01;
 
 /// What the mesh does to the extrapolated factor: no less than what lies between its two meshes, which holds the limit
-/// for orders of three quarters and more; nor than what two meshers of one size say.
+/// for orders of 0.6 and more; nor than what two meshers of one size say.
 double find_mesh_effect(double coarse, double fine, const std::optional<results::MeshFactor>& other, double factor) {
   const double scatter = other && other->factor() ? std::abs(coarse - *other->factor()) : 0;
   return std::max({std::abs(coarse - fine), scatter, known_scatter * factor});
@@ -59,9 +52,9 @@ results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::
     frozen.bracket = half(fine);
     if (meshes.size() > 1) {
       const results::MeshFactor& coarse = meshes[meshes.size() - 2];
-      frozen.factor = extrapolate_to_zero(coarse.size, *coarse.factor(), fine.size, *fine.factor(), order);
+      frozen.factor = extrapolate_to_zero(coarse.size, *coarse.factor(), fine.size, *fine.factor());
       frozen.extrapolated = frozen.factor;
-      const double rest = find_rest(coarse.size, fine.size, order);
+      const double rest = find_rest(coarse.size, fine.size);
       frozen.bracket = half(fine) * (1 + rest) + half(coarse) * rest;
       frozen.mesh_effect = find_mesh_effect(*coarse.factor(), *fine.factor(), other, *frozen.factor);
       frozen.uncertainty = frozen.bracket + *frozen.mesh_effect;
