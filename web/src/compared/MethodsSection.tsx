@@ -29,7 +29,7 @@ function RowTable({ rows, reference, compare, label }: RowsProps) {
       head={[
         "Method",
         "Criterion",
-        ...numbers("F", "Bracket"),
+        ...numbers("F", "Range"),
         ...wrapped(reference && `against ${reference.title}`),
         ...numbers("Time"),
         "Note",

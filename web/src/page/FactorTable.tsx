@@ -76,7 +76,7 @@ export function FactorTable({ factors, among, caption }: Props) {
             F
           </th>
           <th scope="col" class="number">
-            Bracket
+            Range
           </th>
           <th scope="col" class="strip-cell">
             <span class="unseen">
