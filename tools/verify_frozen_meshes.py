@@ -4,9 +4,10 @@
 
 Usage: tools/verify_frozen_meshes.py PROGRAM [--only SLOPE …] [--coarse N …] [--jobs N] [--out FOLDER] [--write]
 
-Pairs of meshes, from 6.7 to 26.7 elements over the height, ψ = φ and ψ = 0, by the default mesher and without a second one. The truth is the middle of the proven
-interval for ψ = φ, and for ψ = 0 the factor of quadratic elements, extrapolated from two meshes. --write stores the table in
-docs/verification_data/frozen_meshes.md. --out keeps cases and results, and finished runs found there are taken. Half an hour on two cores.
+Three pairs of meshes, from 6.7 to 26.7 elements over the height, ψ = φ and ψ = 0, by the default mesher and without a second one. The
+truth is the middle of the proven interval for ψ = φ, and for ψ = 0 the factor of quadratic elements, extrapolated from two meshes. --write
+stores the table in docs/verification_data/frozen_meshes.md. --out keeps cases and results, and finished runs found there are taken. Twenty
+minutes on two cores.
 Ends with 1 where the interval of a pair of meshes does not hold the truth.
 """
 import argparse
