@@ -13,7 +13,9 @@
 #include "run/mpm/moving_soil.hpp"
 #include "run/mpm/setback.hpp"
 #include "run/mpm/start/drained.hpp"
+#include "run/mpm/start/even_inertia.hpp"
 #include "run/mpm/start/prepare.hpp"
+#include "run/mpm/start/stand_in.hpp"
 
 namespace talus::run {
 namespace {
@@ -173,10 +175,19 @@ mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
   return o;
 }
 
+namespace {
+
+template <int D>
+bool evens_inertia(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  return plan.evens_inertia && plan.step.geometry == input::Geometry::frozen && !body.water.is_wet();
+}
+
+}  // namespace
+
 template <int D>
 mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan) {
-  if (body.water.is_wet() && plan.step.water == input::WaterMotion::held)
-    return find_drained_critical_step(body, plan.step.mass_scaling);
+  if (body.water.is_wet() && plan.step.water == input::WaterMotion::held) return find_drained_critical_step(body, plan);
+  if (evens_inertia(body, plan)) return mpm::find_critical_step(make_even_body(body, plan, {}), make_options(plan));
   return mpm::find_critical_step(body, make_options(plan));
 }
 
@@ -240,6 +251,12 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
                             const StageHooks<D>& hooks) {
   if (body.water.is_wet() && wanted.step.water == input::WaterMotion::held)
     return run_drained_stage(body, wanted, state, hooks);
+  if (evens_inertia(body, wanted)) {
+    mpm::Body<D> even = make_even_body(body, wanted, state);
+    StagePlan<D> plan = wanted;
+    plan.evens_inertia = false;
+    return run_stand_in(even, body, plan, state, hooks);
+  }
   StagePlan<D> plan = calm_down(wanted, state.setbacks.size(), body.water.is_wet());
   mpm::StepOptions<D> options = make_options(plan);
   if (!state.started) {

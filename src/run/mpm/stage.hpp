@@ -25,6 +25,8 @@ struct StagePlan {
   double gravity_ramp = 0;         ///< [s]
   double soil_height = 0;          ///< H of the rest criterion [m]
   double failed_displacement = 0;  ///< stop when a point has moved farther [m]; 0: never
+  bool evens_inertia =
+      false;  ///< frozen geometry of one phase: small elements do not decide the step (even_inertia.hpp)
   int threads = 1;
 };
 
@@ -72,10 +74,10 @@ mpm::StepOptions<D> make_options(const StagePlan<D>& plan);
 template <int D>
 mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan);
 
-/// Advances the body to the end of the stage. Pore pressures that the plan holds are held (drained.hpp). `state` fresh
-/// or from a checkpoint; body strength must be set. A stage that becomes unstable goes back to its last good state and
-/// on with the plan of calm_down() (setback.hpp); state.setbacks tells of it. After the last of them, Error (unstable)
-/// with a sentence that says where and why.
+/// Advances the body to the end of the stage. Pore pressures that the plan holds are held (drained.hpp); inertia is
+/// evened where the plan says so. `state` fresh or from a checkpoint; body strength must be set. A stage that becomes
+/// unstable goes back to its last good state and on with the plan of calm_down() (setback.hpp); state.setbacks tells of
+/// it. After the last of them, Error (unstable) with a sentence that says where and why.
 template <int D>
 results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
                             const StageHooks<D>& hooks = {});

@@ -9,16 +9,10 @@
 #include "mpm/body/observe.hpp"
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/kernels.hpp"
+#include "run/mpm/start/stand_in.hpp"
 
 namespace talus::run {
 namespace {
-
-/// Place of field 0 of a point in the points' data; field i is i * lane_width behind it.
-template <int D>
-std::size_t find_place(const mpm::Points<D>& points, int id) {
-  const std::int64_t place = points.place[id];
-  return static_cast<std::size_t>(place / lane_width * points.fields * lane_width + place % lane_width);
-}
 
 /// The load of the pore pressures on the soil, growing with the weight of the stage.
 template <int D>
@@ -26,14 +20,14 @@ mpm::Load<D> make_pore_load(const mpm::Body<D>& wet, const StagePlan<D>& plan, c
   mpm::StepOptions<D> options = make_options(plan);
   options.gravity = plan.gravity;
   mpm::Body<D> still = wet;
-  const double start = still.time = state.started ? state.start_time : wet.time;
+  still.time = state.started ? state.start_time : wet.time;
   mpm::gather_nodal_sums(still, options);
   const std::vector<Vec<D>> force = mpm::find_pore_force(still, options);
   mpm::Load<D> load;
   for (std::size_t i = 0; i < force.size(); ++i) {
     if (norm(force[i]) > 0) load.entries.push_back({static_cast<int>(i), force[i]});
   }
-  if (plan.gravity_ramp > 0) load.factor = {{start, start + plan.gravity_ramp}, {state.gravity_share, 1.0}};
+  load.factor = find_weight_growth(wet, plan, state);
   return load;
 }
 
@@ -76,40 +70,8 @@ mpm::Body<D> make_drained_body(const mpm::Body<D>& wet, const StagePlan<D>& plan
 }
 
 template <int D>
-mpm::CriticalStep find_drained_critical_step(const mpm::Body<D>& wet, double mass_scaling) {
-  return mpm::find_critical_step(make_heavy(wet), mass_scaling);
-}
-
-template <int D>
-void copy_from_drained(const mpm::Body<D>& drained, mpm::Body<D>& wet) {
-  using P = mpm::Points<D>;
-  for (int id = 0; id < wet.points.size(); ++id) {
-    if (!mpm::is_present(wet, id)) continue;
-    const std::size_t at = find_place(wet.points, id);
-    const double* from = &drained.points.data[at];
-    double* to = &wet.points.data[at];
-    for (int i = 0; i < wet.water.first_field; ++i) {
-      if (i != P::mass) to[i * lane_width] = from[i * lane_width];
-    }
-  }
-  wet.elements = drained.elements;
-  wet.elements.held_saturation.clear();
-  wet.nodes = drained.nodes;
-  // For readers of the nodes: the grains move, no water moves against them.
-  for (int row = 0; row < wet.layout->rows; ++row) {
-    const double* from = &drained.nodes.motion[static_cast<std::size_t>(row) * mpm::motion_stride<D>];
-    double* to = &wet.water.motion[static_cast<std::size_t>(row) * mpm::wet_motion_stride<D>];
-    for (int d = 0; d < D; ++d) {
-      to[d] = to[D + d] = from[d];
-      to[2 * D + d] = from[D + d];
-      to[3 * D + d] = 0;
-    }
-  }
-  wet.work = drained.work;
-  wet.monitor = drained.monitor;
-  wet.timing = drained.timing;
-  wet.time = drained.time;
-  wet.step_count = drained.step_count;
+mpm::CriticalStep find_drained_critical_step(const mpm::Body<D>& wet, const StagePlan<D>& plan) {
+  return find_critical_step(make_heavy(wet), plan);
 }
 
 template <int D>
@@ -120,43 +82,12 @@ results::StageEnd run_drained_stage(mpm::Body<D>& wet, const StagePlan<D>& plan,
                 fmt::format("stage '{}' holds the pore pressures, which needs frozen geometry", plan.name));
   }
   mpm::Body<D> drained = make_drained_body(wet, plan, state);
-  StageHooks<D> inner;
-  if (hooks.output) {
-    inner.output = [&](const mpm::Body<D>& b, StageState& s) {
-      copy_from_drained(b, wet);
-      hooks.output(wet, s);
-    };
-  }
-  if (hooks.look) {
-    inner.look = [&](const mpm::Body<D>& b, const StageState& s) {
-      copy_from_drained(b, wet);
-      hooks.look(wet, s);
-    };
-  }
-  if (hooks.save_last_good) {
-    inner.save_last_good = [&](const mpm::Body<D>& b, const StageState& s) {
-      copy_from_drained(b, wet);
-      return hooks.save_last_good(wet, s);
-    };
-  }
-  if (hooks.mark) {
-    inner.mark = [&]() -> GoBack<D> {
-      return [&wet, go_back = hooks.mark()](const mpm::Body<D>& b, const StageState& s, const StagePlan<D>& p) {
-        copy_from_drained(b, wet);
-        go_back(wet, s, p);
-      };
-    };
-  }
-  const results::StageEnd end = run_stage(drained, plan, state, inner);
-  copy_from_drained(drained, wet);
-  if (wet.conditions.loads.empty()) wet.nodes.load.clear();  // that of the pressures; they act by themselves again
-  return end;
+  return run_stand_in(drained, wet, plan, state, hooks);
 }
 
 #define TALUS_INSTANTIATE(D)                                                                               \
   template mpm::Body<D> make_drained_body<D>(const mpm::Body<D>&, const StagePlan<D>&, const StageState&); \
-  template mpm::CriticalStep find_drained_critical_step<D>(const mpm::Body<D>&, double);                   \
-  template void copy_from_drained<D>(const mpm::Body<D>&, mpm::Body<D>&);                                  \
+  template mpm::CriticalStep find_drained_critical_step<D>(const mpm::Body<D>&, const StagePlan<D>&);      \
   template results::StageEnd run_drained_stage<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&,         \
                                                   const StageHooks<D>&);
 TALUS_INSTANTIATE(2)

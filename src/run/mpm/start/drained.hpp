@@ -7,7 +7,7 @@
 
 namespace talus::run {
 
-/// The body of one phase at the start of the stage or, when state.started, as copy_from_drained() left it in `wet`.
+/// The body of one phase at the start of the stage or, when state.started, as copy_from_stand_in() left it in `wet`.
 /// Its stresses are the effective ones; the pore pressures, and outer water below the total heads of the time at the
 /// start of the stage, are a load that grows with gravity where the plan has a ramp.
 template <int D>
@@ -15,11 +15,7 @@ mpm::Body<D> make_drained_body(const mpm::Body<D>& wet, const StagePlan<D>& plan
 
 /// Largest stable step of that body [s].
 template <int D>
-mpm::CriticalStep find_drained_critical_step(const mpm::Body<D>& wet, double mass_scaling);
-
-/// Motion, stress, strain and work of the drained body into the wet one it was made of. Water stays as it is.
-template <int D>
-void copy_from_drained(const mpm::Body<D>& drained, mpm::Body<D>& wet);
+mpm::CriticalStep find_drained_critical_step(const mpm::Body<D>& wet, const StagePlan<D>& plan);
 
 /// run_stage() for a wet body whose pressures are held. Hooks receive the wet body. Throws Error (wrong_input) for
 /// moving geometry.
