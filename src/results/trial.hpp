@@ -249,10 +249,19 @@ struct FrozenFactor {
   std::optional<double> uncertainty;
   double bracket = 0;                  ///< of it, half the width of the brackets as the extrapolation passes them on
   std::optional<double> mesh_effect;   ///< of it, what the mesh does; nothing: not estimated
-  std::optional<double> extrapolated;  ///< to h = 0, from the two finest meshes
+  std::optional<double> extrapolated;  ///< to h = 0
   std::vector<MeshFactor> meshes;      ///< coarse to fine
+  std::optional<MeshFactor> coarser;   ///< a mesh of twice the coarsest size, for the extrapolation alone
   std::optional<MeshFactor> other;     ///< the coarse mesh by another mesher
   double dilatancy_angle_min = 0, dilatancy_angle_max = 0;  ///< [deg]
+  /// The meshes that have a factor, coarse to fine.
+  std::vector<const MeshFactor*> list_found() const {
+    std::vector<const MeshFactor*> found;
+    if (coarser && coarser->factor()) found.push_back(&*coarser);
+    for (const MeshFactor& mesh : meshes)
+      if (mesh.factor()) found.push_back(&mesh);
+    return found;
+  }
   std::optional<double> lower() const {
     return factor && uncertainty && mesh_effect ? std::optional(*factor - *uncertainty) : std::nullopt;
   }
@@ -270,6 +279,7 @@ void describe(V& v, R& r) {
   v.maybe("mesh_effect", r.mesh_effect, {"", "what the mesh does to the factor"});
   v.key("extrapolated", r.extrapolated, {"", "factor extrapolated to elements of no size"});
   v.key("meshes", r.meshes, {"", "factors by mesh"});
+  v.maybe("coarser", r.coarser, {"", "factor on a mesh of twice the coarse size, for the extrapolation"});
   v.maybe("other", r.other, {"", "factor on the coarse mesh of another mesher"});
   v.key("dilatancy_angle_min", r.dilatancy_angle_min, {"deg", "smallest dilatancy angle"});
   v.key("dilatancy_angle_max", r.dilatancy_angle_max, {"deg", "largest dilatancy angle"});

@@ -72,7 +72,8 @@ std::string write_factors(const results::PointFactors& factors) {
       text += " (at frozen geometry)";
     } else if (f.extrapolated) {
       text += " (";
-      for (const results::MeshFactor& m : f.meshes) text += fmt::format("{:.3f} at h = {:g} m, ", *m.factor(), m.size);
+      for (const results::MeshFactor* m : f.list_found())
+        text += fmt::format("{:.3f} at h = {:g} m, ", *m->factor(), m->size);
       text += fmt::format("extrapolated to h = 0; brackets ± {:.3f}{})", f.bracket,
                           f.mesh_effect ? fmt::format(", mesh ± {:.3f}", *f.mesh_effect) : "");
     } else {

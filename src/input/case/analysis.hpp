@@ -35,10 +35,11 @@ struct FrozenFactor {
   bool enabled = true;
   double from = 1.0, to = 2.0;  ///< bracket to start from [-]; widened when it does not hold the factor
   double resolution = 0.01;     ///< width of the final bracket [-]
-  int meshes = 2;            ///< 1: one of the case's size; 2: and one of half its size, extrapolated; 3: and a quarter
+  int meshes = 2;  ///< 1: one of the case's size; 2: and of half and twice its size, extrapolated; 3: and a quarter
   bool mesh_scatter = true;  ///< the coarse mesh by another mesher as well, for the interval
   mesh::Algorithm algorithm = mesh::Algorithm::meshadapt;  ///< of both meshes
-  double window = 60;                ///< a trial without decision by then is reported as undecided [s]
+  double corner_refinement = 4;  ///< elements of size/4 at re-entrant corners of the ground [-]; 1: of no other size
+  double window = 60;            ///< a trial without decision by then is reported as undecided [s]
   double failed_displacement = 0.1;  ///< u/H that decides "failed" [-]
   StepSettings step_settings{
       .damping = 0.2, .smoothing = Smoothing::stable, .geometry = Geometry::frozen, .water = WaterMotion::held};
@@ -104,14 +105,19 @@ void describe(Visitor& v, FrozenFactor& f) {
   v.key("from", f.from, plain().above(0), "Lower end of the first bracket; widened when the factor is not in it.");
   v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");
   v.key("resolution", f.resolution, plain().above(0), "Width of the last bracket.");
-  v.key("meshes", f.meshes, plain().at_least(1).at_most(3),
-        "1: one mesh of the case's element size. 2: also one of half that size, and the factor extrapolated to size "
-        "zero. 3: and one of a quarter; the two finest are extrapolated.");
+  v.key(
+      "meshes", f.meshes, plain().at_least(1).at_most(3),
+      "1: one mesh of the case's element size. 2: also one of half that size and one of twice it, which costs little; "
+      "the factor is extrapolated to size zero by a line through the three. 3: instead of twice it, a quarter.");
   v.key("mesh_scatter", f.mesh_scatter, plain(),
         "With two meshes, calculate the coarse one by another mesher too. The interval that is printed is no narrower "
         "than the distance of the two factors.");
   v.key("algorithm", f.algorithm, plain(),
         "Gmsh's algorithm for these meshes (a ready mesh file is used as it is). Irregular ones lock least.");
+  v.key(
+      "corner_refinement", f.corner_refinement, plain().at_least(1).at_most(16),
+      "How many times smaller the elements of these meshes are at corners of the ground that point into the soil, such "
+      "as a slope's toe. They reach the general size 8 sizes away. 1: no smaller. A ready mesh file is used as it is.");
   v.key("window", f.window, quantity("s").above(0), "A trial that has not decided by then is reported as undecided.");
   v.key("failed_displacement", f.failed_displacement, plain().above(0),
         "Displacement over the relief of the ground that decides \"failed\".");

@@ -39,8 +39,8 @@ std::string to_title(CriterionKind criterion) {
 
 std::string describe_meshes(const results::FrozenFactor& frozen, const ShownUnit& length) {
   std::vector<std::string> parts;
-  for (const results::MeshFactor& m : frozen.meshes)
-    if (m.factor()) parts.push_back(fmt::format("{:.3f} at h = {}", *m.factor(), show(m.size, length)));
+  for (const results::MeshFactor* m : frozen.list_found())
+    parts.push_back(fmt::format("{:.3f} at h = {}", *m->factor(), show(m->size, length)));
   return join_words(parts);
 }
 

@@ -218,9 +218,9 @@ class Comparison {
       row.lower = frozen->lower();
       row.upper = frozen->upper();
       row.note = frozen->note;
-      for (const results::MeshFactor& m : frozen->meshes)
+      for (const results::MeshFactor* m : frozen->list_found())
         if (frozen->factor)
-          row.note += fmt::format("{}{:.3f} at h = {:g} m", row.note.empty() ? "" : ", ", *m.factor(), m.size);
+          row.note += fmt::format("{}{:.3f} at h = {:g} m", row.note.empty() ? "" : ", ", *m->factor(), m->size);
       if (frozen->extrapolated) row.note += ", extrapolated to h = 0";
       told_.table.push_back(std::move(row));
     }

@@ -12,7 +12,7 @@
 #include "run/fem/solid_of_case.hpp"
 #include "run/forecast/counts.hpp"
 #include "run/forecast/probe.hpp"
-#include "run/mpm/reduction/trial.hpp"
+#include "run/mpm/reduction/frozen_factor.hpp"
 
 namespace talus::run {
 namespace {
@@ -99,8 +99,9 @@ void add_time(const input::Case& data, const Pace& pace, MethodForecast& f, doub
     const input::FrozenFactor& z = data.strength_reduction.frozen;
     const double trials = 2 + std::ceil(std::log2(std::max(2.0, (z.to - z.from) / z.resolution)));
     for (int m = 0; z.enabled && m < z.meshes; ++m) {
-      const double finer = std::pow(2.0, m), points = coarse_points * std::pow(finer, data.mesh.dimension);
-      add(trials * z.window + static_cast<double>(data.stages.size()) * z.window, pace.frozen_step / finer, points);
+      const double points = count_elements(plan_frozen_mesh(data.mesh, z, m)).soil * data.points_per_element;
+      add(trials * z.window + static_cast<double>(data.stages.size()) * z.window, pace.frozen_step / std::pow(2.0, m),
+          points);
     }
   }
   f.seconds = point_steps / pace.point_steps + element_seconds[get_rank(f.dimension)] * f.elements;
@@ -113,14 +114,12 @@ MethodForecast forecast_points(const input::Case& data, bool with_time) {
   f.size = data.mesh.size;
   if (!data.mesh.file.empty() || !data.initial.result.empty()) return f;
   const std::size_t rank = get_rank(f.dimension);
-  const ElementCount count = count_elements(data.mesh);
   const input::FrozenFactor& frozen = data.strength_reduction.frozen;
-  const bool has_finer =
-      data.analysis == input::AnalysisKind::strength_reduction && frozen.enabled && frozen.meshes == 2;
-  const double finer = has_finer ? std::pow(2.0, f.dimension) : 1;
-  const double coarse_points = count.soil * data.points_per_element;
-  f.elements = finer * count.all;
-  f.points = finer * coarse_points;
+  const bool has_frozen = data.analysis == input::AnalysisKind::strength_reduction && frozen.enabled;
+  const ElementCount own = count_elements(data.mesh);
+  const ElementCount finest = has_frozen ? count_elements(plan_frozen_mesh(data.mesh, frozen, frozen.meshes - 1)) : own;
+  f.elements = std::max(own.all, finest.all);
+  f.points = std::max(own.soil, finest.soil) * data.points_per_element;
   const bool is_wet = std::any_of(data.materials.begin(), data.materials.end(),
                                   [](const auto& named) { return named.second.water.is_wet(); });
   const double copies = data.analysis == input::AnalysisKind::strength_reduction && f.points < 1e9
@@ -130,7 +129,7 @@ MethodForecast forecast_points(const input::Case& data, bool with_time) {
             copies * (is_wet ? coupled_point_bytes : point_bytes)[rank] * f.points;
   // Beyond this the answer is no run, and the probe would be a waste.
   if (!with_time || f.points > 1e9) return f;
-  if (const auto pace = probe(data)) add_time(data, *pace, f, coarse_points);
+  if (const auto pace = probe(data)) add_time(data, *pace, f, own.soil * data.points_per_element);
   return f;
 }
 

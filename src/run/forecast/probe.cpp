@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "mesh/generate.hpp"
 #include "run/forecast/counts.hpp"
+#include "run/mpm/reduction/frozen_factor.hpp"
 #include "run/mpm/stage.hpp"
 #include "run/mpm/start/initial_state.hpp"
 #include "run/mpm/start/prepare.hpp"
@@ -41,9 +42,10 @@ Pace probe_in(const input::Case& data) {
   coarse.mesh.refinements.clear();
   coarse.mesh.size = ratio * data.mesh.size;
   mpm::Body<D> body = prepare<D>(coarse, mesh::generate<D>(coarse.mesh));
-  const double height = find_soil_height(body, data.gravity), share = smallest / coarse.mesh.size;
-  const auto find_step = [&](StagePlan<D> plan) {
-    return find_critical_step(body, plan).dt * plan.step.courant * share;
+  const double height = find_soil_height(body, data.gravity);
+  const auto find_step = [&](const StagePlan<D>& plan) {
+    const double size = plan.evens_inertia ? data.mesh.size : smallest;
+    return find_critical_step(body, plan).dt * plan.step.courant * size / coarse.mesh.size;
   };
   Pace pace;
   const input::Stage& first = data.stages.front();
@@ -53,8 +55,7 @@ Pace probe_in(const input::Case& data) {
   const input::StepSettings own = plan.step;
   plan.step = data.strength_reduction.curve.step_settings;
   pace.curve_step = find_step(plan);
-  plan.step = data.strength_reduction.frozen.step_settings;
-  pace.frozen_step = find_step(plan);
+  pace.frozen_step = find_step(make_frozen_plan<D>(coarse, data.strength_reduction.frozen, height, 1));
   plan.step = own;
   plan.duration = 1e9;
   plan.until_rest = false;

@@ -8,10 +8,14 @@
 
 #include "base/extrapolate.hpp"
 #include "base/parallel.hpp"
+#include "mesh/corners.hpp"
 #include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {
 namespace {
+
+/// Elements at re-entrant corners reach the general size so many general sizes away.
+constexpr double corner_reach = 8;
 
 /// A bracket is widened at most this often in one direction.
 constexpr int most_widenings = 6;
@@ -29,39 +33,60 @@ std::string explain(const results::MeshFactor& mesh) {
       first);
 }
 
-/// Factors of meshes of one size scatter by this from mesh to mesh, whatever two of them happen to say [-].
-constexpr double known_scatter = 0.01;
+/// Factors of meshes whose sizes differ by a rounding are this far apart, whatever two meshes happen to say [-].
+constexpr double known_scatter = 0.006;
+/// The line goes through no more than so many meshes, the finest.
+constexpr std::size_t most_in_line = 3;
 
-/// What the mesh does to the extrapolated factor: no less than what lies between its two meshes, which holds the limit
-/// for orders of 0.6 and more; nor than what two meshers of one size say.
-double find_mesh_effect(double coarse, double fine, const std::optional<results::MeshFactor>& other, double factor) {
+/// What the mesh does to the extrapolated factor: no less than what lies between its two finest meshes, which holds the
+/// limit for orders of 0.6 and more, nor than what the extrapolation takes from the finest; nor than what two meshers
+/// of one size say; nor than what the extrapolation, by `passed_on`, makes of the scatter.
+double find_mesh_effect(double coarse, double fine, const std::optional<results::MeshFactor>& other, double factor,
+                        double passed_on) {
   const double scatter = other && other->factor() ? std::abs(coarse - *other->factor()) : 0;
-  return std::max({std::abs(coarse - fine), scatter, known_scatter * factor});
+  return std::max({std::abs(coarse - fine), std::abs(fine - factor), scatter, known_scatter * passed_on * factor});
+}
+
+/// Extrapolates to elements of no size, with the interval.
+void extrapolate(results::FrozenFactor& frozen) {
+  std::vector<const results::MeshFactor*> line = frozen.list_found();
+  if (line.size() > most_in_line) line.erase(line.begin(), line.end() - most_in_line);
+  std::vector<double> sizes;
+  for (const results::MeshFactor* mesh : line) sizes.push_back(mesh->size);
+  const std::vector<double> shares = find_line_shares(sizes);
+  double factor = 0, bracket = 0, passed_on = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    factor += shares[i] * *line[i]->factor();
+    bracket += std::abs(shares[i]) * 0.5 * (*line[i]->upper - *line[i]->lower);
+    passed_on += std::abs(shares[i]);
+  }
+  frozen.factor = frozen.extrapolated = factor;
+  frozen.bracket = bracket;
+  frozen.mesh_effect =
+      find_mesh_effect(*line[line.size() - 2]->factor(), *line.back()->factor(), frozen.other, factor, passed_on);
+  frozen.uncertainty = bracket + *frozen.mesh_effect;
 }
 
 }  // namespace
 
-results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::optional<results::MeshFactor> other) {
+mesh::Plan plan_frozen_mesh(mesh::Plan plan, const input::FrozenFactor& settings, int halvings) {
+  const double size = std::pow(0.5, halvings) * plan.size;
+  return mesh::refine_corners(mesh::resize(std::move(plan), size), settings.corner_refinement, corner_reach);
+}
+
+results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::optional<results::MeshFactor> coarser,
+                                  std::optional<results::MeshFactor> other) {
   results::FrozenFactor frozen;
-  for (const results::MeshFactor& mesh : meshes)
-    if (frozen.note.empty()) frozen.note = explain(mesh);
-  if (frozen.note.empty()) {
-    const auto half = [](const results::MeshFactor& m) { return 0.5 * (*m.upper - *m.lower); };
-    const results::MeshFactor& fine = meshes.back();
-    frozen.factor = fine.factor();
-    frozen.bracket = half(fine);
-    if (meshes.size() > 1) {
-      const results::MeshFactor& coarse = meshes[meshes.size() - 2];
-      frozen.factor = extrapolate_to_zero(coarse.size, *coarse.factor(), fine.size, *fine.factor());
-      frozen.extrapolated = frozen.factor;
-      const double rest = find_rest(coarse.size, fine.size);
-      frozen.bracket = half(fine) * (1 + rest) + half(coarse) * rest;
-      frozen.mesh_effect = find_mesh_effect(*coarse.factor(), *fine.factor(), other, *frozen.factor);
-      frozen.uncertainty = frozen.bracket + *frozen.mesh_effect;
-    }
-  }
   frozen.meshes = std::move(meshes);
+  frozen.coarser = std::move(coarser);
   frozen.other = std::move(other);
+  for (const results::MeshFactor& mesh : frozen.meshes)
+    if (frozen.note.empty()) frozen.note = explain(mesh);
+  if (!frozen.note.empty()) return frozen;
+  const results::MeshFactor& finest = frozen.meshes.back();
+  frozen.factor = finest.factor();
+  frozen.bracket = 0.5 * (*finest.upper - *finest.lower);
+  if (frozen.meshes.size() > 1) extrapolate(frozen);
   return frozen;
 }
 
@@ -77,6 +102,7 @@ StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor
   plan.gravity = find_acceleration<D>(data);
   plan.soil_height = slope_height;
   plan.failed_displacement = settings.failed_displacement * slope_height;
+  plan.evens_inertia = true;
   plan.threads = threads;
   return plan;
 }

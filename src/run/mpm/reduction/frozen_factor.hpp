@@ -11,6 +11,9 @@
 
 namespace talus::run {
 
+/// The plan of a mesh of the factor: every element size of `plan` halved `halvings` times, re-entrant corners refined.
+mesh::Plan plan_frozen_mesh(mesh::Plan plan, const input::FrozenFactor& settings, int halvings);
+
 /// Trials that were calculated before, by factor.
 using KnownTrials = std::map<double, results::Trial>;
 
@@ -33,10 +36,12 @@ results::MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::C
 /// Factors of the two meshes farther apart than this make the extrapolation a guess [-].
 inline constexpr double far_apart = 0.1;
 
-/// The factor of one mesh, or of the two finest extrapolated to elements of no size. Its interval: half the width of
-/// the final brackets as the extrapolation passes them on, and what the mesh does. `meshes`: coarse to fine. `other`:
-/// the coarsest by another mesher, where it was calculated. Angles of dilatancy are left to the caller.
+/// The factor of one mesh, or where the line through the meshes is at elements of no size. Its interval: half the width
+/// of the final brackets as the extrapolation passes them on, and what the mesh does. `meshes`: coarse to fine, the
+/// last two and `coarser`, of twice the size, or the last three make the line. `other`: the coarsest by another mesher.
+/// Both where they were calculated. Angles of dilatancy are left to the caller.
 results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes,
+                                  std::optional<results::MeshFactor> coarser = {},
                                   std::optional<results::MeshFactor> other = {});
 
 }  // namespace talus::run

@@ -38,13 +38,11 @@ struct MeshChoice {
   mesh::Algorithm algorithm = mesh::Algorithm::meshadapt;
 };
 
-/// The case's plan for such a mesh: every element size halved as often, by its mesher.
-mesh::Plan plan_mesh(mesh::Plan plan, const MeshChoice& choice) {
-  plan.algorithm = choice.algorithm;
-  const double share = std::pow(0.5, choice.halvings);
-  plan.size *= share;
-  for (mesh::Refinement& r : plan.refinements) r.size *= share;
-  return plan;
+/// The case's plan for such a mesh.
+mesh::Plan plan_mesh(const mesh::Plan& plan, const input::FrozenFactor& settings, const MeshChoice& choice) {
+  mesh::Plan chosen = plan_frozen_mesh(plan, settings, choice.halvings);
+  chosen.algorithm = choice.algorithm;
+  return chosen;
 }
 
 /// A mesher that makes other meshes than `algorithm`.
@@ -71,6 +69,7 @@ StagePlan<D> make_frozen_stage(const input::Case& data, const input::Stage& stag
   plan.step.objective_rate = stage.step.objective_rate;
   // Undamped or nearly undamped stages would oscillate for long without changing their state of rest.
   plan.step.damping = std::max(stage.step.damping, settings.step_settings.damping);
+  plan.evens_inertia = true;
   plan.until_rest = true;
   plan.duration = std::max(stage.duration, longest_frozen_stage);
   plan.rest = settings.rest;
@@ -131,7 +130,7 @@ class FrozenMesh {
     const bool ready = !data_.mesh.file.empty() || !data_.initial.result.empty();
     state_ = prepare<D>(data_, checkpoint ? get_mesh<D>(*checkpoint)
                                : ready    ? base
-                                          : mesh::generate<D>(plan_mesh(data_.mesh, choice_)));
+                                          : mesh::generate<D>(plan_mesh(data_.mesh, settings_, choice_)));
     // Held pressures are those of the start, whenever a trial runs; so is the water outside.
     if (settings_.step_settings.water == input::WaterMotion::held) hold_surfaces(state_, 0);
     height_ = find_slope_height(state_, data_.gravity);
@@ -253,11 +252,19 @@ results::FrozenFactor compute_frozen_factor(const mesh::Mesh<D>& base, const Tri
                       {fmt::format("mesh_{}", i), fmt::format("mesh {} of {}: ", i + 1, meshes), i, settings.algorithm},
                       threads)
             .compute(base, warnings));
-  std::optional<results::MeshFactor> other;
+  std::optional<results::MeshFactor> coarser, other;
+  std::vector<std::string> same;  // what is said of the stages of these two was said of the others
   const bool all_found =
       std::all_of(found.begin(), found.end(), [](const results::MeshFactor& m) { return m.factor().has_value(); });
+  if (meshes == 2 && all_found) {
+    try {
+      coarser = FrozenMesh<D>(context, {"mesh_coarser", "coarser mesh: ", -1, settings.algorithm}, threads)
+                    .compute(base, same);
+    } catch (const Error& error) {  // the two meshes that were asked for are enough
+      if (error.code() == ExitCode::interrupted) throw;
+    }
+  }
   if (meshes == 2 && settings.mesh_scatter && all_found) {
-    std::vector<std::string> same;  // what is said of its stages was said of the others
     other = FrozenMesh<D>(context, {"mesh_other", "another mesher: ", 0, choose_other(settings.algorithm)}, threads)
                 .compute(base, same);
   }
@@ -268,7 +275,7 @@ results::FrozenFactor compute_frozen_factor(const mesh::Mesh<D>& base, const Tri
           "the factors of the two meshes differ by {:.0f} %: refine the mesh before trusting the extrapolated factor",
           100 * std::abs(f / finer - 1)));
   }
-  results::FrozenFactor frozen = join_meshes(std::move(found), std::move(other));
+  results::FrozenFactor frozen = join_meshes(std::move(found), std::move(coarser), std::move(other));
   if (!frozen.factor) warnings.push_back("Material points, rest or run-away at frozen geometry: " + frozen.note);
   return frozen;
 }

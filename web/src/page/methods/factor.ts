@@ -61,6 +61,9 @@ export const writeFrozenFactor: Writer = ({ input }) => {
   const meshes = findSetting(input, `${base}.meshes`);
   const ready = findSetting(input, "mesh.file");
   const extrapolated = meshes !== 1 && !ready;
+  const finer = findSetting(input, `${base}.corner_refinement`);
+  const corners =
+    ready || finer === 1 ? "" : "finer at corners of the ground that point into the soil, such as the toe";
   const scattered = meshes !== 3 && findSetting(input, `${base}.mesh_scatter`) !== false;
   return [
     {
@@ -88,25 +91,30 @@ export const writeFrozenFactor: Writer = ({ input }) => {
           {
             text:
               (meshes === 3
-                ? "The search was done on three meshes, each of half the element size of the one before, and the factor " +
-                  "of the two finest, $h$ and $h/2$, extrapolated "
-                : "The search was done on two meshes, of element size $h$ and $h/2$, and the factor extrapolated ") +
-              "to $h=0$, with an error that is a third at half the size:",
+                ? "The search was done on three meshes, of element size $h$, $h/2$ and $h/4$; the coarsest is $2h$ below"
+                : "The search was done on three meshes, of element size $2h$, $h$ and $h/2$") +
+              (corners ? `, ${corners}` : "") +
+              ". The factor is where the straight line through them, by least squares with weights $1/h$, is at $h=0$:",
           },
-          { tex: "F=F_{h/2}-\\tfrac12\\left(F_h-F_{h/2}\\right)", plain: "F = F_h/2 − ½ (F_h − F_h/2)" },
+          {
+            tex: "F=\\tfrac1{13}\\left(16\\,F_{h/2}+2\\,F_h-5\\,F_{2h}\\right)",
+            plain: "F = (16 F_h/2 + 2 F_h − 5 F_2h) / 13",
+          },
           {
             text:
               "The bracket given with the factor is the width of the last intervals, carried through the " +
-              "extrapolation. What the mesh does is added: the distance of these two factors" +
-              (scattered ? ", or that of the factors of two meshers at the size $h$ where it is larger" : "") +
-              ", but at least 1 %.",
+              "extrapolation. What the mesh does is added: the largest of the distance of the two finest factors, what the " +
+              "extrapolation takes from the finest" +
+              (scattered ? ", the distance of the factors of two meshers at the size $h$," : "") +
+              " and 1 %.",
           },
         ]
       : [
           {
             text:
-              "The search was done on one mesh and not extrapolated; on eight slopes a single mesh was up to 7 % " +
-              "above the limit with elements of a thirteenth of the height, and up to 4 % with half of that.",
+              "The search was done on one mesh and not extrapolated; on eight slopes a single mesh was up to 5 % " +
+              "above the limit with elements of a thirteenth of the height, and up to 2.5 % with half of that." +
+              (corners ? ` Its elements are ${corners}.` : ""),
           },
         ]),
   ];

@@ -41,16 +41,17 @@ describe("writeMethods", () => {
       return writePlainMethods(paragraphs, cited);
     };
     const two = write({ meshes: given(2), mesh_scatter: given(true) });
-    // As src/run/mpm/reduction/frozen_factor.cpp has it: 1.443 and 1.422 give 1.4115.
-    expect(two).toContain("F = F_h/2 − ½ (F_h − F_h/2)");
+    // As unit.FrozenInterval has it.
+    expect(two).toContain("F = (16 F_h/2 + 2 F_h − 5 F_2h) / 13");
     expect(two).toContain("of two meshers");
-    expect(two).toContain("at least 1 %");
+    expect(two).toContain("finer at corners of the ground");
     const others: InputTable[] = [{ meshes: given(2), mesh_scatter: given(false) }, { meshes: given(3) }];
     for (const other of others) {
-      expect(write(other)).toContain("F = F_h/2 − ½ (F_h − F_h/2)");
-      expect(write(other)).toContain("the distance of these two factors, but at least 1 %");
+      expect(write(other)).toContain("F = (16 F_h/2 + 2 F_h − 5 F_2h) / 13");
+      expect(write(other)).toContain("takes from the finest and 1 %");
     }
     expect(write({ meshes: given(1) })).toContain("not extrapolated; on eight slopes");
+    expect(write({ meshes: given(2), corner_refinement: given(1) })).not.toContain("corners");
   });
 
   it("names only what was used", () => {
