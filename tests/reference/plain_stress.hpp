@@ -122,7 +122,7 @@ template <class Point, class Settings, int D = Point::dimension>
 StressUpdate update_moving_stress(const Material& material, const Tensor& sigma, const Tensor& strain_increment,
                                   const Settings& settings, Point& point) {
   if (settings.frozen) return update_stress(material, sigma, strain_increment);
-  const StressUpdate update = update_separating(material, sigma, strain_increment, point.gap, D);
+  StressUpdate update = update_separating(material, sigma, strain_increment, point.gap, D);
   point.gap += update.opened;
   return update;
 }

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// Flow through soil at rest in the plain step of the mixture: Darcy's discharge through layers, infiltration against a
+// fine solution of Richards' equation, runoff.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "golden/wet_bodies.hpp"
+#include "reference/plain_mixture.hpp"
+#include "reference/two_phase_bodies.hpp"
+
+namespace talus::reference {
+namespace {
+
+constexpr double g = 9.81, gamma_w = 1000 * g;
+
+TEST(MixtureFlow, DischargeThroughLayersIsDarcysExactly) {
+  Soil loose = make_table_soil(1e-10), tight = make_table_soil(1e-11);
+  MixtureBody<2> body{make_column<2>(16, 0.125, loose, 0.4, 0.2)};
+  body.soils = {loose, tight};
+  body.points.clear();
+  const auto hydrostatic = [](const Vector<2>& x) { return -gamma_w * (2.1 - x[1]); };
+  fill_wet(
+      body, 0.3, 1, [](const Vector<2>& x) { return x[1] < 1; }, hydrostatic);
+  fill_wet(
+      body, 0.45, 0, [](const Vector<2>& x) { return x[1] > 1; }, hydrostatic);
+  body.gravity[1] = -g;
+  for (Constraint<2>& c : body.solid_constraints) c.fixed = {true, true};
+  body.surface.assign(body.mesh.nodes.size(), {.kind = SurfaceKind::head, .head = 2.1});
+  for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i)
+    if (body.mesh.nodes[i][1] == 0.0) {
+      body.surface[i].head = 2.5;
+      body.water_constraints[i].fixed[1] = false;
+    }
+  MixtureSettings settings;
+  settings.frozen = true;
+  settings.time_step = 1;
+  for (int n = 0; n < 400; ++n) step<2>(body, settings);
+  const WaterBudget before = body.budget;
+  step<2>(body, settings);
+  const double discharge = 0.125 * 0.4 / (1 / loose.water.conductivity + 1 / tight.water.conductivity);
+  EXPECT_NEAR((body.budget.left - before.left) / (1000 * settings.time_step * discharge), 1, 2e-6)
+      << "but for the compression of water";
+  EXPECT_NEAR((body.budget.entered - before.entered) / (1000 * settings.time_step * discharge), 1, 2e-6)
+      << "but for the compression of water";
+}
+
+/// Gardner's soil: S = 0.2 + 0.8 exp(−a s), k_r = exp(−a s).
+Soil make_gardner_soil(double a) {
+  Soil soil = make_table_soil();
+  soil.water.conductivity = 1e-4;
+  soil.water.saturation = [=](double p) { return p > 0 ? 0.2 + 0.8 * std::exp(-a * p) : 1.0; };
+  soil.water.saturation_slope = [=](double p) { return p > 0 ? -0.8 * a * std::exp(-a * p) : 0.0; };
+  soil.water.relative_conductivity = [](double s) { return (s - 0.2) / 0.8; };
+  return soil;
+}
+
+/// Richards' equation by finite volumes of the water content and small explicit steps, as in two_phase_unsaturated.cpp:
+/// p = 0 at y = 0, rain at the top. Returns p at the middles of the cells [Pa].
+std::vector<double> solve_richards(const Soil& soil, double n, double height, int cells, double rain, double end) {
+  const double h = height / cells, a = -std::log((soil.water.saturation(1.0) - 0.2) / 0.8);
+  std::vector<double> p, content;
+  for (int i = 0; i < cells; ++i) {
+    p.push_back(gamma_w * (i + 0.5) * h);
+    content.push_back(soil.water.saturation(p.back()));
+  }
+  const auto k_at = [&](double pressure) { return soil.water.conductivity * std::exp(-a * std::max(pressure, 0.0)); };
+  const double dt = 0.4 * h * h * n * 0.8 * a * gamma_w / soil.water.conductivity / 2;
+  const int steps = static_cast<int>(std::ceil(end / dt));
+  std::vector<double> flux(static_cast<std::size_t>(cells) + 1);
+  for (int s = 0; s < steps; ++s) {
+    flux.back() = -rain;
+    flux[0] = soil.water.conductivity * (p[0] / (h / 2) / gamma_w - 1);
+    for (std::size_t i = 1; i < p.size(); ++i)
+      flux[i] = (k_at(p[i]) + k_at(p[i - 1])) / 2 * ((p[i] - p[i - 1]) / h / gamma_w - 1);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      content[i] += end / steps / h / n * (flux[i] - flux[i + 1]);
+      p[i] = -std::log((content[i] - 0.2) / 0.8) / a;
+    }
+  }
+  return p;
+}
+
+MixtureBody<2> make_column_under_rain(const Soil& soil, double height, int cells, double n, double rain, double share,
+                                      double jitter) {
+  MixtureBody<2> body{make_column<2>(cells, height / cells, soil, n, jitter)};
+  body.points.clear();
+  fill_wet(
+      body, n, 0, [](const Vector<2>&) { return true; }, [&](const Vector<2>& x) { return share * gamma_w * x[1]; });
+  for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i) {
+    body.solid_constraints[i].fixed = {true, true};
+    if (body.mesh.nodes[i][1] == 0.0) body.water_constraints[i].fixed[1] = false;
+  }
+  body.surface.assign(body.mesh.nodes.size(), {.kind = SurfaceKind::open});
+  for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i)
+    if (std::abs(body.mesh.nodes[i][1] - height) < 1e-12)
+      body.surface[i] = {.kind = SurfaceKind::rain, .rain = {0, -rain}};
+  body.gravity[1] = -g;
+  std::vector<double> start;
+  for (const auto& x : body.mesh.nodes) start.push_back(share * gamma_w * x[1]);
+  MixtureSettings settings;
+  settings.frozen = true;
+  start_from_pressures(body, settings, start);
+  return body;
+}
+
+TEST(MixtureFlow, InfiltrationFollowsRichardsEquationWithStepsOfAnyLength) {
+  const double height = 1, n = 0.4, rain = 5e-5;
+  const Soil soil = make_gardner_soil(3e-4);
+  const int fine = 200, cells = 20;
+  for (const double dt : {0.5, 10.0}) {
+    MixtureBody<2> body = make_column_under_rain(soil, height, cells, n, rain, 1, 0);
+    MixtureSettings settings;
+    settings.frozen = true;
+    settings.time_step = dt;
+    const auto sum_water = [&] {
+      double water = 0;
+      for (const WetPoint<2>& point : body.points) water += point.water_mass;
+      return water;
+    };
+    const double begin = sum_water();
+    for (const double t : {300.0, 1000.0}) {
+      while (body.steps < std::lround(t / dt)) step<2>(body, settings);
+      const std::vector<double> exact = solve_richards(soil, n, height, fine, rain, t);
+      double suction = 0, saturation = 0;
+      for (std::size_t i = 0; i < body.pressure.size(); ++i) {
+        const double position = body.mesh.nodes[i][1] / height * fine - 0.5;
+        const int low = std::clamp(static_cast<int>(position), 0, fine - 2);
+        const double share = position - low, p = (1 - share) * at(exact, low) + share * at(exact, low + 1);
+        suction = std::max(suction, std::abs(body.pressure[i] - p));
+        saturation = std::max(saturation, std::abs(soil.water.saturation(body.pressure[i]) - soil.water.saturation(p)));
+      }
+      std::printf("mixture, infiltration, t %.0f s, %g s a step: suction within %.3g Pa, saturation within %.3g\n", t,
+                  dt, suction, saturation);
+      EXPECT_LT(suction, 0.006 * gamma_w * height);
+      EXPECT_LT(saturation, 0.01);
+      EXPECT_NEAR((sum_water() - begin - body.budget.entered + body.budget.left) / begin, 0, 1e-12);
+    }
+  }
+}
+
+TEST(MixtureFlow, RainBeyondWhatTheSoilTakesRunsOff) {
+  const double height = 0.5, n = 0.4, rain = 3e-4;
+  const Soil soil = make_gardner_soil(3e-4);
+  MixtureBody<2> body = make_column_under_rain(soil, height, 6, n, rain, 0.5, 0.2);
+  MixtureSettings settings;
+  settings.frozen = true;
+  settings.time_step = 2;
+  while (body.steps < 3000) step<2>(body, settings);
+  const WaterBudget before = body.budget;
+  step<2>(body, settings);
+  const double taken = 1000 * settings.time_step * soil.water.conductivity * height / 6;
+  EXPECT_NEAR((body.budget.entered - before.entered) / taken, 1, 1e-5) << "the saturated conductivity";
+  EXPECT_NEAR((body.budget.left - before.left) / taken, 1, 1e-5);
+  for (const double p : body.pressure) EXPECT_NEAR(p, 0, 1);
+}
+
+/// A soft column settles under water by 14 mm, and points pass from element to element. With one pressure per element
+/// and smoothing it never rests.
+TEST(MixtureRest, SoftColumnSettlesUnderRealWaterWithSmoothing) {
+  Soil soil = make_table_soil();
+  soil.skeleton = {.young_modulus = 1e6, .poisson_ratio = 0.3};
+  soil.water.bulk_modulus = 2.2e9;
+  soil.water.conductivity = 1e-3;
+  MixtureBody<2> body{make_wet_body(make_box<2>({4, 26}, {0.4, 2.6}, 0.2), soil)};
+  fix_wet_box(body, {0.4, 2.6});
+  const auto hydrostatic = [](double y) { return -gamma_w * (3 - y); };
+  fill_wet(
+      body, 0.4, 0, [&](const Vector<2>& x) { return x[1] < 2; },
+      [&](const Vector<2>& x) { return hydrostatic(x[1]); });
+  body.surface.assign(body.mesh.nodes.size(), {.kind = SurfaceKind::head, .head = 3});
+  body.gravity[1] = -g;
+  double begin = 0;
+  for (const WetPoint<2>& point : body.points) begin += point.water_mass;
+  MixtureSettings settings;
+  settings.smoothing = Smoothing::stable;
+  settings.damping = 0.1;
+  settings.mass_scaling = 100;
+  settings.time_step = 0.9 * smallest_altitude(body.mesh) / std::sqrt(1e6 * 0.7 / 0.52 / 1990 / 100);
+  while (body.steps * settings.time_step < 40) step<2>(body, settings);
+  for (std::size_t i = 0; i < body.pressure.size(); ++i) {
+    if (std::isnan(body.pressure[i])) continue;
+    EXPECT_NEAR(body.pressure[i], hydrostatic(body.mesh.nodes[i][1]), 700) << "still draining";
+  }
+  double water = 0;
+  for (const WetPoint<2>& point : body.points) {
+    water += point.water_mass;
+    EXPECT_LT(point.v.norm(), 2e-4);
+  }
+  EXPECT_EQ(body.left, 0);
+  EXPECT_NEAR((water - begin - body.budget.entered + body.budget.left) / begin, 0, 1e-12);
+}
+
+/// An unsaturated slope of two soils in motion, under rain and flooded at its toe: points change their elements, and
+/// elements fill and empty.
+TEST(MixtureSlope, SlidesWithRealWaterAtTheStepOfTheDrainedWave) {
+  MixtureBody<2> body{golden::set_in_motion(golden::soften(make_wet_slope<2>(), 2.2e9), 1)};
+  MixtureSettings settings;
+  settings.smoothing = Smoothing::stable;
+  settings.time_step = 0.8 * smallest_altitude(body.mesh) / std::sqrt(5e6 * 0.7 / 0.52 / 2000);
+  const auto sum_water = [&] {
+    double water = 0;
+    for (const WetPoint<2>& point : body.points) water += point.water_mass;
+    return water;
+  };
+  const double begin = sum_water();
+  for (int n = 0; n < 200; ++n) {
+    step<2>(body, settings);
+    for (const double p : body.pressure) ASSERT_FALSE(std::abs(p) > 2e5) << "step " << n;
+    for (const WetPoint<2>& point : body.points) {
+      ASSERT_LT(point.v.norm(), 5) << "step " << n;
+      ASSERT_GE(point.water_mass, 0) << "step " << n;
+    }
+  }
+  EXPECT_EQ(body.left, 0);
+  EXPECT_GT(body.budget.entered, 0);
+  EXPECT_NEAR((sum_water() - begin - body.budget.entered + body.budget.left) / begin, 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace talus::reference

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The data of the plain step of the mixture: soil and water with one velocity, pore pressures at the nodes, and Darcy's
+// flux eliminated. docs/theory/22-mixture.md has the formulas.
+
+#include <utility>
+#include <vector>
+
+#include "reference/plain_two_phase_body.hpp"
+
+namespace talus::reference {
+
+struct MixtureSettings : WetSettings {
+  double projection = 1;  ///< τ of (T22.6) times 2G [-]
+};
+
+/// What a node knows of its water during one step. Volumes are those of water at zero pressure.
+struct WaterNode {
+  double pores = 0;    ///< P_i [m³]; 0: no pore water is near
+  double water = 0;    ///< W_i [m³]
+  double held = 0;     ///< what the pores hold at the pressure of the start of the step [m³]
+  double storage = 0;  ///< −d(held)/dp [m³/Pa]
+  double change = 0;   ///< δ: what the step adds to the pressure [Pa]
+  double out = 0;      ///< what leaves the node in the step, to other nodes and through the surface [m³]
+  double passed = 0;   ///< and what of it passes the surface [m³]
+  bool fixed = false;  ///< the surface holds its pressure
+};
+
+/// Pores of one soil at a node.
+struct SoilPores {
+  const PoreWater* soil;
+  double pores;  ///< [m³]
+};
+
+template <int D>
+struct MixtureBody : WetBody<D> {
+  MixtureBody() = default;
+  explicit MixtureBody(WetBody<D> body) : WetBody<D>(std::move(body)) {}
+
+  // By node. The pressure stays from step to step; NaN where there was no water.
+  std::vector<double> pressure;  ///< tension positive [Pa]
+  std::vector<bool> ponded;      ///< water stands on the surface: rain does not enter at once, or seepage leaves
+  std::vector<Vector<D>> area;   ///< of the open sides that touch the node, outwards [m²]
+  // By node, of the last step.
+  std::vector<WaterNode> water;
+  std::vector<std::vector<SoilPores>> soils_at;
+};
+
+}  // namespace talus::reference

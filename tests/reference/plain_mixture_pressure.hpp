@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The equation of the nodal pressures in the plain mixture step (T22.4), with the conditions of the surface.
+
+#include <Eigen/Sparse>
+#include <cmath>
+#include <vector>
+
+#include "reference/plain_mixture_water.hpp"
+
+namespace talus::reference {
+
+/// Sums over the wet points of an element, each with the volume that it is integrated with, at the element's pressure.
+struct ElementFlow {
+  double saturated = 0;     ///< Σ V S [m³]
+  double effective = 0;     ///< Σ V χ [m³]
+  double conductive = 0;    ///< Σ V K, K = k k_r/(ρ_w g) [m⁵/(N s)]
+  double soft = 0;          ///< Σ V/(2G) [m³/Pa]
+  double coupling = 0;      ///< Σ V √(Sχ) [m³]
+  double water_weight = 0;  ///< Σ V K ρ_w [m² s]
+};
+
+template <int D>
+ElementFlow find_element_flow(const MixtureBody<D>& body, int e) {
+  const WetCell& cell = at(body.cells, e);
+  ElementFlow flow;
+  double relative[D + 1];
+  for (std::size_t p : cell.points) {
+    const WetPoint<D>& point = body.points[p];
+    const Soil& soil = soil_of(body, point);
+    if (!soil.wet) continue;
+    const double volume = cell.stretch * point.volume;
+    const double s = soil.water.saturation(point.pressure), chi = find_chi(soil.water, point.pressure);
+    // k_r as the mean over the nodes: a dry one does not close the element to a front.
+    double k_r = 0;
+    for (int i = 0; i <= D; ++i) {
+      relative[i] =
+          soil.water.relative_conductivity(soil.water.saturation(at(body.pressure, node_of(body.mesh, e, i))));
+      k_r += std::max(lowest_relative_conductivity, relative[i]) / (D + 1);
+    }
+    const double k = soil.water.conductivity * k_r / (soil.water.density * soil.water.drag_gravity);
+    const double shear = soil.skeleton.young_modulus / (2 * (1 + soil.skeleton.poisson_ratio));
+    flow.saturated += volume * s;
+    flow.effective += volume * chi;
+    flow.conductive += volume * k;
+    flow.water_weight += volume * k * soil.water.density;
+    flow.soft += volume / (2 * shear);
+    flow.coupling += volume * std::sqrt(s * chi);
+  }
+  return flow;
+}
+
+/// −Σ V χ δ ∇N at every node, δ the mean over the element's nodes [N].
+template <int D>
+std::vector<Vector<D>> find_pressure_force(const MixtureBody<D>& body, const std::vector<ElementFlow>& flow,
+                                           const std::vector<double>& field) {
+  std::vector<Vector<D>> force(body.mesh.nodes.size(), Vector<D>::Zero());
+  for (int e = 0; e < body.mesh.element_count(); ++e) {
+    if (!at(body.cells, e).wet) continue;
+    const Gradients<D> b = shape_gradients(body.mesh, e);
+    const double mean = mean_over_nodes(body.mesh, e, field);
+    for (int i = 0; i <= D; ++i)
+      at(force, node_of(body.mesh, e, i)) -= at(flow, e).effective * mean * b.row(i).transpose();
+  }
+  return force;
+}
+
+/// What the surface does with the water of a node.
+struct SurfaceWater {
+  bool is_given = false;  ///< the pressure is
+  double pressure = 0;    ///< [Pa]
+  bool may_pond = false;  ///< water may stand or leave at zero pressure
+  double inflow = 0;      ///< offered [m³/s]
+};
+
+template <int D>
+SurfaceWater find_surface_water(const MixtureBody<D>& body, int number) {
+  SurfaceWater water;
+  const Vector<D>& area = at(body.area, number);
+  if (area.norm() == 0) return water;
+  const SurfaceCondition<D> condition = surface_condition(body, number);
+  const bool flooded = condition.kind == SurfaceKind::head && submergence(body, number) > 0;
+  if (condition.kind == SurfaceKind::open || condition.kind == SurfaceKind::pressure || flooded) {
+    water.is_given = true;
+    water.pressure = condition.kind == SurfaceKind::open ? 0.0 : outer_pressure(body, number, number);
+    return water;
+  }
+  if (condition.kind == SurfaceKind::closed) return water;
+  WetNode<D> node;
+  node.surface = area;
+  node.suction = at(body.pressure, number);
+  water.inflow = -offered_flux(condition, node) * area.norm();
+  water.may_pond = condition.kind != SurfaceKind::flux;
+  return water;
+}
+
+/// How the pores grow when the pressures of the end of the step push: Δt²/β B Π M⁻¹ Bᵀ, Π the projection of what holds
+/// the nodes, B from `squeeze` [m³/Pa].
+template <int D>
+Eigen::SparseMatrix<double> find_pushed_growth(const MixtureBody<D>& body, const MixtureSettings& settings,
+                                               const std::vector<Eigen::Triplet<double>>& squeeze) {
+  const auto count = static_cast<Eigen::Index>(body.mesh.nodes.size());
+  std::vector<Eigen::Triplet<double>> free;
+  const double limit = massless_limit(body), dt = settings.time_step;
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const WetNode<D>& node = body.nodes[i];
+    if (node.solid_mass <= limit) continue;
+    for (int d = 0; d < D; ++d) {
+      const Vector<D> moved = body.solid_constraints[i].apply(Vector<D>::Unit(d));
+      for (int c = 0; c < D; ++c)
+        free.emplace_back(static_cast<int>(i) * D + c, static_cast<int>(i) * D + d,
+                          dt * dt / settings.mass_scaling / (node.solid_mass + node.water_mass) * moved[c]);
+    }
+  }
+  Eigen::SparseMatrix<double> b(count, D * count), inverse(D * count, D * count);
+  b.setFromTriplets(squeeze.begin(), squeeze.end());
+  inverse.setFromTriplets(free.begin(), free.end());
+  return b * inverse * b.transpose();
+}
+
+/// What a node's pores hold over the pressure, as a straight line through what they hold at `pressure`. Retention is no
+/// line: while water is drawn, it is the chord to the end of the step; pores that fill up hold what they hold at zero
+/// pressure and what is pressed into them.
+struct HeldLine {
+  double pressure = 0, held = 0, storage = 1;
+  bool full = false, gives = false;
+  double at(double p) const { return held - storage * (p - pressure); }
+};
+
+inline HeldLine fill_line(const std::vector<SoilPores>& soils) {
+  return {.pressure = 0,
+          .held = find_held(soils, 0).first,
+          .storage = find_held(soils, -1).second,
+          .full = true,
+          .gives = true};
+}
+
+inline HeldLine start_line(const std::vector<SoilPores>& soils, double p) {
+  const bool gives = std::any_of(soils.begin(), soils.end(), [](const SoilPores& s) { return retains(*s.soil); });
+  if (gives && p <= 0) return fill_line(soils);
+  const auto [held, storage] = find_held(soils, p);
+  return {.pressure = p, .held = held, .storage = storage, .gives = gives};
+}
+
+/// Rounds in which pores may be found to drain again, and rounds in all. Pores that are taken for full and are not are
+/// an error that the next step corrects; pores that take up water where there is no room are not let through.
+inline constexpr int draining_rounds = 4, most_pressure_rounds = 12;
+/// A chord is near enough that gives this share of the pores right.
+inline constexpr double chord_tolerance = 1e-9;
+
+/// Bends the line after a solution with the pressure `next`, from `start`. Returns whether it was right.
+inline bool bend_line(HeldLine& line, const std::vector<SoilPores>& soils, double start, double next, int round) {
+  if (!line.gives) return true;
+  if (!line.full && next < 0) {
+    line = fill_line(soils);
+    return false;
+  }
+  if (line.full) {
+    if (next <= 0 || round >= draining_rounds) return true;
+    line.full = false;
+    line.pressure = std::max(start, 0.0);
+    line.held = find_held(soils, line.pressure).first;
+  }
+  const double held = find_held(soils, next).first, pores = find_held(soils, 0).first;
+  if (std::abs(line.at(next) - held) <= chord_tolerance * pores) return true;
+  const double distance = next - line.pressure;
+  line.storage =
+      std::abs(distance) > 1e-6 ? std::max((line.held - held) / distance, 0.0) : find_held(soils, next).second;
+  return false;
+}
+
+/// Solves matrix δ = source + what the surface takes. Writes δ and that.
+template <int D>
+void solve_round(MixtureBody<D>& body, const MixtureSettings& settings, const std::vector<SurfaceWater>& surface,
+                 const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& source, Eigen::VectorXd& change,
+                 Eigen::VectorXd& outside) {
+  const Eigen::Index count = source.size();
+  Eigen::VectorXd given = Eigen::VectorXd::Zero(count), right = source;
+  const auto is_fixed = [&](Eigen::Index i) { return body.water[static_cast<std::size_t>(i)].fixed; };
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto number = static_cast<std::size_t>(i);
+    WaterNode& node = body.water[number];
+    const SurfaceWater& water = surface[number];
+    if (node.pores <= 0) continue;
+    node.fixed = water.is_given || (water.may_pond && body.ponded[number]);
+    if (node.fixed)
+      given[i] = (water.is_given ? water.pressure : 0.0) - body.pressure[number];
+    else
+      right[i] -= settings.time_step * water.inflow;
+  }
+  right -= matrix * given;
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (is_fixed(i)) right[i] = 0;
+  Eigen::SparseMatrix<double> free = matrix;
+  free.prune([&](Eigen::Index row, Eigen::Index column, double) {
+    return row == column || !(is_fixed(row) || is_fixed(column));
+  });
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(free);
+  change = solver.solve(right);
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (is_fixed(i)) change[i] = given[i];
+  outside = matrix * change - source;
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (!is_fixed(i)) outside[i] = -settings.time_step * surface[static_cast<std::size_t>(i)].inflow;
+}
+
+/// Water stands where pressure would rise above zero, until more would have to enter than is offered. Returns whether
+/// that is so already.
+template <int D>
+bool settle_surface(MixtureBody<D>& body, const MixtureSettings& settings, const std::vector<SurfaceWater>& surface,
+                    const Eigen::VectorXd& change, const Eigen::VectorXd& outside) {
+  bool settled = true;
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    if (!surface[i].may_pond || body.water[i].pores <= 0) continue;
+    const auto at = static_cast<Eigen::Index>(i);
+    const bool stands = body.ponded[i] ? -outside[at] <= settings.time_step * surface[i].inflow * (1 + 1e-12)
+                                       : body.pressure[i] + change[at] < 0;
+    settled = settled && stands == body.ponded[i];
+    body.ponded[i] = stands;
+  }
+  return settled;
+}
+
+/// The pressures at the end of the step, what leaves every node, and what passes the surface. `predicted` are the nodal
+/// velocities under the forces of the start, `acceleration` what they come from.
+template <int D>
+std::vector<ElementFlow> solve_pressures(MixtureBody<D>& body, const MixtureSettings& settings,
+                                         const std::vector<Vector<D>>& predicted,
+                                         const std::vector<Vector<D>>& acceleration) {
+  const double dt = settings.time_step;
+  const auto count = static_cast<Eigen::Index>(body.mesh.nodes.size());
+  std::vector<ElementFlow> flow(body.cells.size());
+  std::vector<Eigen::Triplet<double>> all, through, squeeze;  // storage and flow; flow alone; growth of pores by motion
+  Eigen::VectorXd growth = Eigen::VectorXd::Zero(count), drained = growth, p = growth;
+  for (int e = 0; e < body.mesh.element_count(); ++e) {
+    if (!at(body.cells, e).wet) continue;
+    const ElementFlow f = at(flow, e) = find_element_flow(body, e);
+    const Gradients<D> b = shape_gradients(body.mesh, e);
+    double divergence = 0;
+    Vector<D> mean = Vector<D>::Zero();
+    for (int i = 0; i <= D; ++i) {
+      const int node = node_of(body.mesh, e, i);
+      divergence += at(predicted, node).dot(b.row(i));
+      mean += at(acceleration, node) / (D + 1);
+      for (int d = 0; d < D; ++d)
+        for (int j = 0; j <= D; ++j)
+          squeeze.emplace_back(node_of(body.mesh, e, j), node * D + d, f.coupling / (D + 1) * b(i, d));
+    }
+    for (int i = 0; i <= D; ++i) {
+      const int row = node_of(body.mesh, e, i);
+      growth[row] += dt * f.saturated * divergence / (D + 1);
+      drained[row] -= dt * f.water_weight * b.row(i).dot(body.gravity - mean);
+      for (int j = 0; j <= D; ++j) {
+        const double l = b.row(i).dot(b.row(j)), same = i == j ? 1.0 : 0.0;
+        const double flux =
+            dt * f.conductive * l + settings.projection * f.soft / ((D + 1) * (D + 2)) * (same - 1.0 / (D + 1));
+        through.emplace_back(row, node_of(body.mesh, e, j), flux);
+        all.emplace_back(row, node_of(body.mesh, e, j), flux);
+      }
+      for (int j = 0; j <= D; ++j) {
+        const int column = node_of(body.mesh, e, j);
+        drained[row] -= dt * f.conductive * b.row(i).dot(b.row(j)) * at(body.pressure, column);
+      }
+    }
+  }
+  for (int i = 0; i < static_cast<int>(count); ++i) all.emplace_back(i, i, 0.0);
+  Eigen::SparseMatrix<double> matrix(count, count), moving(count, count);
+  matrix.setFromTriplets(all.begin(), all.end());
+  matrix += find_pushed_growth(body, settings, squeeze);
+  moving.setFromTriplets(through.begin(), through.end());
+  std::vector<SurfaceWater> surface;
+  for (int i = 0; i < static_cast<int>(count); ++i) surface.push_back(find_surface_water(body, i));
+  body.ponded.resize(body.mesh.nodes.size(), false);
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(count), outside = change;
+  std::vector<HeldLine> lines;
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    lines.push_back(body.water[i].pores > 0 ? start_line(body.soils_at[i], body.pressure[i]) : HeldLine{});
+  for (int round = 0; round < most_pressure_rounds; ++round) {
+    Eigen::VectorXd source = growth + drained;
+    Eigen::SparseMatrix<double> whole = matrix;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto number = static_cast<std::size_t>(i);
+      const HeldLine& line = lines[number];
+      whole.coeffRef(i, i) += line.storage;
+      if (body.water[number].pores > 0) source[i] += line.at(body.pressure[number]) - body.water[number].water;
+    }
+    solve_round(body, settings, surface, whole, source, change, outside);
+    bool settled = settle_surface(body, settings, surface, change, outside);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto number = static_cast<std::size_t>(i);
+      if (body.water[number].pores > 0)
+        settled = bend_line(lines[number], body.soils_at[number], body.pressure[number],
+                            body.pressure[number] + change[i], round) &&
+                  settled;
+    }
+    if (settled) break;
+  }
+  const Eigen::VectorXd out = drained - moving * change + outside;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    WaterNode& node = body.water[static_cast<std::size_t>(i)];
+    if (node.pores <= 0) continue;
+    node.change = change[i];
+    node.out = out[i];
+    node.passed = outside[i];
+  }
+  return flow;
+}
+
+}  // namespace talus::reference

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The water of the plain mixture step: what nodes and elements hold, and the pressure that the step starts from.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "reference/plain_mixture_body.hpp"
+#include "reference/plain_two_phase_surface.hpp"
+
+namespace talus::reference {
+
+/// Pores and water of an element's wet points [m³].
+struct ElementWater {
+  double pores = 0, water = 0;
+};
+template <int D>
+ElementWater find_element_water(const WetBody<D>& body, const WetCell& cell) {
+  ElementWater sum;
+  for (std::size_t p : cell.points) {
+    const WetPoint<D>& point = body.points[p];
+    if (!soil_of(body, point).wet) continue;
+    sum.pores += pore_volume(body, point);
+    sum.water += point.water_mass / soil_of(body, point).water.density;
+  }
+  return sum;
+}
+
+/// The points of a full element share its water in proportion to their pores.
+template <int D>
+void share_mixture_state(MixtureBody<D>& body) {
+  for (const WetCell& cell : body.cells) {
+    if (!cell.full) continue;
+    Tensor sigma = Tensor::Zero();
+    double plastic_strain = 0, gap = 0, volume = 0;
+    for (std::size_t i : cell.points) {
+      const WetPoint<D>& point = body.points[i];
+      sigma += point.volume * point.sigma;
+      plastic_strain += point.volume * point.plastic_strain;
+      gap += point.volume * point.gap;
+      volume += point.volume;
+    }
+    const ElementWater water = find_element_water(body, cell);
+    for (std::size_t i : cell.points) {
+      WetPoint<D>& point = body.points[i];
+      point.sigma = sigma / volume;
+      point.plastic_strain = plastic_strain / volume;
+      point.gap = gap / volume;
+      if (cell.wet)
+        point.water_mass = soil_of(body, point).water.density * water.water * pore_volume(body, point) / water.pores;
+    }
+  }
+}
+
+/// Mean of a nodal field over the nodes of element `e`.
+template <int D>
+double mean_over_nodes(const mesh::Mesh<D>& mesh, int e, const std::vector<double>& field) {
+  double sum = 0;
+  for (int i = 0; i <= D; ++i) sum += at(field, node_of(mesh, e, i));
+  return sum / (D + 1);
+}
+
+/// What the pores hold at a pressure [m³], and its slope −d/dp [m³/Pa].
+inline std::pair<double, double> find_held(const std::vector<SoilPores>& soils, double p) {
+  double held = 0, storage = 0;
+  for (const SoilPores& s : soils) {
+    const double stretched = std::exp(-p / s.soil->bulk_modulus), saturation = s.soil->saturation(p);
+    held += s.pores * saturation * stretched;
+    storage += s.pores * (saturation / s.soil->bulk_modulus - s.soil->saturation_slope(p)) * stretched;
+  }
+  return {held, storage};
+}
+
+/// The suction at which the pores hold `water`, less than at zero pressure: between bounds by bisection of Newton's
+/// steps.
+inline double find_suction(const std::vector<SoilPores>& soils, double water, double guess) {
+  double low = 0, high = std::max(1.0, 2 * guess);
+  while (find_held(soils, high).first > water && high < 1e12) low = high, high *= 4;
+  double p = guess > low && guess < high ? guess : 0.5 * (low + high);
+  for (int i = 0; i < 200; ++i) {
+    const auto [held, storage] = find_held(soils, p);
+    (held > water ? low : high) = p;
+    double next = p + (held - water) / storage;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (std::abs(next - p) <= 1e-12 * next) return next;
+    p = next;
+  }
+  return p;
+}
+
+/// Whether the soil gives up water under suction; else only its compressibility does.
+inline bool retains(const PoreWater& soil) {
+  return soil.saturation(1e5) < soil.saturation(0);
+}
+
+/// Contents of the nodes, and the pressures of the start of the step. Where pores are not full, the pressure is the one
+/// at which they hold their water. Where they are, it is that of the last step: the water of full pores would say it
+/// with K_w times its error.
+template <int D>
+void find_node_pressures(MixtureBody<D>& body) {
+  const std::size_t count = body.mesh.nodes.size();
+  body.water.assign(count, {});
+  body.pressure.resize(count, NAN);
+  std::vector<std::vector<SoilPores>>& soils = body.soils_at;
+  soils.assign(count, {});
+  std::vector<double> last(count, 0);  // pores times pressure of the points
+  for (int e = 0; e < body.mesh.element_count(); ++e) {
+    const WetCell& cell = at(body.cells, e);
+    if (!cell.wet) continue;
+    for (std::size_t p : cell.points) {
+      const WetPoint<D>& point = body.points[p];
+      const Soil& soil = soil_of(body, point);
+      if (!soil.wet) continue;
+      const double pores = pore_volume(body, point) / (D + 1);
+      for (int i = 0; i <= D; ++i) {
+        const int node = node_of(body.mesh, e, i);
+        at(body.water, node).pores += pores;
+        at(body.water, node).water += point.water_mass / soil.water.density / (D + 1);
+        at(last, node) += pores * point.pressure;
+        auto& known = at(soils, node);
+        const auto found =
+            std::find_if(known.begin(), known.end(), [&](const SoilPores& s) { return s.soil == &soil.water; });
+        if (found == known.end())
+          known.push_back({&soil.water, pores});
+        else
+          found->pores += pores;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    WaterNode& node = body.water[i];
+    double& p = body.pressure[i];
+    if (node.pores <= 0) {
+      p = NAN;
+      continue;
+    }
+    if (std::isnan(p)) p = last[i] / node.pores;
+    const bool gives =
+        std::any_of(soils[i].begin(), soils[i].end(), [](const SoilPores& s) { return retains(*s.soil); });
+    if (gives)
+      p = node.water < find_held(soils[i], 0).first ? find_suction(soils[i], node.water, std::max(p, 0.0))
+                                                    : std::min(p, 0.0);
+    std::tie(node.held, node.storage) = find_held(soils[i], p);
+  }
+  for (int e = 0; e < body.mesh.element_count(); ++e) {
+    if (!at(body.cells, e).wet) continue;
+    for (std::size_t p : at(body.cells, e).points) {
+      if (!soil_of(body, body.points[p]).wet) continue;
+      body.points[p].pressure = mean_over_nodes(body.mesh, e, body.pressure);
+      body.points[p].w = body.points[p].v;
+    }
+  }
+}
+
+/// Gives the points the water with which the nodes hold theirs at the pressures `given` by node [Pa]: what a node lacks
+/// goes to its elements until little is lacking. Afterwards the step starts from these pressures.
+template <int D>
+void start_from_pressures(MixtureBody<D>& body, const MixtureSettings& settings, const std::vector<double>& given) {
+  classify_wet_elements(body, settings);
+  for (int round = 0; round < 200; ++round) {
+    body.pressure = given;
+    find_node_pressures(body);
+    double largest = 0;
+    std::vector<double> lack(body.water.size(), 0);
+    for (std::size_t i = 0; i < lack.size(); ++i) {
+      WaterNode& node = body.water[i];
+      if (node.pores <= 0) continue;
+      lack[i] = find_held(body.soils_at[i], given[i]).first - node.water;
+      largest = std::max(largest, std::abs(lack[i]) / node.pores);
+    }
+    if (largest < 1e-14) break;
+    for (int e = 0; e < body.mesh.element_count(); ++e) {
+      if (!at(body.cells, e).wet) continue;
+      double share = 0;
+      for (int i = 0; i <= D; ++i) {
+        const int node = node_of(body.mesh, e, i);
+        share += at(lack, node) / at(body.water, node).pores / (D + 1);
+      }
+      for (std::size_t p : at(body.cells, e).points) {
+        WetPoint<D>& point = body.points[p];
+        if (soil_of(body, point).wet)
+          point.water_mass += soil_of(body, point).water.density * pore_volume(body, point) * share;
+      }
+    }
+  }
+  body.pressure = given;
+}
+
+/// Area of the open sides that touch each node, outwards.
+template <int D>
+void find_open_area(MixtureBody<D>& body) {
+  body.area.assign(body.mesh.nodes.size(), Vector<D>::Zero());
+  for (int e = 0; e < body.mesh.element_count(); ++e) {
+    if (!at(body.cells, e).wet) continue;
+    const Gradients<D> b = shape_gradients(body.mesh, e);
+    for (int k = 0; k <= D; ++k) {
+      const int neighbour = at(at(body.mesh.neighbours, e), k);
+      if (neighbour >= 0 && at(body.cells, neighbour).wet) continue;
+      const Vector<D> share = -at(body.mesh.volumes, e) * b.row(k).transpose();
+      bool closed = true;
+      for (int i = 0; i <= D; ++i)
+        if (i != k)
+          closed =
+              closed && is_held(at(body.water_constraints, node_of(body.mesh, e, i)), Vector<D>(share.normalized()));
+      for (int i = 0; i <= D && !closed; ++i)
+        if (i != k) at(body.area, node_of(body.mesh, e, i)) += share;
+    }
+  }
+}
+
+}  // namespace talus::reference
