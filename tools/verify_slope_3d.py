@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Factors of safety of examples/slope_3d over the width between the end walls, beside an upper bound for clay.
 
-Usage: tools/verify_slope_3d.py PROGRAM FOLDER [--size H] [--quick]
-Writes slope_3d.csv (appended when it exists) to FOLDER. --size 2 takes 5 minutes on one core, --size 1 about 45.
---quick: the section and smooth walls only.
+Usage: tools/verify_slope_3d.py PROGRAM FOLDER [--size H] [--quick] | --draw CSV SVG
+Writes slope_3d.csv (appended when it exists) to FOLDER. --size 2 takes 3 minutes on one core, --size 1 twelve.
+--quick: the section and smooth walls only. --draw CSV SVG draws the factor over that between smooth walls 10 m apart.
 
 The bound: soil with cohesion only fails as a rigid cylinder that turns about an axis along z. It slides on its base and,
 at rough end walls, on its two plane ends; the work of gravity against the work of c on these surfaces bounds the factor
@@ -65,8 +65,35 @@ def run(program, case, settings):
     return mesh["factor"], mesh["points"], summary["timing"]["wall"]
 
 
+def draw(table, picture):
+    import matplotlib
+    matplotlib.use("svg")
+    matplotlib.rcParams.update({"svg.hashsalt": "talus", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
+    import matplotlib.pyplot as plt
+    with open(table, newline="") as file:
+        rows = list(csv.DictReader(file))
+    figure, axes = plt.subplots(figsize=(5.6, 3.6), layout="constrained")
+    section = bound_factor()
+    ratios = [w / HEIGHT for w in (10, 14, 20, 28, 40, 56, 80)]
+    axes.plot(ratios, [bound_factor(w * HEIGHT) / section for w in ratios], "k-", lw=1, label="clay, upper bound over that of the section")
+    for soil, mark in (("frictional", "o"), ("clay", "s")):
+        for size, fill in ((2, "none"), (1, "k")):
+            mine = [r for r in rows if r["soil"] == soil and float(r["element size [m]"]) == size]
+            smooth = next(float(r["factor"]) for r in mine if r["end walls"] == "smooth" and r["width [m]"] == "10")
+            rough = [(float(r["width [m]"]) / HEIGHT, float(r["factor"]) / smooth) for r in mine if r["end walls"] == "rough"]
+            rough = [x for x in rough if x[0] >= 1]
+            axes.plot(*zip(*rough), "k" + mark, ms=5, mfc=fill, label=f"{'φ = 20°' if soil == 'frictional' else 'clay'}, elements {size} m")
+    axes.set(xlabel="width between rough walls over height, W/H", ylabel="factor over that between smooth walls", xlim=(0, 8.4), ylim=(0.95, 2.1))
+    axes.axhline(1, color="0.7", lw=0.8)
+    axes.legend(frameon=False)
+    figure.savefig(picture, metadata={"Date": None})
+
+
 def main():
     arguments = sys.argv[1:]
+    if arguments[:1] == ["--draw"]:
+        draw(arguments[1], arguments[2])
+        return
     size = 2.0
     if "--size" in arguments:
         at = arguments.index("--size")
