@@ -262,7 +262,7 @@ TEST_F(StartFromResult, ReducesTheStrengthFromThere) {
       "[analysis]\nkind = \"strength_reduction\"\n[strength_reduction.curve]\nsmoothing = \"none\"\nfrom = 1\nto = "
       "1.6\nstep = 0.3\n"
       "refine = false\nwindow = 0.3\nrunout = [1.6]\nrunout_time = 0.5\n[strength_reduction.frozen]\n"
-      "resolution = 0.05\nalgorithm = \"frontal\"\n";
+      "resolution = 0.05\nalgorithm = \"frontal\"\ncorner_refinement = 1\n";  // a result's mesh is used as it is
   bank.stages = std::string(golden::come_to_rest) + again + reduction;
   const json whole = run(bank, "whole", {{"strength_reduction.frozen.meshes", "1"}});
   bank.stages = again + reduction;
