@@ -18,7 +18,7 @@ def test_the_tutorial_runs(source, tmp_path):
     results = talus.Results(tmp_path / "slope")
     assert f"{results.factor_of_safety:.3f}" == f"{factor:.3f}"
     # What the manual says of this coarse mesh; another instruction set may decide a trial at the limit differently.
-    assert factor == pytest.approx(1.327, abs=0.03)
+    assert factor == pytest.approx(1.387, abs=0.03)
     factors = [float(re.search(rf"^with {c} kPa: ([\d.]+)$", done.stdout, re.MULTILINE)[1]) for c in (2, 3, 4)]
     assert factors == sorted(set(factors)) and factors[0] == factor  # more cohesion, more safety; the curve does not matter
     assert f"factor of safety: {factor:.4g}"[:20] in done.stdout

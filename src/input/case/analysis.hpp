@@ -117,7 +117,8 @@ void describe(Visitor& v, FrozenFactor& f) {
   v.key(
       "corner_refinement", f.corner_refinement, plain().at_least(1).at_most(16),
       "How many times smaller the elements of these meshes are at corners of the ground that point into the soil, such "
-      "as a slope's toe. They reach the general size 8 sizes away. 1: no smaller. A ready mesh file, or a result's, is used as it is.");
+      "as a slope's toe. They reach the general size 8 sizes away. 1: no smaller. A ready mesh file, or a result's, is "
+      "used as it is.");
   v.key("window", f.window, quantity("s").above(0), "A trial that has not decided by then is reported as undecided.");
   v.key("failed_displacement", f.failed_displacement, plain().above(0),
         "Displacement over the relief of the ground that decides \"failed\".");
