@@ -219,6 +219,7 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
   std::fill(body.nodes.sums.begin(), body.nodes.sums.end(), 0.0);
   std::fill(body.elements.moments.begin(), body.elements.moments.end(), 0.0);
   const int elements = body.mesh().element_count();
+  const bool mixture = body.water.is_wet() && o.mixture;
   for (int e = 0; e < elements; ++e) update_fill_limit(body, e);
   for (int e = 0; e < elements; ++e) note_gaps(body, o, e);
   for (int e = 0; e < elements; ++e) {
@@ -227,13 +228,16 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
       double* p = points.slot(points.block_start[b] + k) + lane;
       double fields[P::state];
       for (int i = 0; i < P::state; ++i) fields[i] = p[i * lane_width];
+      if (mixture) fields[P::mass] += p[(body.water.first_field + WaterFields<D>::mass) * lane_width];
       add_point_mass(body, e, fields);
     }
     if (o.smoothing != input::Smoothing::stable)  // nobody would renew them
       body.elements.plastic_dilation[e] = body.elements.rough[e] = 0;
     if (points.count[e] > 0) add_internal_force(body, e, o.mixed, 1);
   }
-  if (body.water.is_wet()) {  // with the forces of the water, and with their own rows
+  if (mixture) {
+    body.water.surface_is_stale = true;
+  } else if (body.water.is_wet()) {  // with the forces of the water, and with their own rows
     std::fill(body.water.sums.begin(), body.water.sums.end(), 0.0);
     std::fill(body.water.volume.begin(), body.water.volume.end(), 0.0);
     find_held_axes(body);

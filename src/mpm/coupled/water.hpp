@@ -13,6 +13,7 @@
 #include "material/water/conductivity.hpp"
 #include "mpm/body/conditions.hpp"
 #include "mpm/coupled/root_uptake.hpp"
+#include "mpm/mixture/mixture_water.hpp"
 
 namespace talus::mpm {
 
@@ -124,6 +125,8 @@ struct Water {
   std::vector<Vec<D>> still_flux;    ///< by node: θ(w-v) of flow without inertia [m/s]; only with exchange
   bool surface_is_stale = true;      ///< an element has lost its last point or received its first one
   std::vector<int> newly_full;       ///< elements that the last pass left full for the first time
+
+  MixtureWater<D> mixture;  ///< of the step of the mixture
 
   std::vector<RootUptake> uptakes;  ///< plants that draw water, by block of roots
 

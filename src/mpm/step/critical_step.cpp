@@ -121,8 +121,9 @@ CriticalStep find_critical_step(const Body<D>& body, const StepOptions<D>& o) {
       const WaterLaw& law = body.water.laws[m];
       const double modulus = find_modulus<D>(body.laws[m], p);
       const double mass = p[P::mass * lane_width], volume = p[P::volume * lane_width];
-      double dt = length * std::sqrt(o.mass_scaling * mass / (modulus * volume));
-      if (law.wet) {
+      const double whole = o.mixture ? mass + p[(body.water.first_field + WaterFields<D>::mass) * lane_width] : mass;
+      double dt = length * std::sqrt(o.mass_scaling * whole / (modulus * volume));
+      if (law.wet && !o.mixture) {
         const double pressure = p[(body.water.first_field + WaterFields<D>::pressure) * lane_width];
         const CoupledSoil soil = make_coupled_soil(law, modulus, 1 - mass / (law.grain_density * volume), pressure,
                                                    o.implicit_drag ? nullptr : &o.conductivity_factor);

@@ -106,6 +106,13 @@ void add_point_force(Body<D>& body, const Record<D>& r) {
   }
 }
 
+/// The record with the mass of its water added, where there is any.
+template <int D>
+Record<D> weigh(const Body<D>& body, Record<D> r) {
+  if (body.water.is_wet()) r.fields[Points<D>::mass] += r.fields[body.water.first_field + WaterFields<D>::mass];
+  return r;
+}
+
 /// A block without points is skipped by the pass, so its moments are those of long ago.
 template <int D>
 void wake_block(Body<D>& body, int b) {
@@ -151,7 +158,7 @@ void insert_with_mixed_forces(Body<D>& body, const StepOptions<D>& o, const std:
   for (const Record<D>& r : records) {
     wake_block(body, r.element / lane_width);
     insert_point(body.points, r);
-    add_point_mass(body, r.element, r.fields);
+    add_point_mass(body, r.element, weigh(body, r).fields);
   }
   for (int e : candidates) update_fill_limit(body, e);
   for (int e : candidates) {
@@ -208,7 +215,7 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
       }
     }
   }
-  const bool wet = body.water.is_wet();
+  const bool wet = body.water.is_wet() && !o.mixture;
   if (records.empty() && !(wet && !body.water.newly_full.empty())) return;
   std::vector<Record<D>> staying;
   for (Record<D>& r : records) {
@@ -228,7 +235,7 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
     for (const Record<D>& r : staying) {
       wake_block(body, r.element / lane_width);
       insert_point(body.points, r);
-      add_point_mass(body, r.element, r.fields);
+      add_point_mass(body, r.element, weigh(body, r).fields);
       add_point_force(body, r);
     }
   }

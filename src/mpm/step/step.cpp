@@ -2,6 +2,7 @@
 #include "mpm/step/step.hpp"
 
 #include "mpm/coupled/coupled_step.hpp"
+#include "mpm/mixture/mixture_step.hpp"
 #include "mpm/step/stopwatch.hpp"
 
 namespace talus::mpm {
@@ -33,7 +34,9 @@ void run_lines(Phase phase, Body<D>& body, const StepOptions<D>& o, Stopwatch ti
 
 template <int D>
 void step(Body<D>& body, const StepOptions<D>& options) {
-  if (body.water.is_wet())
+  if (body.water.is_wet() && options.mixture)
+    step_mixture(body, options);
+  else if (body.water.is_wet())
     run_lines(Wet{}, body, options, {});
   else
     run_lines(Dry{}, body, options, {});

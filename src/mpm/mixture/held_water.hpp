@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What the pores at a node hold over the pressure, and as the straight line that a solution takes for it.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "mpm/coupled/pore_state.hpp"
+
+namespace talus::mpm {
+
+/// The pores of the soils at one node.
+class HeldWater {
+ public:
+  struct Value {
+    double held = 0, storage = 0;  ///< [m³]; −d held/dp [m³/Pa]
+  };
+
+  HeldWater(const std::vector<WaterLaw>& laws, const std::vector<std::vector<double>>& pores, int node)
+      : laws_(laws), pores_(pores), node_(node) {}
+
+  Value find(double p) const {
+    Value sum;
+    visit([&](const WaterLaw& law, double pores) {
+      sum.held += pores * find_content(law, p);
+      sum.storage += pores * find_storage(law, p) * std::exp(-p / law.bulk_modulus);
+    });
+    return sum;
+  }
+
+  /// Whether a soil gives up water under suction; else only its compressibility does.
+  bool gives() const {
+    bool any = false;
+    visit([&](const WaterLaw& law, double) { any = any || material::saturation(law.retention, 1e5) < law.full; });
+    return any;
+  }
+
+  /// The suction at which the pores hold `water`, less than at zero pressure [Pa].
+  double find_suction(double water, double guess) const {
+    double low = 0, high = std::max(1.0, 2 * guess);
+    while (find(high).held > water && high < 1e12) low = high, high *= 4;
+    double p = guess > low && guess < high ? guess : 0.5 * (low + high);
+    for (int i = 0; i < 200; ++i) {
+      const Value v = find(p);
+      (v.held > water ? low : high) = p;
+      double next = p + (v.held - water) / v.storage;
+      if (!(next > low && next < high)) next = 0.5 * (low + high);
+      if (std::abs(next - p) <= 1e-12 * next) return next;
+      p = next;
+    }
+    return p;
+  }
+
+ private:
+  template <class Work>
+  void visit(Work&& work) const {
+    for (std::size_t k = 0; k < laws_.size(); ++k)
+      if (laws_[k].wet && pores_[k][static_cast<std::size_t>(node_)] > 0)
+        work(laws_[k], pores_[k][static_cast<std::size_t>(node_)]);
+  }
+
+  const std::vector<WaterLaw>& laws_;
+  const std::vector<std::vector<double>>& pores_;
+  int node_;
+};
+
+/// Held water as a straight line over the pressure: while water is drawn the tangent at the last solution; pores that
+/// fill up hold what they hold at zero pressure and what is pressed into them.
+struct HeldLine {
+  double pressure = 0, held = 0, storage = 1;
+  bool full = false, gives = false;
+
+  double at(double p) const { return held - storage * (p - pressure); }
+
+  static HeldLine fill(const HeldWater& water) { return {0, water.find(0).held, water.find(-1).storage, true, true}; }
+  static HeldLine start(const HeldWater& water, double p) {
+    const bool gives = water.gives();
+    if (gives && p <= 0) return fill(water);
+    const HeldWater::Value v = water.find(p);
+    return {p, v.held, v.storage, false, gives};
+  }
+
+  /// Rounds in which pores may be found to drain again. Pores that are taken for full and are not are an error that the
+  /// next step corrects; water for which there is no room is not let in.
+  static constexpr int draining_rounds = 4;
+  /// A line is near enough that gives this share of the pores right.
+  static constexpr double tolerance = 1e-11;
+
+  /// Bends the line after a solution with the pressure `next`, from `start`. Returns whether it was right.
+  bool bend(const HeldWater& water, double start, double next, int round) {
+    if (!gives) return true;
+    if (!full && next < 0) {
+      *this = fill(water);
+      return false;
+    }
+    if (full) {
+      if (next <= 0 || round >= draining_rounds) return true;
+      full = false;
+      pressure = std::max(start, 0.0);
+      held = water.find(pressure).held;
+    }
+    const HeldWater::Value right = water.find(next);
+    if (std::abs(at(next) - right.held) <= tolerance * water.find(0).held) return true;
+    pressure = next;
+    held = right.held;
+    storage = right.storage;
+    return false;
+  }
+};
+
+}  // namespace talus::mpm
