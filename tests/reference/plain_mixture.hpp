@@ -52,8 +52,10 @@ void move_mixture(MixtureBody<D>& body, const MixtureSettings& settings, const P
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     WetNode<D>& node = body.nodes[i];
     if (node.solid_mass <= limit) continue;
+    const Vector<D> whole = node.force + force[i];
     const Vector<D> velocity = body.solid_constraints[i].apply(
-        predicted.velocity[i] + settings.time_step / (settings.mass_scaling * mixture_mass(node)) * force[i]);
+        predicted.start[i] + settings.time_step / (settings.mass_scaling * mixture_mass(node)) *
+                                 (whole + damp<D>(whole, predicted.start[i], settings.damping)));
     node.solid_acceleration = (velocity - predicted.start[i]) / settings.time_step;
   }
   std::vector<Vector<D>> momentum(body.nodes.size(), Vector<D>::Zero());
@@ -78,7 +80,15 @@ inline constexpr int water_rounds = 2;
 /// What left the nodes is taken from the elements, in proportion to their pores (T22.5), and the budget is kept.
 /// Elements lose as much as the nodes do: no water is lost.
 template <int D>
-void move_water(MixtureBody<D>& body) {
+void move_water(MixtureBody<D>& body, const MixtureSettings& settings) {
+  for (const WetCell& cell : body.cells) {
+    if (!cell.full || !cell.wet) continue;
+    const ElementWater water = find_element_water(body, cell);
+    for (std::size_t p : cell.points) {
+      WetPoint<D>& point = body.points[p];
+      point.water_mass = soil_of(body, point).water.density * water.water * pore_volume(body, point) / water.pores;
+    }
+  }
   std::vector<double> rest(body.water.size(), 0);
   for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = body.water[i].out;
   for (int round = 0; round < water_rounds; ++round) {
@@ -102,11 +112,17 @@ void move_water(MixtureBody<D>& body) {
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= given[i];
   }
   const double density = body.soils[0].water.density;
+  body.node_budgets.resize(body.water.size());
   for (std::size_t i = 0; i < body.water.size(); ++i) {
     WaterNode& node = body.water[i];
     if (node.pores <= 0) continue;
     body.pressure[i] += node.change;
-    body.budget += {.entered = density * std::max(0.0, -node.passed), .left = density * std::max(0.0, node.passed)};
+    WaterBudget passed{.entered = density * std::max(0.0, -node.passed), .left = density * std::max(0.0, node.passed)};
+    const bool is_rain = surface_condition(body, static_cast<int>(i)).kind == SurfaceKind::rain;
+    const double offered = density * settings.time_step * node.offered;
+    if (is_rain && offered > 0) passed.supplied = offered, passed.runoff = offered - passed.entered;
+    body.budget += passed;
+    body.node_budgets[i] += passed;
   }
 }
 
@@ -129,8 +145,8 @@ void update_mixture_points(MixtureBody<D>& body, const MixtureSettings& settings
       const StressUpdate update =
           update_moving_stress(soil.skeleton, r * point.sigma * r.transpose(), cell.strain_increment, settings, point);
       if (!settings.frozen)
-        point.volume *= soil.wet ? 1 + growth : (1 + cell.strain_increment.trace()) * (1 - update.opened);
-      if (soil.wet) point.pressure = pressure;
+        point.volume *= (1 + (cell.wet ? growth : cell.strain_increment.trace())) * (soil.wet ? 1 : 1 - update.opened);
+      if (soil.wet) point.pressure = pressure, point.w = point.v;
       point.sigma = update.sigma;
       point.plastic_strain += update.plastic_strain;
       point.strain += cell.strain_increment;
@@ -154,7 +170,7 @@ void step(MixtureBody<D>& body, const MixtureSettings& settings) {
   const Prediction<D> predicted = predict_motion(body, settings);
   const std::vector<ElementFlow> flow = solve_pressures(body, settings, predicted.velocity, predicted.acceleration);
   move_mixture(body, settings, predicted, flow);
-  move_water(body);
+  move_water(body, settings);
   compute_wet_increments(body, settings);
   update_mixture_points(body, settings);
   if (!settings.frozen) move_wet_points(body, settings);

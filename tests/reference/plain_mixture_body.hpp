@@ -11,7 +11,7 @@
 namespace talus::reference {
 
 struct MixtureSettings : WetSettings {
-  double projection = 1;  ///< τ of (T22.6) times 2G [-]
+  double projection = 1;  ///< τ of (T22.6) times E_c/2 [-]
 };
 
 /// What a node knows of its water during one step. Volumes are those of water at zero pressure.
@@ -22,6 +22,7 @@ struct WaterNode {
   double storage = 0;  ///< −d(held)/dp [m³/Pa]
   double change = 0;   ///< δ: what the step adds to the pressure [Pa]
   double out = 0;      ///< what leaves the node in the step, to other nodes and through the surface [m³]
+  double offered = 0;  ///< inflow that the surface offers [m³/s]
   double passed = 0;   ///< and what of it passes the surface [m³]
   bool fixed = false;  ///< the surface holds its pressure
 };

@@ -15,7 +15,7 @@ struct ElementFlow {
   double saturated = 0;     ///< Σ V S [m³]
   double effective = 0;     ///< Σ V χ [m³]
   double conductive = 0;    ///< Σ V K, K = k k_r/(ρ_w g) [m⁵/(N s)]
-  double soft = 0;          ///< Σ V/(2G) [m³/Pa]
+  double soft = 0;          ///< Σ 2V/E_c [m³/Pa]
   double coupling = 0;      ///< Σ V √(Sχ) [m³]
   double water_weight = 0;  ///< Σ V K ρ_w [m² s]
 };
@@ -39,12 +39,13 @@ ElementFlow find_element_flow(const MixtureBody<D>& body, int e) {
       k_r += std::max(lowest_relative_conductivity, relative[i]) / (D + 1);
     }
     const double k = soil.water.conductivity * k_r / (soil.water.density * soil.water.drag_gravity);
-    const double shear = soil.skeleton.young_modulus / (2 * (1 + soil.skeleton.poisson_ratio));
+    const double nu = soil.skeleton.poisson_ratio,
+                 modulus = soil.skeleton.young_modulus * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
     flow.saturated += volume * s;
     flow.effective += volume * chi;
     flow.conductive += volume * k;
     flow.water_weight += volume * k * soil.water.density;
-    flow.soft += volume / (2 * shear);
+    flow.soft += 2 * volume / modulus;
     flow.coupling += volume * std::sqrt(s * chi);
   }
   return flow;
@@ -119,7 +120,7 @@ Eigen::SparseMatrix<double> find_pushed_growth(const MixtureBody<D>& body, const
 }
 
 /// What a node's pores hold over the pressure, as a straight line through what they hold at `pressure`. Retention is no
-/// line: while water is drawn, it is the chord to the end of the step; pores that fill up hold what they hold at zero
+/// line: while water is drawn, it is the tangent at the last solution; pores that fill up hold what they hold at zero
 /// pressure and what is pressed into them.
 struct HeldLine {
   double pressure = 0, held = 0, storage = 1;
@@ -145,8 +146,8 @@ inline HeldLine start_line(const std::vector<SoilPores>& soils, double p) {
 /// Rounds in which pores may be found to drain again, and rounds in all. Pores that are taken for full and are not are
 /// an error that the next step corrects; pores that take up water where there is no room are not let through.
 inline constexpr int draining_rounds = 4, most_pressure_rounds = 12;
-/// A chord is near enough that gives this share of the pores right.
-inline constexpr double chord_tolerance = 1e-9;
+/// A line is near enough that gives this share of the pores right.
+inline constexpr double line_tolerance = 1e-11;
 
 /// Bends the line after a solution with the pressure `next`, from `start`. Returns whether it was right.
 inline bool bend_line(HeldLine& line, const std::vector<SoilPores>& soils, double start, double next, int round) {
@@ -161,11 +162,11 @@ inline bool bend_line(HeldLine& line, const std::vector<SoilPores>& soils, doubl
     line.pressure = std::max(start, 0.0);
     line.held = find_held(soils, line.pressure).first;
   }
-  const double held = find_held(soils, next).first, pores = find_held(soils, 0).first;
-  if (std::abs(line.at(next) - held) <= chord_tolerance * pores) return true;
-  const double distance = next - line.pressure;
-  line.storage =
-      std::abs(distance) > 1e-6 ? std::max((line.held - held) / distance, 0.0) : find_held(soils, next).second;
+  const auto [held, storage] = find_held(soils, next);
+  if (std::abs(line.at(next) - held) <= line_tolerance * find_held(soils, 0).first) return true;
+  line.pressure = next;
+  line.held = held;
+  line.storage = storage;
   return false;
 }
 
@@ -302,6 +303,7 @@ std::vector<ElementFlow> solve_pressures(MixtureBody<D>& body, const MixtureSett
     node.change = change[i];
     node.out = out[i];
     node.passed = outside[i];
+    node.offered = surface[static_cast<std::size_t>(i)].inflow;
   }
   return flow;
 }

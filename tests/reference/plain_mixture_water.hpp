@@ -28,7 +28,7 @@ ElementWater find_element_water(const WetBody<D>& body, const WetCell& cell) {
   return sum;
 }
 
-/// The points of a full element share its water in proportion to their pores.
+/// The points of a full element share stress, plastic strain and gap.
 template <int D>
 void share_mixture_state(MixtureBody<D>& body) {
   for (const WetCell& cell : body.cells) {
@@ -42,14 +42,11 @@ void share_mixture_state(MixtureBody<D>& body) {
       gap += point.volume * point.gap;
       volume += point.volume;
     }
-    const ElementWater water = find_element_water(body, cell);
     for (std::size_t i : cell.points) {
       WetPoint<D>& point = body.points[i];
       point.sigma = sigma / volume;
       point.plastic_strain = plastic_strain / volume;
       point.gap = gap / volume;
-      if (cell.wet)
-        point.water_mass = soil_of(body, point).water.density * water.water * pore_volume(body, point) / water.pores;
     }
   }
 }

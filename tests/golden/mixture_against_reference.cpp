@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The engine's step of the mixture is the plain one rearranged: point by point the same to round-off and to what the
+// linear solver leaves.
+
+#include <gtest/gtest.h>
+
+#include "golden/wet_bodies.hpp"
+#include "golden/wet_run.hpp"
+#include "reference/plain_mixture.hpp"
+
+namespace talus {
+namespace {
+
+using reference::MixtureBody;
+using reference::MixtureSettings;
+using reference::Smoothing;
+
+template <int D>
+double drained_step(const reference::WetBody<D>& body) {
+  return 0.5 * reference::smallest_altitude(body.mesh) / std::sqrt(5e6 * 0.7 / 0.52 / 2000);
+}
+
+struct Case {
+  std::string name;
+  bool mixed = true, frozen = false;
+  Smoothing smoothing = Smoothing::none;
+  double damping = 0;
+};
+
+template <int D>
+void expect_same(const reference::WetBody<D>& wet, const Case& c, int steps) {
+  SCOPED_TRACE(c.name);
+  const reference::Curves curves = reference::wet_slope_curves();
+  MixtureBody<D> plain{wet};
+  for (auto& p : plain.points) p.w = p.v;
+  MixtureSettings settings;
+  settings.time_step = drained_step(wet);
+  settings.mixed = c.mixed;
+  settings.frozen = c.frozen;
+  settings.smoothing = c.smoothing;
+  settings.damping = c.damping;
+  mpm::Body<D> body = golden::translate<D>(plain, curves, 3);
+  mpm::StepOptions<D> options = golden::translate(settings, static_cast<const reference::WetBody<D>&>(plain));
+  options.mixture = true;
+  mpm::gather_nodal_sums(body, options);
+  std::vector<double> point_scales, budget_scales;
+  for (int s = 1; s <= steps && !testing::Test::HasFatalFailure(); ++s) {
+    reference::step<D>(plain, settings);
+    mpm::step(body, options);
+    golden::expect_close(golden::compare_points<D>(plain, body), point_scales, c.name, s);
+    golden::expect_close(golden::compare_budgets<D>(plain, body), budget_scales, c.name, s);
+    EXPECT_EQ(plain.left, static_cast<int>(body.lost.size())) << "step " << s;
+    if (s == steps / 2) mpm::gather_nodal_sums(body, options);
+  }
+}
+
+std::vector<Case> list_cases() {
+  return {{.name = "mixed"},
+          {.name = "stable", .smoothing = Smoothing::stable},
+          {.name = "points", .mixed = false, .smoothing = Smoothing::strain},
+          {.name = "frozen", .frozen = true}};
+}
+
+TEST(MixtureAgainstReference, PlaneSlopeIsTheSamePointByPoint) {
+  for (const Case& c : list_cases()) expect_same(golden::make_moving_slope<2>(), c, 100);
+}
+
+TEST(MixtureAgainstReference, SpatialSlopeIsTheSamePointByPoint) {
+  for (const Case& c : list_cases()) expect_same(golden::make_moving_slope<3>(), c, 30);
+}
+
+TEST(MixtureAgainstReference, EveryConditionIsTheSame) {
+  expect_same(golden::make_many_conditions<2>(), {.name = "conditions"}, 60);
+  expect_same(golden::make_many_conditions<3>(), {.name = "conditions in space"}, 20);
+}
+
+TEST(MixtureAgainstReference, RealWaterIsTheSame) {
+  const auto body = golden::set_in_motion(golden::soften(reference::make_wet_slope<2>(), 2.2e9), 1);
+  expect_same(body, {.name = "real water"}, 60);
+}
+
+}  // namespace
+}  // namespace talus
