@@ -15,11 +15,27 @@ class FineBandTest : public MethodsTest {};
 /// that takes associated flow its normality the slope runs away at 1.29: 30 m in a minute.
 TEST_F(FineBandTest, StandsWithAStrengthThatIsProvenToHold) {
   std::string text = R"(
-mesh = {size = 0.75, refine = [{near = [[11.8, 19.3], [13, 17.1], [14.4, 15.4], [16.9, 13], [19.5, 11.3], [22.1, 10.1], [25, 9.9]], size = 0.15, distance = 5}]}
+mesh.size = 0.75
 regions = {soil = "soil"}
 boundary = [{on = "bottom", fix = "full"}, {on = "left", fix = "normal"}, {on = "right", fix = "normal"}]
-geometry = {box = [[0, 0], [40, 21]], polygon = [{name = "soil", points = [[0, 0], [40, 0], [40, 10], [25, 10], [15, 20], [0, 20]]}]}
-materials.soil = {model = "mohr_coulomb", grain_density = 2038.736, porosity = 0, young_modulus = "100 MPa", poisson_ratio = 0.3, cohesion = "16.1 kPa", friction_angle = 25.3, dilatancy_angle = 25.3, tensile_strength = "34 kPa"}
+geometry.box = [[0, 0], [40, 21]]
+[[mesh.refine]]
+near = [[11.8, 19.3], [13, 17.1], [14.4, 15.4], [16.9, 13], [19.5, 11.3], [22.1, 10.1], [25, 9.9]]
+size = 0.15
+distance = 5
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [40, 0], [40, 10], [25, 10], [15, 20], [0, 20]]
+[materials.soil]
+model = "mohr_coulomb"
+grain_density = 2038.736
+porosity = 0
+young_modulus = "100 MPa"
+poisson_ratio = 0.3
+cohesion = "16.1 kPa"
+friction_angle = 25.3
+dilatancy_angle = 25.3
+tensile_strength = "34 kPa"
 )";
   for (const char* stage :
        {"name = \"gravity\"\nduration = 60\ndamping = 0.75\ncohesion = \"1000 kPa\"\n",

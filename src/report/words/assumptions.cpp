@@ -224,7 +224,7 @@ class Assumptions {
       if (frozen.extrapolated)
         add("It is extrapolated from {} meshes to element size zero. Its interval holds the brackets of the search, "
             "± {:.3f}, and what the mesh does, ± {:.3f}.",
-            frozen.meshes.size() + (frozen.coarser ? 1 : 0), frozen.bracket, frozen.mesh_effect.value_or(0));
+            frozen.list_found().size(), frozen.bracket, frozen.mesh_effect.value_or(0));
       else if (frozen.factor)
         add("It is that of one mesh and not extrapolated: up to 5 % too high at elements of H/13, 2.5 % at H/27 on the "
             "slopes that were compared.");

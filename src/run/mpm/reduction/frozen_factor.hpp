@@ -11,7 +11,8 @@
 
 namespace talus::run {
 
-/// The plan of a mesh of the factor: every element size of `plan` halved `halvings` times, re-entrant corners refined.
+/// The plan of a mesh of the factor: every element size of `plan` halved `halvings` times (−1: doubled), re-entrant
+/// corners refined.
 mesh::Plan plan_frozen_mesh(mesh::Plan plan, const input::FrozenFactor& settings, int halvings);
 
 /// Trials that were calculated before, by factor.

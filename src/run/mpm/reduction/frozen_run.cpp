@@ -34,7 +34,7 @@ constexpr const char* stage_start = "stage_start.h5";
 struct MeshChoice {
   std::string name;  ///< of its folder: "mesh_0"
   std::string label;
-  int halvings = 0;  ///< of the case's element size
+  int halvings = 0;  ///< of the case's element size; −1: its double
   mesh::Algorithm algorithm = mesh::Algorithm::meshadapt;
 };
 
@@ -253,20 +253,24 @@ results::FrozenFactor compute_frozen_factor(const mesh::Mesh<D>& base, const Tri
                       threads)
             .compute(base, warnings));
   std::optional<results::MeshFactor> coarser, other;
-  std::vector<std::string> same;  // what is said of the stages of these two was said of the others
   const bool all_found =
       std::all_of(found.begin(), found.end(), [](const results::MeshFactor& m) { return m.factor().has_value(); });
   if (meshes == 2 && all_found) {
+    std::string reason = "it brackets no factor";
     try {
       coarser = FrozenMesh<D>(context, {"mesh_coarser", "coarser mesh: ", -1, settings.algorithm}, threads)
-                    .compute(base, same);
+                    .compute(base, warnings);
     } catch (const Error& error) {  // the two meshes that were asked for are enough
       if (error.code() == ExitCode::interrupted) throw;
+      reason = error.what();
     }
+    if (!coarser || !coarser->factor())
+      warnings.push_back("the factor of safety is extrapolated from two meshes, not from three, because the coarser one failed: " +
+                         reason);
   }
   if (meshes == 2 && settings.mesh_scatter && all_found) {
     other = FrozenMesh<D>(context, {"mesh_other", "another mesher: ", 0, choose_other(settings.algorithm)}, threads)
-                .compute(base, same);
+                .compute(base, warnings);
   }
   if (found.size() > 1 && all_found) {
     const double f = *found[found.size() - 2].factor(), finer = *found.back().factor();
