@@ -210,7 +210,8 @@ TEST(MixtureSlope, SlidesWithRealWaterAtTheStepOfTheDrainedWave) {
   const double begin = sum_water();
   for (int n = 0; n < 200; ++n) {
     step<2>(body, settings);
-    for (const double p : body.pressure) ASSERT_FALSE(std::abs(p) > 2e5) << "step " << n;
+    // ρ c v of soil that meets the bottom with 4 m/s, c of the drained wave, on which pressures are solved.
+    for (const double p : body.pressure) ASSERT_FALSE(std::abs(p) > 2000 * 58 * 4) << "step " << n;
     for (const WetPoint<2>& point : body.points) {
       ASSERT_LT(point.v.norm(), 5) << "step " << n;
       ASSERT_GE(point.water_mass, 0) << "step " << n;

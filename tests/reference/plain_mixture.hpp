@@ -11,32 +11,29 @@
 
 namespace talus::reference {
 
-/// v* and the acceleration that leads to it: the forces of the start of the step, damped.
+/// v* and the acceleration that leads to it: the forces of the start of the step, damped, as far as the points see
+/// them.
 template <int D>
 struct Prediction {
   std::vector<Vector<D>> velocity, acceleration, start;  ///< by node
 };
 
 template <int D>
-double mixture_mass(const WetNode<D>& node) {
-  return node.solid_mass + node.water_mass;
-}
-
-template <int D>
 Prediction<D> predict_motion(const MixtureBody<D>& body, const MixtureSettings& settings) {
   Prediction<D> p;
   const std::vector<Vector<D>> zero(body.nodes.size(), Vector<D>::Zero());
   p.velocity = p.acceleration = p.start = zero;
-  const double limit = massless_limit(body);
+  const std::vector<double> seen = find_seen(body);
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const WetNode<D>& node = body.nodes[i];
-    if (node.solid_mass <= limit) continue;
+    if (seen[i] == 0) continue;
     const double mass = mixture_mass(node);
     p.start[i] = (node.solid_momentum + node.water_momentum) / mass;
     const Vector<D> force = node.force + damp<D>(node.force, p.start[i], settings.damping);
-    p.velocity[i] =
+    const Vector<D> moved =
         body.solid_constraints[i].apply(p.start[i] + settings.time_step / (settings.mass_scaling * mass) * force);
-    p.acceleration[i] = (p.velocity[i] - p.start[i]) / settings.time_step;
+    p.acceleration[i] = seen[i] * (moved - p.start[i]) / settings.time_step;
+    p.velocity[i] = body.solid_constraints[i].apply(p.start[i] + settings.time_step * p.acceleration[i]);
   }
   return p;
 }
@@ -73,11 +70,54 @@ void move_mixture(MixtureBody<D>& body, const MixtureSettings& settings, const P
   }
 }
 
-/// Once, what leaves a node is spread over its elements and so over their other nodes; twice, a second round gives back
-/// most of what went astray.
-inline constexpr int water_rounds = 2;
+/// What every pore of an element loses when `left` leaves its nodes [m³/m³].
+template <int D>
+std::vector<double> find_shares(const MixtureBody<D>& body, const std::vector<double>& left) {
+  std::vector<double> shares(body.cells.size(), 0);
+  for (int e = 0; e < body.mesh.element_count(); ++e)
+    for (int i = 0; i <= D && at(body.cells, e).wet; ++i) {
+      const int node = node_of(body.mesh, e, i);
+      at(shares, e) += at(left, node) / at(body.water, node).pores / (D + 1);
+    }
+  return shares;
+}
 
-/// What left the nodes is taken from the elements, in proportion to their pores (T22.5), and the budget is kept.
+/// The part of `rest` that is not given yet after such shares are.
+template <int D>
+std::vector<double> take_shares(const MixtureBody<D>& body, std::vector<double> rest,
+                                const std::vector<double>& shares) {
+  for (std::size_t e = 0; e < body.cells.size(); ++e)
+    for (std::size_t p : body.cells[e].points) {
+      const WetPoint<D>& point = body.points[p];
+      if (!soil_of(body, point).wet || !body.cells[e].wet) continue;
+      for (int i = 0; i <= D; ++i)
+        at(rest, node_of(body.mesh, static_cast<int>(e), i)) -= pore_volume(body, point) * shares[e] / (D + 1);
+    }
+  return rest;
+}
+
+/// Chebyshev's iteration: shares that the nodes see as `out`, for patterns of which they see at least `least_seen`.
+inline constexpr int water_rounds = 3;
+inline constexpr double least_seen = 0.4;
+template <int D>
+std::vector<double> share_water(const MixtureBody<D>& body, const std::vector<double>& out) {
+  constexpr double middle = (1 + least_seen) / 2, half = (1 - least_seen) / 2;
+  std::vector<double> rest = out, direction(out.size(), 0), all(out.size(), 0);
+  double rho = half / middle;
+  for (int n = 0; n < water_rounds; ++n) {
+    const double next = n == 0 ? rho : 1 / (2 * middle / half - rho);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      direction[i] = n == 0 ? rest[i] / middle : next * rho * direction[i] + 2 * next / half * rest[i];
+      all[i] += direction[i];
+    }
+    rest = take_shares(body, rest, find_shares(body, direction));
+    rho = next;
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) all[i] += rest[i];  // to the last drop
+  return find_shares(body, all);
+}
+
+/// What left the nodes is taken from the elements, in proportion to their pores (T22.6), and the budget is kept.
 /// Elements lose as much as the nodes do: no water is lost.
 template <int D>
 void move_water(MixtureBody<D>& body, const MixtureSettings& settings) {
@@ -89,28 +129,15 @@ void move_water(MixtureBody<D>& body, const MixtureSettings& settings) {
       point.water_mass = soil_of(body, point).water.density * water.water * pore_volume(body, point) / water.pores;
     }
   }
-  std::vector<double> rest(body.water.size(), 0);
-  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = body.water[i].out;
-  for (int round = 0; round < water_rounds; ++round) {
-    std::vector<double> given(body.water.size(), 0);
-    for (int e = 0; e < body.mesh.element_count(); ++e) {
-      const WetCell& cell = at(body.cells, e);
-      if (!cell.wet) continue;
-      double share = 0;  // of every pore [m³/m³]
-      for (int i = 0; i <= D; ++i) {
-        const int node = node_of(body.mesh, e, i);
-        share += at(rest, node) / at(body.water, node).pores / (D + 1);
-      }
-      for (std::size_t p : cell.points) {
-        WetPoint<D>& point = body.points[p];
-        const Soil& soil = soil_of(body, point);
-        if (!soil.wet) continue;
-        point.water_mass -= soil.water.density * pore_volume(body, point) * share;
-        for (int i = 0; i <= D; ++i) at(given, node_of(body.mesh, e, i)) += pore_volume(body, point) * share / (D + 1);
-      }
+  std::vector<double> out;
+  for (const WaterNode& node : body.water) out.push_back(node.out);
+  const std::vector<double> shares = share_water(body, out);
+  for (std::size_t e = 0; e < body.cells.size(); ++e)
+    for (std::size_t p : body.cells[e].points) {
+      WetPoint<D>& point = body.points[p];
+      if (soil_of(body, point).wet)
+        point.water_mass -= soil_of(body, point).water.density * pore_volume(body, point) * shares[e];
     }
-    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= given[i];
-  }
   const double density = body.soils[0].water.density;
   body.node_budgets.resize(body.water.size());
   for (std::size_t i = 0; i < body.water.size(); ++i) {
@@ -126,9 +153,31 @@ void move_water(MixtureBody<D>& body, const MixtureSettings& settings) {
   }
 }
 
+/// Velocity of the water in the pores against the grains, by element, at the pressures of the end of the step.
+template <int D>
+std::vector<Vector<D>> find_seeping(const MixtureBody<D>& body, const std::vector<ElementFlow>& flow,
+                                    const std::vector<Vector<D>>& acceleration) {
+  std::vector<Vector<D>> seeping(body.cells.size(), Vector<D>::Zero());
+  for (int e = 0; e < body.mesh.element_count(); ++e) {
+    const WetCell& cell = at(body.cells, e);
+    const double water = cell.wet ? find_element_water(body, cell).water : 0;
+    if (!(water > 0)) continue;
+    const Gradients<D> b = shape_gradients(body.mesh, e);
+    Vector<D> darcy = at(flow, e).water_weight * body.gravity;  // times the volume
+    for (int i = 0; i <= D; ++i) {
+      const int node = node_of(body.mesh, e, i);
+      darcy += at(flow, e).conductive * (at(body.pressure, node) + at(body.water, node).change) * b.row(i).transpose() -
+               at(flow, e).water_weight * at(acceleration, node) / (D + 1);
+    }
+    at(seeping, e) = darcy / (cell.stretch * water);
+  }
+  return seeping;
+}
+
 /// Volumes, effective stresses and pressures of the points.
 template <int D>
-void update_mixture_points(MixtureBody<D>& body, const MixtureSettings& settings) {
+void update_mixture_points(MixtureBody<D>& body, const MixtureSettings& settings,
+                           const std::vector<Vector<D>>& seeping) {
   body.plastic_dilation.assign(body.cells.size(), 0);
   for (std::size_t e = 0; e < body.cells.size(); ++e) {
     const WetCell& cell = body.cells[e];
@@ -146,7 +195,7 @@ void update_mixture_points(MixtureBody<D>& body, const MixtureSettings& settings
           update_moving_stress(soil.skeleton, r * point.sigma * r.transpose(), cell.strain_increment, settings, point);
       if (!settings.frozen)
         point.volume *= (1 + (cell.wet ? growth : cell.strain_increment.trace())) * (soil.wet ? 1 : 1 - update.opened);
-      if (soil.wet) point.pressure = pressure, point.w = point.v;
+      if (soil.wet) point.pressure = pressure, point.w = point.v + seeping[e];
       point.sigma = update.sigma;
       point.plastic_strain += update.plastic_strain;
       point.strain += cell.strain_increment;
@@ -170,9 +219,10 @@ void step(MixtureBody<D>& body, const MixtureSettings& settings) {
   const Prediction<D> predicted = predict_motion(body, settings);
   const std::vector<ElementFlow> flow = solve_pressures(body, settings, predicted.velocity, predicted.acceleration);
   move_mixture(body, settings, predicted, flow);
+  const std::vector<Vector<D>> seeping = find_seeping(body, flow, predicted.acceleration);
   move_water(body, settings);
   compute_wet_increments(body, settings);
-  update_mixture_points(body, settings);
+  update_mixture_points(body, settings, seeping);
   if (!settings.frozen) move_wet_points(body, settings);
   ++body.steps;
 }

@@ -11,7 +11,7 @@
 namespace talus::reference {
 
 struct MixtureSettings : WetSettings {
-  double projection = 1;  ///< τ of (T22.6) times E_c/2 [-]
+  double projection = 1;  ///< τ of (T22.7) times E_c/2 [-]
 };
 
 /// What a node knows of its water during one step. Volumes are those of water at zero pressure.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The equation of the nodal pressures in the plain mixture step (T22.4), with the conditions of the surface.
+// The equation of the nodal pressures in the plain mixture step (T22.5), with the conditions of the surface.
 
 #include <Eigen/Sparse>
 #include <cmath>
@@ -95,24 +95,43 @@ SurfaceWater find_surface_water(const MixtureBody<D>& body, int number) {
   return water;
 }
 
-/// How the pores grow when the pressures of the end of the step push: Δt²/β B Π M⁻¹ Bᵀ, Π the projection of what holds
-/// the nodes, B from `squeeze` [m³/Pa].
+template <int D>
+double mixture_mass(const WetNode<D>& node) {
+  return node.solid_mass + node.water_mass;
+}
+
+/// What the points give back of a node's velocity: 1, and where few points are near, the share that those see [-].
+template <int D>
+std::vector<double> find_seen(const MixtureBody<D>& body) {
+  std::vector<double> seen(body.nodes.size(), 0);
+  for (const WetPoint<D>& point : body.points) {
+    const Weights<D> n = shape_functions(body.mesh, point.element, point.x);
+    for (int i = 0; i <= D; ++i)
+      at(seen, node_of(body.mesh, point.element, i)) += n[i] * n[i] * (point.mass + point.water_mass);
+  }
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    seen[i] = body.nodes[i].solid_mass <= massless_limit(body)
+                  ? 0
+                  : std::min(1.0, 0.5 * (D + 2) * seen[i] / mixture_mass(body.nodes[i]));
+  return seen;
+}
+
+/// How the pores grow when the pressures of the end of the step push: Δt²/β B Π M⁻¹ Bᵀ, M⁻¹ as far as the points see
+/// it, Π the projection of what holds the nodes, B from `squeeze` [m³/Pa].
 template <int D>
 Eigen::SparseMatrix<double> find_pushed_growth(const MixtureBody<D>& body, const MixtureSettings& settings,
                                                const std::vector<Eigen::Triplet<double>>& squeeze) {
   const auto count = static_cast<Eigen::Index>(body.mesh.nodes.size());
+  const std::vector<double> seen = find_seen(body);
   std::vector<Eigen::Triplet<double>> free;
-  const double limit = massless_limit(body), dt = settings.time_step;
-  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
-    const WetNode<D>& node = body.nodes[i];
-    if (node.solid_mass <= limit) continue;
-    for (int d = 0; d < D; ++d) {
+  const double dt = settings.time_step;
+  for (std::size_t i = 0; i < body.nodes.size(); ++i)
+    for (int d = 0; d < D && seen[i] > 0; ++d) {
       const Vector<D> moved = body.solid_constraints[i].apply(Vector<D>::Unit(d));
       for (int c = 0; c < D; ++c)
         free.emplace_back(static_cast<int>(i) * D + c, static_cast<int>(i) * D + d,
-                          dt * dt / settings.mass_scaling / (node.solid_mass + node.water_mass) * moved[c]);
+                          dt * dt / settings.mass_scaling * seen[i] / mixture_mass(body.nodes[i]) * moved[c]);
     }
-  }
   Eigen::SparseMatrix<double> b(count, D * count), inverse(D * count, D * count);
   b.setFromTriplets(squeeze.begin(), squeeze.end());
   inverse.setFromTriplets(free.begin(), free.end());
@@ -129,11 +148,9 @@ struct HeldLine {
 };
 
 inline HeldLine fill_line(const std::vector<SoilPores>& soils) {
-  return {.pressure = 0,
-          .held = find_held(soils, 0).first,
-          .storage = find_held(soils, -1).second,
-          .full = true,
-          .gives = true};
+  double storage = 0;
+  for (const SoilPores& s : soils) storage += s.pores * s.soil->saturation(0) / s.soil->bulk_modulus;
+  return {.pressure = 0, .held = find_held(soils, 0).first, .storage = storage, .full = true, .gives = true};
 }
 
 inline HeldLine start_line(const std::vector<SoilPores>& soils, double p) {
@@ -149,8 +166,9 @@ inline constexpr int draining_rounds = 4, most_pressure_rounds = 12;
 /// A line is near enough that gives this share of the pores right.
 inline constexpr double line_tolerance = 1e-11;
 
-/// Bends the line after a solution with the pressure `next`, from `start`. Returns whether it was right.
-inline bool bend_line(HeldLine& line, const std::vector<SoilPores>& soils, double start, double next, int round) {
+/// Bends the line after a solution with the pressure `next`. Returns whether it was right.
+/// `water`: what they have at the start [m³].
+inline bool bend_line(HeldLine& line, const std::vector<SoilPores>& soils, double water, double next, int round) {
   if (!line.gives) return true;
   if (!line.full && next < 0) {
     line = fill_line(soils);
@@ -159,8 +177,9 @@ inline bool bend_line(HeldLine& line, const std::vector<SoilPores>& soils, doubl
   if (line.full) {
     if (next <= 0 || round >= draining_rounds) return true;
     line.full = false;
-    line.pressure = std::max(start, 0.0);
-    line.held = find_held(soils, line.pressure).first;
+    line.pressure = water < find_held(soils, 0).first ? find_suction(soils, water, 1) : 0;
+    std::tie(line.held, line.storage) = find_held(soils, line.pressure);
+    return false;
   }
   const auto [held, storage] = find_held(soils, next);
   if (std::abs(line.at(next) - held) <= line_tolerance * find_held(soils, 0).first) return true;
@@ -290,7 +309,7 @@ std::vector<ElementFlow> solve_pressures(MixtureBody<D>& body, const MixtureSett
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto number = static_cast<std::size_t>(i);
       if (body.water[number].pores > 0)
-        settled = bend_line(lines[number], body.soils_at[number], body.pressure[number],
+        settled = bend_line(lines[number], body.soils_at[number], body.water[number].water,
                             body.pressure[number] + change[i], round) &&
                   settled;
     }

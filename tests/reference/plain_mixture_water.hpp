@@ -137,8 +137,7 @@ void find_node_pressures(MixtureBody<D>& body) {
     const bool gives =
         std::any_of(soils[i].begin(), soils[i].end(), [](const SoilPores& s) { return retains(*s.soil); });
     if (gives)
-      p = node.water < find_held(soils[i], 0).first ? find_suction(soils[i], node.water, std::max(p, 0.0))
-                                                    : std::min(p, 0.0);
+      p = p > 0 && node.water < find_held(soils[i], 0).first ? find_suction(soils[i], node.water, p) : std::min(p, 0.0);
     std::tie(node.held, node.storage) = find_held(soils[i], p);
   }
   for (int e = 0; e < body.mesh.element_count(); ++e) {

@@ -235,11 +235,15 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
       body.elements.plastic_dilation[e] = body.elements.rough[e] = 0;
     if (points.count[e] > 0) add_internal_force(body, e, o.mixed, 1);
   }
+  body.water.mixture.is_used = mixture;
   if (mixture) {
     body.water.surface_is_stale = true;
   } else if (body.water.is_wet()) {  // with the forces of the water, and with their own rows
     std::fill(body.water.sums.begin(), body.water.sums.end(), 0.0);
     std::fill(body.water.volume.begin(), body.water.volume.end(), 0.0);
+    body.water.mixture.pressure.clear();  // nobody would renew them
+    body.water.mixture.ponded.clear();
+    body.water.mixture.change.clear();
     find_held_axes(body);
     for (int e = 0; e < elements; ++e) {
       share_wet_element(body, e, o);

@@ -106,15 +106,16 @@ Totals<D> sum_points(const Body<D>& body, const std::type_identity_t<Vec<D>>& gr
   for (int id = 0; id < body.points.size(); ++id) {
     if (!is_present(body, id)) continue;
     const PointView<D> p = view_point(body, id);
+    const Vec<D>& water_velocity = body.water.mixture.is_used ? p.velocity : p.water_velocity;
     ++t.points;
     t.mass += p.mass;
     t.water += p.water_mass;
-    t.kinetic += 0.5 * (p.mass * dot(p.velocity, p.velocity) + p.water_mass * dot(p.water_velocity, p.water_velocity));
+    t.kinetic += 0.5 * (p.mass * dot(p.velocity, p.velocity) + p.water_mass * dot(water_velocity, water_velocity));
     t.potential -= (p.mass + p.water_mass) * dot(gravity, p.position);
     t.elastic += p.volume * material::elastic_energy<Points<D>::stress_size>(body.laws[p.material], p.stress.data(),
                                                                              p.state.data());
     for (int d = 0; d < D; ++d) {
-      t.momentum[d] += p.mass * p.velocity[d] + p.water_mass * p.water_velocity[d];
+      t.momentum[d] += p.mass * p.velocity[d] + p.water_mass * water_velocity[d];
       t.centre[d] += p.mass * p.position[d];
     }
   }

@@ -111,12 +111,17 @@ TALUS_KERNEL Suction<T> find_suction(const material::VanGenuchten& curve, double
   return s;
 }
 
+/// χ of Khalili and Khabbaz (1998) beyond the air entry.
+template <class T>
+TALUS_KERNEL T find_suction_share(const WaterLaw& law, T pressure) {
+  return lane_power(lane_max(T(1.0), pressure * (1 / law.chi_air_entry)), -0.55);
+}
+
 /// χ p.
 template <class T>
 TALUS_KERNEL T find_bishop(const WaterLaw& law, T pressure, T saturation) {
   if (law.chi_air_entry <= 0) return saturation * pressure;
-  const T ratio = lane_max(T(1.0), pressure * (1 / law.chi_air_entry));
-  return lane_power(ratio, -0.55) * pressure;
+  return find_suction_share(law, pressure) * pressure;
 }
 
 /// k_r; its slope is not wanted, and is not calculated when the law is inlined.
@@ -173,10 +178,15 @@ PoreState<T> find_state_at_pressure(const WaterLaw& law, T pressure) {
           (water.slope - water.saturation * inverse) * lane_exp(pressure * -inverse)};
 }
 
+double find_chi(const WaterLaw& law, double pressure, double saturation) {
+  return law.chi_air_entry <= 0 ? saturation : find_suction_share(law, pressure);
+}
+
 WaterLaw finish(WaterLaw law) {
   const material::SoilWater<double> water = material::find_water(law.retention, 0.0);
   law.full = water.saturation;
   law.saturated_relative = find_relative(law, water);
+  law.drains = material::saturation(law.retention, 1e5) < law.full;
   return law;
 }
 

@@ -26,19 +26,16 @@ double sum_weights(const Body<D>& body, const RootUptake& uptake, int e) {
   return sum;
 }
 
-}  // namespace
-
-template <int D>
-void draw_root_water(Body<D>& body, const StepOptions<D>& o) {
+/// Calls take(e, volume) with what roots draw [m³] from each wet element in `dt` seconds, and counts it. `water_in(e)`:
+/// what the element has [m³].
+template <int D, class WaterIn, class Take>
+void draw(Body<D>& body, int threads, double dt, WaterIn&& water_in, Take&& take) {
   Water<D>& water = body.water;
   const Layout<D>& layout = *body.layout;
-  if (!o.smooth_pressure && !o.exchange_water) std::fill(water.surplus.begin(), water.surplus.end(), 0.0);
-  if (!o.moving) return;
-  const double dt = exchange_interval * o.dt;
   std::vector<double> rates;
   for (const RootUptake& uptake : water.uptakes) rates.push_back(uptake.rate.at(body.time + 0.5 * dt));
   std::vector<double> drawn(static_cast<std::size_t>(layout.chunks), 0.0);
-  parallel_for(layout.chunks, o.threads, [&](int c) {
+  parallel_for(layout.chunks, threads, [&](int c) {
     const int end = std::min(layout.chunk_start[c + 1] * lane_width, body.mesh().element_count());
     for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) {
       if (body.points.count[e] == 0 || !(water.volume[e] > 0)) continue;
@@ -49,16 +46,42 @@ void draw_root_water(Body<D>& body, const StepOptions<D>& o) {
         if (share > 0) volume += share * rates[q] * dt * sum_weights(body, water.uptakes[q], e);
       }
       if (volume == 0) continue;
-      const std::size_t block = static_cast<std::size_t>(e / lane_width) * moment_size<D>;
-      const double mass = water.moments[block * lane_width + static_cast<std::size_t>(e % lane_width)];
-      volume = std::min(volume, most_drawn * mass / water.density);
-      water.surplus[e] += volume / water.volume[e];
+      volume = std::min(volume, most_drawn * water_in(e));
+      take(e, volume);
       drawn[static_cast<std::size_t>(c)] += water.density * volume;
     }
   });
   for (const double mass : drawn) water.transpired += mass;
 }
 
+}  // namespace
+
+template <int D>
+void draw_root_water(Body<D>& body, const StepOptions<D>& o) {
+  Water<D>& water = body.water;
+  if (!o.smooth_pressure && !o.exchange_water) std::fill(water.surplus.begin(), water.surplus.end(), 0.0);
+  if (!o.moving) return;
+  draw(
+      body, o.threads, exchange_interval * o.dt,
+      [&](int e) {
+        const std::size_t block = static_cast<std::size_t>(e / lane_width) * moment_size<D>;
+        return water.moments[block * lane_width + static_cast<std::size_t>(e % lane_width)] / water.density;
+      },
+      [&](int e, double volume) { water.surplus[e] += volume / water.volume[e]; });
+}
+
+template <int D>
+void find_root_draw(Body<D>& body, const StepOptions<D>& o) {
+  Water<D>& water = body.water;
+  if (water.uptakes.empty() || !o.moving) return;
+  MixtureWater<D>& m = water.mixture;
+  std::fill(m.drawn.begin(), m.drawn.end(), 0.0);
+  draw(
+      body, o.threads, o.dt, [&](int e) { return m.water[e]; }, [&](int e, double volume) { m.drawn[e] = volume; });
+}
+
+template void find_root_draw<2>(Body<2>&, const StepOptions<2>&);
+template void find_root_draw<3>(Body<3>&, const StepOptions<3>&);
 template void draw_root_water<2>(Body<2>&, const StepOptions<2>&);
 template void draw_root_water<3>(Body<3>&, const StepOptions<3>&);
 

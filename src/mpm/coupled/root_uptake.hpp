@@ -31,4 +31,8 @@ struct RootUptake {
 template <int D>
 void draw_root_water(Body<D>& body, const StepOptions<D>& options);
 
+/// The same for the step of the mixture, in every step: writes water.mixture.drawn [m³] and counts Water::transpired.
+template <int D>
+void find_root_draw(Body<D>& body, const StepOptions<D>& options);
+
 }  // namespace talus::mpm

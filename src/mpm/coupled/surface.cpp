@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "mesh/shape_gradient.hpp"
 #include "mpm/coupled/coupled_step.hpp"
@@ -84,18 +83,6 @@ void find_suctions(Body<D>& body) {
   for (std::size_t i = 0; i < count.size(); ++i) {
     if (count[i] > 0) water.suction[i] /= count[i];
   }
-}
-
-/// Pressure of the water outside at node `i`, under the condition of node `like` [Pa]; nothing where there is none.
-template <int D>
-std::optional<double> find_outer_pressure(const Body<D>& body, int i, int like, double unit_weight,
-                                          const std::type_identity_t<Vec<D>>& up) {
-  const SurfaceCondition& c = body.water.surfaces[body.water.surface_of_node[like]];
-  const double value = c.value.time.empty() ? 0.0 : c.value.at(body.time);
-  if (c.kind == SurfaceKind::head)
-    return -unit_weight * std::max(0.0, find_submergence<D>(value, up, body.mesh().nodes[i]));
-  if (c.kind == SurfaceKind::pressure) return value;
-  return std::nullopt;
 }
 
 /// What the points of an element fill of it.

@@ -32,6 +32,7 @@ struct WaterLaw {
   // Found by finish().
   double full = 1;                ///< S of the saturated soil [-]
   double saturated_relative = 1;  ///< k_r there [-]
+  bool drains = false;            ///< gives up water under suction; else only its compressibility does
 };
 
 enum class SurfaceKind {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mpm/body/body.hpp"
 
@@ -53,6 +54,32 @@ double find_submergence(double level, const Vec<D>& up, const Vec<D>& x) {
   return level - height;
 }
 
+/// Flux that rain, evaporation or a given flux offer at time `t` [s] where the surface has the unit normal `normal`
+/// outwards and the soil below it this suction [Pa]; negative inwards [m/s].
+template <int D>
+double find_offered_flux(const SurfaceCondition& condition, const Vec<D>& normal, double suction,
+                         const std::type_identity_t<Vec<D>>& up, double t) {
+  const double value = condition.value.time.empty() ? 0.0 : condition.value.at(t);
+  if (condition.kind == SurfaceKind::flux) return -value;
+  if (condition.kind != SurfaceKind::rain) return 0;
+  if (value >= 0) return condition.vertical ? std::min(0.0, -value * dot(up, normal)) : -value;
+  const double limit = condition.suction_limit;
+  const double left = std::isinf(limit) ? 1 : (limit - suction) / (evaporation_taper * limit);
+  return -value * std::clamp(left, 0.0, 1.0);
+}
+
+/// Pressure of the water outside at node `i`, under the condition of node `like` [Pa]; nothing where there is none.
+template <int D>
+std::optional<double> find_outer_pressure(const Body<D>& body, int i, int like, double unit_weight,
+                                          const std::type_identity_t<Vec<D>>& up) {
+  const SurfaceCondition& c = body.water.surfaces[body.water.surface_of_node[like]];
+  const double value = c.value.time.empty() ? 0.0 : c.value.at(body.time);
+  if (c.kind == SurfaceKind::head)
+    return -unit_weight * std::max(0.0, find_submergence<D>(value, up, body.mesh().nodes[i]));
+  if (c.kind == SurfaceKind::pressure) return value;
+  return std::nullopt;
+}
+
 /// The surface at node `i` with the part `outside` of it (Σ V̄ ∇N), at time `t` [s]. `up` is the unit vector against
 /// gravity.
 template <int D>
@@ -90,14 +117,8 @@ SurfaceNode<D> find_surface_node(const Body<D>& body, int i, const double* outsi
       break;
     case SurfaceKind::rain:
       s.limits = true;
-      if (value >= 0) {
-        s.offered = s.condition->vertical ? std::min(0.0, -value * dot(up, s.normal)) : -value;
-        s.supplies = s.offered < 0;
-      } else {
-        const double limit = s.condition->suction_limit;
-        const double left = std::isinf(limit) ? 1 : (limit - water.suction[i]) / (evaporation_taper * limit);
-        s.offered = -value * std::clamp(left, 0.0, 1.0);
-      }
+      s.offered = find_offered_flux<D>(*s.condition, s.normal, water.suction.empty() ? 0.0 : water.suction[i], up, t);
+      s.supplies = value >= 0 && s.offered < 0;
       break;
   }
   return s;

@@ -28,6 +28,7 @@ struct MixtureBlock {
   Pack content;     ///< of every pore of a full element, at the start [-]
   Pack saturation;  ///< at the element's pressure at the start of the step
   Pack pressure;    ///< and that at its end [Pa]
+  Pack seeping[D];  ///< the water against the grains [m/s]
   Mask wet;
 
   TALUS_KERNEL MixtureBlock(const MixturePass<D>& pass, const BlockPlace<D>& at)
@@ -43,6 +44,7 @@ struct MixtureBlock {
     share = load<Pack>(&water.mixture.share[at.first]);
     saturation = select(wet, load<Pack>(&water.mean_saturation[at.first]), Pack(1.0));
     pressure = load<Pack>(&water.mean_pressure[at.first]);
+    for (int d = 0; d < D; ++d) seeping[d] = load<Pack>(&water.mixture.flux[d][at.first]);
     Pack pores(0.0);
     for (const auto& of_material : water.mixture.pores) pores += load<Pack>(&of_material[at.first]);
     content = load<Pack>(&water.mixture.water[at.first]) / select(wet, pores, Pack(1.0));
@@ -88,7 +90,7 @@ struct MixtureBlock {
       mass = select(wet, mass, Pack(0.0));
       store(fields + W::pressure * lane_width, select(wet, block.pressure, Pack(0.0)));
       TALUS_UNROLL
-      for (int d = 0; d < D; ++d) store(fields + (W::velocity + d) * lane_width, points.u[d]);
+      for (int d = 0; d < D; ++d) store(fields + (W::velocity + d) * lane_width, points.u[d] + block.seeping[d]);
       return select(wet, block.saturation, Pack(1.0));
     }
     /// Gaps of wet soil are pores: they fill with water and air.

@@ -10,6 +10,7 @@
 #include "mpm/coupled/pore_state.hpp"
 #include "mpm/mixture/held_water.hpp"
 #include "mpm/mixture/mixture_step.hpp"
+#include "mpm/mixture/sweep.hpp"
 
 namespace talus::mpm {
 namespace {
@@ -20,17 +21,18 @@ void allocate(Body<D>& body) {
   const std::size_t nodes = body.mesh().nodes.size(), materials = body.water.laws.size(),
                     lanes = static_cast<std::size_t>(body.layout->blocks) * lane_width;
   if (!m.graph) m.graph = std::make_shared<const NodeGraph<D>>(make_node_graph(body.mesh()));
-  if (m.pressure.size() != nodes) {
-    m.pressure.assign(nodes, NAN);
-    m.ponded.assign(nodes, 0);
-  }
+  if (m.pressure.size() != nodes) m.pressure.assign(nodes, NAN);
+  if (m.ponded.size() != nodes) m.ponded.assign(nodes, 0);
+  if (m.change.size() != nodes) m.change.assign(nodes, 0.0);
+  m.pore_force.assign(nodes, {});
   if (m.node_water.size() == nodes) return;
   m.pores.assign(materials, AlignedVector<double>(lanes, 0.0));
   m.volume = m.pores;
   m.water.assign(lanes, 0.0);
-  m.share.assign(lanes, 0.0);
+  for (auto* field : {&m.share, &m.drawn}) field->assign(lanes, 0.0);
+  for (auto& component : m.flux) component.assign(lanes, 0.0);
   m.node_pores.assign(materials, std::vector<double>(nodes, 0.0));
-  for (auto* field : {&m.node_water, &m.change, &m.out, &m.passed, &m.mobility}) field->assign(nodes, 0.0);
+  for (auto* field : {&m.node_water, &m.out, &m.passed, &m.mobility}) field->assign(nodes, 0.0);
   m.velocity.assign(nodes, {});
   m.acceleration = m.area = m.velocity;
   for (auto* field : {&m.saturated, &m.effective, &m.coupling, &m.conductive, &m.soft})
@@ -106,8 +108,8 @@ void start_node(Body<D>& body, int i) {
   }
   if (std::isnan(p)) p = last / all;
   const HeldWater held(water.laws, m.node_pores, i);
-  if (!held.gives()) return;
-  p = content < held.find(0).held ? held.find_suction(content, std::max(p, 0.0)) : std::min(p, 0.0);
+  if (!held.drains()) return;
+  p = p > 0 && content < held.find_full().held ? held.find_suction(content, p) : std::min(p, 0.0);
 }
 
 }  // namespace
@@ -127,9 +129,7 @@ void find_contents(Body<D>& body, const StepOptions<D>& o) {
     }
   });
   if (std::any_of(turned.begin(), turned.end(), [](auto t) { return t != 0; })) water.surface_is_stale = true;
-  parallel_for(layout.chunks, o.threads, [&](int c) {
-    for (int i = first_node(body, c); i < first_node(body, c + 1); ++i) start_node(body, i);
-  });
+  for_nodes(body, o.threads, [&](int i) { start_node(body, i); });
 }
 
 template void find_contents<2>(Body<2>&, const StepOptions<2>&);

@@ -3,52 +3,23 @@
 
 #include <cmath>
 
-#include "base/parallel.hpp"
 #include "mesh/shape_gradient.hpp"
-#include "mpm/body/node_rows.hpp"
+#include "mpm/body/point_state.hpp"
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/pore_state.hpp"
 #include "mpm/mixture/mixture_step.hpp"
+#include "mpm/mixture/sweep.hpp"
+#include "mpm/step/kernels.hpp"
 
 namespace talus::mpm {
 namespace {
 
-/// χ of Bishop's stress, see WaterLaw::chi_air_entry.
-double find_chi(const WaterLaw& law, double pressure, double saturation) {
-  if (law.chi_air_entry <= 0) return saturation;
-  return pressure <= law.chi_air_entry ? 1.0 : std::pow(pressure / law.chi_air_entry, -0.55);
-}
-
 /// E_c of the first point of element `e` [Pa].
 template <int D>
-double find_modulus(const Body<D>& body, int e) {
-  using P = Points<D>;
+double find_modulus_of(const Body<D>& body, int e) {
   const std::int64_t slot = body.points.block_start[e / lane_width];
-  const double* p = body.points.slot(slot) + e % lane_width;
-  const material::Law& law =
-      body.laws[body.points.material[body.points.id[static_cast<std::size_t>(slot * lane_width + e % lane_width)]]];
-  double sigma[P::stress_size], state[material::max_state_size];
-  for (int i = 0; i < P::stress_size; ++i) sigma[i] = p[(P::stress + i) * lane_width];
-  for (int i = 0; i < material::state_size(law); ++i) state[i] = p[(P::state + i) * lane_width];
-  return material::constrained_modulus(law, sigma, state);
-}
-
-/// Calls work(first, end) for the elements of every chunk, in parallel.
-template <int D, class Work>
-void for_elements(const Body<D>& body, int threads, Work&& work) {
-  const Layout<D>& layout = *body.layout;
-  const int elements = body.mesh().element_count();
-  parallel_for(layout.chunks, threads, [&](int c) {
-    const int end = std::min(elements, layout.chunk_start[c + 1] * lane_width);
-    for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) work(e);
-  });
-}
-
-template <int D, class Work>
-void for_nodes(const Body<D>& body, int threads, Work&& work) {
-  parallel_for(body.layout->chunks, threads, [&](int c) {
-    for (int i = first_node(body, c); i < first_node(body, c + 1); ++i) work(i);
-  });
+  const int id = body.points.id[static_cast<std::size_t>(slot * lane_width + e % lane_width)];
+  return find_modulus<D>(body.laws[body.points.material[id]], body.points.slot(slot) + e % lane_width);
 }
 
 }  // namespace
@@ -86,38 +57,76 @@ void find_flow(Body<D>& body, const StepOptions<D>& o) {
       m.coupling[e] += v * std::sqrt(s * chi);
       m.conductive[e] += v * k_r / find_saturated_resistance(law, o.conductivity_factor);
     }
-    m.soft[e] = 2 * volume / find_modulus(body, e);
+    m.soft[e] = 2 * volume / find_modulus_of(body, e);
     water.mean_saturation[e] = m.saturated[e] / volume;
     water.mean_pressure[e] = p;
   });
 }
 
 template <int D>
-void load_mixture(Body<D>& body, const StepOptions<D>& o, const std::vector<double>& pressure) {
-  const MixtureWater<D>& m = body.water.mixture;
-  const mesh::Mesh<D>& mesh = body.mesh();
-  body.nodes.load.assign(mesh.nodes.size(), Vec<D>{});
+void load_mixture(Body<D>& body, const StepOptions<D>& o) {
+  body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
   gather_loads(body);
-  const NodeGraph<D>& graph = *m.graph;
-  const bool outside = !body.water.mixture_load.empty();
+  if (body.water.mixture_load.empty()) return;
   for_nodes(body, o.threads, [&](int i) {
-    Vec<D>& load = body.nodes.load[i];
+    for (int d = 0; d < D; ++d) body.nodes.load[i][d] += body.water.mixture_load[i][d];
+  });
+}
+
+template <int D>
+void press_nodes(Body<D>& body, const StepOptions<D>& o) {
+  MixtureWater<D>& m = body.water.mixture;
+  const mesh::Mesh<D>& mesh = body.mesh();
+  const Layout<D>& layout = *body.layout;
+  const NodeGraph<D>& graph = *m.graph;
+  for_nodes(body, o.threads, [&](int i) {
+    Vec<D> force{};
     for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) {
       const int e = graph.element[t];
       if (!(body.water.volume[e] > 0)) continue;
       double p = 0;
-      for (int node : mesh.elements[e]) p += pressure[node] / (D + 1);
+      for (int node : mesh.elements[e]) p += m.pressure[node] / (D + 1);
       const Vec<D> gradient = mesh::find_shape_gradient(mesh, e, graph.local[t]);
-      for (int d = 0; d < D; ++d) load[d] -= m.effective[e] * p * gradient[d];
+      for (int d = 0; d < D; ++d) force[d] -= m.effective[e] * p * gradient[d];
     }
-    for (int d = 0; d < D && outside; ++d) load[d] += body.water.mixture_load[i][d];
+    if (layout.row_start[i] == layout.row_start[i + 1]) return;
+    double* row = &body.nodes.sums[static_cast<std::size_t>(layout.node_rows[layout.row_start[i]]) * sums_stride];
+    for (int d = 0; d < D; ++d) row[1 + D + d] += force[d] - m.pore_force[i][d];
+    m.pore_force[i] = force;
   });
+}
+
+template <int D>
+double find_pore_power(const Body<D>& body, const StepOptions<D>& o) {
+  const Layout<D>& layout = *body.layout;
+  const auto has_rows = [&](int i) { return layout.row_start[i] < layout.row_start[i + 1]; };
+  return list_nodes(body, has_rows).sum(o.threads, [&](int i) {
+    const double* velocity =
+        &body.nodes.motion[static_cast<std::size_t>(layout.node_rows[layout.row_start[i]]) * motion_stride<D> + D];
+    double power = 0;
+    for (int d = 0; d < D; ++d) power += body.water.mixture.pore_force[i][d] * velocity[d];
+    return power;
+  });
+}
+
+/// Σ m N_k² of the points of element `e` for its local node `k`, from its moments [kg].
+template <int D>
+double find_own_mass(const Body<D>& body, int e, int k) {
+  const double* moments =
+      &body.elements.moments[static_cast<std::size_t>(e / lane_width) * moment_size<D> * lane_width +
+                             static_cast<std::size_t>(e % lane_width)];
+  double unit[D + 1][D] = {}, out[D + 1][D], m[moment_size<D>];
+  for (int q = 0; q < moment_size<D>; ++q) m[q] = moments[q * lane_width];
+  unit[k][0] = 1;
+  remap_element<D, double>(m, unit, 1, out);
+  return out[k][0];
 }
 
 template <int D>
 void predict_motion(Body<D>& body, const StepOptions<D>& o) {
   MixtureWater<D>& m = body.water.mixture;
   const Layout<D>& layout = *body.layout;
+  const NodeGraph<D>& graph = *m.graph;
   const double cutoff = 1e-12 * body.smallest_mass;
   for_nodes(body, o.threads, [&](int i) {
     const int* rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
@@ -126,18 +135,26 @@ void predict_motion(Body<D>& body, const StepOptions<D>& o) {
     m.mobility[i] = 0;
     m.velocity[i] = m.acceleration[i] = {};
     if (!(t[0] > cutoff)) return;
-    m.mobility[i] = o.dt * o.dt / (o.mass_scaling * t[0]);
+    double own = 0;
+    for (int n = graph.touch_start[i]; n < graph.touch_start[i + 1]; ++n)
+      if (body.points.count[graph.element[n]] > 0) own += find_own_mass(body, graph.element[n], graph.local[n]);
+    const double seen = std::min(1.0, 0.5 * (D + 2) * own / t[0]);
+    m.mobility[i] = seen * o.dt * o.dt / (o.mass_scaling * t[0]);
     const double* a = &body.nodes.motion[static_cast<std::size_t>(rows[0]) * motion_stride<D>];
     for (int d = 0; d < D; ++d) {
-      m.acceleration[i][d] = a[d];
-      m.velocity[i][d] = t[1 + d] / t[0] + o.dt * a[d];
+      m.acceleration[i][d] = seen * a[d];
+      m.velocity[i][d] = t[1 + d] / t[0] + o.dt * seen * a[d];
     }
+    if (const int c = body.conditions.constraint_of_node[i]; c >= 0)
+      m.velocity[i] = constrain_remapped(body.conditions, c, m.velocity[i], body.time + o.dt);
   });
 }
 
-#define TALUS_INSTANTIATE(D)                                                                  \
-  template void find_flow<D>(Body<D>&, const StepOptions<D>&);                                \
-  template void load_mixture<D>(Body<D>&, const StepOptions<D>&, const std::vector<double>&); \
+#define TALUS_INSTANTIATE(D)                                                 \
+  template void find_flow<D>(Body<D>&, const StepOptions<D>&);               \
+  template void load_mixture<D>(Body<D>&, const StepOptions<D>&);            \
+  template void press_nodes<D>(Body<D>&, const StepOptions<D>&);             \
+  template double find_pore_power<D>(const Body<D>&, const StepOptions<D>&); \
   template void predict_motion<D>(Body<D>&, const StepOptions<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -23,30 +23,41 @@ class HeldWater {
   Value find(double p) const {
     Value sum;
     visit([&](const WaterLaw& law, double pores) {
-      sum.held += pores * find_content(law, p);
-      sum.storage += pores * find_storage(law, p) * std::exp(-p / law.bulk_modulus);
+      const material::SoilWater<double> water = material::find_water(law.retention, p);
+      const double modulus = law.bulk_modulus, stretched = pores * std::exp(-p / modulus);
+      sum.held += stretched * water.saturation;
+      sum.storage += stretched * (water.saturation / modulus - water.slope);
+    });
+    return sum;
+  }
+
+  /// At zero pressure, and with the storage of full pores under pressure.
+  Value find_full() const {
+    Value sum;
+    visit([&](const WaterLaw& law, double pores) {
+      sum.held += pores * law.full;
+      sum.storage += pores * law.full / law.bulk_modulus;
     });
     return sum;
   }
 
   /// Whether a soil gives up water under suction; else only its compressibility does.
-  bool gives() const {
+  bool drains() const {
     bool any = false;
-    visit([&](const WaterLaw& law, double) { any = any || material::saturation(law.retention, 1e5) < law.full; });
+    visit([&](const WaterLaw& law, double) { any = any || law.drains; });
     return any;
   }
 
-  /// The suction at which the pores hold `water`, less than at zero pressure [Pa].
+  /// The suction at which the pores hold `water`, less than at zero pressure [Pa]: Newton's steps between bounds.
   double find_suction(double water, double guess) const {
-    double low = 0, high = std::max(1.0, 2 * guess);
-    while (find(high).held > water && high < 1e12) low = high, high *= 4;
-    double p = guess > low && guess < high ? guess : 0.5 * (low + high);
+    constexpr double accuracy = 1e-12;  // of the last step; what follows it is less by a square
+    double low = 0, high = INFINITY, p = std::max(1.0, guess);
     for (int i = 0; i < 200; ++i) {
       const Value v = find(p);
       (v.held > water ? low : high) = p;
       double next = p + (v.held - water) / v.storage;
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (std::abs(next - p) <= 1e-12 * next) return next;
+      if (!(next > low && next < high)) next = std::isinf(high) ? 4 * p : 0.5 * (low + high);
+      if (std::abs(next - p) <= accuracy * next) return next;
       p = next;
     }
     return p;
@@ -69,16 +80,19 @@ class HeldWater {
 /// fill up hold what they hold at zero pressure and what is pressed into them.
 struct HeldLine {
   double pressure = 0, held = 0, storage = 1;
-  bool full = false, gives = false;
+  bool full = false, drains = false;
 
   double at(double p) const { return held - storage * (p - pressure); }
 
-  static HeldLine fill(const HeldWater& water) { return {0, water.find(0).held, water.find(-1).storage, true, true}; }
+  static HeldLine fill(const HeldWater& water) {
+    const HeldWater::Value full = water.find_full();
+    return {0, full.held, full.storage, true, true};
+  }
   static HeldLine start(const HeldWater& water, double p) {
-    const bool gives = water.gives();
-    if (gives && p <= 0) return fill(water);
+    const bool drains = water.drains();
+    if (drains && p <= 0) return fill(water);
     const HeldWater::Value v = water.find(p);
-    return {p, v.held, v.storage, false, gives};
+    return {p, v.held, v.storage, false, drains};
   }
 
   /// Rounds in which pores may be found to drain again. Pores that are taken for full and are not are an error that the
@@ -87,9 +101,10 @@ struct HeldLine {
   /// A line is near enough that gives this share of the pores right.
   static constexpr double tolerance = 1e-11;
 
-  /// Bends the line after a solution with the pressure `next`, from `start`. Returns whether it was right.
-  bool bend(const HeldWater& water, double start, double next, int round) {
-    if (!gives) return true;
+  /// Bends the line after a solution with the pressure `next`. `content`: of the pores, at the start [m³]. Returns
+  /// whether it was right.
+  bool bend(const HeldWater& water, double content, double next, int round) {
+    if (!drains) return true;
     if (!full && next < 0) {
       *this = fill(water);
       return false;
@@ -97,11 +112,14 @@ struct HeldLine {
     if (full) {
       if (next <= 0 || round >= draining_rounds) return true;
       full = false;
-      pressure = std::max(start, 0.0);
-      held = water.find(pressure).held;
+      pressure = content < water.find_full().held ? water.find_suction(content, 1) : 0;
+      const HeldWater::Value v = water.find(pressure);
+      held = v.held;
+      storage = v.storage;
+      return false;
     }
     const HeldWater::Value right = water.find(next);
-    if (std::abs(at(next) - right.held) <= tolerance * water.find(0).held) return true;
+    if (std::abs(at(next) - right.held) <= tolerance * water.find_full().held) return true;
     pressure = next;
     held = right.held;
     storage = right.storage;

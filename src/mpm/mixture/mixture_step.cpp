@@ -15,16 +15,21 @@ void step_mixture(Body<D>& body, const StepOptions<D>& o) {
     find_contents(body, o);
     load_surface(body, o);
     find_flow(body, o);
-    load_mixture(body, o, body.water.mixture.pressure);
+    load_mixture(body, o);
+    press_nodes(body, o);
     const Work before = body.work;
     solve_momentum(Dry{}, body, o);
     body.work = before;  // counted with the pressures of the end of the step
     predict_motion(body, o);
     solve_pressures(body, o);
-    load_mixture(body, o, body.water.mixture.pressure);
+    press_nodes(body, o);
     solve_momentum(Dry{}, body, o);
+    body.work.pore_water -= 0.5 * body.nodes.motion_step * find_pore_power(body, o);  // as mapping counts its forces
   });
-  timed(t.remap_momentum, [&] { remap_momentum(Dry{}, body, o); });
+  timed(t.remap_momentum, [&] {
+    remap_momentum(Dry{}, body, o);
+    body.work.pore_water -= 0.5 * o.dt * find_pore_power(body, o);
+  });
   if (o.smoothing != input::Smoothing::none) timed(t.smooth_strain, [&] { smooth_increments(Dry{}, body, o); });
   timed(t.advance_points, [&] { movers = advance_points(Mixture{}, body, o); });
   body.time += o.dt;

@@ -21,16 +21,26 @@ void find_contents(Body<D>& body, const StepOptions<D>& options);
 template <int D>
 void find_flow(Body<D>& body, const StepOptions<D>& options);
 
-/// Forces of tractions, of the water outside and of pore pressures at the nodes. Writes nodes.load.
+/// Forces of tractions and of the water outside. Writes nodes.load.
 template <int D>
-void load_mixture(Body<D>& body, const StepOptions<D>& options, const std::vector<double>& pressure);
+void load_mixture(Body<D>& body, const StepOptions<D>& options);
 
-/// What solve_momentum() makes of the velocities. Writes mixture.velocity, acceleration, mobility.
+/// Puts the forces of the pore pressures into the sums of the nodes, in place of those that are there. Writes
+/// mixture.pore_force.
+template <int D>
+void press_nodes(Body<D>& body, const StepOptions<D>& options);
+
+/// Power of these forces with the velocities of the nodes [W].
+template <int D>
+double find_pore_power(const Body<D>& body, const StepOptions<D>& options);
+
+/// What solve_momentum() makes of the velocities, as far as the points see it. Writes mixture.velocity, acceleration,
+/// mobility.
 template <int D>
 void predict_motion(Body<D>& body, const StepOptions<D>& options);
 
-/// The pressures of the end of the step (T22.4), and the water that leaves every node and every pore. Writes
-/// mixture.change, out, passed, share and pressure, water.budgets, mean_pressure.
+/// The pressures of the end of the step (T22.5), and the water that leaves every node and every pore, what roots draw
+/// included. Writes mixture.change, out, passed, share, flux and pressure, water.budgets, transpired, mean_pressure.
 template <int D>
 void solve_pressures(Body<D>& body, const StepOptions<D>& options);
 

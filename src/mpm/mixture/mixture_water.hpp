@@ -17,6 +17,8 @@ template <int D>
 struct MixtureWater {
   std::shared_ptr<const NodeGraph<D>> graph;  ///< made by the first step
 
+  bool is_used = false;  ///< the nodes' sums are those of one velocity
+
   // What stays from step to step, by node.
   std::vector<double> pressure;      ///< [Pa]; NaN where there is no water
   std::vector<std::uint8_t> ponded;  ///< water stands on the surface, or leaves it
@@ -29,13 +31,16 @@ struct MixtureWater {
   std::vector<double> saturated, effective, coupling;  ///< Σ V S, Σ V χ, Σ V √(Sχ) [m³]
   std::vector<double> conductive;                      ///< Σ V k k_r/(ρ_w g) [m⁵/(N s)]
   std::vector<double> soft;                            ///< τ Σ V [m³/Pa]
+  AlignedVector<double> flux[D];                       ///< of water against the grains, at the end of the step [m/s]
+  AlignedVector<double> drawn;                         ///< by roots in this step [m³]
 
   // By node.
   std::vector<std::vector<double>> node_pores;  ///< [material][node] [m³]
   std::vector<double> node_water;               ///< [m³]
   std::vector<double> change, out, passed;      ///< δ [Pa]; what leaves the node, and of it the surface [m³]
   std::vector<Vec<D>> velocity, acceleration;   ///< predicted [m/s], [m/s²]
-  std::vector<double> mobility;                 ///< Δt²/(β M) [s²/kg]
+  std::vector<double> mobility;                 ///< Δt² s/(β M), see T22.3 [s²/kg]
+  std::vector<Vec<D>> pore_force;               ///< in the sums of the nodes [N]
   std::vector<Vec<D>> area;                     ///< of the open sides that touch the node, outwards [m²]
 
   int rounds = 0, iterations = 0;  ///< of the last step: of lines, and of the linear solver in all

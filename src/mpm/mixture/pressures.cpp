@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: MIT
-// The equation of the nodal pressures (T22.4), with the conditions of the surface, and the water that it moves.
+// The equation of the nodal pressures (T22.5), with the conditions of the surface, and the water that it moves.
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.hpp"
+#include "base/error.hpp"
 #include "mesh/shape_gradient.hpp"
-#include "mpm/body/node_rows.hpp"
+#include "mpm/coupled/root_uptake.hpp"
 #include "mpm/coupled/water_surface.hpp"
 #include "mpm/mixture/held_water.hpp"
 #include "mpm/mixture/mixture_step.hpp"
+#include "mpm/mixture/sweep.hpp"
 
 namespace talus::mpm {
 namespace {
 
-constexpr int most_rounds = 12;        ///< solutions in a step, until lines and surface fit
-constexpr int most_iterations = 2000;  ///< of the linear solver
-constexpr double tolerance = 1e-12;    ///< of its residual
-constexpr int water_rounds = 2;        ///< (T22.5)
+constexpr int most_rounds = 12;           ///< solutions in a step, until lines and surface fit
+constexpr int most_iterations = 5000;     ///< of the linear solver
+constexpr double smallest_change = 1e-3;  ///< a change of the pressures that is none [Pa]
+/// Of what leaves the nodes, patterns of which they see less than this in their elements are left undone (T22.6).
+constexpr double least_seen = 0.4;
+constexpr int water_rounds = 3;
 
 /// What the surface does with the water of a node.
 struct SurfaceWater {
@@ -42,23 +47,24 @@ class PressureEquation {
     pores_.assign(nodes, 0.0);
     divergence_.assign(mesh_.elements.size(), 0.0);
     flux_.assign(mesh_.elements.size(), {});
-    values_.assign(graph_.column.size(), 0.0);
+    lift_ = flux_;
+    entries_.assign(graph_.column.size(), {});
+    for (std::size_t i = 0; i < nodes; ++i)
+      for (const auto& pores : m_.node_pores) pores_[i] += pores[i];
+    wet_nodes_ = list_nodes(body_, [&](int i) { return pores_[i] > 0; });
+    for (std::size_t i = 0; i < nodes; ++i)
+      if (!(pores_[i] > 0)) m_.change[i] = m_.out[i] = m_.passed[i] = 0;
     find_surface();
     assemble();
   }
 
   void solve() {
     std::vector<HeldLine> lines(mesh_.nodes.size());
-    for_nodes([&](int i) {
-      if (pores_[i] > 0) lines[i] = HeldLine::start(held(i), m_.pressure[i]);
-    });
-    std::fill(m_.change.begin(), m_.change.end(), 0.0);
+    for_nodes([&](int i) { lines[i] = HeldLine::start(held(i), m_.pressure[i]); });
     m_.iterations = 0;
     for (m_.rounds = 1; m_.rounds <= most_rounds; ++m_.rounds) {
       for_nodes([&](int i) {
         source_[i] = growth_[i] + drained_[i];
-        storage_[i] = 1;
-        if (!(pores_[i] > 0)) return;
         storage_[i] = lines[i].storage;
         source_[i] += lines[i].at(m_.pressure[i]) - m_.node_water[i];
       });
@@ -66,35 +72,60 @@ class PressureEquation {
       bool settled = settle_surface();
       std::vector<std::uint8_t> right(mesh_.nodes.size(), 1);
       for_nodes([&](int i) {
-        if (pores_[i] > 0)
-          right[i] = lines[i].bend(held(i), m_.pressure[i], m_.pressure[i] + m_.change[i], m_.rounds - 1);
+        right[i] = lines[i].bend(held(i), m_.node_water[i], m_.pressure[i] + m_.change[i], m_.rounds - 1);
       });
       settled = settled && std::all_of(right.begin(), right.end(), [](auto b) { return b != 0; });
       if (settled) break;
     }
     apply(m_.change, q_, false);  // what flows between the nodes
-    for_nodes([&](int i) { m_.out[i] = pores_[i] > 0 ? drained_[i] - q_[i] + m_.passed[i] : 0.0; });
+    for_nodes([&](int i) { m_.out[i] = drained_[i] - q_[i] + m_.passed[i]; });
   }
 
-  /// What left the nodes, by pore of their elements.
+  /// What every pore of an element loses, so that its nodes see what leaves them: Chebyshev's iteration (T22.6).
   void share_water() {
-    std::vector<double> rest = m_.out;
-    std::fill(m_.share.begin(), m_.share.end(), 0.0);
-    std::vector<double> share(mesh_.elements.size(), 0.0);
-    for (int round = 0; round < water_rounds; ++round) {
-      for_elements([&](int e) {
-        share[e] = 0;
-        if (!(water_.volume[e] > 0)) return;
-        for (int node : mesh_.elements[e]) share[e] += rest[node] / pores_[node] / (D + 1);
-        m_.share[e] += share[e];
+    constexpr double middle = (1 + least_seen) / 2, half = (1 - least_seen) / 2;
+    std::vector<double>&rest = r_, &direction = d_, &all = z_;
+    rest = m_.out;
+    std::fill(all.begin(), all.end(), 0.0);
+    double rho = half / middle;
+    for (int n = 0; n < water_rounds; ++n) {
+      const double next = n == 0 ? rho : 1 / (2 * middle / half - rho);
+      for_nodes([&](int i) {
+        direction[i] = n == 0 ? rest[i] / middle : next * rho * direction[i] + 2 * next / half * rest[i];
+        all[i] += direction[i];
       });
+      find_shares(direction);
       for_nodes([&](int i) {
         for (int t = graph_.touch_start[i]; t < graph_.touch_start[i + 1]; ++t) {
           const int e = graph_.element[t];
-          for (const auto& pores : m_.pores) rest[i] -= pores[e] * share[e] / (D + 1);
+          for (const auto& pores : m_.pores) rest[i] -= pores[e] * m_.share[e] / (D + 1);
         }
       });
+      rho = next;
     }
+    for_nodes([&](int i) { all[i] += rest[i]; });  // to the last drop
+    find_shares(all);
+  }
+
+  /// Darcy's flow at the end of the step, and the pressures of elements.
+  void find_end() {
+    for_nodes([&](int i) { m_.pressure[i] += m_.change[i]; });
+    for_elements([&](int e) {
+      for (int d = 0; d < D; ++d) m_.flux[d][e] = 0;
+      if (!(water_.volume[e] > 0)) return;
+      double mean = 0;
+      Vec<D> gradient{};
+      for (int k = 0; k <= D; ++k) {
+        const double p = m_.pressure[mesh_.elements[e][k]];
+        const Vec<D> b = mesh::find_shape_gradient(mesh_, e, k);
+        mean += p / (D + 1);
+        for (int d = 0; d < D; ++d) gradient[d] += p * b[d];
+      }
+      water_.mean_pressure[e] = mean;
+      if (!(m_.water[e] > 0)) return;
+      for (int d = 0; d < D; ++d)
+        m_.flux[d][e] = m_.conductive[e] / (water_.stretch[e] * m_.water[e]) * (gradient[d] + lift_[e][d]);
+    });
   }
 
   void count_water() {
@@ -115,32 +146,25 @@ class PressureEquation {
   HeldWater held(int i) const { return {water_.laws, m_.node_pores, i}; }
 
   template <class Work>
-  void for_nodes(Work&& work) const {
-    parallel_for(body_.layout->chunks, o_.threads, [&](int c) {
-      for (int i = first_node(body_, c); i < first_node(body_, c + 1); ++i) work(i);
-    });
+  void for_nodes(const Work& work) const {
+    wet_nodes_.for_each(o_.threads, work);
   }
   template <class Work>
-  void for_elements(Work&& work) const {
-    const int elements = mesh_.element_count();
-    const Layout<D>& layout = *body_.layout;
-    parallel_for(layout.chunks, o_.threads, [&](int c) {
-      const int end = std::min(elements, layout.chunk_start[c + 1] * lane_width);
-      for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) work(e);
-    });
+  void for_elements(const Work& work) const {
+    mpm::for_elements(body_, o_.threads, work);
   }
-  /// Sums over the nodes, piece by piece in their order.
   template <class Value>
-  double sum(Value&& value) const {
-    std::vector<double> pieces(static_cast<std::size_t>(body_.layout->chunks), 0.0);
-    parallel_for(body_.layout->chunks, o_.threads, [&](int c) {
-      double s = 0;
-      for (int i = first_node(body_, c); i < first_node(body_, c + 1); ++i) s += value(i);
-      pieces[static_cast<std::size_t>(c)] = s;
+  double sum(const Value& value) const {
+    return wet_nodes_.sum(o_.threads, value);
+  }
+
+  /// What every pore of an element loses when `left` leaves its nodes: m_.share.
+  void find_shares(const std::vector<double>& left) {
+    for_elements([&](int e) {
+      m_.share[e] = 0;
+      if (!(water_.volume[e] > 0)) return;
+      for (int node : mesh_.elements[e]) m_.share[e] += left[node] / pores_[node] / (D + 1);
     });
-    double all = 0;
-    for (double s : pieces) all += s;
-    return all;
   }
 
   void find_surface() {
@@ -157,40 +181,17 @@ class PressureEquation {
       if (area == 0) return;
       SurfaceWater& s = surface_[i];
       const SurfaceCondition& condition = water_.surfaces[water_.surface_of_node[i]];
-      const double value = condition.value.time.empty() ? 0.0 : condition.value.at(body_.time);
-      switch (condition.kind) {
-        case SurfaceKind::open:
-          s.is_given = true;
-          break;
-        case SurfaceKind::pressure:
-          s.is_given = true;
-          s.pressure = value;
-          break;
-        case SurfaceKind::seepage:
-          s.may_pond = true;
-          break;
-        case SurfaceKind::head: {
-          const double depth = find_submergence<D>(value, up, mesh_.nodes[i]);
-          s.is_given = depth > 0;
-          s.may_pond = !s.is_given;
-          s.pressure = -weight * std::max(0.0, depth);
-          break;
-        }
-        case SurfaceKind::flux:
-          s.inflow = value * area;
-          break;
-        case SurfaceKind::rain: {
-          s.may_pond = s.is_rain = true;
-          if (value >= 0) {
-            s.inflow = condition.vertical ? std::max(0.0, value * dot(up, m_.area[i])) : value * area;
-          } else {
-            const double limit = condition.suction_limit;
-            const double left = std::isinf(limit) ? 1 : (limit - m_.pressure[i]) / (evaporation_taper * limit);
-            s.inflow = value * area * std::clamp(left, 0.0, 1.0);
-          }
-          break;
-        }
+      const double outside = find_outer_pressure(body_, i, i, weight, up).value_or(0);
+      s.is_given = condition.kind == SurfaceKind::open || condition.kind == SurfaceKind::pressure || outside < 0;
+      if (s.is_given) {
+        s.pressure = outside;
+        return;
       }
+      s.may_pond = condition.kind != SurfaceKind::flux;
+      s.is_rain = condition.kind == SurfaceKind::rain;
+      Vec<D> normal = m_.area[i];
+      for (double& n : normal) n /= area;
+      s.inflow = -area * find_offered_flux<D>(condition, normal, m_.pressure[i], up, body_.time);
     });
   }
 
@@ -222,59 +223,59 @@ class PressureEquation {
           mean[d] += m_.acceleration[node][d] / (D + 1);
         }
       }
-      for (int d = 0; d < D; ++d)
-        flux_[e][d] = m_.conductive[e] * (gradient[d] + water_.density * (o_.gravity[d] - mean[d]));
+      for (int d = 0; d < D; ++d) {
+        lift_[e][d] = water_.density * (o_.gravity[d] - mean[d]);
+        flux_[e][d] = m_.conductive[e] * (gradient[d] + lift_[e][d]);
+      }
     });
     for_nodes([&](int i) {
       for (int t = graph_.touch_start[i]; t < graph_.touch_start[i + 1]; ++t) {
         const int e = graph_.element[t];
         if (!(water_.volume[e] > 0)) continue;
-        for (const auto& pores : m_.pores) pores_[i] += pores[e] / (D + 1);
         const Vec<D> b = mesh::find_shape_gradient(mesh_, e, graph_.local[t]);
         growth_[i] += o_.dt * m_.saturated[e] * divergence_[e] / (D + 1);
-        drained_[i] -= o_.dt * dot(b, flux_[e]);
-        const double push = m_.coupling[e] / (D + 1);
+        drained_[i] += m_.drawn[e] / (D + 1) - o_.dt * dot(b, flux_[e]);
+        const double squeeze = m_.coupling[e] / (D + 1);
         for (int k = 0; k <= D; ++k) {
           const Vec<D> other = mesh::find_shape_gradient(mesh_, e, k);
           const double same = k == graph_.local[t] ? 1.0 : 0.0;
-          values_[graph_.place[static_cast<std::size_t>(t) * (D + 1) + static_cast<std::size_t>(k)]] +=
+          Entry& entry = entries_[static_cast<std::size_t>(
+              graph_.place[static_cast<std::size_t>(t) * (D + 1) + static_cast<std::size_t>(k)])];
+          entry.through +=
               o_.dt * m_.conductive[e] * dot(b, other) + m_.soft[e] / ((D + 1) * (D + 2)) * (same - 1.0 / (D + 1));
-          // Of B Π M⁻¹ Bᵀ, as far as the element alone makes it: for the preconditioner.
-          diagonal_[i] += m_.mobility[mesh_.elements[e][k]] * push * push * dot(other, other);
+          for (int d = 0; d < D; ++d) {
+            entry.push[d] += squeeze * b[d];
+            entry.growth[d] += squeeze * other[d];
+          }
         }
       }
-      diagonal_[i] += values_[graph_.row_start[i]];
+    });
+    for_nodes([&](int i) {
+      diagonal_[i] = entries_[graph_.row_start[i]].through;
+      for (int n = graph_.row_start[i]; n < graph_.row_start[i + 1]; ++n) {
+        const int j = graph_.column[n];
+        diagonal_[i] += m_.mobility[j] * dot(hold(j, entries_[n].growth), entries_[n].growth);
+      }
     });
   }
 
   /// y = (flow [+ storage + growth by the push of the pressures]) x.
   void apply(const std::vector<double>& x, std::vector<double>& y, bool whole) {
-    if (whole) {
-      for_elements([&](int e) {
-        double mean = 0;
-        for (int node : mesh_.elements[e]) mean += x[node];
-        divergence_[e] = m_.coupling[e] * mean / (D + 1);
-      });
+    if (whole)
       for_nodes([&](int j) {
         Vec<D> push{};
-        for (int t = graph_.touch_start[j]; t < graph_.touch_start[j + 1]; ++t) {
-          const Vec<D> b = mesh::find_shape_gradient(mesh_, graph_.element[t], graph_.local[t]);
-          for (int d = 0; d < D; ++d) push[d] += divergence_[graph_.element[t]] * b[d];
-        }
+        for (int n = graph_.row_start[j]; n < graph_.row_start[j + 1]; ++n)
+          for (int d = 0; d < D; ++d) push[d] += x[graph_.column[n]] * entries_[n].push[d];
         push = hold(j, push);
         for (int d = 0; d < D; ++d) pushed_[j][d] = m_.mobility[j] * push[d];
       });
-      for_elements([&](int e) {
-        double s = 0;
-        for (int k = 0; k <= D; ++k) s += dot(mesh::find_shape_gradient(mesh_, e, k), pushed_[mesh_.elements[e][k]]);
-        divergence_[e] = m_.coupling[e] * s / (D + 1);
-      });
-    }
     for_nodes([&](int i) {
       double s = whole ? storage_[i] * x[i] : 0.0;
-      for (int n = graph_.row_start[i]; n < graph_.row_start[i + 1]; ++n) s += values_[n] * x[graph_.column[n]];
-      for (int t = graph_.touch_start[i]; whole && t < graph_.touch_start[i + 1]; ++t)
-        s += divergence_[graph_.element[t]];
+      for (int n = graph_.row_start[i]; n < graph_.row_start[i + 1]; ++n) {
+        const int j = graph_.column[n];
+        s += entries_[n].through * x[j];
+        if (whole) s += dot(entries_[n].growth, pushed_[j]);
+      }
       y[i] = s;
     });
   }
@@ -284,11 +285,8 @@ class PressureEquation {
     std::vector<double>& x = m_.change;
     for_nodes([&](int i) {
       const SurfaceWater& s = surface_[i];
-      fixed_[i] = !(pores_[i] > 0) || s.is_given || (s.may_pond && m_.ponded[i]);
-      if (!(pores_[i] > 0))
-        x[i] = 0;
-      else if (fixed_[i])
-        x[i] = (s.is_given ? s.pressure : 0.0) - m_.pressure[i];
+      fixed_[i] = s.is_given || (s.may_pond && m_.ponded[i]);
+      if (fixed_[i]) x[i] = (s.is_given ? s.pressure : 0.0) - m_.pressure[i];
     });
     apply(x, q_, true);
     for_nodes([&](int i) {
@@ -296,9 +294,11 @@ class PressureEquation {
       z_[i] = r_[i] / (diagonal_[i] + storage_[i]);
       d_[i] = z_[i];
     });
-    const double wanted = tolerance * tolerance * sum([&](int i) {
-                            const double b = fixed_[i] ? 0.0 : source_[i] - o_.dt * surface_[i].inflow;
-                            return b * b / (diagonal_[i] + storage_[i]);
+    const double wanted = o_.pressure_tolerance * o_.pressure_tolerance * sum([&](int i) {
+                            const double stiffness = diagonal_[i] + storage_[i];
+                            const double b = source_[i] - o_.dt * surface_[i].inflow;
+                            const double known = fixed_[i] ? x[i] * x[i] * stiffness : b * b / stiffness;
+                            return known + smallest_change * smallest_change * stiffness;
                           });
     double rz = sum([&](int i) { return r_[i] * z_[i]; });
     for (int n = 0; n < most_iterations && rz > wanted; ++n, ++m_.iterations) {
@@ -314,10 +314,11 @@ class PressureEquation {
       rz = sum([&](int i) { return r_[i] * z_[i]; });
       for_nodes([&](int i) { d_[i] = fixed_[i] ? 0.0 : z_[i] + rz / last * d_[i]; });
     }
+    if (rz > wanted)
+      throw Error(ExitCode::unstable, fmt::format("the pore pressures of step {} were not found within {} iterations",
+                                                  body_.step_count, most_iterations));
     apply(x, q_, true);
-    for_nodes([&](int i) {
-      m_.passed[i] = !(pores_[i] > 0) ? 0.0 : fixed_[i] ? q_[i] - source_[i] : -o_.dt * surface_[i].inflow;
-    });
+    for_nodes([&](int i) { m_.passed[i] = fixed_[i] ? q_[i] - source_[i] : -o_.dt * surface_[i].inflow; });
   }
 
   /// Water stands where pressure would rise above zero, until more would have to enter than is offered. Returns whether
@@ -340,10 +341,18 @@ class PressureEquation {
   const mesh::Mesh<D>& mesh_;
   const NodeGraph<D>& graph_;
   const StepOptions<D>& o_;
+  NodeList wet_nodes_;
   std::vector<SurfaceWater> surface_;
-  std::vector<double> values_, source_, storage_, diagonal_, growth_, drained_, pores_, divergence_;
+  /// What the pressure at node j does to node i.
+  struct Entry {
+    double through = 0;  ///< flow [m³/Pa]
+    Vec<D> push{};       ///< force [m²]
+    Vec<D> growth{};     ///< of the pores at i with the displacement of j [m²]
+  };
+  std::vector<Entry> entries_;  ///< as the graph's columns
+  std::vector<double> source_, storage_, diagonal_, growth_, drained_, pores_, divergence_;
   std::vector<double> r_, z_, d_, q_;
-  std::vector<Vec<D>> pushed_, flux_;
+  std::vector<Vec<D>> pushed_, flux_, lift_;
   std::vector<std::uint8_t> fixed_;
 };
 
@@ -351,19 +360,12 @@ class PressureEquation {
 
 template <int D>
 void solve_pressures(Body<D>& body, const StepOptions<D>& o) {
+  find_root_draw(body, o);
   PressureEquation<D> equation(body, o);
   equation.solve();
   equation.share_water();
   equation.count_water();
-  MixtureWater<D>& m = body.water.mixture;
-  const mesh::Mesh<D>& mesh = body.mesh();
-  for (std::size_t i = 0; i < m.pressure.size(); ++i) m.pressure[i] += m.change[i];
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    if (!(body.water.volume[e] > 0)) continue;
-    double p = 0;
-    for (int node : mesh.elements[e]) p += m.pressure[node] / (D + 1);
-    body.water.mean_pressure[e] = p;
-  }
+  equation.find_end();
 }
 
 template void solve_pressures<2>(Body<2>&, const StepOptions<2>&);

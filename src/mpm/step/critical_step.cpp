@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/body/point_state.hpp"
 #include "mpm/coupled/kernels.hpp"
 #include "mpm/coupled/pore_state.hpp"
 
@@ -25,16 +26,6 @@ CoupledSoil make_coupled_soil(const WaterLaw& law, double modulus, double porosi
   }
   const double resistance = conductivity_factor ? find_saturated_resistance(law, *conductivity_factor) / relative : 0.0;
   return {modulus, porosity, saturation, porosity * storage, law.grain_density, law.density, resistance};
-}
-
-/// E_c of the point whose fields begin at `p` [Pa].
-template <int D>
-double find_modulus(const material::Law& law, const double* p) {
-  using P = Points<D>;
-  double sigma[P::stress_size], state[material::max_state_size];
-  for (int i = 0; i < P::stress_size; ++i) sigma[i] = p[(P::stress + i) * lane_width];
-  for (int i = 0; i < material::state_size(law); ++i) state[i] = p[(P::state + i) * lane_width];
-  return material::constrained_modulus(law, sigma, state);
 }
 
 /// Mass scaling over the share by which damping strengthens a force. Explicit drag slows what it acts on, and net

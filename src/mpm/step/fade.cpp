@@ -28,6 +28,7 @@ struct Phase {
   AlignedVector<double>& sums;
   const AlignedVector<double>& moments;
   int mass_field, velocity_field;  ///< of a slot
+  int more_mass_field = -1;        ///< what moves with it
 };
 
 constexpr int row_stride = 8;  ///< of a node row of this file
@@ -127,7 +128,8 @@ void fade_phase(Body<D>& body, const StepOptions<D>& o, const P& phase) {
       for (int k = 0; k < body.points.block_used[b]; ++k) {
         double* p = body.points.slot(body.points.block_start[b] + k);
         const Mask active = count > Pack(static_cast<double>(k));
-        const Pack mass = load<Pack>(p + phase.mass_field * lane_width);
+        Pack mass = load<Pack>(p + phase.mass_field * lane_width);
+        if (phase.more_mass_field >= 0) mass += load<Pack>(p + phase.more_mass_field * lane_width);
         for (int d = 0; d < D; ++d) {
           double* velocity = p + (phase.velocity_field + d) * lane_width;
           const Pack before = load<Pack>(velocity);
@@ -156,6 +158,12 @@ void fade_unseen(Body<D>& body, const StepOptions<D>& o) {
   using C = WetColumns<D>;
   using W = WaterFields<D>;
   Water<D>& water = body.water;
+  if (o.mixture) {
+    fade_phase(body, o,
+               Phase<D, sums_stride, 0, 1>{body.nodes.sums, body.elements.moments, P::mass, P::velocity,
+                                           water.first_field + W::mass});
+    return;
+  }
   constexpr int stride = wet_sums_stride<D>;
   fade_phase(body, o, Phase<D, stride, C::mass, C::momentum>{water.sums, body.elements.moments, P::mass, P::velocity});
   fade_phase(body, o,

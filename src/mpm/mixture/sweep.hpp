@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Loops over the elements and nodes of a body, chunk by chunk in parallel.
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+#include "mpm/body/node_rows.hpp"
+
+namespace talus::mpm {
+
+namespace detail {
+
+// Compiled once for any number of threads: a copy that is inlined elsewhere may be contracted to other fused
+// operations.
+template <class Work>
+[[gnu::noinline]] void run_each(int begin, int end, const Work& work) {
+  for (int i = begin; i < end; ++i) work(i);
+}
+template <class Value>
+[[gnu::noinline]] double sum_each(int begin, int end, const Value& value) {
+  double sum = 0;
+  for (int i = begin; i < end; ++i) sum += value(i);
+  return sum;
+}
+
+}  // namespace detail
+
+/// Some nodes of a body, chunk by chunk in their order.
+struct NodeList {
+  std::vector<int> node, chunk_start;
+
+  template <class Work>
+  void for_each(int threads, const Work& work) const {
+    const auto at = [&](int k) { work(node[static_cast<std::size_t>(k)]); };
+    parallel_for(chunks(), threads, [&](int c) { detail::run_each(first(c), first(c + 1), at); });
+  }
+  /// Sum of value(i), the same bits for any number of threads.
+  template <class Value>
+  double sum(int threads, const Value& value) const {
+    std::vector<double> pieces(static_cast<std::size_t>(chunks()), 0.0);
+    const auto at = [&](int k) { return value(node[static_cast<std::size_t>(k)]); };
+    parallel_for(chunks(), threads,
+                 [&](int c) { pieces[static_cast<std::size_t>(c)] = detail::sum_each(first(c), first(c + 1), at); });
+    double all = 0;
+    for (const double piece : pieces) all += piece;
+    return all;
+  }
+
+ private:
+  int chunks() const { return static_cast<int>(chunk_start.size()) - 1; }
+  int first(int chunk) const { return chunk_start[static_cast<std::size_t>(chunk)]; }
+};
+
+/// The nodes for which belongs(i).
+template <int D, class Belongs>
+NodeList list_nodes(const Body<D>& body, const Belongs& belongs) {
+  NodeList list;
+  for (int c = 0; c < body.layout->chunks; ++c) {
+    list.chunk_start.push_back(static_cast<int>(list.node.size()));
+    for (int i = first_node(body, c); i < first_node(body, c + 1); ++i)
+      if (belongs(i)) list.node.push_back(i);
+  }
+  list.chunk_start.push_back(static_cast<int>(list.node.size()));
+  return list;
+}
+
+/// Calls work(e) for every element.
+template <int D, class Work>
+void for_elements(const Body<D>& body, int threads, const Work& work) {
+  const Layout<D>& layout = *body.layout;
+  const int elements = body.mesh().element_count();
+  parallel_for(layout.chunks, threads, [&](int c) {
+    detail::run_each(layout.chunk_start[c] * lane_width, std::min(elements, layout.chunk_start[c + 1] * lane_width),
+                     work);
+  });
+}
+
+/// Calls work(i) for every node.
+template <int D, class Work>
+void for_nodes(const Body<D>& body, int threads, const Work& work) {
+  parallel_for(body.layout->chunks, threads,
+               [&](int c) { detail::run_each(first_node(body, c), first_node(body, c + 1), work); });
+}
+
+}  // namespace talus::mpm
