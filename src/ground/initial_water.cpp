@@ -17,18 +17,20 @@ bool is_wet(const input::Case& data, const mesh::Mesh<D>& mesh, int e) {
   return soil != nullptr && soil->water.is_wet();
 }
 
+/// Pressure at `x` under the water table of the case [Pa].
+template <int D>
+double find_table_pressure(const input::Case& data, const Vec<D>& x) {
+  const double height = x[1] - find_water_table(data.initial.water.water_table, x[0]);
+  return std::min(find_water_weight(data) * height, data.initial.water.largest_suction);
+}
+
 template <int D>
 void set_from_table(const input::Case& data, const mesh::Mesh<D>& mesh, InitialWater<D>& water) {
   check_upright(data, "a water table");
-  const double weight = find_water_weight(data);
   Vec<D> middle;
   middle.fill(1.0 / (D + 1));
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    if (!is_wet(data, mesh, e)) continue;
-    const Vec<D> x = mesh::to_global(mesh, e, middle);
-    const double height = x[1] - find_water_table(data.initial.water.water_table, x[0]);
-    water.pressure[e] = std::min(weight * height, data.initial.water.largest_suction);
-  }
+  for (int e = 0; e < mesh.element_count(); ++e)
+    if (is_wet(data, mesh, e)) water.pressure[e] = find_table_pressure<D>(data, mesh::to_global(mesh, e, middle));
 }
 
 template <int D>
@@ -127,6 +129,25 @@ InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>&
 }
 
 template <int D>
+std::vector<double> find_nodal_pressures(const input::Case& data, const mesh::Mesh<D>& mesh,
+                                         const InitialWater<D>& water) {
+  if (!has_water(data)) return {};
+  std::vector<double> pressure(mesh.nodes.size(), NAN);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (!is_wet(data, mesh, e)) continue;
+    for (const int node : mesh.elements[e]) {
+      if (!water.nodal.empty())
+        pressure[node] = water.nodal[node];
+      else if (data.initial.water.pressure == input::InitialPressure::water_table)
+        pressure[node] = find_table_pressure<D>(data, mesh.nodes[node]);
+      else
+        pressure[node] = 0;
+    }
+  }
+  return pressure;
+}
+
+template <int D>
 std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D>& mesh,
                                      const std::vector<mpm::InitialPoint<D>>& points) {
   constexpr double steepest = 1e-6;  // a vertical wall carries no water on its back
@@ -165,9 +186,11 @@ std::vector<double> find_ponded_load(const input::Case& data, const mesh::Mesh<D
   return load;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                 \
-  template InitialWater<D> find_initial_water<D>(const input::Case&, const mesh::Mesh<D>&);  \
-  template std::vector<double> find_ponded_load<D>(const input::Case&, const mesh::Mesh<D>&, \
+#define TALUS_INSTANTIATE(D)                                                                     \
+  template InitialWater<D> find_initial_water<D>(const input::Case&, const mesh::Mesh<D>&);      \
+  template std::vector<double> find_nodal_pressures<D>(const input::Case&, const mesh::Mesh<D>&, \
+                                                       const InitialWater<D>&);                  \
+  template std::vector<double> find_ponded_load<D>(const input::Case&, const mesh::Mesh<D>&,     \
                                                    const std::vector<mpm::InitialPoint<D>>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

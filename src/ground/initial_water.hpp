@@ -27,6 +27,11 @@ struct InitialWater {
 template <int D>
 InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>& mesh);
 
+/// The same at the nodes, NaN where no wet element is near; empty for dry soil.
+template <int D>
+std::vector<double> find_nodal_pressures(const input::Case& data, const mesh::Mesh<D>& mesh,
+                                         const InitialWater<D>& water);
+
 /// Level of the water table at x [m]: linear between its points, horizontal beyond its ends.
 double find_water_table(const std::vector<std::array<double, 2>>& table, double x);
 

@@ -90,6 +90,13 @@ TEST(WetCheckpoint, MovingSoilGoesOnBitForBit) {
   compare<3>({.damping = 0.05}, 0.1);
 }
 
+TEST(WetCheckpoint, SeepingWaterGoesOnBitForBit) {
+  const input::StepSettings settings{
+      .damping = 0.05, .smoothing = input::Smoothing::stable, .courant = 0.3, .water = input::WaterMotion::seeps};
+  compare<2>(settings, 0.6);
+  compare<3>(settings, 0.6);
+}
+
 TEST(WetCheckpoint, HeldWaterGoesOnBitForBit) {
   compare<2>({.damping = 0.2,
               .smoothing = input::Smoothing::stable,

@@ -217,6 +217,13 @@ TEST(StepKeysOfWater, HaveNoMeaningInADryCase) {
   expect_wet_fault("water_damping = 0.7", "conductivity_factor = @@0", "above 0");
 }
 
+TEST(StepKeysOfWater, OfTwoVelocitiesHaveNoMeaningWhereWaterSeeps) {
+  expect_wet_fault("water_damping = 0.7", "water = \"seeps\"\nwater_damping = @@0.7",
+                   "'water_damping' has no meaning with water = \"seeps\"");
+  EXPECT_TRUE(
+      find_faults(change(wet_slope, "water_damping = 0.7", "water = \"seeps\"\nconductivity_factor = 10")).empty());
+}
+
 TEST(Faults, OfWaterComeTogether) {
   std::string text = change(wet_slope, "lambda = 0.27", "lambda = 2");
   text = change(text, "head = 10", "head = -1");

@@ -52,5 +52,18 @@ TEST(SlowWave, SaysWhichTimeIsTooShortAndWhatWouldDo) {
   EXPECT_EQ(say(proposed, 1000), "");
 }
 
+TEST(FastWater, IsSaidOfOpenSoilThatWaterSeepsThrough) {
+  input::Material gravel = support::make_wet_soil(young);
+  gravel.water.conductivity = 0.05;
+  const input::Case data = support::make_box_case<2>(gravel);
+  const mpm::Body<2> body = make_wet_column(data);
+  const auto say = [&](input::StepSettings settings) {
+    return run::describe_fast_water(body, support::make_stage(data, body, 10, settings)).value_or("");
+  };
+  EXPECT_EQ(say({.water = input::WaterMotion::flows}), "");
+  EXPECT_NE(say({.water = input::WaterMotion::seeps}).find("conductivity of 0.05 m/s"), std::string::npos);
+  EXPECT_EQ(say({.water = input::WaterMotion::seeps, .conductivity_factor = 0.1}), "");
+}
+
 }  // namespace
 }  // namespace talus

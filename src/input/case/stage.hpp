@@ -16,7 +16,7 @@ enum class Smoothing { none, strain, stable };
 enum class Geometry { moving, frozen };
 enum class Drag { implicit_at_nodes, explicit_at_nodes };
 enum class DampedForce { net, without_drag };
-enum class WaterMotion { flows, held };
+enum class WaterMotion { flows, seeps, held };
 
 /// How a period of time is calculated. Shared by stages and by the trials of the strength reduction.
 struct StepSettings {
@@ -29,7 +29,7 @@ struct StepSettings {
   bool fade_unseen = true;     ///< take velocities of points away that no node sees
   double courant = 0.9;        ///< fraction of (2.84) [-]
   // Soil with pore water only.
-  WaterMotion water = WaterMotion::flows;  ///< held: pore pressures stay as they are (drained), frozen geometry only
+  WaterMotion water = WaterMotion::flows;
   Drag drag = Drag::implicit_at_nodes;
   double water_damping = 0;                     ///< α of the water (2.89) [-]
   DampedForce damped_force = DampedForce::net;  ///< what damping takes its share of (docs/theory/14)
@@ -78,9 +78,15 @@ inline constexpr auto choices<Geometry> = std::array{
     Choice{Geometry::frozen, "frozen", "small strains: the points keep their places"},
 };
 
+/// Whether pore pressures change.
+constexpr bool moves(WaterMotion water) {
+  return water != WaterMotion::held;
+}
+
 template <>
 inline constexpr auto choices<WaterMotion> = std::array{
-    Choice{WaterMotion::flows, "flows", "water and soil move together"},
+    Choice{WaterMotion::flows, "flows", "water and soil have velocities of their own: waves in the water, gravel"},
+    Choice{WaterMotion::seeps, "seeps", "by Darcy's law through soil that moves, with pressures at the nodes"},
     Choice{WaterMotion::held, "held", "pore pressures stay as they are (drained); frozen geometry only"},
 };
 template <>

@@ -109,31 +109,40 @@ void check_bulk_modulus(const Case& data, Findings& findings) {
                             data.water.bulk_modulus / 1e3, name, largest_bulk_modulus / 1e3));
 }
 
-void check_step(const Case& data, const StepSettings& step, const StepSettings& usual, const std::string& path,
-                Findings& findings) {
-  const auto find_given = [&](const char* key) { return findings.places.is_given(path + "." + key) ? key : nullptr; };
-  if (is_wet(data)) {
-    if (step.water != WaterMotion::held || step.geometry == Geometry::frozen) return;
-    if (!findings.is_sound(path + ".water") || !findings.is_sound(path + ".geometry")) return;
-    const char* key = find_given("water") != nullptr ? "water" : "geometry";
-    return findings.add(
-        path + "." + key,
-        "water = \"held\" needs geometry = \"frozen\": pore pressures that stay as they are belong to soil "
-        "that keeps its place");
-  }
+/// Keys of a stage that are given, changed, and without meaning: all of pore water in dry soil, those of two velocities
+/// where water seeps.
+void report_meaningless(const StepSettings& step, const StepSettings& usual, const std::string& path, bool seeps,
+                        Findings& findings) {
   const std::pair<const char*, bool> changes[] = {
-      {"water", step.water != usual.water},
+      {"water", !seeps && step.water != usual.water},
       {"drag", step.drag != usual.drag},
       {"water_damping", step.water_damping != usual.water_damping},
       {"damped_force", step.damped_force != usual.damped_force},
       {"pressure_smoothing", step.pressure_smoothing != usual.pressure_smoothing},
       {"water_exchange", step.water_exchange != usual.water_exchange},
-      {"conductivity_factor", step.conductivity_factor != usual.conductivity_factor}};
-  for (const auto& [key, is_changed] : changes)
-    if (is_changed && find_given(key) != nullptr && findings.is_sound(path + "." + key))
-      findings.add(
-          path + "." + key,
-          fmt::format("'{}' has no meaning here: no material has pore water, see [materials.NAME.water]", key));
+      {"conductivity_factor", !seeps && step.conductivity_factor != usual.conductivity_factor}};
+  for (const auto& [key, is_changed] : changes) {
+    const std::string at = path + "." + key;
+    if (!is_changed || !findings.places.is_given(at) || !findings.is_sound(at)) continue;
+    findings.add(at, seeps ? fmt::format("'{}' has no meaning with water = \"seeps\": water has no velocity of its own "
+                                         "there",
+                                         key)
+                           : fmt::format("'{}' has no meaning here: no material has pore water, see "
+                                         "[materials.NAME.water]",
+                                         key));
+  }
+}
+
+void check_step(const Case& data, const StepSettings& step, const StepSettings& usual, const std::string& path,
+                Findings& findings) {
+  if (!is_wet(data)) return report_meaningless(step, usual, path, false, findings);
+  if (step.water == WaterMotion::seeps) return report_meaningless(step, usual, path, true, findings);
+  if (step.water != WaterMotion::held || step.geometry == Geometry::frozen) return;
+  if (!findings.is_sound(path + ".water") || !findings.is_sound(path + ".geometry")) return;
+  const char* key = findings.places.is_given(path + ".water") ? "water" : "geometry";
+  findings.add(path + "." + key,
+               "water = \"held\" needs geometry = \"frozen\": pore pressures that stay as they are belong to soil "
+               "that keeps its place");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ struct WaterPart {
   std::string name;  ///< "stage 'gravity'", "the trials of the curve"
   input::StepSettings step;
 
-  bool flows() const { return step.water == input::WaterMotion::flows; }
+  bool flows() const { return input::moves(step.water); }
 };
 
 /// The parts that are run, stages first.

@@ -148,13 +148,13 @@ class WaterAssumptions {
     else if (frozen != nullptr)
       add("The factor at frozen geometry is coupled: water flows in its trials, and shearing changes the pore "
           "pressures.");
-    if (curve != nullptr && curve->water == WaterMotion::flows)
+    if (curve != nullptr && moves(curve->water))
       add("The criteria on the displacement curve are coupled: in the {:g} s of a trial water flows, and shearing "
           "raises or lowers pore pressures that may have no time to even out.",
           data_.strength_reduction.curve.window);
     else if (curve != nullptr)
       add("The criteria on the displacement curve are drained: pore pressures are held.");
-    if (frozen != nullptr && curve != nullptr && frozen->water != curve->water)
+    if (frozen != nullptr && curve != nullptr && moves(frozen->water) != moves(curve->water))
       add("The drained and the coupled factors answer different questions and need not agree.");
   }
 

@@ -260,7 +260,7 @@ class Warnings {
   }
 
   bool has_flowing_water() const {
-    return run_.water.has_value() && data_.strength_reduction.frozen.step_settings.water == input::WaterMotion::flows;
+    return run_.water.has_value() && input::moves(data_.strength_reduction.frozen.step_settings.water);
   }
 
   void warn_of_criteria() {

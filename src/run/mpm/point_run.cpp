@@ -249,6 +249,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
       if (stage.reset_displacement) mpm::reset_displacements(body_);
     }
     if (const auto slow = describe_slow_wave(body_, plan)) warnings_.push_back(*slow);
+    if (const auto fast = describe_fast_water(body_, plan)) warnings_.push_back(*fast);
     const auto start = Clock::now();
     const StageHooks<D> hooks = recorder.begin_leg(i, plan, body_, state);
     results::Stage report;

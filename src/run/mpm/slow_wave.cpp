@@ -16,6 +16,9 @@ namespace {
 /// 21 % at a half (theory 5).
 constexpr double largest_share = 0.1;
 
+/// Conductivity of soil in which water takes k/(n g), some milliseconds, to follow a change of its drag [m/s].
+constexpr double open_soil = 1e-2;
+
 /// To one digit.
 double round_down(double x) {
   const double unit = std::pow(10.0, std::floor(std::log10(x)));
@@ -36,7 +39,7 @@ DrainedWave find_drained_wave(const mpm::Body<D>& body, const StagePlan<D>& plan
     highest = std::max(highest, height);
     const double modulus = material::constrained_modulus(body.laws[p.material], p.stress.data(), p.state.data());
     slowest = std::max(slowest, (p.mass + p.water_mass) / (p.volume * modulus));
-    if (!p.wet || plan.step.water != input::WaterMotion::flows) continue;
+    if (!p.wet || !input::moves(plan.step.water)) continue;
     const mpm::WaterLaw& law = body.water.laws[p.material];
     const double conductivity = law.conductivity * plan.step.conductivity_factor;
     fastest_drainage = std::max(fastest_drainage, conductivity * modulus / (law.density * law.drag_gravity));
@@ -63,9 +66,25 @@ std::optional<std::string> describe_slow_wave(const mpm::Body<D>& body, const St
       round_down(std::max(1.0, scaling * std::pow(largest_share / share, 2))));
 }
 
-#define TALUS_INSTANTIATE(D)                                                           \
-  template DrainedWave find_drained_wave<D>(const mpm::Body<D>&, const StagePlan<D>&); \
-  template std::optional<std::string> describe_slow_wave<D>(const mpm::Body<D>&, const StagePlan<D>&);
+template <int D>
+std::optional<std::string> describe_fast_water(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  if (plan.step.water != input::WaterMotion::seeps) return std::nullopt;
+  for (std::size_t m = 0; m < body.water.laws.size(); ++m) {
+    const mpm::WaterLaw& law = body.water.laws[m];
+    const double conductivity = law.conductivity * plan.step.conductivity_factor;
+    if (law.wet && conductivity > open_soil)
+      return fmt::format(
+          "stage '{}': water = \"seeps\" leaves out the inertia of the water itself, which matters in '{}' with a "
+          "conductivity of {:g} m/s where the flow changes within seconds; water = \"flows\" has it",
+          plan.name, body.material_names[m], conductivity);
+  }
+  return std::nullopt;
+}
+
+#define TALUS_INSTANTIATE(D)                                                                           \
+  template DrainedWave find_drained_wave<D>(const mpm::Body<D>&, const StagePlan<D>&);                 \
+  template std::optional<std::string> describe_slow_wave<D>(const mpm::Body<D>&, const StagePlan<D>&); \
+  template std::optional<std::string> describe_fast_water<D>(const mpm::Body<D>&, const StagePlan<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Mass scaling makes soil slow: what it says when the soil no longer keeps up with what happens to it.
+// What a stage says of its inertia: mass scaling makes soil slow, until it no longer keeps up with what happens to it,
+// and water that seeps has none.
 
 #include <optional>
 #include <string>
@@ -22,5 +23,9 @@ DrainedWave find_drained_wave(const mpm::Body<D>& body, const StagePlan<D>& plan
 /// "stage 'rain': with mass_scaling = 1e+08 …", with the mass scaling that would do; nothing where the soil keeps up.
 template <int D>
 std::optional<std::string> describe_slow_wave(const mpm::Body<D>& body, const StagePlan<D>& plan);
+
+/// "stage 'rain': water = "seeps" leaves …"; nothing where no soil is so open that its water has an inertia of its own.
+template <int D>
+std::optional<std::string> describe_fast_water(const mpm::Body<D>& body, const StagePlan<D>& plan);
 
 }  // namespace talus::run

@@ -25,16 +25,18 @@ constexpr int looks_per_copy = 32;
 /// What is faster than this many wave speeds is not soil any more.
 constexpr double unstable_speed_ratio = 2;
 
-/// A bound of the speed of compression waves √(E_c/ρ) [m/s]; with pore water of those without drag, in saturated soil.
+/// A bound of the speed of compression waves √(E_c/ρ) [m/s]; with pore water that flows of those without drag, in
+/// saturated soil; with water that seeps of those in drained soil, which bound the step.
 template <int D>
-double find_wave_speed(const mpm::Body<D>& body) {
+double find_wave_speed(const mpm::Body<D>& body, const StagePlan<D>& plan) {
+  const bool seeps = plan.step.water == input::WaterMotion::seeps;
   double square = 0;
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
     const auto p = mpm::view_point(body, id);
-    double sum =
-        material::constrained_modulus(body.laws[p.material], p.stress.data(), p.state.data()) * p.volume / p.mass;
-    if (p.wet) {
+    double sum = material::constrained_modulus(body.laws[p.material], p.stress.data(), p.state.data()) * p.volume /
+                 (seeps ? p.mass + p.water_mass : p.mass);
+    if (p.wet && !seeps) {
       // The trace of M⁻¹K (T14.13) with S = 1 and ζ' = n/K_w, which is above its greatest eigenvalue.
       const mpm::WaterLaw& law = body.water.laws[p.material];
       const double n = p.porosity;
@@ -54,7 +56,8 @@ double find_smallest_step(const mpm::Body<D>& body, double wave_speed, const Sta
   const auto& altitudes = body.mesh().altitudes;
   double step = smallest_step_share * *std::min_element(altitudes.begin(), altitudes.end()) *
                 std::sqrt(plan.step.mass_scaling) / wave_speed;
-  if (body.water.is_wet() && plan.step.drag == input::Drag::explicit_at_nodes) {
+  if (body.water.is_wet() && plan.step.water == input::WaterMotion::flows &&
+      plan.step.drag == input::Drag::explicit_at_nodes) {
     // Drag may require a far smaller step than the waves (2.85).
     StagePlan<D> without = plan;
     without.step.drag = input::Drag::implicit_at_nodes;
@@ -166,6 +169,7 @@ mpm::StepOptions<D> make_options(const StagePlan<D>& plan) {
   o.moving = step.geometry == input::Geometry::moving;
   o.objective = step.objective_rate;
   o.threads = plan.threads;
+  o.mixture = step.water == input::WaterMotion::seeps;
   o.implicit_drag = step.drag == input::Drag::implicit_at_nodes;
   o.water_damping = step.water_damping;
   o.net_damping = step.damped_force == input::DampedForce::net;
@@ -269,7 +273,7 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
   mpm::CriticalStep critical = find_critical_step(body, plan);
   GoodStates<D> good(wanted, hooks);
   // That of the start: later densities may be those of an explosion.
-  if (state.wave_speed == 0) state.wave_speed = find_wave_speed(body);
+  if (state.wave_speed == 0) state.wave_speed = find_wave_speed(body, plan);
   const double smallest_step = find_smallest_step(body, state.wave_speed, plan);
   good.keep(body, state);
   const auto save_last_good = [&]() -> std::string {

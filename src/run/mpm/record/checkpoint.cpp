@@ -86,6 +86,26 @@ void visit_vectors(Body& body, Visit&& visit) {
   visit("nodes/load", body.nodes.load);
 }
 
+/// What stays of the step of the mixture from step to step, and what a later stage will start with.
+template <int D>
+void put_mixture(ArchiveWriter& archive, const mpm::MixtureWater<D>& mixture) {
+  if (mixture.pressure.empty()) return;
+  archive.put("water/mixture/is_used", std::vector<int>{mixture.is_used ? 1 : 0});
+  archive.put("water/mixture/pressure", mixture.pressure);
+  archive.put("water/mixture/change", mixture.change);
+  archive.put("water/mixture/ponded", std::vector<int>(mixture.ponded.begin(), mixture.ponded.end()));
+}
+
+template <int D>
+void get_mixture(const ArchiveReader& archive, mpm::MixtureWater<D>& mixture) {
+  mixture = {};
+  if (!archive.has("water/mixture/pressure")) return;
+  mixture.is_used = archive.integers("water/mixture/is_used")[0] != 0;
+  mixture.pressure = archive.reals("water/mixture/pressure");
+  mixture.change = archive.reals("water/mixture/change");
+  copy_into(mixture.ponded, archive.integers("water/mixture/ponded"));
+}
+
 template <int D>
 void put_budgets(ArchiveWriter& archive, const mpm::Water<D>& water) {
   std::vector<double> flat{water.lost_between, water.left_grid, water.pressed_in};
@@ -159,6 +179,7 @@ void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
       archive.put(name, std::span<const double>(values.data(), values.size()));
     });
     put_budgets(archive, body.water);
+    put_mixture(archive, body.water.mixture);
   }
   visit_integers(body, [&](const char* name, const auto& values) {
     const std::vector<int> plain(values.begin(), values.end());
@@ -210,6 +231,7 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
   if (body.water.is_wet()) {
     visit_water(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
     get_water(archive, body);
+    get_mixture(archive, body.water.mixture);
   }
   visit_integers(body, [&](const char* name, auto& values) { copy_into(values, archive.integers(name)); });
   visit_vectors(body, [&](const char* name, auto& values) { unflatten(archive.reals(name), values); });

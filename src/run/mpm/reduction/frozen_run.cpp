@@ -265,8 +265,9 @@ results::FrozenFactor compute_frozen_factor(const mesh::Mesh<D>& base, const Tri
       reason = error.what();
     }
     if (!coarser || !coarser->factor())
-      warnings.push_back("the factor of safety is extrapolated from two meshes, not from three, because the coarser one failed: " +
-                         reason);
+      warnings.push_back(
+          "the factor of safety is extrapolated from two meshes, not from three, because the coarser one failed: " +
+          reason);
   }
   if (meshes == 2 && settings.mesh_scatter && all_found) {
     other = FrozenMesh<D>(context, {"mesh_other", "another mesher: ", 0, choose_other(settings.algorithm)}, threads)

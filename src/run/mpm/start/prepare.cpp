@@ -157,6 +157,7 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   add_ground_loads(body, data, held);
   resolve_water_conditions(body, data);
   ground::resolve_root_uptakes(body, data);
+  body.water.mixture.pressure = ground::find_nodal_pressures<D>(data, body.mesh(), water);
   if (seepage != nullptr) *seepage = std::move(water.seepage);
   if (season != nullptr) *season = std::move(water.season);
   return body;
