@@ -34,8 +34,12 @@ void add_water_methods(const input::Case& data, json& methods) {
     if (applies) methods.push_back(name);
   };
   const bool flows = some([](const WaterPart& p) { return p.flows(); });
-  add_if(flows, "two_phase");
-  add_if(flows, "water_storage");
+  const auto is = [&](input::WaterMotion motion) {
+    return some([motion](const WaterPart& p) { return p.step.water == motion; });
+  };
+  add_if(is(input::WaterMotion::flows), "two_phase");
+  add_if(is(input::WaterMotion::flows), "water_storage");
+  add_if(is(input::WaterMotion::seeps), "seeping");
   methods.push_back("soil_water");
   add_if(some([](const WaterPart& p) { return p.flows() && p.step.pressure_smoothing; }), "pressure_smoothing");
   add_if(flows, "hydraulic_conditions");

@@ -82,6 +82,7 @@ export type Method =
   | "runout"
   | "two_phase"
   | "water_storage"
+  | "seeping"
   | "soil_water"
   | "pressure_smoothing"
   | "hydraulic_conditions"

@@ -130,6 +130,9 @@ describe("methods of wet ground", () => {
   it("do not call two phases one", () => {
     expect(write(["material_point_method"])).toContain("The soil is a single phase");
     expect(write(["material_point_method", "two_phase"])).not.toContain("single phase");
+    expect(write(["material_point_method", "seeping"])).toContain("which have one velocity");
+    expect(write(["seeping"])).toContain("conjugate gradients");
+    expect(write(["hydraulic_conditions", "seeping"])).not.toContain("impulse");
     expect(write(["time_step"])).not.toContain("frictionless");
     expect(write(["time_step", "two_phase"])).toContain("frictionless");
   });

@@ -7,7 +7,9 @@ export const writeMaterialPoints: Writer = ({ model, input, methods }) => {
   const phases = methods.includes("two_phase")
     ? "Where the soil holds water this balance is that of soil and water together, and the water has one of its own, " +
       "below"
-    : "The soil is a single phase";
+    : methods.includes("seeping")
+      ? "Where the soil holds water this balance is that of soil and water together, which have one velocity"
+      : "The soil is a single phase";
   const simplex = model.dimension === 2 ? "triangles" : "tetrahedra";
   const plane =
     model.dimension === 2

@@ -65,6 +65,9 @@ export const references = {
   ceccato2021:
     "Ceccato, F., Yerro, A., Girardi, V., Simonini, P. (2021). Two-phase dynamic MPM formulation for unsaturated " +
     "soil. Computers and Geotechnics 129, 103876.",
+  dohrmann2004:
+    "Dohrmann, C. R., Bochev, P. B. (2004). A stabilized finite element method for the Stokes problem based on " +
+    "polynomial pressure projections. International Journal for Numerical Methods in Fluids 46 (2), 183–201.",
   bishop1959: "Bishop, A. W. (1959). The principle of effective stress. Teknisk Ukeblad 106 (39), 859–863.",
   khalili1998:
     "Khalili, N., Khabbaz, M. H. (1998). A unique relationship for χ for the determination of the shear strength of " +

@@ -63,6 +63,36 @@ export const writeTwoPhase: Writer = ({ input }) => {
   ];
 };
 
+export const writeSeeping: Writer = ({ input, methods }) => {
+  const where = methods.includes("two_phase") ? quoteWhere(input, "water", "seeps") : "";
+  return [
+    {
+      text:
+        `Pore water seeps${where ? ` in ${where}` : ""}: grains and water have one velocity $\\mathbf v$, and water ` +
+        "moves against the grains as Darcy's law says. The pore pressure $p$, counted positive in tension like all " +
+        "stresses of these equations, is continuous, with a value at each node. The motion of the step is predicted " +
+        "under the pressures of its start; those of its end are the ones at which pores and water agree:",
+    },
+    {
+      tex:
+        "\\left[C+P_\\tau+\\Delta t\\,L_K+\\tfrac{\\Delta t^2}{\\beta}B\\,M^{-1}B^{\\mathsf T}\\right]\\delta=" +
+        "\\Delta t\\,B\\mathbf v^*-\\Delta t\\left(L_Kp+\\sum_eV_eK\\,\\nabla N_i\\cdot\\rho_w\\mathbf g\\right)+" +
+        "\\Delta t\\,\\hat q+H(p)-W,\\qquad K=\\frac{k}{\\rho_wg}",
+      plain:
+        "[C + P_τ + Δt L_K + (Δt²/β) B M⁻¹ Bᵀ] δ = Δt B v* − Δt (L_K p + Σ_e V_e K ∇N_i · ρ_w g) + Δt q + H(p) − W,  " +
+        "K = k / (ρ_w g)",
+    },
+    {
+      text:
+        "Here $W$ is the water of a node's pores, which the points carry, $H(p)$ what these pores hold, $C=-dH/dp$, " +
+        "$L_K$ the conductance between nodes, $B$ the growth of pores by motion, $M$ the masses of soil and water, and " +
+        "$\\hat q$ what leaves through the surface. $P_\\tau$ is a polynomial projection of the increments against " +
+        "patterns that no node feels [@dohrmann2004]. The equation is solved by conjugate gradients; neither the " +
+        "conductivity nor the stiffness of the water bounds the time step, which is that of the drained soil.",
+    },
+  ];
+};
+
 export const writeWaterStorage: Writer = () => [
   {
     text:
@@ -174,7 +204,29 @@ const surfaceLaws: { [word: string]: string } = {
   no_flow: "no water passes",
 };
 
-export const writeHydraulicConditions: Writer = ({ input }) => {
+/** How a surface holds back what it may not let in, where the phases have velocities of their own. */
+const limitingImpulse: Block[] = [
+  {
+    text:
+      "Where the flow through the surface is limited to $\\hat q_n$, an impulse between the phases along the normal " +
+      "$\\hat{\\mathbf n}$, which keeps the momentum of both, enforces",
+  },
+  {
+    tex: "\\theta_i(\\mathbf w_i-\\mathbf v_i)\\cdot\\hat{\\mathbf n}\\ge\\hat q_n",
+    plain: "θ_i (w_i − v_i) · n ≥ q_n (outflow is positive)",
+  },
+];
+
+/** The same with pressures at the nodes. */
+const heldPressure: Block[] = [
+  {
+    text:
+      "Where water seeps, a node at which water stands or leaves has zero pressure, as long as no more enters there than " +
+      "is offered; which nodes these are is found by solving again.",
+  },
+];
+
+export const writeHydraulicConditions: Writer = ({ input, methods }) => {
   const used = findWords(input, "hydraulic", "condition").flatMap((word) => surfaceLaws[word] ?? []);
   return [
     {
@@ -182,15 +234,10 @@ export const writeHydraulicConditions: Writer = ({ input }) => {
         "Where the wet soil ends it meets hydraulic conditions, which go with the moving surface: a surface takes " +
         "the " +
         `condition of the nearest line.${used.length ? ` Here ${used.join("; ")}.` : ""} Surfaces without a ` +
-        `condition ` +
-        "are seepage faces. Where the flow through the surface is limited to $\\hat q_n$, an impulse between the " +
-        "phases " +
-        "along the normal $\\hat{\\mathbf n}$, which keeps the momentum of both, enforces",
+        "condition are seepage faces.",
     },
-    {
-      tex: "\\theta_i(\\mathbf w_i-\\mathbf v_i)\\cdot\\hat{\\mathbf n}\\ge\\hat q_n",
-      plain: "θ_i (w_i − v_i) · n ≥ q_n (outflow is positive)",
-    },
+    ...(methods.includes("seeping") && !methods.includes("two_phase") ? [] : limitingImpulse),
+    ...(methods.includes("seeping") ? heldPressure : []),
     {
       text:
         "The water budget sums what passes the surface nodes, and agrees with the change of the water in the points " +
