@@ -77,15 +77,14 @@ export const writeSeeping: Writer = ({ input, methods }) => {
       tex:
         "\\left[C+P_\\tau+\\Delta t\\,L_K+\\tfrac{\\Delta t^2}{\\beta}B\\,M^{-1}B^{\\mathsf T}\\right]\\delta=" +
         "\\Delta t\\,B\\mathbf v^*-\\Delta t\\left(L_Kp+\\sum_eV_eK\\,\\nabla N_i\\cdot\\rho_w\\mathbf g\\right)+" +
-        "\\Delta t\\,\\hat q+H(p)-W,\\qquad K=\\frac{k}{\\rho_wg}",
+        "\\Delta t\\,\\hat q+H(p)-W",
       plain:
-        "[C + P_τ + Δt L_K + (Δt²/β) B M⁻¹ Bᵀ] δ = Δt B v* − Δt (L_K p + Σ_e V_e K ∇N_i · ρ_w g) + Δt q + H(p) − W,  " +
-        "K = k / (ρ_w g)",
+        "[C + P_τ + Δt L_K + (Δt²/β) B M⁻¹ Bᵀ] δ = Δt B v* − Δt (L_K p + Σ_e V_e K ∇N_i · ρ_w g) + Δt q + H(p) − W",
     },
     {
       text:
         "Here $W$ is the water of a node's pores, which the points carry, $H(p)$ what these pores hold, $C=-dH/dp$, " +
-        "$L_K$ the conductance between nodes, $B$ the growth of pores by motion, $M$ the masses of soil and water, and " +
+        "$L_K$ the conductance between nodes with $K=k/(\\rho_wg)$, $B$ the growth of pores by motion, $M$ the masses of soil and water, and " +
         "$\\hat q$ what leaves through the surface. $P_\\tau$ is a polynomial projection of the increments against " +
         "patterns that no node feels [@dohrmann2004]. The equation is solved by conjugate gradients; neither the " +
         "conductivity nor the stiffness of the water bounds the time step, which is that of the drained soil.",
