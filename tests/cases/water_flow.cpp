@@ -88,6 +88,28 @@ TEST(WaterFlow, FlowRoundACornerApproachesItsExactDischarge) {
   }
 }
 
+/// Pressures at the nodes: the discharge is that of the seepage solver on the same mesh, whatever the size of the
+/// elements, the stiffness of the water and the step.
+TEST(WaterFlow, WaterThatSeepsHasTheDischargeOfTheSeepageSolver) {
+  const struct {
+    const char *size, *modulus, *scaling;
+  } variants[] = {{"0.1", "\"20 MPa\"", "1000"}, {"0.05", "\"2.2 GPa\"", "1000"}, {"0.1", "\"2.2 GPa\"", "100"}};
+  for (const char* file : {"corner/case.toml", "sheet_pile/case.toml"})
+    for (const auto& [size, modulus, scaling] : variants) {
+      const WaterRun run(file, {{"mesh.size", size},
+                                {"water.bulk_modulus", modulus},
+                                {"stage.flow.mass_scaling", scaling},
+                                {"stage.flow.damping", "0.5"},
+                                {"stage.flow.duration", "20"},
+                                {"stage.flow.water", "\"seeps\""}});
+      const double solver = run.summary.at("seepage").at("inflow").get<double>();
+      SCOPED_TRACE(std::string(file) + ' ' + size + ' ' + modulus + ' ' + scaling);
+      EXPECT_NEAR(run.last("outlet.outflow") / solver, 1, 0.002);
+      EXPECT_NEAR(run.last("inlet.inflow") / solver, 1, 0.002);
+      EXPECT_LT(std::abs(run.budget_error), 1e-11);
+    }
+}
+
 TEST(WaterFlow, DamHasDupuitsDischarge) {
   const double dupuit = 1e-4 * (10 * 10 - 2 * 2) / 20;
   const std::vector<input::Override> steady = {{"mesh.size", "1"}, {"stage.flow.duration", "\"3 h\""}};
