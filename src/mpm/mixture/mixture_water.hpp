@@ -3,6 +3,7 @@
 // Pore water of the step of the mixture (docs/theory/22-mixture.md), as plain data: pressures at the nodes, what nodes
 // and elements hold, and the coefficients of one step. Pressure is positive in tension.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -31,7 +32,7 @@ struct MixtureWater {
   std::vector<double> saturated, effective, coupling;  ///< Σ V S, Σ V χ, Σ V √(Sχ) [m³]
   std::vector<double> conductive;                      ///< Σ V k k_r/(ρ_w g) [m⁵/(N s)]
   std::vector<double> soft;                            ///< τ Σ V [m³/Pa]
-  AlignedVector<double> flux[D];                       ///< of water against the grains, at the end of the step [m/s]
+  std::array<AlignedVector<double>, D> flux;           ///< of water against the grains, at the end of the step [m/s]
   AlignedVector<double> drawn;                         ///< by roots in this step [m³]
 
   // By node.
