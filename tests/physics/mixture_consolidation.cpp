@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/wet_columns.hpp"
 #include "reference/plain_mixture.hpp"
 #include "reference/two_phase_bodies.hpp"
 
@@ -17,16 +18,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double load = 1e4, modulus = 1e7 * 0.7 / 0.52;
-
-/// (2.104): p/p0 at depth z/H.
-double isochrone(double depth, double factor) {
-  double sum = 0;
-  for (int k = 1; k <= 200; ++k) {
-    const double m = (2 * k - 1) * pi / 2;
-    sum += 2 / m * std::sin(m * depth) * std::exp(-m * m * factor);
-  }
-  return sum;
-}
 
 /// Largest step of the drained wave [s].
 double drained_step(const WetBody<2>& body) {

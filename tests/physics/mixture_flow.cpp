@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "golden/wet_bodies.hpp"
+#include "physics/wet_columns.hpp"
 #include "reference/plain_mixture.hpp"
 #include "reference/two_phase_bodies.hpp"
 
@@ -19,23 +20,8 @@ namespace {
 constexpr double g = 9.81, gamma_w = 1000 * g;
 
 TEST(MixtureFlow, DischargeThroughLayersIsDarcysExactly) {
-  Soil loose = make_table_soil(1e-10), tight = make_table_soil(1e-11);
-  MixtureBody<2> body{make_column<2>(16, 0.125, loose, 0.4, 0.2)};
-  body.soils = {loose, tight};
-  body.points.clear();
-  const auto hydrostatic = [](const Vector<2>& x) { return -gamma_w * (2.1 - x[1]); };
-  fill_wet(
-      body, 0.3, 1, [](const Vector<2>& x) { return x[1] < 1; }, hydrostatic);
-  fill_wet(
-      body, 0.45, 0, [](const Vector<2>& x) { return x[1] > 1; }, hydrostatic);
-  body.gravity[1] = -g;
-  for (Constraint<2>& c : body.solid_constraints) c.fixed = {true, true};
-  body.surface.assign(body.mesh.nodes.size(), {.kind = SurfaceKind::head, .head = 2.1});
-  for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i)
-    if (body.mesh.nodes[i][1] == 0.0) {
-      body.surface[i].head = 2.5;
-      body.water_constraints[i].fixed[1] = false;
-    }
+  const Soil loose = make_table_soil(1e-10), tight = make_table_soil(1e-11);
+  MixtureBody<2> body{make_layered_column(loose, tight, 0.2)};
   MixtureSettings settings;
   settings.frozen = true;
   settings.time_step = 1;
@@ -47,42 +33,6 @@ TEST(MixtureFlow, DischargeThroughLayersIsDarcysExactly) {
       << "but for the compression of water";
   EXPECT_NEAR((body.budget.entered - before.entered) / (1000 * settings.time_step * discharge), 1, 2e-6)
       << "but for the compression of water";
-}
-
-/// Gardner's soil: S = 0.2 + 0.8 exp(−a s), k_r = exp(−a s).
-Soil make_gardner_soil(double a) {
-  Soil soil = make_table_soil();
-  soil.water.conductivity = 1e-4;
-  soil.water.saturation = [=](double p) { return p > 0 ? 0.2 + 0.8 * std::exp(-a * p) : 1.0; };
-  soil.water.saturation_slope = [=](double p) { return p > 0 ? -0.8 * a * std::exp(-a * p) : 0.0; };
-  soil.water.relative_conductivity = [](double s) { return (s - 0.2) / 0.8; };
-  return soil;
-}
-
-/// Richards' equation by finite volumes of the water content and small explicit steps, as in two_phase_unsaturated.cpp:
-/// p = 0 at y = 0, rain at the top. Returns p at the middles of the cells [Pa].
-std::vector<double> solve_richards(const Soil& soil, double n, double height, int cells, double rain, double end) {
-  const double h = height / cells, a = -std::log((soil.water.saturation(1.0) - 0.2) / 0.8);
-  std::vector<double> p, content;
-  for (int i = 0; i < cells; ++i) {
-    p.push_back(gamma_w * (i + 0.5) * h);
-    content.push_back(soil.water.saturation(p.back()));
-  }
-  const auto k_at = [&](double pressure) { return soil.water.conductivity * std::exp(-a * std::max(pressure, 0.0)); };
-  const double dt = 0.4 * h * h * n * 0.8 * a * gamma_w / soil.water.conductivity / 2;
-  const int steps = static_cast<int>(std::ceil(end / dt));
-  std::vector<double> flux(static_cast<std::size_t>(cells) + 1);
-  for (int s = 0; s < steps; ++s) {
-    flux.back() = -rain;
-    flux[0] = soil.water.conductivity * (p[0] / (h / 2) / gamma_w - 1);
-    for (std::size_t i = 1; i < p.size(); ++i)
-      flux[i] = (k_at(p[i]) + k_at(p[i - 1])) / 2 * ((p[i] - p[i - 1]) / h / gamma_w - 1);
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      content[i] += end / steps / h / n * (flux[i] - flux[i + 1]);
-      p[i] = -std::log((content[i] - 0.2) / 0.8) / a;
-    }
-  }
-  return p;
 }
 
 MixtureBody<2> make_column_under_rain(const Soil& soil, double height, int cells, double n, double rain, double share,

@@ -9,22 +9,13 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/wet_columns.hpp"
 #include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
 namespace {
 
 using std::numbers::pi;
-
-/// (2.104): p/p0 at depth z/H.
-double isochrone(double depth, double factor) {
-  double sum = 0;
-  for (int k = 1; k <= 200; ++k) {
-    const double m = (2 * k - 1) * pi / 2;
-    sum += 2 / m * std::sin(m * depth) * std::exp(-m * m * factor);
-  }
-  return sum;
-}
 
 /// (2.105): degree of consolidation.
 double degree(double factor) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "physics/wet_columns.hpp"
 #include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
@@ -24,22 +25,7 @@ struct LayeredFlow {
 LayeredFlow run_layered_flow(double damping, DampedForce damped_force) {
   Soil loose = make_table_soil(1e-10), tight = make_table_soil(1e-11);
   loose.water.bulk_modulus = tight.water.bulk_modulus = 2.15e7;
-  WetBody<2> body = make_column<2>(16, 0.125, loose, 0.4);
-  body.soils = {loose, tight};
-  body.points.clear();
-  const auto hydrostatic = [](const Vector<2>& x) { return -gamma_w * (2.1 - x[1]); };
-  fill_wet(
-      body, 0.3, 1, [](const Vector<2>& x) { return x[1] < 1; }, hydrostatic);
-  fill_wet(
-      body, 0.45, 0, [](const Vector<2>& x) { return x[1] > 1; }, hydrostatic);
-  body.gravity[1] = -g;
-  for (Constraint<2>& c : body.solid_constraints) c.fixed = {true, true};
-  body.surface.assign(body.mesh.nodes.size(), {.kind = SurfaceKind::head, .head = 2.1});
-  for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i)
-    if (body.mesh.nodes[i][1] == 0.0) {
-      body.surface[i].head = 2.5;
-      body.water_constraints[i].fixed[1] = false;
-    }
+  WetBody<2> body = make_layered_column(loose, tight, 0);
   WetSettings settings{.water_damping = damping, .damped_force = damped_force, .mass_scaling = 10, .frozen = true};
   settings.time_step = 0.9 * smallest_altitude(body.mesh) / std::sqrt(2.15e7 / 0.3 / 1000 * 1.3 / 10);
   for (int n = 0; n < 20000; ++n) step(body, settings);

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "physics/wet_columns.hpp"
 #include "reference/two_phase_bodies.hpp"
 
 namespace talus::reference {
@@ -88,42 +89,6 @@ TEST(TwoPhaseStorage, SealedCompressionChangesTheSuctionAsTheClosedFormSays) {
     const double held = curve.saturation(point.pressure) * water_density(soil.water, point.pressure) * (ratio - 0.6);
     EXPECT_NEAR(held / (0.4 * s0 * water_density(soil.water, 3e4)), 1, 1e-11);
   }
-}
-
-/// Gardner's soil: S = 0.2 + 0.8 exp(−a s), k_r = exp(−a s).
-Soil make_gardner_soil(double a) {
-  Soil soil = make_table_soil();
-  soil.water.conductivity = 1e-4;
-  soil.water.saturation = [=](double p) { return p > 0 ? 0.2 + 0.8 * std::exp(-a * p) : 1.0; };
-  soil.water.saturation_slope = [=](double p) { return p > 0 ? -0.8 * a * std::exp(-a * p) : 0.0; };
-  soil.water.relative_conductivity = [](double s) { return (s - 0.2) / 0.8; };
-  return soil;
-}
-
-/// Richards' equation, ∂(nS)/∂t = −∂q/∂y with the upward flux q = k (∂p/∂y/γ_w − 1), by finite volumes of the water
-/// content and small explicit steps; p = 0 at y = 0, q = −rain at the top. Returns p at the middles of the cells [Pa].
-std::vector<double> solve_richards(const Soil& soil, double n, double height, int cells, double rain, double end) {
-  const double h = height / cells, a = -std::log((soil.water.saturation(1.0) - 0.2) / 0.8);
-  std::vector<double> p, content;
-  for (int i = 0; i < cells; ++i) {
-    p.push_back(gamma_w * (i + 0.5) * h);
-    content.push_back(soil.water.saturation(p.back()));
-  }
-  const auto k_at = [&](double pressure) { return soil.water.conductivity * std::exp(-a * std::max(pressure, 0.0)); };
-  const double dt = 0.4 * h * h * n * 0.8 * a * gamma_w / soil.water.conductivity / 2;
-  const int steps = static_cast<int>(std::ceil(end / dt));
-  std::vector<double> flux(static_cast<std::size_t>(cells) + 1);
-  for (int s = 0; s < steps; ++s) {
-    flux.back() = -rain;
-    flux[0] = soil.water.conductivity * (p[0] / (h / 2) / gamma_w - 1);
-    for (std::size_t i = 1; i < p.size(); ++i)
-      flux[i] = (k_at(p[i]) + k_at(p[i - 1])) / 2 * ((p[i] - p[i - 1]) / h / gamma_w - 1);
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      content[i] += end / steps / h / n * (flux[i] - flux[i + 1]);
-      p[i] = -std::log((content[i] - 0.2) / 0.8) / a;
-    }
-  }
-  return p;
 }
 
 TEST(TwoPhaseInfiltration, FollowsRichardsEquationAndKeepsItsWater) {

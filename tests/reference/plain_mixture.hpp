@@ -210,7 +210,8 @@ void update_mixture_points(MixtureBody<D>& body, const MixtureSettings& settings
 template <int D>
 void step(MixtureBody<D>& body, const MixtureSettings& settings) {
   classify_wet_elements(body, settings);
-  share_mixture_state(body);
+  for (const WetCell& cell : body.cells)
+    if (cell.full) share_skeleton_state<D>(body, cell);
   find_node_pressures(body);
   map_wet_points(body);
   add_wet_forces(body);

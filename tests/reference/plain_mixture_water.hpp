@@ -28,29 +28,6 @@ ElementWater find_element_water(const WetBody<D>& body, const WetCell& cell) {
   return sum;
 }
 
-/// The points of a full element share stress, plastic strain and gap.
-template <int D>
-void share_mixture_state(MixtureBody<D>& body) {
-  for (const WetCell& cell : body.cells) {
-    if (!cell.full) continue;
-    Tensor sigma = Tensor::Zero();
-    double plastic_strain = 0, gap = 0, volume = 0;
-    for (std::size_t i : cell.points) {
-      const WetPoint<D>& point = body.points[i];
-      sigma += point.volume * point.sigma;
-      plastic_strain += point.volume * point.plastic_strain;
-      gap += point.volume * point.gap;
-      volume += point.volume;
-    }
-    for (std::size_t i : cell.points) {
-      WetPoint<D>& point = body.points[i];
-      point.sigma = sigma / volume;
-      point.plastic_strain = plastic_strain / volume;
-      point.gap = gap / volume;
-    }
-  }
-}
-
 /// Mean of a nodal field over the nodes of element `e`.
 template <int D>
 double mean_over_nodes(const mesh::Mesh<D>& mesh, int e, const std::vector<double>& field) {

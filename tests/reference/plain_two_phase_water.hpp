@@ -57,26 +57,31 @@ void share_water(WetBody<D>& body, const WetCell& cell) {
   }
 }
 
-/// Gives the points of every full element one state: V_p-weighted means of effective stress, plastic strain and
-/// gap, and the water.
+/// The points of a full element share effective stress, plastic strain and gap: means weighted by V_p.
+template <int D>
+void share_skeleton_state(WetBody<D>& body, const WetCell& cell) {
+  Tensor sigma = Tensor::Zero();
+  double plastic_strain = 0, gap = 0, volume = 0;
+  for (std::size_t i : cell.points) {
+    const WetPoint<D>& point = body.points[i];
+    sigma += point.volume * point.sigma;
+    plastic_strain += point.volume * point.plastic_strain;
+    gap += point.volume * point.gap;
+    volume += point.volume;
+  }
+  for (std::size_t i : cell.points) {
+    body.points[i].sigma = sigma / volume;
+    body.points[i].plastic_strain = plastic_strain / volume;
+    body.points[i].gap = gap / volume;
+  }
+}
+
+/// The same for every full element, and the water.
 template <int D>
 void share_wet_state(WetBody<D>& body) {
   for (const WetCell& cell : body.cells) {
     if (!cell.full) continue;
-    Tensor sigma = Tensor::Zero();
-    double plastic_strain = 0, gap = 0, volume = 0;
-    for (std::size_t i : cell.points) {
-      const WetPoint<D>& point = body.points[i];
-      sigma += point.volume * point.sigma;
-      plastic_strain += point.volume * point.plastic_strain;
-      gap += point.volume * point.gap;
-      volume += point.volume;
-    }
-    for (std::size_t i : cell.points) {
-      body.points[i].sigma = sigma / volume;
-      body.points[i].plastic_strain = plastic_strain / volume;
-      body.points[i].gap = gap / volume;
-    }
+    share_skeleton_state(body, cell);
     if (cell.wet) share_water(body, cell);
   }
 }
