@@ -144,6 +144,20 @@ TEST(SeasonEngine, UnreducedUptakeIsTheRateTimesTheGroundIn2DAnd3D) {
        make_box_mesh<3>({2, 4, 2}, {0.4, 1, 0.4}, {"soil"}, [](const Vec<3>&) { return 0; }), 0.16);
 }
 
+TEST(SeasonEngine, FrozenSoilDrawsNothingAfterAStageThatDid) {
+  const input::Case data = make_planted_case<2>(1e-3, -0.4);
+  auto body = run::prepare<2>(data, make_column_mesh());
+  const double before = run::find_water_state(body).mass;
+  run_plan(body, make_stage<2>(data, body, 0.05, seeping));
+  const double drawn = body.water.transpired;
+  EXPECT_GT(drawn, 0);
+  input::StepSettings still = seeping;
+  still.geometry = input::Geometry::frozen;
+  run_plan(body, make_stage<2>(data, body, 0.05, still));
+  EXPECT_EQ(body.water.transpired, drawn);
+  EXPECT_LT(std::abs(run::tell_water(data, body, before).error), 1e-12);
+}
+
 TEST(SeasonEngine, ThreadsAndCheckpointsChangeNothing) {
   const input::Case data = make_planted_case<2>(3e-3, -0.4);
   const auto start = run::prepare<2>(

@@ -73,9 +73,10 @@ void draw_root_water(Body<D>& body, const StepOptions<D>& o) {
 template <int D>
 void find_root_draw(Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
-  if (water.uptakes.empty() || !o.moving) return;
+  if (water.uptakes.empty()) return;
   MixtureWater<D>& m = water.mixture;
   std::fill(m.drawn.begin(), m.drawn.end(), 0.0);
+  if (!o.moving) return;
   draw(
       body, o.threads, o.dt, [&](int e) { return m.water[e]; }, [&](int e, double volume) { m.drawn[e] = volume; });
 }
