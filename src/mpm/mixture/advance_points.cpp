@@ -102,20 +102,12 @@ struct MixtureBlock {
 };
 
 template <int D>
-struct MixturePass : ChunkPass<D> {
-  static constexpr int far = 50000;
+struct MixturePass : OneVelocityPass<D> {
   template <class Law>
   using Block = MixtureBlock<D, Law>;
-  using ChunkPass<D>::ChunkPass;
+  using OneVelocityPass<D>::OneVelocityPass;
   Pack pressed_in{0.0};  ///< see Water::pressed_in [kg]
 
-  TALUS_KERNEL static void prefetch_node(const Body<D>& body, std::size_t row) {
-    __builtin_prefetch(&body.nodes.motion[row * motion_stride<D>], 0, 3);
-    __builtin_prefetch(&body.nodes.sums[row * sums_stride], 1, 3);
-  }
-  TALUS_KERNEL static void prefetch_moment(const Body<D>& body, std::size_t i) {
-    __builtin_prefetch(&body.elements.moments[i], 1, 3);
-  }
   TALUS_KERNEL void note_full(const BlockPlace<D>&, Mask) {}
   static void collect(Body<D>& body, const std::vector<std::optional<MixturePass>>& passes) {
     for (const auto& pass : passes) body.water.pressed_in += sum_lanes(pass->pressed_in);

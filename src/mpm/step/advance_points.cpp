@@ -53,19 +53,11 @@ struct DryBlock {
 };
 
 template <int D>
-struct DryPass : ChunkPass<D> {
-  static constexpr int far = 50000;
+struct DryPass : OneVelocityPass<D> {
   template <class Law>
   using Block = DryBlock<D, Law>;
-  using ChunkPass<D>::ChunkPass;
+  using OneVelocityPass<D>::OneVelocityPass;
 
-  TALUS_KERNEL static void prefetch_node(const Body<D>& body, std::size_t row) {
-    __builtin_prefetch(&body.nodes.motion[row * motion_stride<D>], 0, 3);
-    __builtin_prefetch(&body.nodes.sums[row * sums_stride], 1, 3);
-  }
-  TALUS_KERNEL static void prefetch_moment(const Body<D>& body, std::size_t i) {
-    __builtin_prefetch(&body.elements.moments[i], 1, 3);
-  }
   TALUS_KERNEL void note_full(const BlockPlace<D>&, Mask) {}
   static void collect(Body<D>&, const std::vector<std::optional<DryPass>>&) {}
 };

@@ -28,6 +28,21 @@ struct ChunkPass {
   bool is_stable() const { return options.smoothing == input::Smoothing::stable; }
 };
 
+/// A pass over points with one velocity.
+template <int D>
+struct OneVelocityPass : ChunkPass<D> {
+  static constexpr int far = 50000;  ///< points from which on memory is fetched ahead
+  using ChunkPass<D>::ChunkPass;
+
+  TALUS_KERNEL static void prefetch_node(const Body<D>& body, std::size_t row) {
+    __builtin_prefetch(&body.nodes.motion[row * motion_stride<D>], 0, 3);
+    __builtin_prefetch(&body.nodes.sums[row * sums_stride], 1, 3);
+  }
+  TALUS_KERNEL static void prefetch_moment(const Body<D>& body, std::size_t i) {
+    __builtin_prefetch(&body.elements.moments[i], 1, 3);
+  }
+};
+
 inline double sum_lanes(Pack a) {
   double sum = 0;
   for (int l = 0; l < lane_width; ++l) sum += a.value[l];
