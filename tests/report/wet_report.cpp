@@ -212,6 +212,20 @@ TEST_F(WetReport, TheAssumptionsAreThoseOfThisWater) {
   EXPECT_FALSE(has("steady_seepage") || has("pressure_smoothing"));
 }
 
+TEST_F(WetReport, WaterThatSeepsHasNoInertiaAndDoesNotBoundTheStep) {
+  json changed = summary_;
+  changed["input"]["stage"][1]["water"] = {{"value", "seeps"}, {"given", true}};
+  const json document = collect_with(changed);
+  const std::string text = join_all(document.at("assumptions"));
+  EXPECT_SAYS(text, "though the time step does not depend on it");
+  EXPECT_SILENT(text, "water hammer");
+  EXPECT_SAYS(document.at("model").at("stages")[1].at("text").get<std::string>(), "water by Darcy's law");
+  const json& methods = document.at("methods");
+  EXPECT_NE(std::find(methods.begin(), methods.end(), "seeping"), methods.end());
+  for (const char* other : {"two_phase", "water_storage"})
+    EXPECT_EQ(std::find(methods.begin(), methods.end(), other), methods.end()) << other;
+}
+
 TEST_F(WetReport, RealWaterAndFallingConductivityAreNotCriticised) {
   json changed = summary_;
   changed["input"]["water"]["bulk_modulus"]["value"] = 2.2e6;

@@ -16,6 +16,8 @@ struct WaterPart {
   input::StepSettings step;
 
   bool flows() const { return input::moves(step.water); }
+  /// Water has a velocity of its own.
+  bool has_inertia() const { return step.water == input::WaterMotion::flows; }
 };
 
 /// The parts that are run, stages first.

@@ -117,10 +117,12 @@ class WaterAssumptions {
                                          "Of an undrained load, water carries {:.0f} % instead of {:.0f} % in "
                                          "the stiffest of the wet soils",
                                          100 * lowest, 100 * real);
-    add("The bulk modulus of the water is {} MPa, {} times less than that of real water (2200 MPa), for a longer time "
-        "step. "
-        "{}: excess pore pressures from shearing are too small; steady flow is unaffected.",
-        show_number(modulus / 1e6, 4), show_number(ratio, ratio < 10 ? 2 : 3), effect);
+    const bool bounds_step =
+        std::any_of(parts_.begin(), parts_.end(), [](const WaterPart& p) { return p.has_inertia(); });
+    add("The bulk modulus of the water is {} MPa, {} times less than that of real water (2200 MPa){}. "
+        "{}: excess pore pressures from shearing are too small.",
+        show_number(modulus / 1e6, 4), show_number(ratio, ratio < 10 ? 2 : 3),
+        bounds_step ? ", for a longer time step" : ", though the time step does not depend on it", effect);
   }
 
   void add_conductivity() {
@@ -159,7 +161,8 @@ class WaterAssumptions {
   }
 
   void add_steps() {
-    if (const auto scaled = join_parts(parts_, [](const auto& p) { return p.flows() && p.step.mass_scaling > 1; });
+    if (const auto scaled =
+            join_parts(parts_, [](const auto& p) { return p.has_inertia() && p.step.mass_scaling > 1; });
         !scaled.empty())
       add("Mass scaling in {} multiplies the inertia of the water too: a water hammer grows with the square root of "
           "the mass scaling.",
