@@ -113,14 +113,14 @@ class CamClay {
       .title = Rooted ? "rooted Cam-clay" : "modified Cam-clay",
       .changes_stiffness = true,
       .stores_always = true,
+      .softens = true,
       .roots = Rooted ? RootEffect::content : RootEffect::none,
       .family = "Cam-clay",
       .family_states = 3,
       .paragraphs = {"modified_cam_clay", Rooted ? "rooted_cam_clay" : nullptr},
       .assumption =
-          "{}: modified Cam-clay, the same in all directions. Soil that is preconsolidated beyond the "
-          "critical state dilates and softens in bands as thick as the elements are; contraction together "
-          "with softening, as of loose or cemented soil, is not in it.",
+          "{}: modified Cam-clay, the same in all directions. Soil that is preconsolidated beyond the critical state "
+          "dilates and softens; contraction together with softening, as of loose or cemented soil, is not in it.",
       .reduction =
           "In Cam-clay soils the factor divides tan φ of the critical state. The preconsolidation stays as "
           "it is."};
@@ -186,6 +186,10 @@ class CamClay {
       squares += 2.0 * sigma[i] * sigma[i];
     }
     const auto set = active && state[1] < T(set_below);
+    if (around.softening) {
+      const T share = lane_max(T(-1.0), lane_min(T(1.0), specific * over_plastic_slope_ * around.softening->lent));
+      state[1] = select(set, state[1] * lane_exp(-share), state[1]);
+    }
     T m_square(slope_square_), exponent = (1.0 - around.saturation) * soil_.suction_hardening;
     if constexpr (Rooted) {
       activate_roots(volume + lane_sqrt(strain_squares * (2.0 / 3)), specific - 1.0, set, state);
@@ -209,6 +213,7 @@ class CamClay {
                            yields);
     const T p = select(yields, back.pressure * p_c, p_trial), ratio = select(yields, back.shear, T(1.0));
     T dilation = (p - p_trial) / bulk;
+    if (around.softening) around.softening->softened = select(yields, dilation, around.softening->softened);
     if constexpr (NS == 4) dilation = dilation * (2.0 / 3) - sigma[2] * (1.0 - ratio) / (2.0 * shear);
     TALUS_UNROLL
     for (int i = 0; i < 3; ++i) sigma[i] = sigma[i] * ratio - p;

@@ -16,6 +16,14 @@ enum class Gaps {
   kept,     ///< a gap closes before the soil bears load again
 };
 
+/// Softening over a length (theory 23), of laws whose traits soften.
+template <class T>
+struct Softening {
+  T lent{0.0};  ///< plastic dilation of the neighbourhood beside the soil's own, which softens it [-]
+  T softened{
+      0.0};  ///< the law's answer: the soil's own of this step, in all directions, above zero where it dilates [-]
+};
+
 /// The rest of a point at the end of the step whose strain increment is given. Laws that need none of it ignore it.
 template <class T>
 struct Surroundings {
@@ -23,6 +31,7 @@ struct Surroundings {
   const int* points = nullptr;  ///< number of each lane's point, -1 where there is none; nullptr: not known
   double time = 0, dt = 0;      ///< start of the step and its length [s]
   Gaps gaps = Gaps::ignored;
+  Softening<T>* softening = nullptr;  ///< of soil that softens over a length; nullptr: as its own point does
 };
 
 /// A quantity that a law has beside stress, for results.

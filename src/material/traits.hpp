@@ -29,6 +29,7 @@ struct Traits {
   bool takes_water = true;         ///< false: its stresses are total ones
   bool changes_stiffness = false;  ///< with stress and state, so that the critical step must be looked at often
   bool stores_always = false;      ///< its state changes in elastic steps too
+  bool softens = false;            ///< with its plastic volume: over mesh.softening_length
   bool is_opaque = false;          ///< its inside is not known: tangents are differences
   RootEffect roots = RootEffect::none;
   /// Laws of one family keep this many state variables where one follows the other.

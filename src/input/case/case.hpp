@@ -43,6 +43,7 @@ struct Case {
   Project project;
   mesh::Plan mesh;
   int points_per_element = 3;
+  std::optional<double> softening_length{};  ///< [m]
   std::map<std::string, Material> materials;
   std::map<std::string, std::string> regions;  ///< region → material
   std::vector<Boundary> boundaries;
@@ -98,7 +99,8 @@ void describe(Visitor& v, Case& c) {
         "the warnings.");
   v.table("project", c.project, "The title block of the report.");
   v.table("geometry", GeometryBlock{c.mesh}, "The section: regions of soil in a background box.");
-  v.table("mesh", MeshBlock{c.mesh, c.points_per_element}, "The background mesh and the material points in it.");
+  v.table("mesh", MeshBlock{c.mesh, c.points_per_element, c.softening_length},
+          "The background mesh and the material points in it.");
   v.named("materials", c.materials, "sand", "A material, under a name of your choice.");
   v.entries("regions", c.regions, "soil", 1, plain().required().example(R"("sand")"), "Material of a region.");
   v.tables("boundary", c.boundaries, 3, "What holds or moves a side or a line. Sides without one are free.");

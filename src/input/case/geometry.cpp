@@ -113,11 +113,22 @@ void check_points_per_element(const Case& data, Findings& findings) {
                              data.mesh.dimension, is_plane ? "1, 3, 6 or 12" : "1, 4, 8 or 10"));
 }
 
+void check_softening_length(const Case& data, Findings& findings) {
+  if (!data.softening_length || !findings.is_sound("mesh.softening_length")) return;
+  const auto softens = [](const auto& material) { return material.second.traits().softens; };
+  if (std::none_of(data.materials.begin(), data.materials.end(), softens))
+    findings.add(
+        "mesh.softening_length",
+        fmt::format("'softening_length' has no meaning here: no soil of the case softens; those of model {} do",
+                    material::list_words([](const material::Traits& t) { return t.softens; })));
+}
+
 }  // namespace
 
 void check_geometry(const Case& data, Findings& findings) {
   const mesh::Plan& plan = data.mesh;
   check_points_per_element(data, findings);
+  check_softening_length(data, findings);
   if (!plan.file.empty()) {
     if (!std::filesystem::exists(plan.file))
       findings.add("mesh.file", fmt::format("the mesh file '{}' does not exist", plan.file));

@@ -80,7 +80,10 @@ struct Elements {
   AlignedVector<double> apart;       ///< 1 where a point keeps a gap: such soil takes no part in nodal averages
   AlignedVector<double> rough;  ///< what averaging took from the last elastic volume increment (stable smoothing) [-]
   AlignedVector<double> plastic_dilation;  ///< of the last step's returns, mean over the points (stable smoothing) [-]
-  AlignedVector<double> held_saturation;   ///< S of pore water that is held while one phase moves [-]; empty: no water
+  // Where softening has a length (step/softening.hpp), else empty; of the last step.
+  AlignedVector<double> softened, softening_volume;  ///< Σ V_p Δε and Σ V_p of points of soil that softens [m³]
+  AlignedVector<double> lent;                        ///< what its points take over beside their own [-]
+  AlignedVector<double> held_saturation;  ///< S of pore water that is held while one phase moves [-]; empty: no water
 };
 
 template <int D>
@@ -142,6 +145,8 @@ struct Lost {
   Vec<D> position{}, momentum{};  ///< [m], [kg m/s]
 };
 
+struct SofteningReach;  // step/softening.hpp
+
 template <int D>
 struct Body {
   std::shared_ptr<const Layout<D>> layout;
@@ -149,6 +154,7 @@ struct Body {
   std::vector<std::string> material_names;
   Conditions<D> conditions;
   Points<D> points;
+  std::shared_ptr<const SofteningReach> softening_reach;  ///< null: soil softens element by element
   Elements<D> elements;
   Nodes<D> nodes;
   Water<D> water;

@@ -11,6 +11,7 @@
 #include "mpm/body/node_average.hpp"
 #include "mpm/body/rows.hpp"
 #include "mpm/step/full_element.hpp"
+#include "mpm/step/softening.hpp"
 #include "mpm/step/step.hpp"
 
 namespace talus::mpm {
@@ -92,7 +93,7 @@ struct SlotPoints {
   double* p;
   const int* ids;
   Mask active;
-  Pack xi[D], u[D], s[P::stress_size], q[material::max_state_size], volume, mass, material{0.0};
+  Pack xi[D], u[D], s[P::stress_size], q[material::max_state_size], volume, mass, material{0.0}, softened{0.0};
 
   TALUS_KERNEL SlotPoints(P& points, const BlockPlace<D>& at, int k) {
     const std::int64_t slot = points.block_start[at.b] + k;
@@ -140,13 +141,19 @@ struct SlotPoints {
 template <int D>
 struct BlockSums {
   ElementSums<D, Pack> solid;
-  Pack staying_volume{0.0}, all_volume{0.0}, plastic_dilation{0.0}, dissipated{0.0}, first_material{-1.0};
+  Pack staying_volume{0.0}, all_volume{0.0}, plastic_dilation{0.0}, dissipated{0.0}, softened{0.0},
+      softening_volume{0.0}, first_material{-1.0};
   Mask uniform{true};
 
   TALUS_KERNEL void add_plastic(Mask active, Pack volume, const material::Response<Pack>& response) {
     const Pack v_p = select(active, volume, Pack(0.0));
     dissipated += v_p * select(active, response.dissipation, Pack(0.0));
     plastic_dilation += v_p * select(active, response.plastic_dilation, Pack(0.0));
+  }
+  TALUS_KERNEL void add_softening(Mask softens, Pack volume, Pack dilation) {
+    const Pack v_p = select(softens, volume, Pack(0.0));
+    softening_volume += v_p;
+    softened += v_p * select(softens, lane_max(dilation, Pack(0.0)), Pack(0.0));
   }
   TALUS_KERNEL void add_material(Mask stays, Pack material) {
     uniform = uniform && (!stays || first_material < Pack(0.0) || material == first_material);
@@ -214,6 +221,9 @@ TALUS_KERNEL void advance_slot(Pass& pass, const BlockPlace<D>& at, Block& block
       note_apart(pass.body, at, points.active && response.gap > Pack(0.0));
     }
     if (response.any_plastic) sums.add_plastic(points.active, points.volume, response);
+    if constexpr (Law::softens)
+      if (update.increment.lends)
+        sums.add_softening(points.active && update.law.find_softening(points.material), points.volume, points.softened);
     if (pass.is_stable()) sums.all_volume += select(points.active, points.volume, Pack(0.0));
   }
   points.store_fields(o.moving);
@@ -263,6 +273,12 @@ TALUS_KERNEL void give_sums(Pass& pass, const BlockPlace<D>& at, const Block& bl
   if constexpr (Law::is_plastic) {
     pass.dissipated += sums.dissipated * weight;
   }
+  if constexpr (Law::softens) {
+    if (!elements.lent.empty()) {
+      store(&elements.softened[at.first], sums.softened);
+      store(&elements.softening_volume[at.first], sums.softening_volume);
+    }
+  }
   Pack out[D + 1][1 + 2 * D];
   sums.solid.to_nodes(at.g, out);
   block.add_to_nodes(pass, at, stretch, out);
@@ -279,7 +295,11 @@ void advance_block(Pass& pass, const Law& law, int b) {
   Body<D>& body = pass.body;
   const BlockPlace<D> at(body, b);
   typename Pass::template Block<Law> block(pass, at);
-  const StressIncrement<D> increment = strain_elements<Apart>(pass, at, block);
+  StressIncrement<D> increment = strain_elements<Apart>(pass, at, block);
+  if constexpr (Law::softens) {
+    increment.lends = !body.elements.lent.empty();
+    if (increment.lends) increment.lent = load<Pack>(&body.elements.lent[at.first]);
+  }
   FullElement<D, Law> element;
   if constexpr (Mixed) {
     element = gather_full_elements<Apart>(body, law, b, at.count);
@@ -344,6 +364,7 @@ void advance_chunk(Pass& pass, int c) {
 /// All blocks. Each chunk has a pass of its own, and their sums are taken in their order.
 template <class Pass, int D>
 MoverLists advance_blocks(Body<D>& body, const StepOptions<D>& options) {
+  if (body.softening_reach) lend_softening(body, options.threads);
   std::vector<std::optional<Pass>> passes(static_cast<std::size_t>(body.layout->chunks));
   parallel_for(body.layout->chunks, options.threads, [&](int c) {
     Pass pass(body, options);  // on the stack: neighbouring chunks must not share a cache line

@@ -15,6 +15,7 @@ struct FullElement {
   Mask full{false};
   Pack stress[NS], state[material::max_state_size], volume, material{0.0};
   material::Response<Pack> response{false, Pack(0.0), Pack(0.0)};
+  material::Softening<Pack> softening;
 };
 
 /// What a step does to the stress of an element's points.
@@ -23,6 +24,19 @@ struct StressIncrement {
   Rotation<D, Pack> rotation;
   Pack d_epsilon[material::stress_size<D>];
   double time;  ///< at the start of the step [s]
+  Pack lent{0.0};
+  bool lends = false;  ///< softening has a length
+
+  /// What a law is given and answers of it, in `softening`.
+  template <class Law>
+  TALUS_KERNEL material::Softening<Pack>* begin(material::Softening<Pack>& softening) const {
+    if constexpr (Law::softens) {
+      softening = {lent};
+      return lends ? &softening : nullptr;
+    } else {
+      return nullptr;
+    }
+  }
 };
 
 /// What the law is told of the gaps of a block.
@@ -82,7 +96,8 @@ TALUS_KERNEL void update_full_elements(const Body<D>& body, const StepOptions<D>
   const int* first_points = &body.points.id[static_cast<std::size_t>(body.points.block_start[b] * lane_width)];
   e.response = law.template update<Points<D>::stress_size>(
       e.stress, increment.d_epsilon, e.state, e.full, e.material,
-      {saturation, first_points, increment.time, options.dt, know_gaps<Apart>(options.moving)});
+      {saturation, first_points, increment.time, options.dt, know_gaps<Apart>(options.moving),
+       increment.template begin<Law>(e.softening)});
 }
 
 /// Where the points of a block take their new stress from: their element where it is full, else their own.
@@ -109,6 +124,7 @@ TALUS_KERNEL material::Response<Pack> update_point_stress(const StressUpdate<Mix
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) s[i] = element.stress[i];
     for (int i = 0; i < law.state_size; ++i) q[i] = element.state[i];
+    if constexpr (Law::softens) points.softened = element.softening.softened;
     return element.response;
   }
   const double* p = points.p;
@@ -119,9 +135,13 @@ TALUS_KERNEL material::Response<Pack> update_point_stress(const StressUpdate<Mix
     q[i] = Apart ? load<Pack>(p + (P::state + i) * lane_width) : Pack(0.0);
   if (options.objective) increment.rotation.apply(s);
   const Mask own = Mixed ? points.active && !element.full : points.active;
+  material::Softening<Pack> softening;
   material::Response<Pack> response =
       law.template update<NS>(s, increment.d_epsilon, q, own, points.material,
-                              {saturation, points.ids, increment.time, options.dt, know_gaps<Apart>(options.moving)});
+                              {saturation, points.ids, increment.time, options.dt, know_gaps<Apart>(options.moving),
+                               increment.template begin<Law>(softening)});
+  if constexpr (Law::softens)
+    points.softened = Mixed ? select(element.full, element.softening.softened, softening.softened) : softening.softened;
   if constexpr (Mixed) {
     TALUS_UNROLL
     for (int i = 0; i < NS; ++i) s[i] = select(element.full, element.stress[i], s[i]);

@@ -14,7 +14,7 @@ namespace talus::mpm {
 template <class L>
 struct OneLaw {
   static constexpr bool is_single = true;
-  static constexpr bool is_plastic = L::is_plastic;
+  static constexpr bool is_plastic = L::is_plastic, softens = L::traits.softens;
   static constexpr int state_size = L::state_size;
   /// The states but the gap, which comes last and is zero in most blocks: these need not read it.
   static constexpr int core_size = [] {
@@ -23,6 +23,7 @@ struct OneLaw {
     else
       return L::state_size;
   }();
+  static Mask find_softening(Pack /*material*/) { return Mask(softens); }
   L law;  // a copy: its parameters then live in registers, not behind a pointer that a store might alias
 
   template <int NS>
@@ -35,11 +36,20 @@ struct OneLaw {
 /// Lanes may differ; `material` of update() holds each lane's material number.
 struct ManyLaws {
   static constexpr bool is_single = false;
-  static constexpr bool is_plastic = true;
+  static constexpr bool is_plastic = true, softens = true;
   const std::vector<material::Law>* laws;
   std::uint32_t present;  ///< bit set of the materials in the block
   int state_size;         ///< most state variables of a law of the body
   int core_size = state_size;
+
+  /// The lanes whose soil softens.
+  Mask find_softening(Pack material) const {
+    Mask some(false);
+    for (std::uint32_t m = 0; m < laws->size(); ++m)
+      if ((present >> m & 1) && material::get_traits((*laws)[m]).softens)
+        some = some || material == Pack(static_cast<double>(m));
+    return some;
+  }
 
   template <int NS>
   material::Response<Pack> update(Pack* sigma, const Pack* d_epsilon, Pack* state, Mask active, Pack material,

@@ -41,6 +41,7 @@ struct StageState {
   double next_output = 0;    ///< simulated time of the next call of StageHooks::output [s]
   double largest_speed = 0;  ///< of a node, in the whole stage [m/s]
   double wave_speed = 0;     ///< compression waves at the start of the stage [m/s]
+  double soft_band = 0;      ///< thinnest band of soil that softens, so far, in elements; 0: none
   std::vector<results::Setback> setbacks;
 };
 

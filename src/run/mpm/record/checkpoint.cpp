@@ -53,6 +53,13 @@ void visit_reals(Body& body, Visit&& visit) {
   visit("nodes/motion", body.nodes.motion);
 }
 
+/// Those of softening over a length.
+template <class Body, class Visit>
+void visit_softening(Body& body, Visit&& visit) {
+  visit("elements/softened", body.elements.softened);
+  visit("elements/softening_volume", body.elements.softening_volume);
+}
+
 /// Those of pore water. Open sides and held directions follow from them and are found again.
 template <class Body, class Visit>
 void visit_water(Body& body, Visit&& visit) {
@@ -174,6 +181,10 @@ void put_body(ArchiveWriter& archive, const mpm::Body<D>& body) {
   visit_reals(body, [&](const char* name, const auto& values) {
     archive.put(name, std::span<const double>(values.data(), values.size()));
   });
+  if (body.softening_reach)
+    visit_softening(body, [&](const char* name, const auto& values) {
+      archive.put(name, std::span<const double>(values.data(), values.size()));
+    });
   if (body.water.is_wet()) {
     visit_water(body, [&](const char* name, const auto& values) {
       archive.put(name, std::span<const double>(values.data(), values.size()));
@@ -228,6 +239,8 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
   check_lane_width(archive, "the checkpoint", "resume");
   const auto& counts = archive.long_integers("counts");
   visit_reals(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
+  if (body.softening_reach && archive.has("elements/softened"))  // not in a result of a case without a length
+    visit_softening(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
   if (body.water.is_wet()) {
     visit_water(body, [&](const char* name, auto& values) { copy_into(values, archive.reals(name)); });
     get_water(archive, body);
@@ -259,8 +272,8 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
 }
 
 void put_stage(ArchiveWriter& archive, const StageState& s) {
-  const std::vector<double> reals{s.start_time,    s.dt,        s.gravity_share, s.calm_since, s.next_output,
-                                  s.largest_speed, s.wave_speed};
+  const std::vector<double> reals{s.start_time,    s.dt,         s.gravity_share, s.calm_since, s.next_output,
+                                  s.largest_speed, s.wave_speed, s.soft_band};
   archive.put("stage/reals", reals);
   const std::vector<std::int64_t> integers{s.started ? 1 : 0, s.steps};
   archive.put("stage/integers", integers);
@@ -277,7 +290,7 @@ void put_stage(ArchiveWriter& archive, const StageState& s) {
 StageState get_stage(const ArchiveReader& archive) {
   const auto& r = archive.reals("stage/reals");
   const auto& i = archive.long_integers("stage/integers");
-  StageState state{i[0] != 0, r[0], i[1], r[1], r[2], r[3], r[4], r[5], r[6], {}};
+  StageState state{i[0] != 0, r[0], i[1], r[1], r[2], r[3], r[4], r[5], r[6], r[7], {}};
   if (!archive.has("stage/setbacks")) return state;
   const auto& setbacks = archive.reals("stage/setbacks");
   std::istringstream texts(archive.text("stage/setback_texts"));

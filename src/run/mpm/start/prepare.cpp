@@ -15,6 +15,7 @@
 #include "mesh/points.hpp"
 #include "mpm/body/observe.hpp"
 #include "mpm/coupled/pore_state.hpp"
+#include "mpm/step/softening.hpp"
 #include "run/mpm/start/conditions.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/mpm/start/ground_loads.hpp"
@@ -157,6 +158,7 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   add_ground_loads(body, data, held);
   resolve_water_conditions(body, data);
   ground::resolve_root_uptakes(body, data);
+  if (data.softening_length) mpm::set_softening_length(body, *data.softening_length);
   body.water.mixture.pressure = ground::find_nodal_pressures<D>(data, body.mesh(), water);
   if (seepage != nullptr) *seepage = std::move(water.seepage);
   if (season != nullptr) *season = std::move(water.season);
