@@ -147,6 +147,7 @@ class Assumptions {
       add("{} no tensile strength: it opens freely, and separated soil swells a little.",
           tensile.empty() ? "The soil has" : "The other soil has");
     add_models();
+    add_softening();
     for (std::string& sentence : list_root_assumptions(folder_)) sentences_.push_back(std::move(sentence));
     if (!elastic.empty()) add("Without any limit of strength (linear elastic): {}.", join_words(elastic));
   }
@@ -163,6 +164,19 @@ class Assumptions {
       sentences_.push_back(fmt::format(fmt::runtime(law.assumption), join_words(names)));
       if (choices_.is_reduction && law.reduction) sentences_.push_back(law.reduction);
     }
+  }
+
+  void add_softening() {
+    if (std::none_of(data_.materials.begin(), data_.materials.end(),
+                     [](const auto& material) { return material.second.traits().softens; }))
+      return;
+    if (const auto length = data_.softening_length)
+      add("What softens does so over a length of {}: a choice about the calculation, not a property of the soil. "
+          "Longer ones move later.",
+          show(*length, read_units(run_).length));
+    else
+      add("What softens does so in bands as thick as the elements are: onset and depth of a movement depend on their "
+          "size.");
   }
 
   void add_dilatancy(const std::string& name, const input::Material& soil) {

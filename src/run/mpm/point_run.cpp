@@ -17,6 +17,7 @@
 #include "mpm/body/observe.hpp"
 #include "results/json.hpp"
 #include "run/mpm/moving_soil.hpp"
+#include "run/mpm/narrow_band.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "run/mpm/record/onset.hpp"
@@ -251,7 +252,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
     if (const auto slow = describe_slow_wave(body_, plan)) warnings_.push_back(*slow);
     if (const auto fast = describe_fast_water(body_, plan)) warnings_.push_back(*fast);
     const auto start = Clock::now();
-    const StageHooks<D> hooks = recorder.begin_leg(i, plan, body_, state);
+    const StageHooks<D> hooks = watch_bands(body_, recorder.begin_leg(i, plan, body_, state));
     results::Stage report;
     report.end = run_stage(body_, plan, state, hooks);
     report.name = stage.name;
@@ -266,6 +267,9 @@ void PointRun<D>::run_stages(results::RunResult& run) {
     if (plan.until_rest && report.end != results::StageEnd::rest) report.moving = find_moving_soil(body_);
     if (!state.setbacks.empty()) report.setbacks = state.setbacks;
     warn_about(stage, report, i + 1 == count);
+    const std::optional<double> band = state.soft_band > 0 ? std::optional(state.soft_band) : std::nullopt;
+    if (const auto narrow = describe_narrow_band(body_, band, data_.softening_length))
+      warnings_.push_back(fmt::format("stage '{}': {}", stage.name, *narrow));
     if (is_equilibrium_stage(data_, i))
       if (const results::Preconsolidation done = set_preconsolidation(body_, data_); done.points > 0)
         report.preconsolidation = done;

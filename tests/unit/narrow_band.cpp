@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// How many elements a band of softened soil is thick, and what is said of it.
+
+#include <gtest/gtest.h>
+
+#include "run/mpm/narrow_band.hpp"
+#include "support/clay_block.hpp"
+
+namespace talus {
+namespace {
+
+constexpr int across = 16;
+
+/// A block with plastic strain in `rows` rows of elements that start at its middle; the soil there has the void ratio
+/// `loose`, elsewhere 0.8.
+mpm::Body<2> make_sheared(int rows, double strain, double loose = 0.9) {
+  const material::ModifiedCamClay clay = support::make_block_clay();
+  const double h = support::block_width / across;
+  const std::array<double, 4> stress{-5e4, -5e4, -5e4, 0};
+  return support::fill_body<2>(
+      support::make_mesh<2>({across, 2 * across}, {support::block_width, support::block_height}, 0), {{clay, 1800}}, 3,
+      [](const Vec<2>&) { return 0; },
+      [&](mpm::InitialPoint<2>& p, const Vec<2>& x) {
+        const bool in = x[1] > 1 && x[1] < 1 + rows * h;
+        clay.set_initial_state(stress.data(), in ? loose : 0.8, 0, 3e5, 1, p.state.data());
+        p.state[0] = in ? strain : 0.1 * strain;
+      });
+}
+
+TEST(NarrowBand, IsMeasuredInElements) {
+  EXPECT_NEAR(*run::find_soft_band(make_sheared(1, 0.2)), 1, 0.1);
+  EXPECT_NEAR(*run::find_soft_band(make_sheared(2, 0.2)), 2, 0.2);
+  EXPECT_NEAR(*run::find_soft_band(make_sheared(4, 0.2)), 4, 0.5);
+}
+
+TEST(NarrowBand, IsOneOnlyWhereSoilShearedAndDilated) {
+  EXPECT_FALSE(run::find_soft_band(make_sheared(1, 0.04))) << "hardly sheared";
+  EXPECT_FALSE(run::find_soft_band(make_sheared(1, 0.2, 0.7))) << "compacted: it hardened";
+  EXPECT_GT(*run::find_soft_band(make_sheared(2 * across, 0.2)), 10) << "half of the block";
+}
+
+TEST(NarrowBand, SaysWhatToDo) {
+  const mpm::Body<2> body = make_sheared(1, 0.2);
+  EXPECT_FALSE(run::describe_narrow_band(body, {}, {}));
+  EXPECT_FALSE(run::describe_narrow_band(body, 2.0, {}));
+  EXPECT_NE(run::describe_narrow_band(body, 1.2, {})->find("Give mesh.softening_length"), std::string::npos);
+  EXPECT_NE(run::describe_narrow_band(body, 1.2, 0.3)->find("With mesh.softening_length = 0.3 m"), std::string::npos);
+}
+
+/// A stage keeps the thinnest of its outputs.
+TEST(NarrowBand, IsWatchedAtEachOutput) {
+  const mpm::Body<2> thin = make_sheared(1, 0.2), thick = make_sheared(4, 0.2), none = make_sheared(1, 0.01);
+  int outputs = 0;
+  run::StageHooks<2> hooks;
+  hooks.output = [&](const mpm::Body<2>&, run::StageState&) { ++outputs; };
+  hooks = run::watch_bands(none, hooks);
+  run::StageState state;
+  hooks.output(none, state);
+  EXPECT_EQ(state.soft_band, 0);
+  for (const auto* body : {&thick, &thin, &thick}) hooks.output(*body, state);
+  EXPECT_NEAR(state.soft_band, 1, 0.1);
+  EXPECT_EQ(outputs, 4);
+}
+
+}  // namespace
+}  // namespace talus
