@@ -23,7 +23,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 from water_checks.runs import Runner  # noqa: E402
 
-PROBLEMS = ("wave", "terzaghi", "still", "infiltration", "drainage", "corner", "dam", "seeping")
+PROBLEMS = ("wave", "terzaghi", "still", "infiltration", "drainage", "corner", "dam", "seeping", "poroelastic")
 
 
 def draw(count):

@@ -110,6 +110,45 @@ TEST(WaterFlow, WaterThatSeepsHasTheDischargeOfTheSeepageSolver) {
     }
 }
 
+/// p/p0 of de Leeuw's cylinder for η = G/E_c = 0.375 and rigid water (tools/water_checks/poroelastic.py), at r/R and T.
+double find_de_leeuw(double r, double factor) {
+  constexpr double shear = 0.375;
+  const auto left = [](double z) { return std::cyl_bessel_j(0, z) - 2 * shear * std::cyl_bessel_j(1, z) / z; };
+  double sum = 0;
+  for (int k = 0; k < 20; ++k) {
+    double low = (k + 1e-9) * std::numbers::pi, high = (k + 1 - 1e-9) * std::numbers::pi;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      ((left(middle) > 0) == (left(low) > 0) ? low : high) = middle;
+    }
+    sum += 2 * (std::cyl_bessel_j(0, low * r) - std::cyl_bessel_j(0, low)) * std::exp(-low * low * factor) /
+           (low * std::cyl_bessel_j(1, low) - 2 * shear * std::cyl_bessel_j(2, low));
+  }
+  return sum;
+}
+
+/// Real water, no mass scaling; the load rises within 0.05 s, and the round has four chords of 7.5 degrees.
+TEST(WaterFlow, CylinderThatDrainsHasDeLeeuwsPressures) {
+  const double end = 8.82, chord = std::numbers::pi / 24, square = std::sin(chord) / chord;
+  const WaterRun run("de_leeuw/case.toml", {{"stage.consolidation.duration", std::to_string(end)}});
+  const double modulus = 1e7 * 0.8 / (1.2 * 0.6), speed = 1e-5 * modulus / 9810 / (1 + 0.4 * modulus / 2.2e9);
+  const output::Frame frame = run.frame(end);
+  const std::vector<double> pressure = take(frame, "pore_pressure");
+  std::vector<std::array<double, 3>> means(pressure.size() / 3);  // x, y, p of the elements
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    auto& mean = means.at(static_cast<std::size_t>(frame.ids[i]) / 3);
+    mean[0] += frame.positions[3 * i] / 3, mean[1] += frame.positions[3 * i + 1] / 3, mean[2] += pressure[i] / 3e4;
+  }
+  double largest = 0;
+  for (const auto& [x, y, p] : means) {
+    const double exact = find_de_leeuw(std::hypot(x, y) / std::sqrt(square), speed * (end - 0.025) / square);
+    EXPECT_NEAR(p, exact, 0.01) << x << ' ' << y;
+    largest = std::max(largest, p);
+  }
+  EXPECT_GT(largest, 1.09) << "the pressure in the middle rises above the load";
+  EXPECT_LT(std::abs(run.budget_error), 1e-11);
+}
+
 TEST(WaterFlow, DamHasDupuitsDischarge) {
   const double dupuit = 1e-4 * (10 * 10 - 2 * 2) / 20;
   const std::vector<input::Override> steady = {{"mesh.size", "1"}, {"stage.flow.duration", "\"3 h\""}};
