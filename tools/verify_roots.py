@@ -3,8 +3,9 @@
 """Runs the vegetated slope (examples/vegetated_slope) and compares it with section 4.4 of the source, statement by
 statement.
 
-Usage: tools/verify_roots.py PROGRAM FOLDER [--only slope,choices,crutches] [--runs FOLDER] [--threads N]
-Writes vegetated_slope.csv and .md and pictures to FOLDER and prints the tables. Differences from the source are
+Usage: tools/verify_roots.py PROGRAM FOLDER [--only slope,choices,crutches|sizes] [--runs FOLDER] [--threads N]
+Writes vegetated_slope.csv and .md and pictures to FOLDER, or vegetated_sizes.csv and .md (water that seeps in elements of
+four sizes, an hour), and prints the tables. Differences from the source are
 reported, and do not make the program fail. --runs keeps the results of the runs there and takes finished ones as they
 are. Needs python3 with numpy, h5py and matplotlib.
 """
@@ -23,7 +24,7 @@ from pictures import save_png  # noqa: E402
 from roots_checks import figures, tables  # noqa: E402
 from roots_checks.runs import Runner  # noqa: E402
 from roots_checks.statements import find_all  # noqa: E402
-from roots_checks.variants import CHOICES, CRUTCHES, PAIR, SLOPES  # noqa: E402
+from roots_checks.variants import CHOICES, CRUTCHES, PAIR, SIZES, SLOPES  # noqa: E402
 
 THRESHOLD = 0.1  # output.onset_displacement of the case [m]
 
@@ -34,6 +35,14 @@ def run(runner, variant):
         found[content] = runner.run(name, settings, case)
         print(f"{name}: {'; '.join(tables.describe(found[content])) if found[content] else 'ended with an error'}", flush=True)
     return found
+
+
+def compare_sizes(runner, folder):
+    found = {v.name: run(runner, v) for v in SIZES}
+    text = tables.show_variants(found, "size, and length of what softens")
+    (folder / "vegetated_sizes.md").write_text(tables.SIZES_HEADING + "\n" + text)
+    tables.write_csv(folder / "vegetated_sizes.csv", found)
+    print("\n" + text)
 
 
 def main():
@@ -54,6 +63,9 @@ def main():
         runs = (options.runs or pathlib.Path(scratch)).resolve()
         runs.mkdir(parents=True, exist_ok=True)
         runner = Runner(os.path.abspath(options.program), runs, options.threads, options.runs is not None)
+        if "sizes" in parts:
+            compare_sizes(runner, options.folder)
+            return 0
         slopes = run(runner, SLOPES)
         if None in slopes.values():
             return 1

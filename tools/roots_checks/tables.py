@@ -12,6 +12,12 @@ Written by `tools/verify_roots.py PROGRAM FOLDER`. What it means stands in [veri
 Times count from the start of the rain; onset: displacement above 0.1 m; toe / mid-face / crest, and – where it does not come by the end.
 Processor times are those of one thread of the machine it ran on, beside other work.
 """
+SIZES_HEADING = """# Vegetated slope in elements of four sizes
+
+Written by `tools/verify_roots.py PROGRAM FOLDER --only sizes`: water that seeps, 2.2 GPa, mass scaling 80, rain for 700 s. What it means stands in
+[verification](../verification.md#what-softens-and-the-size-of-the-elements). Onset: displacement above 0.1 m; toe / mid-face / crest, and – where it does not
+come by the end. Processor times are those of one thread of the machine it ran on, beside other work.
+"""
 
 
 def join(values, form, empty="–"):

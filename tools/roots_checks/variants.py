@@ -62,3 +62,12 @@ CRUTCHES = (  # water as stiff as water is; no inertia added
     Variant("50 MPa, β = 80, without exchange", {MODULUS: "50 MPa", EXCHANGE: "false"}, ("bare",)),
     Variant("5 MPa, β = 8, without exchange", {SCALING: 8, EXCHANGE: "false"}, ("bare",)),
 )
+
+# Water that seeps, as stiff as it is, and elements of several sizes, with and without a length of what softens.
+SEEPING = {"stage.rain.water": "seeps", MODULUS: "2.2 GPa", "stage.rain.duration": 700}
+SIZES = tuple(
+    Variant(f"elements × {size:g}" + (f", softening over {length} m" if length else ""),
+            SEEPING | {"mesh.size": 0.29 * size, "mesh.refine.0.size": 0.21 * size} | ({"mesh.softening_length": length} if length else {}),
+            PAIR if length else ("bare",))
+    for length in (None, 0.3) for size in (1, 0.7, 0.5, 0.35)
+)
