@@ -29,7 +29,8 @@ Prediction<D> predict_motion(const MixtureBody<D>& body, const MixtureSettings& 
     if (seen[i] == 0) continue;
     const double mass = mixture_mass(node);
     p.start[i] = (node.solid_momentum + node.water_momentum) / mass;
-    const Vector<D> force = node.force + damp<D>(node.force, p.start[i], settings.damping);
+    const Vector<D> force =
+        node.force + damp<D>(body.solid_constraints[i].apply(node.force), p.start[i], settings.damping);
     const Vector<D> moved =
         body.solid_constraints[i].apply(p.start[i] + settings.time_step / (settings.mass_scaling * mass) * force);
     p.acceleration[i] = seen[i] * (moved - p.start[i]) / settings.time_step;
@@ -51,8 +52,9 @@ void move_mixture(MixtureBody<D>& body, const MixtureSettings& settings, const P
     if (node.solid_mass <= limit) continue;
     const Vector<D> whole = node.force + force[i];
     const Vector<D> velocity = body.solid_constraints[i].apply(
-        predicted.start[i] + settings.time_step / (settings.mass_scaling * mixture_mass(node)) *
-                                 (whole + damp<D>(whole, predicted.start[i], settings.damping)));
+        predicted.start[i] +
+        settings.time_step / (settings.mass_scaling * mixture_mass(node)) *
+            (whole + damp<D>(body.solid_constraints[i].apply(whole), predicted.start[i], settings.damping)));
     node.solid_acceleration = (velocity - predicted.start[i]) / settings.time_step;
   }
   std::vector<Vector<D>> momentum(body.nodes.size(), Vector<D>::Zero());

@@ -90,7 +90,8 @@ void solve_momentum(Body<D>& body, const Settings& settings) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     Node<D>& node = body.nodes[i];
     if (node.mass <= limit) continue;
-    Vector<D> force = node.external_force - node.internal_force;
+    // Damping takes its share of what is out of balance, not of what the supports bear.
+    Vector<D> force = body.constraints[i].apply(node.external_force - node.internal_force);
     for (int d = 0; d < D; ++d) {
       const double sign = node.momentum[d] > 0 ? 1 : node.momentum[d] < 0 ? -1 : 0;
       force[d] -= settings.damping * sign * std::abs(force[d]);

@@ -65,10 +65,19 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
           const Vec<D> allowed = constrain_velocity(body.conditions, constraint, wanted, body.time + o.dt);
           for (int d = 0; d < D; ++d) a[d] = (allowed[d] - v[d]) / o.dt;
         } else {
-          // The node stands along its fixed directions, so what speed its points bring there is taken from them.
-          Vec<D> v;
-          for (int d = 0; d < D; ++d) v[d] = t[1 + d] * inverse_mass;
+          // The node stands along its fixed directions, so what speed its points bring there is taken from them, and
+          // damping takes no share of what supports bear.
+          Vec<D> f, v;
+          for (int d = 0; d < D; ++d) {
+            f[d] = t[1 + D + d] + f_ext[d];
+            v[d] = t[1 + d] * inverse_mass;
+          }
           const Vec<D> kept = free_part(constraint, v);
+          f = free_part(constraint, f);
+          for (int d = 0; d < D; ++d) {
+            f_damp[d] = v[d] != 0 ? -std::copysign(alpha * std::abs(f[d]), v[d]) : 0.0;
+            a[d] = (f[d] + f_damp[d]) * inverse;
+          }
           a = free_part(constraint, a);
           for (int d = 0; d < D; ++d) a[d] -= (v[d] - kept[d]) / o.dt;
         }
