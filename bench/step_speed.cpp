@@ -3,7 +3,8 @@
 //   step_speed D CASE THREADS [WARM STEPS REPEATS] [FLAG...]
 // CASE is small, mid or large. Flags: mixed, smooth, stable, objective; rooted (the rooted-soil model); wet (pore
 // water, unsaturated above the level) or saturated (S = 1 everywhere), and with them net (damping), explicit (drag),
-// pressure (smoothing), seepage (surfaces that no water enters); parts (wall time by lines of the step), state
+// pressure (smoothing), seepage (surfaces that no water enters), seeps (pressures at the nodes, in steps of the drained
+// soil: with the rounds and iterations of its solver); parts (wall time by lines of the step), state
 // (extremes of the points before timing). Single-threaded runs are timed in CPU time, threaded ones in wall time.
 
 #include <fmt/format.h>
@@ -67,6 +68,11 @@ talus::bench::Yardstick<D> make_case(const std::string& name, int threads, const
   y.options.smooth_pressure = flags.contains("pressure");
   if (flags.contains("seepage"))
     for (auto& surface : y.body.water.surfaces) surface.kind = talus::mpm::SurfaceKind::seepage;
+  if (flags.contains("seeps")) {
+    y.options.mixture = true;
+    y.options.dt = 0.9 * talus::mpm::find_critical_step(y.body, y.options).dt;
+    talus::mpm::gather_nodal_sums(y.body, y.options);
+  }
   return y;
 }
 
@@ -95,6 +101,20 @@ void print_parts(const talus::mpm::Timing& t, int steps) {
       t.relocate * scale);
 }
 
+/// Of the solver for pressures, over ten more steps.
+template <int D>
+void print_solver(talus::bench::Yardstick<D>& y) {
+  constexpr int steps = 10;
+  double rounds = 0, iterations = 0;
+  for (int s = 0; s < steps; ++s) {
+    talus::mpm::step(y.body, y.options);
+    rounds += y.body.water.mixture.rounds;
+    iterations += y.body.water.mixture.iterations;
+  }
+  fmt::print("step {:.3g} s; rounds {:.1f}, iterations {:.1f} a step\n", y.options.dt, rounds / steps,
+             iterations / steps);
+}
+
 template <int D>
 void run(const std::string& name, int threads, int warm, int steps, int repeats, const std::set<std::string>& flags) {
   auto y = make_case<D>(name, threads, flags);
@@ -111,6 +131,7 @@ void run(const std::string& name, int threads, int warm, int steps, int repeats,
   fmt::print("talus D={} {} points={} threads={} chunks={} : best {:.2f} Mpps, {:.1f} us/step, {} bytes/point\n", D,
              name, y.body.points.size(), threads, y.body.layout->chunks, points / best * 1e-6, best * 1e6,
              memory_per_point(y.body));
+  if (y.options.mixture) print_solver(y);
   if (flags.contains("parts")) print_parts(y.body.timing, steps * repeats);
 }
 
