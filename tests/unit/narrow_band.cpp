@@ -28,23 +28,37 @@ mpm::Body<2> make_sheared(int rows, double strain, double loose = 0.9) {
 }
 
 TEST(NarrowBand, IsMeasuredInElements) {
-  EXPECT_NEAR(*run::find_soft_band(make_sheared(1, 0.2)), 1, 0.1);
-  EXPECT_NEAR(*run::find_soft_band(make_sheared(2, 0.2)), 2, 0.2);
-  EXPECT_NEAR(*run::find_soft_band(make_sheared(4, 0.2)), 4, 0.5);
+  EXPECT_NEAR(run::find_soft_band(make_sheared(1, 0.2))->thickness, 1, 0.1);
+  EXPECT_NEAR(run::find_soft_band(make_sheared(2, 0.2))->thickness, 2, 0.2);
+  EXPECT_NEAR(run::find_soft_band(make_sheared(4, 0.2))->thickness, 4, 0.5);
+}
+
+TEST(NarrowBand, KnowsTheSizeOfItsElements) {
+  EXPECT_NEAR(run::find_soft_band(make_sheared(2, 0.2))->size, support::block_width / across, 1e-12);
 }
 
 TEST(NarrowBand, IsOneOnlyWhereSoilShearedAndDilated) {
   EXPECT_FALSE(run::find_soft_band(make_sheared(1, 0.04))) << "hardly sheared";
   EXPECT_FALSE(run::find_soft_band(make_sheared(1, 0.2, 0.7))) << "compacted: it hardened";
-  EXPECT_GT(*run::find_soft_band(make_sheared(2 * across, 0.2)), 10) << "half of the block";
+  EXPECT_GT(run::find_soft_band(make_sheared(2 * across, 0.2))->thickness, 10) << "half of the block";
 }
 
 TEST(NarrowBand, SaysWhatToDo) {
   const mpm::Body<2> body = make_sheared(1, 0.2);
-  EXPECT_FALSE(run::describe_narrow_band(body, {}, {}));
-  EXPECT_FALSE(run::describe_narrow_band(body, 2.0, {}));
-  EXPECT_NE(run::describe_narrow_band(body, 1.2, {})->find("Give mesh.softening_length"), std::string::npos);
-  EXPECT_NE(run::describe_narrow_band(body, 1.2, 0.3)->find("With mesh.softening_length = 0.3 m"), std::string::npos);
+  const auto tell = [&](double thickness, double size, std::optional<double> length) {
+    run::StageState state;
+    state.soft_band = thickness, state.soft_size = size;
+    return run::describe_narrow_band(body, state, length).value_or("");
+  };
+  EXPECT_EQ(tell(0, 0, {}), "");
+  EXPECT_EQ(tell(2, 0.1, {}), "");
+  EXPECT_EQ(
+      tell(1.2, 0.1, {}),
+      "soil that softens ('soil0') sheared in a band of 1.2 elements of 0.1 m: when it moves, and how deep, depend "
+      "on their size. Give mesh.softening_length, at least twice that");
+  EXPECT_EQ(tell(1.2, 0.1, 0.2), "") << "fine enough";
+  EXPECT_NE(tell(2.2, 0.2, 0.3).find("mesh.softening_length = 0.3 m must be at least twice that"), std::string::npos)
+      << "elements too large for their length";
 }
 
 /// A stage keeps the thinnest of its outputs.
@@ -59,6 +73,7 @@ TEST(NarrowBand, IsWatchedAtEachOutput) {
   EXPECT_EQ(state.soft_band, 0);
   for (const auto* body : {&thick, &thin, &thick}) hooks.output(*body, state);
   EXPECT_NEAR(state.soft_band, 1, 0.1);
+  EXPECT_NEAR(state.soft_size, support::block_width / across, 1e-12);
   EXPECT_EQ(outputs, 4);
 }
 

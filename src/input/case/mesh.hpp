@@ -45,7 +45,7 @@ void describe(Visitor& v, MeshBlock& m) {
   v.key("points_per_element", m.points_per_element, plain().at_least(1).at_most(12),
         "Material points in each element filled with soil: 1, 3, 6 or 12 in 2D; 1, 4, 8 or 10 in 3D (where the "
         "default is 4).");
-  v.key("softening_length", m.softening_length, quantity("m").above(0).example("0.3"),
+  v.key("softening_length", m.softening_length, quantity("m").above(0).by_methods({"mpm"}).example("0.3"),
         "Length over which soil softens that dilates: its plastic volume is a mean over this neighbourhood. At least "
         "twice the size of the elements where a band forms. If not given, bands are as thick as the elements, and what "
         "softens depends on their size.");

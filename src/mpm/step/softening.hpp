@@ -10,7 +10,7 @@
 
 namespace talus::mpm {
 
-/// Which elements an element takes its mean over, and with which weights, that of their volumes apart (T23.1).
+/// Which elements an element takes its mean over, and with which weights, before their volumes (T23.1).
 struct SofteningReach {
   std::vector<std::int64_t> start;  ///< of element e: [start[e], start[e + 1])
   std::vector<int> element;

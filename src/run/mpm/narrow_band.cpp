@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "mpm/body/observe.hpp"
@@ -16,6 +17,8 @@ namespace {
 constexpr double sheared = 0.05;
 /// Elements up to which it is the mesh that makes it so thin.
 constexpr double thin = 1.75;
+/// Elements over the softening length up to which a band does not depend on them: half, and a tenth for their scatter.
+constexpr double coarse = 0.55;
 
 /// Means over the points of soil that softens.
 struct SoftElements {
@@ -79,12 +82,12 @@ void list_around(const mesh::Mesh<D>& mesh, const std::vector<std::vector<int>>&
 // In a straight band of n > 1 rows of elements the share of the band in the soil that shares a node with an element of
 // it is 1 - 2/(3n) in the mean, and 1/3 in one row.
 template <int D>
-std::optional<double> find_soft_band(const mpm::Body<D>& body) {
+std::optional<SoftBand> find_soft_band(const mpm::Body<D>& body) {
   const SoftElements e = gather(body);
   const auto peak = std::max_element(e.strain.begin(), e.strain.end());
   if (peak == e.strain.end() || !(*peak > sheared)) return std::nullopt;
   const auto at_nodes = list_elements_at_nodes(body.mesh());
-  double band = 0, part = 0, inside = 0, beside = 0, outside = 0;
+  double band = 0, part = 0, size = 0, inside = 0, beside = 0, outside = 0;
   std::vector<int> around;
   for (std::size_t i = 0; i < e.volume.size(); ++i) {
     if (!(e.strain[i] > 0.5 * *peak)) continue;
@@ -100,10 +103,11 @@ std::optional<double> find_soft_band(const mpm::Body<D>& body) {
     }
     band += e.volume[i];
     part += e.volume[i] * like / all;
+    size += e.volume[i] * std::pow((D == 2 ? 2 : 6) * body.mesh().volumes[i], 1.0 / D);
     inside += e.volume[i] * e.void_ratio[i];
   }
   if (!(beside > 0) || inside / band <= outside / beside) return std::nullopt;  // as a whole, or compacted
-  return 2 / (3 * (1 - part / band));
+  return SoftBand{2 / (3 * (1 - part / band)), size / band};
 }
 
 template <int D>
@@ -113,31 +117,34 @@ StageHooks<D> watch_bands(const mpm::Body<D>& body, StageHooks<D> hooks) {
     return hooks;
   hooks.output = [record = std::move(hooks.output)](const mpm::Body<D>& b, StageState& state) {
     record(b, state);
-    if (const auto band = find_soft_band(b))
-      state.soft_band = state.soft_band > 0 ? std::min(state.soft_band, *band) : *band;
+    const auto band = find_soft_band(b);
+    if (!band) return;
+    state.soft_band = state.soft_band > 0 ? std::min(state.soft_band, band->thickness) : band->thickness;
+    state.soft_size = std::max(state.soft_size, band->size);
   };
   return hooks;
 }
 
 template <int D>
-std::optional<std::string> describe_narrow_band(const mpm::Body<D>& body, std::optional<double> band,
+std::optional<std::string> describe_narrow_band(const mpm::Body<D>& body, const StageState& state,
                                                 std::optional<double> length) {
-  if (!band || *band > thin) return std::nullopt;
+  const bool depends = length ? state.soft_size > coarse * *length : state.soft_band <= thin;
+  if (state.soft_band == 0 || !depends) return std::nullopt;
   std::vector<std::string> soils;
   for (std::size_t m = 0; m < body.laws.size(); ++m)
     if (material::get_traits(body.laws[m]).softens) soils.push_back("'" + body.material_names[m] + "'");
   return fmt::format(
-      "soil that softens ({}) sheared in a band of {:.2g} elements: when it moves, and how deep, depend "
-      "on their size. {}",
-      fmt::join(soils, ", "), std::max(1.0, *band),
-      length ? fmt::format("With mesh.softening_length = {:g} m they must be at most half as large there", *length)
-             : "Give mesh.softening_length, at least twice their size");
+      "soil that softens ({}) sheared in a band of {:.2g} elements of {:.2g} m: when it moves, and how deep, depend on "
+      "their size. {}",
+      fmt::join(soils, ", "), std::max(1.0, state.soft_band), state.soft_size,
+      length ? fmt::format("mesh.softening_length = {:g} m must be at least twice that", *length)
+             : "Give mesh.softening_length, at least twice that");
 }
 
-#define TALUS_INSTANTIATE(D)                                                                              \
-  template std::optional<double> find_soft_band<D>(const mpm::Body<D>&);                                  \
-  template StageHooks<D> watch_bands<D>(const mpm::Body<D>&, StageHooks<D>);                              \
-  template std::optional<std::string> describe_narrow_band<D>(const mpm::Body<D>&, std::optional<double>, \
+#define TALUS_INSTANTIATE(D)                                                                          \
+  template std::optional<SoftBand> find_soft_band<D>(const mpm::Body<D>&);                            \
+  template StageHooks<D> watch_bands<D>(const mpm::Body<D>&, StageHooks<D>);                          \
+  template std::optional<std::string> describe_narrow_band<D>(const mpm::Body<D>&, const StageState&, \
                                                               std::optional<double>);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -9,18 +9,26 @@
 
 namespace talus::run {
 
-/// How many elements the band is thick in which soil that softens has sheared and dilated most; nothing where none has.
-template <int D>
-std::optional<double> find_soft_band(const mpm::Body<D>& body);
+/// Where soil that softens has sheared and dilated most.
+struct SoftBand {
+  double thickness = 0;  ///< in elements
+  double size = 0;       ///< of these: the side of the square that two of them fill, or the cube that six do [m]
+};
 
-/// The same hooks, with a look at the band at each output: the thinnest of the stage stands in its state.
+/// Nothing where no such soil has.
+template <int D>
+std::optional<SoftBand> find_soft_band(const mpm::Body<D>& body);
+
+/// The same hooks, with a look at the band at each output: its state gets the thinnest band of the stage and its
+/// largest elements.
 template <int D>
 StageHooks<D> watch_bands(const mpm::Body<D>& body, StageHooks<D> hooks);
 
-/// "soil that softens ('loess') sheared in a band of 1.4 elements …", with what to do. `band`: the thinnest of a stage;
-/// `length`: mesh.softening_length [m]. Nothing where the band was thicker.
+/// "soil that softens ('loess') sheared in a band of 1.4 elements …", with what to do, of what a stage has seen.
+/// `length`: mesh.softening_length [m]. Nothing where the band is thicker than elements make it or, with a length,
+/// where these are at most half as large.
 template <int D>
-std::optional<std::string> describe_narrow_band(const mpm::Body<D>& body, std::optional<double> band,
+std::optional<std::string> describe_narrow_band(const mpm::Body<D>& body, const StageState& state,
                                                 std::optional<double> length);
 
 }  // namespace talus::run

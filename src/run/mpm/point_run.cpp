@@ -267,8 +267,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
     if (plan.until_rest && report.end != results::StageEnd::rest) report.moving = find_moving_soil(body_);
     if (!state.setbacks.empty()) report.setbacks = state.setbacks;
     warn_about(stage, report, i + 1 == count);
-    const std::optional<double> band = state.soft_band > 0 ? std::optional(state.soft_band) : std::nullopt;
-    if (const auto narrow = describe_narrow_band(body_, band, data_.softening_length))
+    if (const auto narrow = describe_narrow_band(body_, state, data_.softening_length))
       warnings_.push_back(fmt::format("stage '{}': {}", stage.name, *narrow));
     if (is_equilibrium_stage(data_, i))
       if (const results::Preconsolidation done = set_preconsolidation(body_, data_); done.points > 0)

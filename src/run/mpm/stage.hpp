@@ -42,6 +42,7 @@ struct StageState {
   double largest_speed = 0;  ///< of a node, in the whole stage [m/s]
   double wave_speed = 0;     ///< compression waves at the start of the stage [m/s]
   double soft_band = 0;      ///< thinnest band of soil that softens, so far, in elements; 0: none
+  double soft_size = 0;      ///< largest elements of such a band [m]
   std::vector<results::Setback> setbacks;
 };
 

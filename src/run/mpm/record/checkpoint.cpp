@@ -273,7 +273,7 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
 
 void put_stage(ArchiveWriter& archive, const StageState& s) {
   const std::vector<double> reals{s.start_time,    s.dt,         s.gravity_share, s.calm_since, s.next_output,
-                                  s.largest_speed, s.wave_speed, s.soft_band};
+                                  s.largest_speed, s.wave_speed, s.soft_band,     s.soft_size};
   archive.put("stage/reals", reals);
   const std::vector<std::int64_t> integers{s.started ? 1 : 0, s.steps};
   archive.put("stage/integers", integers);
@@ -290,7 +290,7 @@ void put_stage(ArchiveWriter& archive, const StageState& s) {
 StageState get_stage(const ArchiveReader& archive) {
   const auto& r = archive.reals("stage/reals");
   const auto& i = archive.long_integers("stage/integers");
-  StageState state{i[0] != 0, r[0], i[1], r[1], r[2], r[3], r[4], r[5], r[6], r[7], {}};
+  StageState state{i[0] != 0, r[0], i[1], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], {}};
   if (!archive.has("stage/setbacks")) return state;
   const auto& setbacks = archive.reals("stage/setbacks");
   std::istringstream texts(archive.text("stage/setback_texts"));
