@@ -156,7 +156,7 @@ mpm::SurfaceCondition make_surface_condition(const input::Hydraulic& h) {
 }
 
 int find_rank(const mpm::SurfaceCondition& s, double y, bool is_named) {
-  constexpr int seepage = 4, unnamed = 5;
+  constexpr int seepage = 4, unnamed = 5, closed = 6;
   switch (s.kind) {
     case mpm::SurfaceKind::head: {
       const auto highest = std::max_element(s.value.value.begin(), s.value.value.end());
@@ -166,7 +166,7 @@ int find_rank(const mpm::SurfaceCondition& s, double y, bool is_named) {
     case mpm::SurfaceKind::open:
       return 1;
     case mpm::SurfaceKind::flux:
-      return 2;
+      return mpm::lets_nothing_through(s) ? closed : 2;
     case mpm::SurfaceKind::rain:
       return 3;
     case mpm::SurfaceKind::seepage:

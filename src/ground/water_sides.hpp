@@ -40,8 +40,8 @@ mpm::SurfaceCondition make_surface_condition(const input::Hydraulic& hydraulic);
 template <int D>
 WaterSides<D> find_water_sides(const mesh::Mesh<D>& mesh, const input::Case& data);
 
-/// Which of several conditions holds where they meet at the elevation `y` [m]: head, pressure, flux, rain, seepage. A
-/// head is a seepage face above its level. Smaller comes first.
+/// Which of several conditions holds where they meet at the elevation `y` [m]: head, pressure, flux, rain, seepage, no
+/// flow. A head is a seepage face above its level. Smaller comes first.
 int find_rank(const mpm::SurfaceCondition& surface, double y, bool is_named);
 
 }  // namespace talus::ground

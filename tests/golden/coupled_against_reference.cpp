@@ -149,6 +149,12 @@ TEST(CoupledAgainstReference, InclinedHeldDirectionsAreTheSame) {
   expect_same(body, {"inclined, explicit", {.time_step = dt, .drag = Drag::explicit_as_source}, 100}, 150);
 }
 
+TEST(CoupledAgainstReference, WallThatIsPushedInIsTheSame) {
+  const WetBody<2> body = golden::push_left_wall(make_moving_slope<2>());
+  expect_same(body, {"pushed", {.time_step = stable_step(body)}}, 150);
+  expect_same(body, {"pushed, damped", {.time_step = stable_step(body), .damping = 0.1}}, 150);
+}
+
 TEST(CoupledAgainstReference, DampingOfSoilThatMovesEverywhereIsTheSame) {
   const WetBody<2> body = make_moving_slope<2>(2);
   for (const DampedForce force : {DampedForce::net, DampedForce::without_drag})

@@ -60,6 +60,11 @@ mpm::Body<D> translate(const reference::Body<D>& plain, int chunks) {
       constraint.fixed[constraint.fixed_count++] = n;
     }
     if (constraint.fixed_count == 0) continue;
+    if (c.drive.norm() > 0) {
+      body.conditions.factors.resize(1);
+      constraint.factor = 0;
+      for (int d = 0; d < D; ++d) constraint.drive[d] = c.drive[d];
+    }
     body.conditions.constraint_of_node[i] = static_cast<int>(body.conditions.constraints.size());
     body.conditions.constraints.push_back(constraint);
   }
@@ -219,6 +224,25 @@ TEST(EngineAgainstReference, SandThatComesApartAndIsPressedAgainIsTheSame) {
     }
     v.comes_apart = !v.frozen;
     expect_same(plain, v, 150, true);
+  }
+}
+
+/// A wall that is pushed in, rough at its foot and smooth above.
+template <int D>
+reference::Body<D> push_left_wall(reference::Body<D> body) {
+  for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i) {
+    if (body.mesh.nodes[i][0] > 1e-9) continue;
+    body.constraints[i].fixed[0] = true;
+    body.constraints[i].drive[0] = 0.5;
+    if (body.constraints[i].fixed[1]) body.constraints[i].drive[1] = 0.1;
+  }
+  return body;
+}
+
+TEST(EngineAgainstReference, WallThatIsPushedInIsTheSame) {
+  for (Variant v : all_variants()) {
+    expect_same(push_left_wall(reference::make_slope<2>()), v, 120, !v.frozen);
+    expect_same(push_left_wall(reference::make_slope<3>()), v, 40, false);
   }
 }
 

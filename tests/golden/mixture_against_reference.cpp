@@ -80,6 +80,10 @@ TEST(MixtureAgainstReference, RealWaterIsTheSame) {
   expect_same(body, {.name = "real water"}, 60);
 }
 
+TEST(MixtureAgainstReference, WallThatIsPushedInIsTheSame) {
+  for (const Case& c : list_cases()) expect_same(golden::push_left_wall(golden::make_moving_slope<2>()), c, 100);
+}
+
 template <int D>
 void expect_same_bits(const reference::WetBody<D>& wet, int steps) {
   MixtureSettings settings;

@@ -136,7 +136,12 @@ mpm::Body<D> translate(const reference::WetBody<D>& plain, const reference::Curv
       mpm::make_body<D>(mpm::make_layout<D>(plain.mesh, in_element, chunks), laws, names, points, water);
   body.water.constraint_of_node.assign(plain.mesh.nodes.size(), -1);
   for (std::size_t i = 0; i < plain.mesh.nodes.size(); ++i) {
-    const auto solid = translate_directions<D, mpm::Constraint<D>>(plain.solid_constraints[i]);
+    auto solid = translate_directions<D, mpm::Constraint<D>>(plain.solid_constraints[i]);
+    if (plain.solid_constraints[i].drive.norm() > 0) {
+      body.conditions.factors.resize(1);
+      solid.factor = 0;
+      solid.drive = to_vec<D>(plain.solid_constraints[i].drive);
+    }
     const auto held = translate_directions<D, mpm::WaterConstraint<D>>(plain.water_constraints[i]);
     if (solid.fixed_count > 0) {
       body.conditions.constraint_of_node[i] = static_cast<int>(body.conditions.constraints.size());

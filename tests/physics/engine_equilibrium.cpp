@@ -83,13 +83,11 @@ TYPED_TEST(EngineEquilibrium, LinearBoundaryDisplacementGivesUniformStrain) {
       bool outer = false;
       for (std::size_t d = 0; d < D; ++d) outer = outer || x[d] < 1e-9 || x[d] > size[d] - 1e-9;
       if (!outer) continue;
-      mpm::Prescribed<D> p;
+      Vec<D> velocity{};
       for (std::size_t a = 0; a < D; ++a) {
-        for (std::size_t b = 0; b < D; ++b) p.velocity[a] += strain[a][b] * x[b] / ramp;
+        for (std::size_t b = 0; b < D; ++b) velocity[a] += strain[a][b] * x[b] / ramp;
       }
-      p.factor = {{0, ramp, ramp * 1.001}, {1, 1, 0}};
-      support::get_constraint(body, i).prescribed = static_cast<int>(body.conditions.prescribed.size());
-      body.conditions.prescribed.push_back(p);
+      support::move_node<D>(body, i, velocity, {{0, ramp, ramp * 1.001}, {1, 1, 0}});
     }
     mpm::StepOptions<D> o;
     o.dt = 0.7 * mpm::find_critical_step(body, 1).dt;

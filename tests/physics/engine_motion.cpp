@@ -221,10 +221,9 @@ void turn_all_nodes(mpm::Body<D>& body, const Eigen::Vector3d& axis) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     for (std::size_t d = 0; d < D; ++d) x[static_cast<Eigen::Index>(d)] = body.mesh().nodes[i][d] - 1;
     const Eigen::Vector3d v = axis.cross(x);
-    mpm::Prescribed<D> p;
-    for (std::size_t d = 0; d < D; ++d) p.velocity[d] = v[static_cast<Eigen::Index>(d)];
-    support::get_constraint(body, i).prescribed = static_cast<int>(body.conditions.prescribed.size());
-    body.conditions.prescribed.push_back(p);
+    Vec<D> velocity{};
+    for (std::size_t d = 0; d < D; ++d) velocity[d] = v[static_cast<Eigen::Index>(d)];
+    support::move_node<D>(body, i, velocity);
   }
 }
 

@@ -202,5 +202,102 @@ TYPED_TEST(EngineWalls, PrescribedVelocityFollowsItsTable) {
   });
 }
 
+/// A smooth plate on the given side; in two seconds it goes the way of one with `velocity` [m/s].
+input::Boundary make_plate(const std::string& on, const std::array<double, 3>& velocity) {
+  input::Boundary plate = support::make_boundary(on, input::Fix::velocity);
+  plate.smooth = true;
+  plate.velocity = velocity;
+  plate.factor = {{0, 1, 2}, {0, 1, 0}};
+  return plate;
+}
+
+template <int D>
+struct PressedBlock {
+  static constexpr double young = 1e6, poisson = 0.3;
+  mesh::Mesh<D> mesh;
+  input::Case data = support::make_box_case<D>(support::make_elastic(young, poisson));
+
+  PressedBlock() {
+    std::array<int, D> cells;
+    Vec<D> size;
+    cells.fill(D == 2 ? 4 : 2);
+    size.fill(1);
+    mesh = support::make_box_mesh<D>(cells, size, {"soil"}, [](const Vec<D>&) { return 0; });
+    data.gravity.acceleration = 0;
+    std::erase_if(data.boundaries, [](const input::Boundary& b) { return b.on == "right" || b.on == "back"; });
+  }
+  /// Mean stresses [Pa] along the axes after the plates have come to rest; the stress is uniform.
+  std::array<double, 3> press() const {
+    mpm::Body<D> body = run::prepare<D>(data, mesh);
+    EXPECT_EQ(support::run_plan(body, support::make_stage(data, body, 4, {.damping = 0.5})), results::StageEnd::time);
+    std::array<double, 3> mean{};
+    support::for_each_point(body, [&](int, const mpm::PointView<D>& p) {
+      for (std::size_t i = 0; i < 3; ++i) mean[i] += p.stress[i] / body.points.size();
+    });
+    support::for_each_point(body, [&](int, const mpm::PointView<D>& p) {
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(p.stress[i], mean[i], 0.01);
+      for (std::size_t i = 3; i < 6; ++i) EXPECT_NEAR(p.stress[i], 0, 0.01);
+    });
+    return mean;
+  }
+};
+
+/// σ = E ε, in plane strain E ε/(1 − ν²): the block is free to become wider.
+TYPED_TEST(EngineWalls, SmoothPlateHoldsNothingAlongIt) {
+  constexpr int D = TypeParam::value;
+  PressedBlock<D> block;
+  const double strain = -1e-5;
+  block.data.boundaries.push_back(make_plate("top", {0.3, strain, 0}));
+  const auto stress = block.press();
+  const double exact = block.young * strain / (D == 2 ? 1 - block.poisson * block.poisson : 1);
+  EXPECT_NEAR(stress[1], exact, 2e-4 * std::abs(exact));
+  EXPECT_NEAR(stress[0], 0, 2e-4 * std::abs(exact));
+}
+
+/// Where two plates meet, their node moves with both.
+TYPED_TEST(EngineWalls, TwoSmoothPlatesPressFromTwoSides) {
+  constexpr int D = TypeParam::value;
+  PressedBlock<D> block;
+  const double x = -1e-5, y = -2e-5, nu = block.poisson;
+  block.data.boundaries.push_back(make_plate("top", {0, y, 0}));
+  block.data.boundaries.push_back(make_plate("right", {x, 0, 0}));
+  const auto stress = block.press();
+  const double share = D == 2 ? nu / (1 - nu) : nu, modulus = block.young / (D == 2 ? 1 - nu * nu : 1);
+  const double exact = modulus * (y + share * x) / (1 - share * share);
+  EXPECT_NEAR(stress[1], exact, 2e-4 * std::abs(exact));
+  EXPECT_NEAR(stress[0], modulus * (x + share * y) / (1 - share * share), 2e-4 * std::abs(exact));
+}
+
+/// A smooth plate goes down, and the soil beside it slides along a plane that is held.
+TEST(EnginePlates, PlateThatMeetsAnInclinedPlaneMovesAlongIt) {
+  PressedBlock<2> block;
+  input::Boundary plane = support::make_boundary("right", input::Fix::plane);
+  plane.normal = {0.6, 0.8, 0};
+  block.data.boundaries.push_back(plane);
+  block.data.boundaries.push_back(make_plate("top", {0, -0.01, 0}));
+  const mpm::Body<2> body = run::prepare<2>(block.data, block.mesh);
+  for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
+    if (body.mesh().nodes[i][0] < 1 - 1e-9 || body.mesh().nodes[i][1] < 1 - 1e-9) continue;
+    const auto& c = body.conditions.constraints.at(static_cast<std::size_t>(body.conditions.constraint_of_node[i]));
+    const Vec<2> v = mpm::constrain_velocity(body.conditions, c, {1, 1}, 1);
+    EXPECT_NEAR(v[1], -0.01, 1e-15);
+    EXPECT_NEAR(0.6 * v[0] + 0.8 * v[1], 0, 1e-15);
+  }
+}
+
+TEST(EnginePlates, PlatesThatMeetNeedOneFactor) {
+  PressedBlock<2> block;
+  block.data.boundaries.push_back(make_plate("top", {0, -0.01, 0}));
+  block.data.boundaries.push_back(make_plate("right", {-0.01, 0, 0}));
+  block.data.boundaries.back().factor = {};
+  try {
+    run::prepare<2>(block.data, block.mesh);
+    FAIL() << "the factors differ";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ExitCode::wrong_input);
+    EXPECT_NE(std::string(e.what()).find("'right' meets another one that moves"), std::string::npos) << e.what();
+  }
+}
+
 }  // namespace
 }  // namespace talus

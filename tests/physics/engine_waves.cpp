@@ -83,9 +83,8 @@ TEST(EngineWaves, FrontOfAPushRunsWithTheWaveSpeedAndCarriesItsStress) {
   mpm::Body<2> body = make_bar(bar, {});
   // The held end is pushed with a velocity v from the start: σ = -ρ c v behind the front.
   const double v = 1e-3, at = 2.5;
-  body.conditions.prescribed.push_back({{v, 0}, {}});
   for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
-    if (body.mesh().nodes[i][0] < 1e-9) support::get_constraint(body, i).prescribed = 0;
+    if (body.mesh().nodes[i][0] < 1e-9) support::move_node<2>(body, i, {v, 0});
   }
   auto o = make_options(bar, body);
   mpm::gather_nodal_sums(body, o);

@@ -41,6 +41,10 @@ template <int D>
 struct Constraint {
   std::array<bool, D> fixed{};
   Vector<D> normal = Vector<D>::Zero();  ///< unit vector
+  Vector<D> drive = Vector<D>::Zero();   ///< velocity of what holds the node, along what it holds [m/s]
+
+  /// The velocity of the node instead of `wanted`.
+  Vector<D> hold(const Vector<D>& wanted) const { return apply(wanted) + drive; }
 
   Vector<D> apply(Vector<D> vector) const {
     for (int d = 0; d < D; ++d)

@@ -32,9 +32,9 @@ Prediction<D> predict_motion(const MixtureBody<D>& body, const MixtureSettings& 
     const Vector<D> force =
         node.force + damp<D>(body.solid_constraints[i].apply(node.force), p.start[i], settings.damping);
     const Vector<D> moved =
-        body.solid_constraints[i].apply(p.start[i] + settings.time_step / (settings.mass_scaling * mass) * force);
+        body.solid_constraints[i].hold(p.start[i] + settings.time_step / (settings.mass_scaling * mass) * force);
     p.acceleration[i] = seen[i] * (moved - p.start[i]) / settings.time_step;
-    p.velocity[i] = body.solid_constraints[i].apply(p.start[i] + settings.time_step * p.acceleration[i]);
+    p.velocity[i] = body.solid_constraints[i].hold(p.start[i] + settings.time_step * p.acceleration[i]);
   }
   return p;
 }
@@ -51,7 +51,7 @@ void move_mixture(MixtureBody<D>& body, const MixtureSettings& settings, const P
     WetNode<D>& node = body.nodes[i];
     if (node.solid_mass <= limit) continue;
     const Vector<D> whole = node.force + force[i];
-    const Vector<D> velocity = body.solid_constraints[i].apply(
+    const Vector<D> velocity = body.solid_constraints[i].hold(
         predicted.start[i] +
         settings.time_step / (settings.mass_scaling * mixture_mass(node)) *
             (whole + damp<D>(body.solid_constraints[i].apply(whole), predicted.start[i], settings.damping)));
@@ -68,7 +68,7 @@ void move_mixture(MixtureBody<D>& body, const MixtureSettings& settings, const P
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     WetNode<D>& node = body.nodes[i];
     if (node.solid_mass <= limit) continue;
-    node.v = node.w = body.solid_constraints[i].apply(momentum[i] / mixture_mass(node));
+    node.v = node.w = body.solid_constraints[i].hold(momentum[i] / mixture_mass(node));
   }
 }
 

@@ -161,7 +161,8 @@ void start_from_pressures(MixtureBody<D>& body, const MixtureSettings& settings,
   body.pressure = given;
 }
 
-/// Area of the open sides that touch each node, outwards.
+/// Area of the open sides that touch each node, outwards. A side with a node under a skin is a part of the skin, and of
+/// no other surface.
 template <int D>
 void find_open_area(MixtureBody<D>& body) {
   body.area.assign(body.mesh.nodes.size(), Vector<D>::Zero());
@@ -172,13 +173,17 @@ void find_open_area(MixtureBody<D>& body) {
       const int neighbour = at(at(body.mesh.neighbours, e), k);
       if (neighbour >= 0 && at(body.cells, neighbour).wet) continue;
       const Vector<D> share = -at(body.mesh.volumes, e) * b.row(k).transpose();
-      bool closed = true;
-      for (int i = 0; i <= D; ++i)
-        if (i != k)
-          closed =
-              closed && is_held(at(body.water_constraints, node_of(body.mesh, e, i)), Vector<D>(share.normalized()));
+      const auto has_skin = [&](int i) {
+        return surface_condition(body, node_of(body.mesh, e, i)).kind == SurfaceKind::closed;
+      };
+      bool closed = true, skin = false;
+      for (int i = 0; i <= D; ++i) {
+        if (i == k) continue;
+        closed = closed && is_held(at(body.water_constraints, node_of(body.mesh, e, i)), Vector<D>(share.normalized()));
+        skin = skin || has_skin(i);
+      }
       for (int i = 0; i <= D && !closed; ++i)
-        if (i != k) at(body.area, node_of(body.mesh, e, i)) += share;
+        if (i != k && skin == has_skin(i)) at(body.area, node_of(body.mesh, e, i)) += share;
     }
   }
 }

@@ -96,10 +96,10 @@ void solve_momentum(Body<D>& body, const Settings& settings) {
       const double sign = node.momentum[d] > 0 ? 1 : node.momentum[d] < 0 ? -1 : 0;
       force[d] -= settings.damping * sign * std::abs(force[d]);
     }
-    // In its fixed directions the node stands: it takes the speed that its points bring there.
+    // In its fixed directions the node moves as what holds it: it takes the speed that its points bring there.
     const Vector<D> brought = node.momentum / node.mass;
     node.acceleration = body.constraints[i].apply(force / (settings.mass_scaling * node.mass)) -
-                        (brought - body.constraints[i].apply(brought)) / settings.time_step;
+                        (brought - body.constraints[i].hold(brought)) / settings.time_step;
   }
 }
 
@@ -123,8 +123,7 @@ void remap_momentum(Body<D>& body) {
   }
   const double limit = massless_limit(body);
   for (std::size_t i = 0; i < body.nodes.size(); ++i)
-    if (body.nodes[i].mass > limit)
-      body.nodes[i].velocity = body.constraints[i].apply(momentum[i] / body.nodes[i].mass);
+    if (body.nodes[i].mass > limit) body.nodes[i].velocity = body.constraints[i].hold(momentum[i] / body.nodes[i].mass);
 }
 
 /// x_p += Δt Σ N_i v_i (2.42). relocate_points() then finds the new elements.

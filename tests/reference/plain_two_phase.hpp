@@ -40,7 +40,7 @@ void remap_wet_momentum(WetBody<D>& body) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     WetNode<D>& node = body.nodes[i];
     if (node.solid_mass <= limit) continue;
-    node.v = body.solid_constraints[i].apply(solid[i] / node.solid_mass);
+    node.v = body.solid_constraints[i].hold(solid[i] / node.solid_mass);
     if (node.water_mass > 0) node.w = body.water_constraints[i].apply(water[i] / node.water_mass);
     limit_inflow(body, static_cast<int>(i), node.v, node.w);
   }

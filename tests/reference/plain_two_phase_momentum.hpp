@@ -18,6 +18,7 @@ struct NodeDirection {
   double v, w;                    ///< at the start of the step [m/s]
   double solid_force, water_force;
   bool solid_fixed, water_fixed;
+  double drive = 0;  ///< of what holds the solid [m/s]
 };
 
 struct Accelerations {
@@ -26,13 +27,14 @@ struct Accelerations {
 
 /// Solves, with w' = w + Δt a_w and v' = v + Δt a_s (implicit) or w' = w and v' = v (explicit),
 ///     M_w a_w = F_w − D(w' − v'),   M_s a_s = F_s + θ D(w' − v').
-/// A phase that is held takes the velocity that its points bring, a = −v/Δt; the other one feels it through the drag.
+/// A phase that is held takes the velocity that its points bring, a = (drive − v)/Δt with the solid's drive; the other
+/// one feels it through the drag.
 inline Accelerations solve_direction(const NodeDirection& n, double time_step, Drag drag) {
   const double g = drag == Drag::implicit_at_nodes ? n.drag * time_step : 0.0;
   const double water = n.water_force - n.drag * (n.w - n.v);
   const double solid = n.solid_force + n.content * n.drag * (n.w - n.v);
   Accelerations a;
-  if (n.solid_fixed) a.solid = -n.v / time_step;
+  if (n.solid_fixed) a.solid = (n.drive - n.v) / time_step;
   if (n.water_fixed) a.water = -n.w / time_step;
   if (n.water_mass <= 0) {
     a.water = 0;
@@ -139,7 +141,8 @@ void solve_node(WetBody<D>& body, std::size_t number, const WetSettings& setting
                                              .solid_force = solid_force.dot(axis),
                                              .water_force = water_force.dot(axis),
                                              .solid_fixed = is_held(body.solid_constraints[number], axis),
-                                             .water_fixed = is_held(body.water_constraints[number], axis)},
+                                             .water_fixed = is_held(body.water_constraints[number], axis),
+                                             .drive = body.solid_constraints[number].drive.dot(axis)},
                                             settings.time_step, settings.drag);
     node.solid_acceleration += a.solid * axis;
     node.water_acceleration += a.water * axis;

@@ -37,14 +37,13 @@ mpm::Body<D> make_clay_block(int cells, double length) {
   fix_nodes<D>(body, 1, [](const Vec<D>& x) { return x[1] < 1e-9; });
   fix_nodes<D>(body, 0, [](const Vec<D>& x) { return std::hypot(x[0], x[1]) < 1e-9; });
   if constexpr (D == 3) fix_nodes<3>(body, 2, [](const Vec<3>&) { return true; });
-  mpm::Prescribed<D> plate;
-  plate.velocity[1] = -squeezing * block_height;
-  body.conditions.prescribed.push_back(plate);
+  Vec<D> plate{};
+  plate[1] = -squeezing * block_height;
   mpm::Load<D> load;
   const auto& nodes = body.mesh().nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const bool at_end = nodes[i][1] < 1e-9 || nodes[i][1] > block_height - 1e-9;
-    if (nodes[i][1] > block_height - 1e-9) get_constraint(body, i).prescribed = 0;
+    if (nodes[i][1] > block_height - 1e-9) move_node<D>(body, i, plate);
     double force = cell_pressure * block_height / (2 * cells) * (at_end ? 0.5 : 1);
     if constexpr (D == 3) {
       const bool at_face = nodes[i][2] < 1e-9 || nodes[i][2] > size[2] - 1e-9;

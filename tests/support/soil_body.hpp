@@ -39,6 +39,18 @@ mpm::Constraint<D>& get_constraint(mpm::Body<D>& body, std::size_t node) {
   return body.conditions.constraints[static_cast<std::size_t>(index)];
 }
 
+/// The node moves with `velocity` [m/s] times `factor`, whatever held it before.
+template <int D>
+void move_node(mpm::Body<D>& body, std::size_t node, const Vec<D>& velocity, const input::TimeTable& factor = {}) {
+  mpm::Constraint<D>& c = get_constraint(body, node);
+  c = {};
+  c.fixed_count = D;
+  for (std::size_t d = 0; d < D; ++d) c.fixed[d][d] = 1;
+  c.drive = velocity;
+  c.factor = static_cast<int>(body.conditions.factors.size());
+  body.conditions.factors.push_back(factor);
+}
+
 /// Suppresses motion along the axis `component` at every node that `chosen` accepts.
 template <int D>
 void fix_nodes(mpm::Body<D>& body, int component,

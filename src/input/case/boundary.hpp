@@ -19,6 +19,7 @@ struct Boundary {
   double friction = 0;               ///< friction: Coulomb's μ [-] of a wall that may be left but not crossed
   std::array<double, 3> velocity{};  ///< velocity: prescribed [m/s], times `factor`
   TimeTable factor{};
+  bool smooth = false;  ///< velocity: across the boundary only
 };
 
 enum class Carrier { sides, points };
@@ -59,6 +60,8 @@ void describe(Visitor& v, Boundary& b) {
         "Prescribed velocity.");
   v.key("factor", b.factor, quantity("s").allowed_with("fix", b.fix, Fix::velocity).example("[[0, 0], [1, 1]]"),
         "The velocity is multiplied by this factor: linear between the rows, constant before and after them.");
+  v.key("smooth", b.smooth, plain().allowed_with("fix", b.fix, Fix::velocity),
+        "The velocity is prescribed across the boundary only, and the soil is free to move along it.");
 }
 
 template <class Visitor>

@@ -12,22 +12,17 @@
 
 namespace talus::mpm {
 
-/// What may not happen at one node: motion along `fixed` unit vectors (orthonormal, the first `fixed_count`), motion
-/// into a frictional wall, or any motion but a prescribed one.
+/// What may not happen at one node: motion along `fixed` unit vectors (orthonormal, the first `fixed_count`) but that
+/// of what holds it, and motion into a frictional wall.
 template <int D>
 struct Constraint {
   int fixed_count = 0;
   Vec<D> fixed[D]{};
+  Vec<D> drive{};   ///< velocity of what holds the node [m/s], in the span of `fixed`, times a factor
+  int factor = -1;  ///< index into Conditions::factors; -1: it stands
   bool has_wall = false;
   Vec<D> wall_normal{};  ///< unit, out of the soil
   double friction = 0;   ///< Coulomb's μ of the wall [-]
-  int prescribed = -1;   ///< index into Conditions::prescribed, or -1
-};
-
-template <int D>
-struct Prescribed {
-  Vec<D> velocity{};  ///< [m/s], times `factor`
-  input::TimeTable factor;
 };
 
 /// A traction: nodal forces of mesh sides, or forces carried by points, both at factor 1.
@@ -47,20 +42,24 @@ struct Conditions {
   std::vector<int> constraint_of_node;     ///< index into constraints, or -1
   std::vector<Constraint<D>> constraints;  ///< each belongs to one node
   std::vector<std::uint8_t> pressed;       ///< by constraint: the wall stopped the node in this step's accelerations
-  std::vector<Prescribed<D>> prescribed;
+  std::vector<input::TimeTable> factors;   ///< of what holds nodes and moves
   std::vector<Load<D>> loads;
 };
+
+/// The velocity [m/s] of what holds a node, at time `t` [s].
+template <int D>
+Vec<D> find_drive(const Conditions<D>& conditions, const Constraint<D>& c, double t) {
+  if (c.factor < 0) return {};
+  const double f = conditions.factors[static_cast<std::size_t>(c.factor)].at(t);
+  Vec<D> v = c.drive;
+  for (double& x : v) x *= f;
+  return v;
+}
 
 /// The velocity [m/s] that a node may have at time `t` [s] instead of `wanted`.
 template <int D>
 Vec<D> constrain_velocity(const Conditions<D>& conditions, const Constraint<D>& c, std::type_identity_t<Vec<D>> wanted,
                           double t) {
-  if (c.prescribed >= 0) {
-    const Prescribed<D>& p = conditions.prescribed[static_cast<std::size_t>(c.prescribed)];
-    const double f = p.factor.at(t);
-    for (int d = 0; d < D; ++d) wanted[d] = p.velocity[d] * f;
-    return wanted;
-  }
   if (c.has_wall) {
     const double into = dot(wanted, c.wall_normal);
     if (into > 0) {  // the wall stops the normal motion; its friction is at most μ times that impulse
@@ -75,6 +74,8 @@ Vec<D> constrain_velocity(const Conditions<D>& conditions, const Constraint<D>& 
     const double along = dot(wanted, c.fixed[k]);
     for (int d = 0; d < D; ++d) wanted[d] -= along * c.fixed[k][d];
   }
+  const Vec<D> given = find_drive(conditions, c, t);
+  for (int d = 0; d < D; ++d) wanted[d] += given[d];
   return wanted;
 }
 

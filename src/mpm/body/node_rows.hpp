@@ -31,7 +31,6 @@ TALUS_KERNEL void sum_rows(const AlignedVector<double>& sums, const int* rows, i
 /// Share of `f` that acts along the free directions of a node.
 template <int D>
 TALUS_KERNEL Vec<D> free_part(const Constraint<D>& c, std::type_identity_t<Vec<D>> f) {
-  if (c.prescribed >= 0) return {};
   for (int k = 0; k < c.fixed_count; ++k) {
     const double along = dot(f, c.fixed[k]);
     for (int d = 0; d < D; ++d) f[d] -= along * c.fixed[k][d];
@@ -61,7 +60,7 @@ Vec<D> constrain_remapped(const Conditions<D>& conditions, int c, std::type_iden
     const double away = std::min(0.0, dot(v, k.wall_normal));
     for (int d = 0; d < D; ++d) v[d] -= away * k.wall_normal[d];
   }
-  return k.has_wall || k.prescribed >= 0 ? constrain_velocity(conditions, k, v, t) : free_part(k, v);
+  return k.has_wall || k.factor >= 0 ? constrain_velocity(conditions, k, v, t) : free_part(k, v);
 }
 
 /// What the pieces of a node loop sum up.

@@ -113,22 +113,16 @@ TALUS_KERNEL PhaseForces<D> find_phase_damping(const StepOptions<D>& o, const Ph
           find_damping<D>(unbalanced.water, now.water, o.water_damping)};
 }
 
-/// Accelerations of a node whose grains meet a frictional wall or move as prescribed.
+/// Accelerations of a node whose grains meet a frictional wall, or what holds them moves.
 template <int D>
 void solve_at_wall(Body<D>& body, const StepOptions<D>& o, int c, const CoupledNode<D>& node, const HeldAxes<D>& held,
                    const PhaseForces<D>& forces, PhaseVectors<D>& a) {
   const Constraint<D>& k = body.conditions.constraints[c];
-  if (k.prescribed >= 0) {
-    const Vec<D> before = constrain_velocity(body.conditions, k, {}, body.time);
-    const Vec<D> after = constrain_velocity(body.conditions, k, {}, body.time + o.dt);
-    for (int d = 0; d < D; ++d) a.solid[d] = (after[d] - before[d]) / o.dt;
-  } else {
-    Vec<D> wanted;
-    for (int d = 0; d < D; ++d) wanted[d] = node.now.solid[d] + o.dt * a.solid[d];
-    body.conditions.pressed[c] = dot(wanted, k.wall_normal) > 0;
-    const Vec<D> allowed = constrain_velocity(body.conditions, k, wanted, body.time + o.dt);
-    for (int d = 0; d < D; ++d) a.solid[d] = (allowed[d] - node.now.solid[d]) / o.dt;
-  }
+  Vec<D> wanted;
+  for (int d = 0; d < D; ++d) wanted[d] = node.now.solid[d] + o.dt * a.solid[d];
+  body.conditions.pressed[c] = dot(wanted, k.wall_normal) > 0;
+  const Vec<D> allowed = constrain_velocity(body.conditions, k, wanted, body.time + o.dt);
+  for (int d = 0; d < D; ++d) a.solid[d] = (allowed[d] - node.now.solid[d]) / o.dt;
   a.water = solve_water_alone<D>(node.pair, held, forces.water, node.now, a.solid, o.dt);
 }
 
@@ -142,7 +136,7 @@ PhaseVectors<D> solve_node(const NodePass<D>& pass, int i, const CoupledNode<D>&
   PhaseVectors<D> a =
       held ? solve_held_phases<D>(node.pair, *held, f, node.now, dt) : solve_free_phases<D>(node.pair, f, node.now);
   const int c = body.conditions.constraint_of_node[i];
-  if (held && c >= 0 && (body.conditions.constraints[c].has_wall || body.conditions.constraints[c].prescribed >= 0))
+  if (held && c >= 0 && (body.conditions.constraints[c].has_wall || body.conditions.constraints[c].factor >= 0))
     solve_at_wall(body, pass.options, c, node, *held, f, a);
   if (!surface.limits || node.water_mass <= 0) return a;
   Vec<D> v0, w0;

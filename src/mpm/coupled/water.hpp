@@ -3,6 +3,7 @@
 // Pore water of the engine as plain data: what the coupled step (coupled_step.hpp) has beside the fields of one phase.
 // Symbols and formulas: docs/theory/14-two-phase.md. Pressure p is positive in tension, so suction is a positive p.
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -52,6 +53,12 @@ struct SurfaceCondition {
   bool vertical = true;    ///< rain is measured on the horizontal
   double suction_limit = std::numeric_limits<double>::infinity();  ///< evaporation ends there [Pa]
 };
+
+/// Whether it is an impervious skin: no flux at any time.
+inline bool lets_nothing_through(const SurfaceCondition& s) {
+  const std::vector<double>& flux = s.value.value;
+  return s.kind == SurfaceKind::flux && std::all_of(flux.begin(), flux.end(), [](double q) { return q == 0; });
+}
 
 /// Water [kg] that has passed one condition since the start.
 struct SurfaceBudget {

@@ -137,7 +137,7 @@ bool limit_inflow(const Body<D>& body, int i, const SurfaceNode<D>& s, double so
   Vec<D> solid = s.normal, water = s.normal;
   if (const int c = body.conditions.constraint_of_node[i]; c >= 0) {
     const Constraint<D>& k = body.conditions.constraints[c];
-    solid = k.prescribed >= 0 ? Vec<D>{} : remove_fixed<D>(k.fixed, k.fixed_count, solid);
+    solid = remove_fixed<D>(k.fixed, k.fixed_count, solid);
     if (k.has_wall && body.conditions.pressed[c]) {
       const double along = dot(solid, k.wall_normal);
       for (int d = 0; d < D; ++d) solid[d] -= along * k.wall_normal[d];

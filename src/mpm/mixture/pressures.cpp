@@ -167,12 +167,18 @@ class PressureEquation {
     });
   }
 
+  bool is_skin(int node) const { return lets_nothing_through(water_.surfaces[water_.surface_of_node[node]]); }
+
   void find_surface() {
     std::fill(m_.area.begin(), m_.area.end(), Vec<D>{});
-    for (const OpenSide<D>& side : water_.open_sides)
+    for (const OpenSide<D>& side : water_.open_sides) {
+      const auto& nodes = mesh_.elements[side.element];
+      bool skin = false;  // with a node under a skin it is a part of that, and of no other surface
+      for (int k = 0; k <= D; ++k) skin = skin || (k != side.opposite && is_skin(nodes[k]));
       for (int k = 0; k <= D; ++k)
-        if (k != side.opposite)
-          for (int d = 0; d < D; ++d) m_.area[mesh_.elements[side.element][k]][d] += side.share[d];
+        if (k != side.opposite && skin == is_skin(nodes[k]))
+          for (int d = 0; d < D; ++d) m_.area[nodes[k]][d] += side.share[d];
+    }
     surface_.assign(mesh_.nodes.size(), {});
     const Vec<D> up = find_up<D>(o_.gravity);
     const double weight = water_.density * norm(o_.gravity);

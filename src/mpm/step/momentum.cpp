@@ -42,11 +42,7 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
       const int c = constraint_of[i];
       if (c >= 0) {
         const Constraint<D>& constraint = body.conditions.constraints[static_cast<std::size_t>(c)];
-        if (constraint.prescribed >= 0) {
-          const Vec<D> now = constrain_velocity(body.conditions, constraint, {}, body.time);
-          const Vec<D> next = constrain_velocity(body.conditions, constraint, {}, body.time + o.dt);
-          for (int d = 0; d < D; ++d) a[d] = (next[d] - now[d]) / o.dt;
-        } else if (constraint.has_wall) {
+        if (constraint.has_wall) {
           // The out-of-balance force that damping is a share of holds the wall's reaction, or a resting block would be
           // shaken by a share of its own weight.
           Vec<D> f, v;
@@ -65,8 +61,8 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
           const Vec<D> allowed = constrain_velocity(body.conditions, constraint, wanted, body.time + o.dt);
           for (int d = 0; d < D; ++d) a[d] = (allowed[d] - v[d]) / o.dt;
         } else {
-          // The node stands along its fixed directions, so what speed its points bring there is taken from them, and
-          // damping takes no share of what supports bear.
+          // Along its fixed directions the node moves as what holds it, so what other speed its points bring there is
+          // taken from them, and damping takes no share of what supports bear.
           Vec<D> f, v;
           for (int d = 0; d < D; ++d) {
             f[d] = t[1 + D + d] + f_ext[d];
@@ -80,6 +76,10 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
           }
           a = free_part(constraint, a);
           for (int d = 0; d < D; ++d) a[d] -= (v[d] - kept[d]) / o.dt;
+          if (constraint.factor >= 0) {
+            const Vec<D> given = find_drive(body.conditions, constraint, body.time + o.dt);
+            for (int d = 0; d < D; ++d) a[d] += given[d] / o.dt;
+          }
         }
       }
       // What is lost on the way to the points is added up here and in remap_momentum(), theory 9.

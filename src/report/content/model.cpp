@@ -56,7 +56,8 @@ std::string describe_boundary(const input::Boundary& b, std::size_t dimension) {
     case input::Fix::friction:
       return fmt::format("rough wall with μ = {:g}: the soil may leave it but not cross it", b.friction);
     case input::Fix::velocity:
-      return fmt::format("prescribed velocity {} m/s{}", show_vector(b.velocity, dimension), describe_factor(b.factor));
+      return fmt::format("prescribed velocity {} m/s{}{}", show_vector(b.velocity, dimension),
+                         b.smooth ? " across it, free along it" : "", describe_factor(b.factor));
   }
   return "";
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "run/mpm/start/conditions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "mpm/body/observe.hpp"
 
 namespace talus::run {
@@ -25,27 +28,66 @@ Vec<D> truncate(const std::array<double, 3>& v) {
   return r;
 }
 
+/// Along `normal` the node moves with `velocity` [m/s], as far as what came before says nothing of that.
+template <int D>
+void hold(mpm::Constraint<D>& c, const std::type_identity_t<Vec<D>>& normal,
+          const std::type_identity_t<Vec<D>>& velocity) {
+  const int before = c.fixed_count;
+  ground::add_direction<D>(c.fixed, c.fixed_count, normal);
+  if (c.fixed_count == before) return;
+  const Vec<D>& rest = c.fixed[before];  // of the normal, without the directions before it
+  const double speed = (dot(velocity, normal) - dot(c.drive, normal)) / dot(rest, normal);
+  for (std::size_t d = 0; d < D; ++d) c.drive[d] += speed * rest[d];
+}
+
+template <int D>
+void hold_all(mpm::Constraint<D>& c, const std::type_identity_t<Vec<D>>& velocity) {
+  for (std::size_t d = 0; d < D; ++d) {
+    Vec<D> axis{};
+    axis[d] = 1;
+    hold(c, axis, velocity);
+  }
+}
+
+/// Index of a factor among those of boundaries that move.
+template <int D>
+int add_factor(mpm::Conditions<D>& conditions, const input::TimeTable& factor) {
+  auto& all = conditions.factors;
+  const auto same = std::find_if(all.begin(), all.end(), [&](const input::TimeTable& f) {
+    return f.time == factor.time && f.value == factor.value;
+  });
+  if (same != all.end()) return static_cast<int>(same - all.begin());
+  all.push_back(factor);
+  return static_cast<int>(all.size()) - 1;
+}
+
+template <int D>
+void move_along(mpm::Constraint<D>& c, const input::Boundary& boundary, int factor) {
+  if (c.factor >= 0 && c.factor != factor && c.fixed_count < D)
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the boundary '{}' meets another one that moves, and their velocities have different "
+                            "factors: give both the same 'factor' in [[boundary]]",
+                            boundary.on));
+  if (c.factor < 0) c.factor = factor;
+}
+
 template <int D>
 void apply_boundary(mpm::Body<D>& body, const input::Boundary& boundary, const std::type_identity_t<Vec<D>>& gravity) {
   const auto& sides = ground::find_sides(body.mesh(), boundary.on);
   mpm::Conditions<D>& conditions = body.conditions;
-  if (boundary.fix == input::Fix::velocity)
-    conditions.prescribed.push_back({truncate<D>(boundary.velocity), boundary.factor});
+  const Vec<D> velocity = truncate<D>(boundary.velocity);
+  const int factor = boundary.fix == input::Fix::velocity ? add_factor(conditions, boundary.factor) : -1;
   for (const auto& [node, normals] : ground::find_node_normals(body, sides, gravity)) {
     mpm::Constraint<D>& c = get_constraint(conditions, node);
     switch (boundary.fix) {
       case input::Fix::full:
-        for (std::size_t d = 0; d < D; ++d) {
-          Vec<D> axis{};
-          axis[d] = 1;
-          ground::add_direction<D>(c.fixed, c.fixed_count, axis);
-        }
+        hold_all(c, {});
         break;
       case input::Fix::normal:
-        for (const Vec<D>& n : normals) ground::add_direction<D>(c.fixed, c.fixed_count, n);
+        for (const Vec<D>& n : normals) hold(c, n, {});
         break;
       case input::Fix::plane:
-        ground::add_direction<D>(c.fixed, c.fixed_count, truncate<D>(boundary.normal));
+        hold(c, truncate<D>(boundary.normal), {});
         break;
       case input::Fix::friction:
         c.has_wall = true;
@@ -53,7 +95,11 @@ void apply_boundary(mpm::Body<D>& body, const input::Boundary& boundary, const s
         c.friction = boundary.friction;
         break;
       case input::Fix::velocity:
-        c.prescribed = static_cast<int>(conditions.prescribed.size()) - 1;
+        move_along(c, boundary, factor);
+        if (boundary.smooth)
+          for (const Vec<D>& n : normals) hold(c, n, velocity);
+        else
+          hold_all(c, velocity);
         break;
     }
   }
@@ -114,7 +160,10 @@ void resolve_conditions(mpm::Body<D>& body, const input::Case& data) {
   body.conditions = {};
   body.conditions.constraint_of_node.assign(body.mesh().nodes.size(), -1);
   Vec<D> gravity = truncate<D>(data.gravity.direction);
-  for (const input::Boundary& boundary : data.boundaries) apply_boundary(body, boundary, gravity);
+  // What moves first: where it meets what stands, its nodes move.
+  for (const bool moves : {true, false})
+    for (const input::Boundary& boundary : data.boundaries)
+      if ((boundary.fix == input::Fix::velocity) == moves) apply_boundary(body, boundary, gravity);
   for (const input::Traction& traction : data.tractions) apply_traction(body, traction);
 }
 
