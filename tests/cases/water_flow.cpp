@@ -149,6 +149,48 @@ TEST(WaterFlow, CylinderThatDrainsHasDeLeeuwsPressures) {
   EXPECT_LT(std::abs(run.budget_error), 1e-11);
 }
 
+/// p/p0 of Mandel's strip for η = G/E_c = 0.375 and rigid water, at x/a and T.
+double find_mandel(double x, double factor) {
+  constexpr double shear = 0.375;
+  double sum = 0;
+  for (int k = 0; k < 20; ++k) {
+    double low = k * std::numbers::pi + 1e-9, high = (k + 0.5) * std::numbers::pi - 1e-9;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      (std::tan(middle) < middle / shear ? low : high) = middle;
+    }
+    sum += 2 * std::sin(low) / (low - std::sin(low) * std::cos(low)) * (std::cos(low * x) - std::cos(low)) *
+           std::exp(-low * low * factor);
+  }
+  return sum;
+}
+
+/// Smooth plates with the velocity of the series: the pressures, and that the plate bears the load all the time.
+TEST(WaterFlow, StripBetweenPlatesHasMandelsPressures) {
+  const double end = 8.84;
+  const WaterRun run("mandel/case.toml",
+                     {{"stage.consolidation.duration", std::to_string(end)}, {"mesh.size", "0.05"}});
+  const double modulus = 1e7 * 0.8 / (1.2 * 0.6), speed = 1e-5 * modulus / 9810 / (1 + 0.4 * modulus / 2.2e9);
+  const output::Frame frame = run.frame(end);
+  const std::vector<double> pressure = take(frame, "pore_pressure"), stress = take(frame, "stress", 6, 1),
+                            volume = take(frame, "volume");
+  double largest = 0, force = 0, area = 0;
+  std::vector<std::array<double, 2>> means(pressure.size() / 3);  // x, p of the elements
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    auto& mean = means.at(static_cast<std::size_t>(frame.ids[i]) / 3);
+    mean[0] += frame.positions[3 * i] / 3, mean[1] += pressure[i] / 3e4;
+    force += (pressure[i] - stress[i]) * volume[i];
+    area += volume[i];
+  }
+  for (const auto& [x, p] : means) {
+    EXPECT_NEAR(p, find_mandel(x, speed * (end - 0.025)), 0.01) << x;
+    largest = std::max(largest, p);
+  }
+  EXPECT_GT(largest, 1.08) << "the pressure in the middle rises above the load";
+  EXPECT_NEAR(force / area / 2e4, 1, 0.005);
+  EXPECT_LT(std::abs(run.budget_error), 1e-11);
+}
+
 TEST(WaterFlow, DamHasDupuitsDischarge) {
   const double dupuit = 1e-4 * (10 * 10 - 2 * 2) / 20;
   const std::vector<input::Override> steady = {{"mesh.size", "1"}, {"stage.flow.duration", "\"3 h\""}};
