@@ -42,17 +42,6 @@ reference::WetBody<D> make_moving_slope(double rate = 1) {
   return set_in_motion(soften(reference::make_wet_slope<D>(), soft_water), rate);
 }
 
-/// The left wall is pushed in, smooth above its foot.
-template <int D>
-reference::WetBody<D> push_left_wall(reference::WetBody<D> body) {
-  for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i) {
-    if (body.mesh.nodes[i][0] > 1e-9) continue;
-    body.solid_constraints[i].fixed[0] = true;
-    body.solid_constraints[i].drive[0] = 0.3;
-  }
-  return body;
-}
-
 template <int D>
 double stable_step(const reference::WetBody<D>& body, reference::Drag drag = reference::Drag::implicit_at_nodes) {
   const auto soil = reference::CoupledSoil::saturated(5e6 * 0.7 / 0.52, 0.35, soft_water, 2650, 1e-5);

@@ -35,6 +35,17 @@ void fix_face(Body<D>& body, int axis, double value, int component);
 template <int D>
 void fix_box(Body<D>& body, const typename mesh::Mesh<D>::Point& size);
 
+/// The face x = 0 is pushed in at 0.5 m/s, smooth but where it is fixed upwards: there it moves up as well.
+template <int D>
+void push_left_wall(const mesh::Mesh<D>& mesh, std::vector<Constraint<D>>& constraints) {
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    if (mesh.nodes[i][0] > 1e-9) continue;
+    constraints[i].fixed[0] = true;
+    constraints[i].drive[0] = 0.5;
+    if (constraints[i].fixed[1]) constraints[i].drive[1] = 0.1;
+  }
+}
+
 /// Places D+1 points of equal volume in every element whose centroid `inside` accepts, near the element's nodes (the
 /// points of the second-order Gauss rule).
 template <int D, class Inside>
