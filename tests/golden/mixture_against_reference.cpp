@@ -25,6 +25,7 @@ struct Case {
   bool mixed = true, frozen = false;
   Smoothing smoothing = Smoothing::none;
   double damping = 0;
+  bool given = false;  ///< the nodes start from pressures that are given
 };
 
 template <int D>
@@ -43,6 +44,12 @@ void expect_same(const reference::WetBody<D>& wet, const Case& c, int steps) {
   mpm::StepOptions<D> options = golden::translate(settings, static_cast<const reference::WetBody<D>&>(plain));
   options.mixture = true;
   options.pressure_tolerance = 1e-13;
+  if (c.given) {
+    std::vector<double> pressures;
+    for (const auto& x : plain.mesh.nodes) pressures.push_back(9810 * (x[D - 1] - 1.7));
+    reference::start_from_pressures(plain, pressures);
+    body.water.mixture.pressure = pressures;
+  }
   mpm::gather_nodal_sums(body, options);
   std::vector<double> point_scales, budget_scales;
   for (int s = 1; s <= steps && !testing::Test::HasFatalFailure(); ++s) {
@@ -59,7 +66,9 @@ std::vector<Case> list_cases() {
   return {{.name = "mixed"},
           {.name = "stable", .smoothing = Smoothing::stable},
           {.name = "points", .mixed = false, .smoothing = Smoothing::strain},
-          {.name = "frozen", .frozen = true}};
+          {.name = "frozen", .frozen = true},
+          {.name = "given pressures", .given = true},
+          {.name = "given pressures, frozen", .frozen = true, .given = true}};
 }
 
 TEST(MixtureAgainstReference, PlaneSlopeIsTheSamePointByPoint) {

@@ -84,45 +84,42 @@ std::vector<double> find_shares(const MixtureBody<D>& body, const std::vector<do
   return shares;
 }
 
-/// The part of `rest` that is not given yet after such shares are.
+/// Size of the elements round each node [m].
 template <int D>
-std::vector<double> take_shares(const MixtureBody<D>& body, std::vector<double> rest,
-                                const std::vector<double>& shares) {
+std::vector<double> find_node_sizes(const mesh::Mesh<D>& mesh) {
+  std::vector<double> volume(mesh.nodes.size(), 0), count(volume);
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int i = 0; i <= D; ++i) {
+      at(volume, node_of(mesh, e, i)) += at(mesh.volumes, e);
+      at(count, node_of(mesh, e, i)) += 1;
+    }
+  for (std::size_t i = 0; i < volume.size(); ++i)
+    volume[i] = std::pow((D == 2 ? 2 : 6) * volume[i] / count[i], 1.0 / D);
+  return volume;
+}
+
+/// What left the nodes and their elements do not show stays with them as their own, until the soil has moved over the
+/// size of an element.
+template <int D>
+void keep_own_water(MixtureBody<D>& body, const MixtureSettings& settings, const std::vector<double>& shares,
+                    const std::vector<Vector<D>>& velocity) {
+  for (std::size_t i = 0; i < body.own.size(); ++i) body.own[i] -= body.water[i].out;
   for (std::size_t e = 0; e < body.cells.size(); ++e)
     for (std::size_t p : body.cells[e].points) {
       const WetPoint<D>& point = body.points[p];
       if (!soil_of(body, point).wet || !body.cells[e].wet) continue;
       for (int i = 0; i <= D; ++i)
-        at(rest, node_of(body.mesh, static_cast<int>(e), i)) -= pore_volume(body, point) * shares[e] / (D + 1);
+        at(body.own, node_of(body.mesh, static_cast<int>(e), i)) += pore_volume(body, point) * shares[e] / (D + 1);
     }
-  return rest;
-}
-
-/// Chebyshev's iteration: shares that the nodes see as `out`, for patterns of which they see at least `least_seen`.
-inline constexpr int water_rounds = 3;
-inline constexpr double least_seen = 0.4;
-template <int D>
-std::vector<double> share_water(const MixtureBody<D>& body, const std::vector<double>& out) {
-  constexpr double middle = (1 + least_seen) / 2, half = (1 - least_seen) / 2;
-  std::vector<double> rest = out, direction(out.size(), 0), all(out.size(), 0);
-  double rho = half / middle;
-  for (int n = 0; n < water_rounds; ++n) {
-    const double next = n == 0 ? rho : 1 / (2 * middle / half - rho);
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      direction[i] = n == 0 ? rest[i] / middle : next * rho * direction[i] + 2 * next / half * rest[i];
-      all[i] += direction[i];
-    }
-    rest = take_shares(body, rest, find_shares(body, direction));
-    rho = next;
-  }
-  for (std::size_t i = 0; i < out.size(); ++i) all[i] += rest[i];  // to the last drop
-  return find_shares(body, all);
+  const std::vector<double> size = find_node_sizes(body.mesh);
+  for (std::size_t i = 0; i < body.own.size() && !settings.frozen; ++i)
+    body.own[i] *= std::max(0.0, 1 - settings.time_step * velocity[i].norm() / size[i]);
 }
 
 /// What left the nodes is taken from the elements, in proportion to their pores (T22.6), and the budget is kept.
 /// Elements lose as much as the nodes do: no water is lost.
 template <int D>
-void move_water(MixtureBody<D>& body, const MixtureSettings& settings) {
+void move_water(MixtureBody<D>& body, const MixtureSettings& settings, const std::vector<Vector<D>>& velocity) {
   for (const WetCell& cell : body.cells) {
     if (!cell.full || !cell.wet) continue;
     const ElementWater water = find_element_water(body, cell);
@@ -133,7 +130,8 @@ void move_water(MixtureBody<D>& body, const MixtureSettings& settings) {
   }
   std::vector<double> out;
   for (const WaterNode& node : body.water) out.push_back(node.out);
-  const std::vector<double> shares = share_water(body, out);
+  const std::vector<double> shares = find_shares(body, out);
+  keep_own_water(body, settings, shares, velocity);
   for (std::size_t e = 0; e < body.cells.size(); ++e)
     for (std::size_t p : body.cells[e].points) {
       WetPoint<D>& point = body.points[p];
@@ -223,7 +221,7 @@ void step(MixtureBody<D>& body, const MixtureSettings& settings) {
   const std::vector<ElementFlow> flow = solve_pressures(body, settings, predicted.velocity, predicted.acceleration);
   move_mixture(body, settings, predicted, flow);
   const std::vector<Vector<D>> seeping = find_seeping(body, flow, predicted.acceleration);
-  move_water(body, settings);
+  move_water(body, settings, predicted.velocity);
   compute_wet_increments(body, settings);
   update_mixture_points(body, settings, seeping);
   if (!settings.frozen) move_wet_points(body, settings);

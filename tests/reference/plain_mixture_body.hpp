@@ -11,7 +11,7 @@
 namespace talus::reference {
 
 struct MixtureSettings : WetSettings {
-  double projection = 1;  ///< τ of (T22.7) times E_c/2 [-]
+  double projection = 1;  ///< τ of (T22.8) times E_c/2 [-]
 };
 
 /// What a node knows of its water during one step. Volumes are those of water at zero pressure.
@@ -41,6 +41,7 @@ struct MixtureBody : WetBody<D> {
   // By node. The pressure stays from step to step; NaN where there was no water.
   std::vector<double> pressure;  ///< tension positive [Pa]
   std::vector<bool> ponded;      ///< water stands on the surface: rain does not enter at once, or seepage leaves
+  std::vector<double> own;       ///< water beside the share in that of the elements [m³]
   std::vector<Vector<D>> area;   ///< of the open sides that touch the node, outwards [m²]
   // By node, of the last step.
   std::vector<WaterNode> water;

@@ -138,28 +138,6 @@ Eigen::SparseMatrix<double> find_pushed_growth(const MixtureBody<D>& body, const
   return b * inverse * b.transpose();
 }
 
-/// What a node's pores hold over the pressure, as a straight line through what they hold at `pressure`. Retention is no
-/// line: while water is drawn, it is the tangent at the last solution; pores that fill up hold what they hold at zero
-/// pressure and what is pressed into them.
-struct HeldLine {
-  double pressure = 0, held = 0, storage = 1;
-  bool full = false, gives = false;
-  double at(double p) const { return held - storage * (p - pressure); }
-};
-
-inline HeldLine fill_line(const std::vector<SoilPores>& soils) {
-  double storage = 0;
-  for (const SoilPores& s : soils) storage += s.pores * s.soil->saturation(0) / s.soil->bulk_modulus;
-  return {.pressure = 0, .held = find_held(soils, 0).first, .storage = storage, .full = true, .gives = true};
-}
-
-inline HeldLine start_line(const std::vector<SoilPores>& soils, double p) {
-  const bool gives = std::any_of(soils.begin(), soils.end(), [](const SoilPores& s) { return retains(*s.soil); });
-  if (gives && p <= 0) return fill_line(soils);
-  const auto [held, storage] = find_held(soils, p);
-  return {.pressure = p, .held = held, .storage = storage, .gives = gives};
-}
-
 /// Rounds in which pores may be found to drain again, and rounds in all. Pores that are taken for full and are not are
 /// an error that the next step corrects; pores that take up water where there is no room are not let through.
 inline constexpr int draining_rounds = 4, most_pressure_rounds = 12;

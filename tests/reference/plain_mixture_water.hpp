@@ -69,12 +69,37 @@ inline bool retains(const PoreWater& soil) {
   return soil.saturation(1e5) < soil.saturation(0);
 }
 
-/// Contents of the nodes, and the pressures of the start of the step. Where pores are not full, the pressure is the one
+/// What a node's pores hold over the pressure, as a straight line through what they hold at `pressure`. Retention is no
+/// line: while water is drawn, it is the tangent at the last solution; pores that fill up hold what they hold at zero
+/// pressure and what is pressed into them.
+struct HeldLine {
+  double pressure = 0, held = 0, storage = 1;
+  bool full = false, gives = false;
+  double at(double p) const { return held - storage * (p - pressure); }
+};
+
+inline HeldLine fill_line(const std::vector<SoilPores>& soils) {
+  double storage = 0;
+  for (const SoilPores& s : soils) storage += s.pores * s.soil->saturation(0) / s.soil->bulk_modulus;
+  return {.pressure = 0, .held = find_held(soils, 0).first, .storage = storage, .full = true, .gives = true};
+}
+
+inline HeldLine start_line(const std::vector<SoilPores>& soils, double p) {
+  const bool gives = std::any_of(soils.begin(), soils.end(), [](const SoilPores& s) { return retains(*s.soil); });
+  if (gives && p <= 0) return fill_line(soils);
+  const auto [held, storage] = find_held(soils, p);
+  return {.pressure = p, .held = held, .storage = storage, .gives = gives};
+}
+
+/// Contents of the nodes, and the pressures of the start of the step. What a node holds at given pressures beside its
+/// share of the elements' water it keeps as its own (T22.8). Where pores are not full, the pressure is the one
 /// at which they hold their water. Where they are, it is that of the last step: the water of full pores would say it
 /// with K_w times its error.
 template <int D>
 void find_node_pressures(MixtureBody<D>& body) {
   const std::size_t count = body.mesh.nodes.size();
+  const bool first = body.own.size() != count;
+  if (first) body.own.assign(count, 0);
   body.water.assign(count, {});
   body.pressure.resize(count, NAN);
   std::vector<std::vector<SoilPores>>& soils = body.soils_at;
@@ -108,8 +133,11 @@ void find_node_pressures(MixtureBody<D>& body) {
     double& p = body.pressure[i];
     if (node.pores <= 0) {
       p = NAN;
+      body.own[i] = 0;
       continue;
     }
+    if (first && !std::isnan(p)) body.own[i] = start_line(soils[i], p).at(p) - node.water;
+    node.water += body.own[i];
     if (std::isnan(p)) p = last[i] / node.pores;
     const bool gives =
         std::any_of(soils[i].begin(), soils[i].end(), [](const SoilPores& s) { return retains(*s.soil); });
@@ -127,38 +155,11 @@ void find_node_pressures(MixtureBody<D>& body) {
   }
 }
 
-/// Gives the points the water with which the nodes hold theirs at the pressures `given` by node [Pa]: what a node lacks
-/// goes to its elements until little is lacking. Afterwards the step starts from these pressures.
+/// Starts from given pressures by node [Pa].
 template <int D>
-void start_from_pressures(MixtureBody<D>& body, const MixtureSettings& settings, const std::vector<double>& given) {
-  classify_wet_elements(body, settings);
-  for (int round = 0; round < 200; ++round) {
-    body.pressure = given;
-    find_node_pressures(body);
-    double largest = 0;
-    std::vector<double> lack(body.water.size(), 0);
-    for (std::size_t i = 0; i < lack.size(); ++i) {
-      WaterNode& node = body.water[i];
-      if (node.pores <= 0) continue;
-      lack[i] = find_held(body.soils_at[i], given[i]).first - node.water;
-      largest = std::max(largest, std::abs(lack[i]) / node.pores);
-    }
-    if (largest < 1e-14) break;
-    for (int e = 0; e < body.mesh.element_count(); ++e) {
-      if (!at(body.cells, e).wet) continue;
-      double share = 0;
-      for (int i = 0; i <= D; ++i) {
-        const int node = node_of(body.mesh, e, i);
-        share += at(lack, node) / at(body.water, node).pores / (D + 1);
-      }
-      for (std::size_t p : at(body.cells, e).points) {
-        WetPoint<D>& point = body.points[p];
-        if (soil_of(body, point).wet)
-          point.water_mass += soil_of(body, point).water.density * pore_volume(body, point) * share;
-      }
-    }
-  }
+void start_from_pressures(MixtureBody<D>& body, const std::vector<double>& given) {
   body.pressure = given;
+  body.own.clear();
 }
 
 /// Area of the open sides that touch each node, outwards. A side with a node under a skin is a part of the skin, and of

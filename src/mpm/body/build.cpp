@@ -243,6 +243,7 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
     std::fill(body.water.volume.begin(), body.water.volume.end(), 0.0);
     body.water.mixture.pressure.clear();  // nobody would renew them
     body.water.mixture.ponded.clear();
+    body.water.mixture.own.clear();
     body.water.mixture.change.clear();
     find_held_axes(body);
     for (int e = 0; e < elements; ++e) {

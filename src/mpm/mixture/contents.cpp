@@ -79,9 +79,10 @@ bool sum_element(Body<D>& body, int e, bool mixed) {
   return wet > 0;
 }
 
-/// Contents of node `i`, and its pressure.
+/// Contents of node `i`, and its pressure. `first`: pressures that there are are given, and the node holds what it does
+/// at them.
 template <int D>
-void start_node(Body<D>& body, int i) {
+void start_node(Body<D>& body, int i, bool first) {
   Water<D>& water = body.water;
   MixtureWater<D>& m = water.mixture;
   const NodeGraph<D>& graph = *m.graph;
@@ -100,14 +101,17 @@ void start_node(Body<D>& body, int i) {
     last += here * water.mean_pressure[e];
     all += here;
   }
-  m.node_water[i] = content;
   double& p = m.pressure[i];
   if (!(all > 0)) {
     p = NAN;
+    m.node_water[i] = m.own[i] = 0;
     return;
   }
-  if (std::isnan(p)) p = last / all;
   const HeldWater held(water.laws, m.node_pores, i);
+  if (first && !std::isnan(p)) m.own[i] = HeldLine::start(held, p).at(p) - content;
+  content += m.own[i];
+  m.node_water[i] = content;
+  if (std::isnan(p)) p = last / all;
   if (!held.drains()) return;
   p = p > 0 && content < held.find_full().held ? held.find_suction(content, p) : std::min(p, 0.0);
 }
@@ -120,6 +124,9 @@ void find_contents(Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
   const Layout<D>& layout = *body.layout;
   const int elements = body.mesh().element_count();
+  const std::size_t nodes = body.mesh().nodes.size();
+  const bool first = water.mixture.own.size() != nodes;
+  if (first) water.mixture.own.assign(nodes, 0.0);
   std::vector<std::uint8_t> turned(static_cast<std::size_t>(layout.chunks), 0);
   parallel_for(layout.chunks, o.threads, [&](int c) {
     const int end = std::min(elements, layout.chunk_start[c + 1] * lane_width);
@@ -129,7 +136,7 @@ void find_contents(Body<D>& body, const StepOptions<D>& o) {
     }
   });
   if (std::any_of(turned.begin(), turned.end(), [](auto t) { return t != 0; })) water.surface_is_stale = true;
-  for_nodes(body, o.threads, [&](int i) { start_node(body, i); });
+  for_nodes(body, o.threads, [&](int i) { start_node(body, i, first); });
 }
 
 template void find_contents<2>(Body<2>&, const StepOptions<2>&);

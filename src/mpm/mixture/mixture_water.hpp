@@ -23,6 +23,7 @@ struct MixtureWater {
   // What stays from step to step, by node.
   std::vector<double> pressure;      ///< [Pa]; NaN where there is no water
   std::vector<std::uint8_t> ponded;  ///< water stands on the surface, or leaves it
+  std::vector<double> own;           ///< water beside the share in that of the elements (T22.2) [m³]
 
   // By element; pores and volume by material as well, [material][element].
   std::vector<AlignedVector<double>> pores;            ///< of wet points [m³]

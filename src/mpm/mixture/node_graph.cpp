@@ -2,6 +2,7 @@
 #include "mpm/mixture/node_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace talus::mpm {
 
@@ -22,6 +23,12 @@ NodeGraph<D> make_node_graph(const mesh::Mesh<D>& mesh) {
       graph.element[t] = e;
       graph.local[t] = k;
     }
+  constexpr double simplices = D == 2 ? 2 : 6;  // of a square, a cube
+  for (std::size_t i = 0; i < nodes; ++i) {
+    double volume = 0;
+    for (int t = graph.touch_start[i]; t < graph.touch_start[i + 1]; ++t) volume += mesh.volumes[graph.element[t]];
+    graph.size.push_back(std::pow(simplices * volume / (graph.touch_start[i + 1] - graph.touch_start[i]), 1.0 / D));
+  }
   graph.place.resize(graph.element.size() * (D + 1));
   graph.row_start.push_back(0);
   std::vector<int> row;

@@ -13,6 +13,7 @@ template <int D>
 struct NodeGraph {
   // Touch t is element `element[t]`, of which the node is local node `local[t]`; those of node i: touch_start[i] …
   std::vector<int> touch_start, element, local;
+  std::vector<double> size;            ///< of the elements round a node [m]
   std::vector<int> row_start, column;  ///< entries of row i: row_start[i] …; the first is the diagonal
   std::vector<int> place;              ///< [touch][D+1]: the entry of the row that is the column of the element's node
 };

@@ -20,9 +20,6 @@ namespace {
 constexpr int most_rounds = 12;           ///< solutions in a step, until lines and surface fit
 constexpr int most_iterations = 5000;     ///< of the linear solver
 constexpr double smallest_change = 1e-3;  ///< a change of the pressures that is none [Pa]
-/// Of what leaves the nodes, patterns of which they see less than this in their elements are left undone (T22.6).
-constexpr double least_seen = 0.4;
-constexpr int water_rounds = 3;
 
 /// What the surface does with the water of a node.
 struct SurfaceWater {
@@ -81,30 +78,22 @@ class PressureEquation {
     for_nodes([&](int i) { m_.out[i] = drained_[i] - q_[i] + m_.passed[i]; });
   }
 
-  /// What every pore of an element loses, so that its nodes see what leaves them: Chebyshev's iteration (T22.6).
+  /// What every pore of an element loses, and what its nodes do not see of that: it stays with them as their own, until
+  /// the soil has moved over the size of an element (T22.6, T22.7).
   void share_water() {
-    constexpr double middle = (1 + least_seen) / 2, half = (1 - least_seen) / 2;
-    std::vector<double>&rest = r_, &direction = d_, &all = z_;
-    rest = m_.out;
-    std::fill(all.begin(), all.end(), 0.0);
-    double rho = half / middle;
-    for (int n = 0; n < water_rounds; ++n) {
-      const double next = n == 0 ? rho : 1 / (2 * middle / half - rho);
-      for_nodes([&](int i) {
-        direction[i] = n == 0 ? rest[i] / middle : next * rho * direction[i] + 2 * next / half * rest[i];
-        all[i] += direction[i];
-      });
-      find_shares(direction);
-      for_nodes([&](int i) {
-        for (int t = graph_.touch_start[i]; t < graph_.touch_start[i + 1]; ++t) {
-          const int e = graph_.element[t];
-          for (const auto& pores : m_.pores) rest[i] -= pores[e] * m_.share[e] / (D + 1);
-        }
-      });
-      rho = next;
-    }
-    for_nodes([&](int i) { all[i] += rest[i]; });  // to the last drop
-    find_shares(all);
+    for_elements([&](int e) {
+      m_.share[e] = 0;
+      if (!(water_.volume[e] > 0)) return;
+      for (int node : mesh_.elements[e]) m_.share[e] += m_.out[node] / pores_[node] / (D + 1);
+    });
+    for_nodes([&](int i) {
+      m_.own[i] -= m_.out[i];
+      for (int t = graph_.touch_start[i]; t < graph_.touch_start[i + 1]; ++t) {
+        const int e = graph_.element[t];
+        for (const auto& pores : m_.pores) m_.own[i] += pores[e] * m_.share[e] / (D + 1);
+      }
+      if (o_.moving) m_.own[i] *= std::max(0.0, 1 - o_.dt * norm(m_.velocity[i]) / graph_.size[i]);
+    });
   }
 
   /// Darcy's flow at the end of the step, and the pressures of elements.
@@ -156,15 +145,6 @@ class PressureEquation {
   template <class Value>
   double sum(const Value& value) const {
     return wet_nodes_.sum(o_.threads, value);
-  }
-
-  /// What every pore of an element loses when `left` leaves its nodes: m_.share.
-  void find_shares(const std::vector<double>& left) {
-    for_elements([&](int e) {
-      m_.share[e] = 0;
-      if (!(water_.volume[e] > 0)) return;
-      for (int node : mesh_.elements[e]) m_.share[e] += left[node] / pores_[node] / (D + 1);
-    });
   }
 
   bool is_skin(int node) const { return lets_nothing_through(water_.surfaces[water_.surface_of_node[node]]); }

@@ -100,6 +100,7 @@ void put_mixture(ArchiveWriter& archive, const mpm::MixtureWater<D>& mixture) {
   archive.put("water/mixture/is_used", std::vector<int>{mixture.is_used ? 1 : 0});
   archive.put("water/mixture/pressure", mixture.pressure);
   archive.put("water/mixture/change", mixture.change);
+  archive.put("water/mixture/own", mixture.own);
   archive.put("water/mixture/ponded", std::vector<int>(mixture.ponded.begin(), mixture.ponded.end()));
 }
 
@@ -110,6 +111,7 @@ void get_mixture(const ArchiveReader& archive, mpm::MixtureWater<D>& mixture) {
   mixture.is_used = archive.integers("water/mixture/is_used")[0] != 0;
   mixture.pressure = archive.reals("water/mixture/pressure");
   mixture.change = archive.reals("water/mixture/change");
+  mixture.own = archive.reals("water/mixture/own");
   copy_into(mixture.ponded, archive.integers("water/mixture/ponded"));
 }
 

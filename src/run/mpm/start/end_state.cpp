@@ -171,7 +171,9 @@ void EndState::take_over(mpm::Body<D>& body) const {
     bits = now;
   }
   adapt_fields(body.points, fresh.points.fields, wet ? mpm::WaterFields<D>::count : 0);
-  refill(body, old_materials, find_refilled(archive_, materials, body.water.laws));
+  const auto refilled = find_refilled(archive_, materials, body.water.laws);
+  refill(body, old_materials, refilled);
+  if (!refilled.empty()) body.water.mixture.own.clear();  // the pressures stay, and what nodes hold at them does not
   // What follows from the points is gathered at the start of the stage; another version may number its rows otherwise.
   if (body.nodes.sums.size() != fresh.nodes.sums.size()) {
     body.nodes = fresh.nodes;
