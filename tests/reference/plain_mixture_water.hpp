@@ -36,13 +36,37 @@ double mean_over_nodes(const mesh::Mesh<D>& mesh, int e, const std::vector<doubl
   return sum / (D + 1);
 }
 
-/// What the pores hold at a pressure [m³], and its slope −d/dp [m³/Pa].
+/// Suction at which all soil is dry [Pa] (Fredlund and Xing 1994).
+inline constexpr double driest = 1e9;
+/// Of a node's water over its share of the elements'.
+inline constexpr double most_own = 0.5;
+
+/// Suction at which all but a thousandth is given up of what the soil gives up [Pa].
+inline double find_dry_suction(const PoreWater& soil) {
+  const double full = soil.saturation(0), least = soil.saturation(driest);
+  double low = 0, high = std::log(driest);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (soil.saturation(std::exp(middle)) - least <= 1e-3 * (full - least) ? high : low) = middle;
+  }
+  return std::exp(high);
+}
+
+/// What the pores hold at a pressure [m³], and its slope −d/dp [m³/Pa]. In dry soil the rest is gone at 1 GPa, on a
+/// logarithmic scale.
 inline std::pair<double, double> find_held(const std::vector<SoilPores>& soils, double p) {
   double held = 0, storage = 0;
   for (const SoilPores& s : soils) {
-    const double stretched = std::exp(-p / s.soil->bulk_modulus), saturation = s.soil->saturation(p);
+    const double stretched = std::exp(-p / s.soil->bulk_modulus);
+    double saturation = s.soil->saturation(p), slope = s.soil->saturation_slope(p);
+    const double dry = s.soil->saturation(1e5) < s.soil->saturation(0) ? find_dry_suction(*s.soil) : driest;
+    if (p > dry) {
+      const double decades = std::log(driest / dry), left = std::max(0.0, std::log(driest / p) / decades);
+      slope = slope * left - saturation / (p * decades);
+      saturation *= left;
+    }
     held += s.pores * saturation * stretched;
-    storage += s.pores * (saturation / s.soil->bulk_modulus - s.soil->saturation_slope(p)) * stretched;
+    storage += s.pores * (saturation / s.soil->bulk_modulus - slope) * stretched;
   }
   return {held, storage};
 }
@@ -50,8 +74,9 @@ inline std::pair<double, double> find_held(const std::vector<SoilPores>& soils, 
 /// The suction at which the pores hold `water`, less than at zero pressure: between bounds by bisection of Newton's
 /// steps.
 inline double find_suction(const std::vector<SoilPores>& soils, double water, double guess) {
+  if (water <= 0) return driest;
   double low = 0, high = std::max(1.0, 2 * guess);
-  while (find_held(soils, high).first > water && high < 1e12) low = high, high *= 4;
+  while (find_held(soils, high).first > water && high < driest) low = high, high = std::min(4 * high, driest);
   double p = guess > low && guess < high ? guess : 0.5 * (low + high);
   for (int i = 0; i < 200; ++i) {
     const auto [held, storage] = find_held(soils, p);
@@ -92,7 +117,7 @@ inline HeldLine start_line(const std::vector<SoilPores>& soils, double p) {
 }
 
 /// Contents of the nodes, and the pressures of the start of the step. What a node holds at given pressures beside its
-/// share of the elements' water it keeps as its own (T22.8). Where pores are not full, the pressure is the one
+/// share of the elements' water it keeps as its own (T22.2). Where pores are not full, the pressure is the one
 /// at which they hold their water. Where they are, it is that of the last step: the water of full pores would say it
 /// with K_w times its error.
 template <int D>
@@ -137,6 +162,7 @@ void find_node_pressures(MixtureBody<D>& body) {
       continue;
     }
     if (first && !std::isnan(p)) body.own[i] = start_line(soils[i], p).at(p) - node.water;
+    body.own[i] = std::clamp(body.own[i], -most_own * node.water, most_own * node.water);
     node.water += body.own[i];
     if (std::isnan(p)) p = last[i] / node.pores;
     const bool gives =

@@ -182,11 +182,25 @@ double find_chi(const WaterLaw& law, double pressure, double saturation) {
   return law.chi_air_entry <= 0 ? saturation : find_suction_share(law, pressure);
 }
 
+/// See WaterLaw::dry: by bisection on a logarithmic scale.
+double find_dry_suction(const WaterLaw& law) {
+  constexpr double rest = 1e-3, driest = 1e9;
+  const double least = material::saturation(law.retention, driest);
+  double low = 0, high = std::log(driest);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    const bool is_dry = material::saturation(law.retention, std::exp(middle)) - least <= rest * (law.full - least);
+    (is_dry ? high : low) = middle;
+  }
+  return std::exp(high);
+}
+
 WaterLaw finish(WaterLaw law) {
   const material::SoilWater<double> water = material::find_water(law.retention, 0.0);
   law.full = water.saturation;
   law.saturated_relative = find_relative(law, water);
   law.drains = material::saturation(law.retention, 1e5) < law.full;
+  if (law.drains) law.dry = find_dry_suction(law);
   return law;
 }
 

@@ -34,6 +34,7 @@ struct WaterLaw {
   double full = 1;                ///< S of the saturated soil [-]
   double saturated_relative = 1;  ///< k_r there [-]
   bool drains = false;            ///< gives up water under suction; else only its compressibility does
+  double dry = 1e9;               ///< suction at which all but a thousandth of that is given up, at most 1 GPa [Pa]
 };
 
 enum class SurfaceKind {

@@ -15,6 +15,9 @@
 namespace talus::mpm {
 namespace {
 
+constexpr double most_own =
+    0.5;  ///< of a node's water over its share of the elements': points that leave take that away
+
 template <int D>
 void allocate(Body<D>& body) {
   MixtureWater<D>& m = body.water.mixture;
@@ -109,6 +112,7 @@ void start_node(Body<D>& body, int i, bool first) {
   }
   const HeldWater held(water.laws, m.node_pores, i);
   if (first && !std::isnan(p)) m.own[i] = HeldLine::start(held, p).at(p) - content;
+  m.own[i] = std::clamp(m.own[i], -most_own * content, most_own * content);
   content += m.own[i];
   m.node_water[i] = content;
   if (std::isnan(p)) p = last / all;

@@ -12,6 +12,8 @@ namespace talus::mpm {
 
 /// The pores of the soils at one node.
 class HeldWater {
+  static constexpr double driest = 1e9;  ///< suction of dry soil [Pa] (Fredlund and Xing 1994)
+
  public:
   struct Value {
     double held = 0, storage = 0;  ///< [m³]; −d held/dp [m³/Pa]
@@ -25,8 +27,14 @@ class HeldWater {
     visit([&](const WaterLaw& law, double pores) {
       const material::SoilWater<double> water = material::find_water(law.retention, p);
       const double modulus = law.bulk_modulus, stretched = pores * std::exp(-p / modulus);
-      sum.held += stretched * water.saturation;
-      sum.storage += stretched * (water.saturation / modulus - water.slope);
+      double saturation = water.saturation, slope = water.slope;
+      if (p > law.dry) {  // on a logarithmic scale the rest is gone at 1 GPa, where all soil is dry
+        const double decades = std::log(driest / law.dry), left = std::max(0.0, std::log(driest / p) / decades);
+        slope = slope * left - saturation / (p * decades);
+        saturation *= left;
+      }
+      sum.held += stretched * saturation;
+      sum.storage += stretched * (saturation / modulus - slope);
     });
     return sum;
   }
@@ -51,12 +59,14 @@ class HeldWater {
   /// The suction at which the pores hold `water`, less than at zero pressure [Pa]: Newton's steps between bounds.
   double find_suction(double water, double guess) const {
     constexpr double accuracy = 1e-12;  // of the last step; what follows it is less by a square
-    double low = 0, high = INFINITY, p = std::max(1.0, guess);
+    if (water <= 0) return driest;
+    double low = 0, high = driest, p = std::clamp(guess, 1.0, driest);
     for (int i = 0; i < 200; ++i) {
       const Value v = find(p);
       (v.held > water ? low : high) = p;
       double next = p + (v.held - water) / v.storage;
-      if (!(next > low && next < high)) next = std::isinf(high) ? 4 * p : 0.5 * (low + high);
+      if (!(next > low && next < high))
+        next = high == driest ? std::min(4 * p, 0.5 * (low + high)) : 0.5 * (low + high);
       if (std::abs(next - p) <= accuracy * next) return next;
       p = next;
     }

@@ -111,7 +111,7 @@ void get_mixture(const ArchiveReader& archive, mpm::MixtureWater<D>& mixture) {
   mixture.is_used = archive.integers("water/mixture/is_used")[0] != 0;
   mixture.pressure = archive.reals("water/mixture/pressure");
   mixture.change = archive.reals("water/mixture/change");
-  mixture.own = archive.reals("water/mixture/own");
+  if (archive.has("water/mixture/own")) mixture.own = archive.reals("water/mixture/own");
   copy_into(mixture.ponded, archive.integers("water/mixture/ponded"));
 }
 
