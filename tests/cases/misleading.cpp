@@ -128,6 +128,23 @@ TEST_F(Misleading, AWetSlideUnderStableSmoothingDoesNotBurst) {
   EXPECT_TRUE(warns(summary, {"'slide'", "smoothing = \"none\" instead"})) << summary.at("warnings");
 }
 
+TEST_F(Misleading, AWetSlideThatSeepsComesToRestUnderStableSmoothing) {
+  const json summary = run_case("bedding_slide_unstable", {{"mesh.size", "3"}, {"stage.slide.water", "\"seeps\""}});
+  const json& slide = summary.at("stages").at(1);
+  EXPECT_EQ(slide.at("end"), "rest");
+  EXPECT_LT(slide.at("displacement").get<double>(), 10);
+  EXPECT_LT(slide.at("nodal_speed").get<double>(), 0.01);
+  EXPECT_FALSE(warns(summary, {"instead"})) << summary.at("warnings");
+}
+
+TEST_F(Misleading, ADrySlideDoesNotBurst) {
+  const json summary = run_case("dry_slide", {});
+  const json& slide = summary.at("stages").at(1);
+  EXPECT_GT(slide.at("displacement").get<double>(), 1) << "it must slide, or nothing is tested";
+  EXPECT_LT(slide.at("displacement").get<double>(), 10);
+  EXPECT_LT(summary.at("water").at("error").get<double>(), 1e-11);
+}
+
 TEST_F(Misleading, MethodsOnBothSidesOfOneAreTheFirstWarningAndTheSmallestFactorGoverns) {
   const json summary = run_case("methods_on_both_sides_of_one");
   EXPECT_LT(summary.at("main_factor").get<double>(), 0.75);

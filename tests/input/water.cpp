@@ -52,7 +52,7 @@ TEST(WetSlope, HasTheNumbersOfTheSource) {
   EXPECT_EQ(data.hydraulics[3].on, "toe");
   EXPECT_EQ(data.hydraulics[3].values().at(0), 5);
   EXPECT_EQ(data.initial.water.pressure, InitialPressure::seepage);
-  EXPECT_DOUBLE_EQ(data.stages.at(0).step.water_damping, 0.7);
+  EXPECT_DOUBLE_EQ(data.stages.at(0).step.conductivity_factor, 2);
 }
 
 TEST(DryCase, HasNoWater) {
@@ -65,12 +65,12 @@ TEST(DryCase, HasNoWater) {
 TEST(Steps, OfTheFrozenFactorHoldTheWater) {
   const StrengthReduction reduction = read(wet_slope).strength_reduction;
   EXPECT_EQ(reduction.frozen.step_settings.water, WaterMotion::held);
-  EXPECT_EQ(reduction.curve.step_settings.water, WaterMotion::flows);
-  EXPECT_EQ(Stage().step.water, WaterMotion::flows);
+  EXPECT_EQ(reduction.curve.step_settings.water, WaterMotion::seeps);
+  EXPECT_EQ(Stage().step.water, WaterMotion::seeps);
 }
 
 TEST(Steps, TakeTheKeysOfWater) {
-  const StepSettings step = read(change(wet_slope, "water_damping = 0.7",
+  const StepSettings step = read(change(wet_slope, "conductivity_factor = 2",
                                         "drag = \"explicit\"\ndamped_force = \"without_drag\"\npressure_smoothing = "
                                         "true\nconductivity_factor = 10\ngeometry = \"frozen\"\nwater = \"held\""))
                                 .stages.at(0)

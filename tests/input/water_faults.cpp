@@ -206,22 +206,26 @@ TEST(Levels, NeedGravityThatActsDownwards) {
 }
 
 TEST(HeldWater, NeedsFrozenGeometry) {
-  expect_wet_fault("water_damping = 0.7", "water = @@\"held\"", "water = \"held\" needs geometry = \"frozen\"");
+  expect_wet_fault("conductivity_factor = 2", "water = @@\"held\"", "water = \"held\" needs geometry = \"frozen\"");
   expect_fault(wet_slope + "[strength_reduction.frozen]\ngeometry = @@\"moving\"\n", "needs geometry = \"frozen\"");
 }
 
 TEST(StepKeysOfWater, HaveNoMeaningInADryCase) {
   expect_fault("damping = 0.7", "conductivity_factor = @@10", "no material has pore water");
-  EXPECT_TRUE(find_faults(change(slope, "damping = 0.7", "conductivity_factor = 1\nwater = \"flows\"")).empty())
+  EXPECT_TRUE(find_faults(change(slope, "damping = 0.7", "conductivity_factor = 1\nwater = \"seeps\"")).empty())
       << "a default that is written out does no harm";
-  expect_wet_fault("water_damping = 0.7", "conductivity_factor = @@0", "above 0");
+  expect_wet_fault("conductivity_factor = 2", "conductivity_factor = @@0", "above 0");
 }
 
 TEST(StepKeysOfWater, OfTwoVelocitiesHaveNoMeaningWhereWaterSeeps) {
-  expect_wet_fault("water_damping = 0.7", "water = \"seeps\"\nwater_damping = @@0.7",
-                   "'water_damping' has no meaning with water = \"seeps\"");
+  expect_wet_fault("conductivity_factor = 2", "water = \"seeps\"\nwater_damping = @@0.7",
+                   "'water_damping' has no meaning with water = \"seeps\": water has no velocity of its own there. It "
+                   "needs water = \"flows\"");
+  expect_wet_fault("conductivity_factor = 2", "drag = @@\"explicit\"",
+                   "'drag' has no meaning with water = \"seeps\", the default: ");
+  EXPECT_TRUE(find_faults(wet_slope).empty());
   EXPECT_TRUE(
-      find_faults(change(wet_slope, "water_damping = 0.7", "water = \"seeps\"\nconductivity_factor = 10")).empty());
+      find_faults(change(wet_slope, "conductivity_factor = 2", "water = \"flows\"\nwater_damping = 0.7")).empty());
 }
 
 TEST(Faults, OfWaterComeTogether) {

@@ -57,7 +57,7 @@ pore_pressure = "seepage"
 name = "gravity"
 duration = 10
 damping = 0.7
-water_damping = 0.7
+conductivity_factor = 2
 
 [analysis]
 kind = "strength_reduction"

@@ -51,6 +51,7 @@ TEST(Setback, TheSmoothingThatMayBeTheCauseIsLeftOut) {
   plan.step.courant = 0.8;
   const auto smooth = [&](input::Smoothing asked, std::size_t setbacks, bool wet) {
     plan.step.smoothing = asked;
+    plan.step.water = input::WaterMotion::flows;
     return run::calm_down(plan, setbacks, wet).step.smoothing;
   };
   using input::Smoothing;

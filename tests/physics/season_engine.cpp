@@ -68,9 +68,9 @@ mpm::Body<D> make_still_body(const input::Case& data, const mesh::Mesh<D>& mesh)
   return body;
 }
 
-const input::StepSettings flowing{.damping = 0.2, .integration = input::Integration::mixed};
-const input::StepSettings seeping{
-    .damping = 0.2, .integration = input::Integration::mixed, .water = input::WaterMotion::seeps};
+const input::StepSettings seeping{.damping = 0.2, .integration = input::Integration::mixed};
+const input::StepSettings flowing{
+    .damping = 0.2, .integration = input::Integration::mixed, .water = input::WaterMotion::flows};
 
 template <int D>
 double find_drawn_volume(const mpm::Body<D>& body) {

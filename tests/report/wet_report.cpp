@@ -208,7 +208,7 @@ TEST_F(WetReport, TheAssumptionsAreThoseOfThisWater) {
   EXPECT_SAYS(document().at("model").at("stages")[1].at("text").get<std::string>(), "conductivities times 10");
   const json& methods = document().at("methods");
   const auto has = [&](const char* name) { return std::find(methods.begin(), methods.end(), name) != methods.end(); };
-  EXPECT_TRUE(has("two_phase") && has("soil_water") && has("held_pressures") && has("hydraulic_conditions"));
+  EXPECT_TRUE(has("seeping") && has("soil_water") && has("held_pressures") && has("hydraulic_conditions"));
   EXPECT_FALSE(has("steady_seepage") || has("pressure_smoothing"));
 }
 
@@ -244,7 +244,7 @@ TEST_F(WetReport, EachFactorSaysWhetherItIsDrainedOrCoupled) {
   json changed = summary_;
   changed["input"]["analysis"]["kind"] = leaf("strength_reduction");
   changed["input"]["strength_reduction"] = {
-      {"curve", {{"enabled", leaf(true)}, {"water", leaf("flows")}, {"window", leaf(5)}}},
+      {"curve", {{"enabled", leaf(true)}, {"water", leaf("seeps")}, {"window", leaf(5)}}},
       {"frozen", {{"enabled", leaf(true)}, {"water", leaf("held")}}}};
   changed["factor_of_safety"] = {{"frozen",
                                   {{"factor", 1.2},
@@ -257,11 +257,11 @@ TEST_F(WetReport, EachFactorSaysWhetherItIsDrainedOrCoupled) {
   EXPECT_EQ(factors[0].at("water"), "held");
   EXPECT_EQ(factors[0].at("lower"), 1.189) << "of 1.1896: an interval is rounded outward";
   EXPECT_EQ(factors[0].at("upper"), 1.211) << "of 1.2104";
-  EXPECT_EQ(factors[1].at("water"), "flows");
+  EXPECT_EQ(factors[1].at("water"), "seeps");
   EXPECT_SAYS(join_all(document.at("answer").at("sentences")), "and pore pressures held (drained)");
   const std::string text = join_all(document.at("assumptions"));
   EXPECT_SAYS(text, "The factor at frozen geometry is drained");
-  EXPECT_SAYS(text, "in the 5 s of a trial water flows");
+  EXPECT_SAYS(text, "in the 5 s of a trial water moves");
 }
 
 TEST(DryReport, SaysNothingOfWater) {

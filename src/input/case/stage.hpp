@@ -29,7 +29,7 @@ struct StepSettings {
   bool fade_unseen = true;     ///< take velocities of points away that no node sees
   double courant = 0.9;        ///< fraction of (2.84) [-]
   // Soil with pore water only.
-  WaterMotion water = WaterMotion::flows;
+  WaterMotion water = WaterMotion::seeps;
   Drag drag = Drag::implicit_at_nodes;
   double water_damping = 0;                     ///< α of the water (2.89) [-]
   DampedForce damped_force = DampedForce::net;  ///< what damping takes its share of (docs/theory/14)
@@ -85,8 +85,8 @@ constexpr bool moves(WaterMotion water) {
 
 template <>
 inline constexpr auto choices<WaterMotion> = std::array{
-    Choice{WaterMotion::flows, "flows", "water and soil have velocities of their own: waves in the water, gravel"},
     Choice{WaterMotion::seeps, "seeps", "by Darcy's law through soil that moves, with pressures at the nodes"},
+    Choice{WaterMotion::flows, "flows", "water and soil have velocities of their own: waves in the water, gravel"},
     Choice{WaterMotion::held, "held", "pore pressures stay as they are (drained); frozen geometry only"},
 };
 template <>

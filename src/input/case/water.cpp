@@ -104,8 +104,8 @@ void check_bulk_modulus(const Case& data, Findings& findings) {
     if (material.water.is_wet())
       return findings.add(
           path, fmt::format("'bulk_modulus' is {:.6g} kPa, but the retention curve of material '{}' is flat at "
-                            "saturation, so that only the compression of the water stores any: the explicit "
-                            "time step needs a finite modulus, at most {:.6g} kPa (water has 2.2e6)",
+                            "saturation, so that only the compression of the water stores any: a "
+                            "change of volume needs a finite modulus, at most {:.6g} kPa (water has 2.2e6)",
                             data.water.bulk_modulus / 1e3, name, largest_bulk_modulus / 1e3));
 }
 
@@ -124,9 +124,9 @@ void report_meaningless(const StepSettings& step, const StepSettings& usual, con
   for (const auto& [key, is_changed] : changes) {
     const std::string at = path + "." + key;
     if (!is_changed || !findings.places.is_given(at) || !findings.is_sound(at)) continue;
-    findings.add(at, seeps ? fmt::format("'{}' has no meaning with water = \"seeps\": water has no velocity of its own "
-                                         "there",
-                                         key)
+    findings.add(at, seeps ? fmt::format("'{}' has no meaning with water = \"seeps\"{}: water has no velocity of its "
+                                         "own there. It needs water = \"flows\"",
+                                         key, findings.places.is_given(path + ".water") ? "" : ", the default")
                            : fmt::format("'{}' has no meaning here: no material has pore water, see "
                                          "[materials.NAME.water]",
                                          key));

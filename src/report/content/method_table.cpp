@@ -244,7 +244,7 @@ json to_json(const Factor& factor) {
              {"main", factor.is_main}};
   if (factor.source) block["source"] = to_word(*factor.source);
   if (factor.measure) block["measure"] = to_word(*factor.measure);
-  if (factor.water) block["water"] = factor.water == input::WaterMotion::held ? "held" : "flows";
+  if (factor.water) block["water"] = input::get_word(*factor.water);
   return block;
 }
 

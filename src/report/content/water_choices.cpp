@@ -19,7 +19,8 @@ std::vector<WaterPart> list_water_parts(const input::Case& data) {
 std::string describe_stage_water(const input::StepSettings& step) {
   if (step.water == input::WaterMotion::held) return ", pore pressures held (drained)";
   std::string text;
-  if (step.water == input::WaterMotion::seeps) text += ", water by Darcy's law with pressures at the nodes";
+  text += step.water == input::WaterMotion::seeps ? ", water by Darcy's law with pressures at the nodes"
+                                                  : ", grains and water with a velocity each";
   if (step.conductivity_factor != 1) text += fmt::format(", conductivities times {:g}", step.conductivity_factor);
   if (step.water_damping > 0)
     text += fmt::format(", damping of the water {:g}{}", step.water_damping,

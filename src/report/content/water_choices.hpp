@@ -23,7 +23,7 @@ struct WaterPart {
 /// The parts that are run, stages first.
 std::vector<WaterPart> list_water_parts(const input::Case& data);
 
-/// The clause of a stage's description on its pore water, with a comma in front; empty where water simply flows.
+/// The clause of a stage's description on its pore water, with a comma in front.
 std::string describe_stage_water(const input::StepSettings& step);
 
 }  // namespace talus::report

@@ -137,7 +137,7 @@ void say_factor(const results::RunResult& run, const std::vector<Factor>& factor
                         : fmt::format(" with dilatancy angles from {:.3g}° to {:.3g}°", low, high);
     if (found->water)
       text += found->water == input::WaterMotion::held ? " and pore pressures held (drained)"
-                                                       : " and pore water that flows (coupled)";
+                                                       : " and pore water that moves (coupled)";
     text +=
         frozen.extrapolated
             ? fmt::format(": {}, extrapolated to h = 0.", meshes)

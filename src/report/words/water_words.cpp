@@ -69,7 +69,7 @@ class WaterAssumptions {
     const auto khalili = list_soils(data_, [](const auto& soil) {
       return soil.water.is_wet() && soil.water.chi == input::BishopChi::khalili_khabbaz;
     });
-    add("Soil and pore water are two phases on the same points; air stays at atmospheric pressure. Effective stress "
+    add("Soil and pore water are on the same points; air stays at atmospheric pressure. Effective stress "
         "after Bishop{}. Retention curves have no hysteresis, and water that leaves does not run down the slope and "
         "seep in elsewhere.",
         khalili.empty() ? ", with χ equal to the degree of saturation"
@@ -148,10 +148,10 @@ class WaterAssumptions {
           "whatever "
           "the soil does. Pressures that shearing raises in loose soil, and those of a rapid drawdown, are not in it.");
     else if (frozen != nullptr)
-      add("The factor at frozen geometry is coupled: water flows in its trials, and shearing changes the pore "
+      add("The factor at frozen geometry is coupled: water moves in its trials, and shearing changes the pore "
           "pressures.");
     if (curve != nullptr && moves(curve->water))
-      add("The criteria on the displacement curve are coupled: in the {:g} s of a trial water flows, and shearing "
+      add("The criteria on the displacement curve are coupled: in the {:g} s of a trial water moves, and shearing "
           "raises or lowers pore pressures that may have no time to even out.",
           data_.strength_reduction.curve.window);
     else if (curve != nullptr)
@@ -170,7 +170,7 @@ class WaterAssumptions {
     if (const auto pressed =
             join_parts(parts_, [](const auto& p) { return p.flows() && p.step.geometry == input::Geometry::frozen; });
         !pressed.empty())
-      add("Geometry is frozen while water flows in {}: pores keep their volume, and the water that straining would "
+      add("Geometry is frozen while water moves in {}: pores keep their volume, and the water that straining would "
           "press "
           "out of them stays in them under a higher pressure.",
           pressed);

@@ -227,7 +227,7 @@ class Warnings {
                       layer, fewest_rows));
     if (run_.factor_of_safety && run_.factor_of_safety->frozen && has_flowing_water())
       causes.push_back(
-          "pore water that flows in the trials of the material points, whose pressures change while the soil moves "
+          "pore water that moves in the trials of the material points, whose pressures change while the soil moves "
           "([strength_reduction.frozen] water = \"held\" keeps them, as slices do)");
     return causes;
   }

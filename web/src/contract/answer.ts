@@ -30,7 +30,7 @@ export interface Factor {
   /** The one that the first sentence names; of proven bounds: whether an end of theirs governs. */
   main: boolean;
   /** What pore water did in the trials: absent where the ground is dry. */
-  water?: "flows" | "held";
+  water?: "seeps" | "flows" | "held";
 }
 
 /** A number that a [[compare]] of the case may name. */

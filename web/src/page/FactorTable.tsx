@@ -12,7 +12,7 @@ export const methodNames: Record<MethodName, string> = {
 
 /** The pore water in the trials of a factor. */
 export function describeDrainage(water: NonNullable<Factor["water"]>): string {
-  return water === "held" ? "drained, pressures held" : "coupled, water flows";
+  return water === "held" ? "drained, pressures held" : "coupled, water moves";
 }
 
 /** The common axis: all brackets and the value 1, with a little room. */

@@ -83,7 +83,8 @@ export const writeSeeping: Writer = ({ input, methods }) => {
     },
     {
       text:
-        "Here $W$ is the water of a node's pores, which the points carry, $H(p)$ what these pores hold, $C=-dH/dp$, " +
+        "Here $W$ is the water of a node's pores: its share of what the points carry, and water of its own, which fades " +
+        "as the soil moves past it. $H(p)$ is what these pores hold, $C=-dH/dp$, " +
         "$L_K$ the conductance between nodes with $K=k/(\\rho_wg)$, $B$ the growth of pores by motion, $M$ the masses of soil and water, and " +
         "$\\hat q$ what leaves through the surface. $P_\\tau$ is a polynomial projection of the increments against " +
         "patterns that no node feels [@dohrmann2004]. The equation is solved by conjugate gradients; neither the " +
