@@ -41,10 +41,10 @@ inline constexpr double driest = 1e9;
 /// Of a node's water over its share of the elements'.
 inline constexpr double most_own = 0.5;
 
-/// Suction at which all but a thousandth is given up of what the soil gives up [Pa].
+/// Suction at which all but a thousandth is given up of what the soil gives up, at most 100 MPa [Pa].
 inline double find_dry_suction(const PoreWater& soil) {
   const double full = soil.saturation(0), least = soil.saturation(driest);
-  double low = 0, high = std::log(driest);
+  double low = 0, high = std::log(driest / 10);
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     (soil.saturation(std::exp(middle)) - least <= 1e-3 * (full - least) ? high : low) = middle;
@@ -59,7 +59,7 @@ inline std::pair<double, double> find_held(const std::vector<SoilPores>& soils, 
   for (const SoilPores& s : soils) {
     const double stretched = std::exp(-p / s.soil->bulk_modulus);
     double saturation = s.soil->saturation(p), slope = s.soil->saturation_slope(p);
-    const double dry = s.soil->saturation(1e5) < s.soil->saturation(0) ? find_dry_suction(*s.soil) : driest;
+    const double dry = s.soil->saturation(1e5) < s.soil->saturation(0) ? find_dry_suction(*s.soil) : driest / 10;
     if (p > dry) {
       const double decades = std::log(driest / dry), left = std::max(0.0, std::log(driest / p) / decades);
       slope = slope * left - saturation / (p * decades);

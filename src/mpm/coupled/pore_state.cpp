@@ -137,6 +137,19 @@ TALUS_KERNEL T find_relative(const WaterLaw& law, const material::SoilWater<T>& 
       law.relative);
 }
 
+/// See WaterLaw::dry: by bisection on a logarithmic scale.
+double find_dry_suction(const WaterLaw& law) {
+  constexpr double rest = 1e-3;
+  const double least = material::saturation(law.retention, driest);
+  double low = 0, high = std::log(law.dry);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    const bool is_dry = material::saturation(law.retention, std::exp(middle)) - least <= rest * (law.full - least);
+    (is_dry ? high : low) = middle;
+  }
+  return std::exp(high);
+}
+
 }  // namespace
 
 template <class T>
@@ -180,19 +193,6 @@ PoreState<T> find_state_at_pressure(const WaterLaw& law, T pressure) {
 
 double find_chi(const WaterLaw& law, double pressure, double saturation) {
   return law.chi_air_entry <= 0 ? saturation : find_suction_share(law, pressure);
-}
-
-/// See WaterLaw::dry: by bisection on a logarithmic scale.
-double find_dry_suction(const WaterLaw& law) {
-  constexpr double rest = 1e-3, driest = 1e9;
-  const double least = material::saturation(law.retention, driest);
-  double low = 0, high = std::log(driest);
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    const bool is_dry = material::saturation(law.retention, std::exp(middle)) - least <= rest * (law.full - least);
-    (is_dry ? high : low) = middle;
-  }
-  return std::exp(high);
 }
 
 WaterLaw finish(WaterLaw law) {

@@ -18,6 +18,9 @@
 
 namespace talus::mpm {
 
+/// Suction of dry soil, whatever it is [Pa] (Fredlund and Xing 1994).
+inline constexpr double driest = 1e9;
+
 /// What water does in one soil. The default is a dry soil.
 struct WaterLaw {
   bool wet = false;
@@ -34,7 +37,7 @@ struct WaterLaw {
   double full = 1;                ///< S of the saturated soil [-]
   double saturated_relative = 1;  ///< k_r there [-]
   bool drains = false;            ///< gives up water under suction; else only its compressibility does
-  double dry = 1e9;               ///< suction at which all but a thousandth of that is given up, at most 1 GPa [Pa]
+  double dry = driest / 10;       ///< suction at which all but a thousandth of that is given up, at most 100 MPa [Pa]
 };
 
 enum class SurfaceKind {

@@ -15,8 +15,8 @@
 namespace talus::mpm {
 namespace {
 
-constexpr double most_own =
-    0.5;  ///< of a node's water over its share of the elements': points that leave take that away
+/// Of a node's own water over its share of the elements': where points leave, it goes with them.
+constexpr double most_own = 0.5;
 
 template <int D>
 void allocate(Body<D>& body) {
@@ -82,8 +82,8 @@ bool sum_element(Body<D>& body, int e, bool mixed) {
   return wet > 0;
 }
 
-/// Contents of node `i`, and its pressure. `first`: pressures that there are are given, and the node holds what it does
-/// at them.
+/// Contents of node `i`, and its pressure. In the `first` step a pressure is given, and the node holds what belongs to
+/// it.
 template <int D>
 void start_node(Body<D>& body, int i, bool first) {
   Water<D>& water = body.water;

@@ -12,8 +12,6 @@ namespace talus::mpm {
 
 /// The pores of the soils at one node.
 class HeldWater {
-  static constexpr double driest = 1e9;  ///< suction of dry soil [Pa] (Fredlund and Xing 1994)
-
  public:
   struct Value {
     double held = 0, storage = 0;  ///< [m³]; −d held/dp [m³/Pa]
