@@ -89,6 +89,15 @@ TEST(MixtureAgainstReference, RealWaterIsTheSame) {
   expect_same(body, {.name = "real water"}, 60);
 }
 
+TEST(MixtureAgainstReference, GapsInTheSoilAreTheSame) {
+  auto plane = golden::make_moving_slope<2>();
+  for (const auto& x : {reference::Vector<2>{1.1, 2.2}, {3.1, 1.4}, {4.6, 0.6}}) reference::empty_element<2>(plane, x);
+  expect_same(plane, {.name = "gaps"}, 60);
+  auto space = golden::make_moving_slope<3>();
+  reference::empty_element<3>(space, {2.1, 1.4, 1.1});
+  expect_same(space, {.name = "gap in space"}, 20);
+}
+
 TEST(MixtureAgainstReference, WallThatIsPushedInIsTheSame) {
   auto body = golden::make_moving_slope<2>();
   reference::push_left_wall(body.mesh, body.solid_constraints);

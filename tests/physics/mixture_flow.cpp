@@ -107,6 +107,33 @@ TEST(MixtureFlow, RainBeyondWhatTheSoilTakesRunsOff) {
   for (const double p : body.pressure) EXPECT_NEAR(p, 0, 1);
 }
 
+/// Shear parts the points of thin bands, and elements inside the soil are left without any. A gap is no surface: water
+/// at rest stays so.
+TEST(MixtureRest, GapsInsideTheSoilDrainNothing) {
+  MixtureBody<2> body{make_wet_body(make_box<2>({6, 12}, {0.6, 1.2}, 0), make_table_soil())};
+  fix_wet_box(body, {0.6, 1.2});
+  const auto hydrostatic = [](double y) { return -gamma_w * (1 - y); };
+  fill_wet(
+      body, 0.4, 0, [&](const Vector<2>& x) { return x[1] < 1; },
+      [&](const Vector<2>& x) { return hydrostatic(x[1]); });
+  for (const auto& x : {Vector<2>{0.3, 0.5}, {0.35, 0.52}, {0.2, 0.2}, {0.01, 0.7}}) empty_element<2>(body, x);
+  body.surface.assign(body.mesh.nodes.size(), {.kind = SurfaceKind::rain});
+  body.gravity[1] = -g;
+  for (auto& constraint : body.solid_constraints) constraint.fixed = {true, true};
+  std::vector<double> start;
+  for (const auto& x : body.mesh.nodes) start.push_back(hydrostatic(x[1]));
+  start_from_pressures(body, start);
+  MixtureSettings settings;
+  settings.frozen = true;
+  settings.time_step = 10;
+  while (body.steps < 50) step<2>(body, settings);
+  for (std::size_t i = 0; i < body.pressure.size(); ++i) {
+    if (std::isnan(body.pressure[i])) continue;
+    EXPECT_NEAR(body.pressure[i], hydrostatic(body.mesh.nodes[i][1]), 1);
+  }
+  EXPECT_NEAR(body.budget.left, 0, 1e-9);
+}
+
 /// A soft column settles under water by 14 mm, and points pass from element to element. With one pressure per element
 /// and smoothing it never rests.
 TEST(MixtureRest, SoftColumnSettlesUnderRealWaterWithSmoothing) {

@@ -193,23 +193,19 @@ void start_from_pressures(MixtureBody<D>& body, const std::vector<double>& given
 template <int D>
 void find_open_area(MixtureBody<D>& body) {
   body.area.assign(body.mesh.nodes.size(), Vector<D>::Zero());
+  const std::vector<bool> outside = find_outside(body);
   for (int e = 0; e < body.mesh.element_count(); ++e) {
     if (!at(body.cells, e).wet) continue;
     const Gradients<D> b = shape_gradients(body.mesh, e);
     for (int k = 0; k <= D; ++k) {
-      const int neighbour = at(at(body.mesh.neighbours, e), k);
-      if (neighbour >= 0 && at(body.cells, neighbour).wet) continue;
+      if (!is_open_side(body, outside, e, k)) continue;
       const Vector<D> share = -at(body.mesh.volumes, e) * b.row(k).transpose();
       const auto has_skin = [&](int i) {
         return surface_condition(body, node_of(body.mesh, e, i)).kind == SurfaceKind::closed;
       };
-      bool closed = true, skin = false;
-      for (int i = 0; i <= D; ++i) {
-        if (i == k) continue;
-        closed = closed && is_held(at(body.water_constraints, node_of(body.mesh, e, i)), Vector<D>(share.normalized()));
-        skin = skin || has_skin(i);
-      }
-      for (int i = 0; i <= D && !closed; ++i)
+      bool skin = false;
+      for (int i = 0; i <= D; ++i) skin = skin || (i != k && has_skin(i));
+      for (int i = 0; i <= D; ++i)
         if (i != k && skin == has_skin(i)) at(body.area, node_of(body.mesh, e, i)) += share;
     }
   }

@@ -103,8 +103,49 @@ double mean_pressure(const WetBody<D>& body, const WetCell& cell) {
   return sum / volume;
 }
 
-/// Finds the open sides and loads those under outer water. A side of a wet element is open when no wet element is
-/// behind it and its nodes do not all hold the water along its normal. Nodes of elements with an open side get their
+/// Whether the nodes of the side opposite local node `k` of element `e` all hold the water along its normal.
+template <int D>
+bool is_closed_side(const WetBody<D>& body, int e, int k) {
+  const Vector<D> normal = -shape_gradients(body.mesh, e).row(k).transpose().normalized();
+  for (int i = 0; i <= D; ++i)
+    if (i != k && !is_held(at(body.water_constraints, node_of(body.mesh, e, i)), normal)) return false;
+  return true;
+}
+
+/// Of each element whether it is outside the wet soil: it has none, and touches none, holds dry soil or has a side of
+/// the mesh that lets water through, or is a neighbour of one that is outside. The others without wet soil are gaps.
+template <int D>
+std::vector<bool> find_outside(const WetBody<D>& body) {
+  const int count = body.mesh.element_count();
+  std::vector<bool> touched(body.mesh.nodes.size()), outside(static_cast<std::size_t>(count));
+  for (int e = 0; e < count; ++e)
+    for (int i = 0; i <= D && at(body.cells, e).wet; ++i)
+      touched[static_cast<std::size_t>(node_of(body.mesh, e, i))] = true;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int e = 0; e < count; ++e) {
+      if (at(body.cells, e).wet || outside[static_cast<std::size_t>(e)]) continue;
+      bool touches = false, reached = at(body.cells, e).is_active();
+      for (int k = 0; k <= D; ++k) {
+        const int behind = at(at(body.mesh.neighbours, e), k);
+        touches = touches || touched[static_cast<std::size_t>(node_of(body.mesh, e, k))];
+        reached = reached || (behind < 0 ? !is_closed_side(body, e, k) : outside[static_cast<std::size_t>(behind)]);
+      }
+      if (!touches || reached) outside[static_cast<std::size_t>(e)] = changed = true;
+    }
+  }
+  return outside;
+}
+
+/// Whether water can pass the side opposite local node `k` of a wet element.
+template <int D>
+bool is_open_side(const WetBody<D>& body, const std::vector<bool>& outside, int e, int k) {
+  const int behind = at(at(body.mesh.neighbours, e), k);
+  return (behind < 0 || outside[static_cast<std::size_t>(behind)]) && !is_closed_side(body, e, k);
+}
+
+/// Finds the open sides and loads those under outer water. A side of a wet element is open when the outside is behind
+/// it and its nodes do not all hold the water along its normal. Nodes of elements with an open side get their
 /// part of the surface, Σ V ∇N: in a partly filled element the surface lies inside, and its inner nodes have a part as
 /// well.
 template <int D>
@@ -112,23 +153,18 @@ void load_free_surface(WetBody<D>& body) {
   std::vector<Vector<D>> facing(body.nodes.size(), Vector<D>::Zero()), touching = facing;
   std::vector<double> size(body.nodes.size(), 0);
   std::vector<int> open_elements(body.nodes.size(), 0);
+  const std::vector<bool> outside = find_outside(body);
   for (int e = 0; e < body.mesh.element_count(); ++e) {
     if (!at(body.cells, e).wet) continue;
     const Gradients<D> b = shape_gradients(body.mesh, e);
     bool is_open = false, is_loaded = false;
     for (int k = 0; k <= D; ++k) {
-      const int neighbour = at(at(body.mesh.neighbours, e), k);
-      if (neighbour >= 0 && at(body.cells, neighbour).wet) continue;
+      if (!is_open_side(body, outside, e, k)) continue;
       const Vector<D> share =
           -at(body.mesh.volumes, e) * b.row(k).transpose();  // n S/D: what each node has of the side
-      bool closed = true;
       std::vector<int> nodes;
-      for (int i = 0; i <= D; ++i) {
-        if (i == k) continue;
-        nodes.push_back(node_of(body.mesh, e, i));
-        closed = closed && is_held(at(body.water_constraints, nodes.back()), Vector<D>(share.normalized()));
-      }
-      if (closed) continue;
+      for (int i = 0; i <= D; ++i)
+        if (i != k) nodes.push_back(node_of(body.mesh, e, i));
       is_open = true;
       if (load_side(body, nodes, share) && !is_loaded) {
         is_loaded = true;

@@ -43,6 +43,16 @@ std::array<double, D> cube(double size) {
 template <int D>
 WetBody<D> make_wet_body(const mesh::Mesh<D>& mesh, const Soil& soil);
 
+/// Takes the points out of the element that holds x: a gap.
+template <int D>
+void empty_element(WetBody<D>& body, const Vector<D>& x) {
+  const auto holds = [&](int e) { return shape_functions(body.mesh, e, x).minCoeff() >= 0; };
+  int e = 0;
+  while (!holds(e)) ++e;
+  std::erase_if(body.points, [&](const WetPoint<D>& point) { return point.element == e; });
+  for (std::size_t p = 0; p < body.points.size(); ++p) body.points[p].id = static_cast<int>(p);
+}
+
 /// Places D+1 points per element as fill() does, with porosity n and the pressure p(x), taken at the element's middle
 /// so that the points of an element agree about the water that they hold. The effective stress is zero.
 template <int D, class Inside, class Pressure>

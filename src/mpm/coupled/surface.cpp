@@ -26,11 +26,58 @@ bool is_held(const Water<D>& water, int i, const std::type_identity_t<Vec<D>>& n
   return c >= 0 && norm(remove_fixed<D>(water.constraints[c].fixed, water.constraints[c].fixed_count, n)) < 1e-9;
 }
 
-/// A side of a wet element is open when no wet element is behind it, unless its nodes all hold the water.
+/// Whether the nodes of the side opposite node `k` of element `e` all hold the water along its normal.
+template <int D>
+bool is_closed(const Body<D>& body, int e, int k) {
+  const auto& nodes = body.mesh().elements[e];
+  Vec<D> normal = mesh::find_shape_gradient(body.mesh(), e, k);
+  const double length = norm(normal);
+  for (double& c : normal) c /= length;
+  bool closed = true;
+  for (int i = 0; i <= D; ++i) closed = closed && (i == k || is_held(body.water, nodes[i], normal));
+  return closed;
+}
+
+/// Of each element without wet soil whether it is outside. Where shear parts the points of a thin band, elements inside
+/// the soil are left without one: such a gap is no surface, and no water leaves there. A group of neighbours is outside
+/// when one of them touches no wet soil, holds dry soil, or has a side of the mesh that lets water through.
+template <int D>
+std::vector<std::uint8_t> find_outside(const Body<D>& body) {
+  const mesh::Mesh<D>& mesh = body.mesh();
+  std::vector<std::uint8_t> touches(mesh.nodes.size(), 0), outside(mesh.elements.size(), 0);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (!is_wet(body, e)) continue;
+    for (int node : mesh.elements[e]) touches[node] = 1;
+  }
+  std::vector<int> found;
+  const auto add = [&](int e) {
+    if (e < 0 || outside[e] || is_wet(body, e)) return;
+    outside[e] = 1;
+    found.push_back(e);
+  };
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (is_wet(body, e)) continue;
+    bool is_far = true, lets_through = false;
+    for (int k = 0; k <= D; ++k) {
+      is_far = is_far && !touches[mesh.elements[e][k]];
+      lets_through = lets_through || (mesh.neighbours[e][k] < 0 && !is_closed(body, e, k));
+    }
+    if (is_far || lets_through || body.points.count[e] > 0) add(e);
+  }
+  while (!found.empty()) {
+    const int e = found.back();
+    found.pop_back();
+    for (int neighbour : mesh.neighbours[e]) add(neighbour);
+  }
+  return outside;
+}
+
+/// A side of a wet element is open when the outside is behind it, unless its nodes all hold the water.
 template <int D>
 void find_open_sides(Body<D>& body) {
   Water<D>& water = body.water;
   const mesh::Mesh<D>& mesh = body.mesh();
+  const std::vector<std::uint8_t> outside = find_outside(body);
   water.open_sides.clear();
   water.facing.assign(mesh.nodes.size(), Vec<D>{});
   std::vector<Vec<D>> touching(mesh.nodes.size(), Vec<D>{});
@@ -38,14 +85,10 @@ void find_open_sides(Body<D>& body) {
   for (int e = 0; e < mesh.element_count(); ++e) {
     if (!is_wet(body, e)) continue;
     for (int k = 0; k <= D; ++k) {
-      if (is_wet(body, mesh.neighbours[e][k])) continue;
+      const int behind = mesh.neighbours[e][k];
+      if ((behind >= 0 && !outside[behind]) || is_closed(body, e, k)) continue;
       OpenSide<D> side{e, k, mesh::find_shape_gradient(mesh, e, k)};
       for (double& c : side.share) c *= -mesh.volumes[e];
-      Vec<D> normal = side.share;
-      for (double& c : normal) c /= norm(side.share);
-      bool closed = true;
-      for (int i = 0; i <= D; ++i) closed = closed && (i == k || is_held(water, mesh.elements[e][i], normal));
-      if (closed) continue;
       for (int i = 0; i <= D; ++i) {
         const int node = mesh.elements[e][i];
         for (int d = 0; d < D; ++d) {
