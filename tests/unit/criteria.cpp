@@ -237,6 +237,15 @@ TEST(FrozenInterval, HoldsWhatIsProvenOfTheStudiedSlopes) {
   }
 }
 
+/// The vertical cut of the same study in tetrahedra, between smooth walls: 1.3 is exact.
+TEST(FrozenInterval, HoldsWhatIsKnownOfTetrahedra) {
+  for (const auto& [coarse, fine] : {std::pair{1.426, 1.389}, {1.389, 1.356}}) {
+    const results::FrozenFactor f = join_meshes({make_mesh(2, coarse), make_mesh(1, fine)}, {}, {}, 3);
+    EXPECT_NEAR(f.mesh_effect.value(), 1.5 * (coarse - fine), 1e-12);
+    EXPECT_LT(f.lower().value(), 1.3);
+  }
+}
+
 TEST(Extrapolation, IsExactForErrorsThatFallWithTheMeshSize) {
   const auto line = [](double h) { return 1.44 + 0.08 * h; };
   EXPECT_NEAR(extrapolate_to_zero(0.75, line(0.75), 0.375, line(0.375)), 1.44, 1e-12);

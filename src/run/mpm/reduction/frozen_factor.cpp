@@ -38,17 +38,24 @@ constexpr double known_scatter = 0.006;
 /// The line goes through no more than so many meshes, the finest.
 constexpr std::size_t most_in_line = 3;
 
-/// What the mesh does to the extrapolated factor: no less than what lies between its two finest meshes, which holds the
-/// limit for orders of 0.6 and more, nor than what the extrapolation takes from the finest; nor than what two meshers
-/// of one size say; nor than what the extrapolation, by `passed_on`, makes of the scatter.
+/// Of what lies between the two finest meshes: holds the limit for orders of 0.6 and more in plane strain, of 0.5 and
+/// more for tetrahedra, which converge more slowly.
+double find_spread(int dimension) {
+  return dimension == 3 ? 1.5 : 1;
+}
+
+/// What the mesh does to the extrapolated factor: no less than what lies between its two finest meshes, times `spread`,
+/// nor than what the extrapolation takes from the finest; nor than what two meshers of one size say; nor than what the
+/// extrapolation, by `passed_on`, makes of the scatter.
 double find_mesh_effect(double coarse, double fine, const std::optional<results::MeshFactor>& other, double factor,
-                        double passed_on) {
+                        double passed_on, double spread) {
   const double scatter = other && other->factor() ? std::abs(coarse - *other->factor()) : 0;
-  return std::max({std::abs(coarse - fine), std::abs(fine - factor), scatter, known_scatter * passed_on * factor});
+  return std::max(
+      {spread * std::abs(coarse - fine), std::abs(fine - factor), scatter, known_scatter * passed_on * factor});
 }
 
 /// Extrapolates to elements of no size, with the interval.
-void extrapolate(results::FrozenFactor& frozen) {
+void extrapolate(results::FrozenFactor& frozen, int dimension) {
   std::vector<const results::MeshFactor*> line = frozen.list_found();
   if (line.size() > most_in_line) line.erase(line.begin(), line.end() - most_in_line);
   std::vector<double> sizes;
@@ -62,8 +69,8 @@ void extrapolate(results::FrozenFactor& frozen) {
   }
   frozen.factor = frozen.extrapolated = factor;
   frozen.bracket = bracket;
-  frozen.mesh_effect =
-      find_mesh_effect(*line[line.size() - 2]->factor(), *line.back()->factor(), frozen.other, factor, passed_on);
+  frozen.mesh_effect = find_mesh_effect(*line[line.size() - 2]->factor(), *line.back()->factor(), frozen.other, factor,
+                                        passed_on, find_spread(dimension));
   frozen.uncertainty = bracket + *frozen.mesh_effect;
 }
 
@@ -75,7 +82,7 @@ mesh::Plan plan_frozen_mesh(mesh::Plan plan, const input::FrozenFactor& settings
 }
 
 results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::optional<results::MeshFactor> coarser,
-                                  std::optional<results::MeshFactor> other) {
+                                  std::optional<results::MeshFactor> other, int dimension) {
   results::FrozenFactor frozen;
   frozen.meshes = std::move(meshes);
   frozen.coarser = std::move(coarser);
@@ -86,7 +93,7 @@ results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::
   const results::MeshFactor& finest = frozen.meshes.back();
   frozen.factor = finest.factor();
   frozen.bracket = 0.5 * (*finest.upper - *finest.lower);
-  if (frozen.meshes.size() > 1) extrapolate(frozen);
+  if (frozen.meshes.size() > 1) extrapolate(frozen, dimension);
   return frozen;
 }
 

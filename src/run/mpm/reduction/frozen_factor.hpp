@@ -40,9 +40,9 @@ inline constexpr double far_apart = 0.1;
 /// The factor of one mesh, or where the line through the meshes is at elements of no size. Its interval: half the width
 /// of the final brackets as the extrapolation passes them on, and what the mesh does. `meshes`: coarse to fine, the
 /// last two and `coarser`, of twice the size, or the last three make the line. `other`: the coarsest by another mesher.
-/// Both where they were calculated. Angles of dilatancy are left to the caller.
+/// Both where they were calculated. Angles of dilatancy are left to the caller. `dimension`: 2, or 3 for tetrahedra.
 results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes,
                                   std::optional<results::MeshFactor> coarser = {},
-                                  std::optional<results::MeshFactor> other = {});
+                                  std::optional<results::MeshFactor> other = {}, int dimension = 2);
 
 }  // namespace talus::run
