@@ -62,18 +62,12 @@ def draw_strain(slopes):
 
 def draw_crutches(variants):
     """variants: name to {content: run}, the case as it stands first."""
-    figure, axes = plt.subplots(1, 3, figsize=(11, 3.1), layout="constrained")
+    figure, axes = plt.subplots(1, 2, figsize=(11, 3.1), layout="constrained")
     for i, (name, runs) in enumerate(variants.items()):
         for a, (content, r) in zip(axes, runs.items()):
             if r is None:
                 continue
             a.plot(*r.history("mid_face"), lw=1.6 if i == 0 else 1, color="k" if i == 0 else f"C{i - 1}", label=name)
             a.set(title=f"mid-face, {content}", xlabel="time [s]", ylabel="displacement [m]", xlim=(250, 560), ylim=(0, 1.6))
-            x = max(r.exchange, 0.01)
-            axes[2].plot(x, r.onset("toe"), "o" if content == "bare" else "s", ms=4, color="k" if i == 0 else f"C{i - 1}")
     axes[0].legend(fontsize=6)
-    for marker, content in (("o", "bare"), ("s", "1.29 %")):
-        axes[2].plot([], [], marker, color="k", ms=4, label=content)
-    axes[2].set(xscale="log", xlabel="exchange that the limit allows in a second, over the case's (left end: none)", ylabel="onset at the toe [s]")
-    axes[2].legend()
     return figure

@@ -11,7 +11,6 @@ from water_checks.runs import Run
 EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "examples" / "vegetated_slope"
 MONITORS = ("toe", "mid_face", "crest")
 DENSITY = 1000  # of water [kg/m³]
-CASE_MODULUS, CASE_STEP = 5000, 0.0101  # of case.toml [kPa], [s]
 
 
 class Slope(Run):
@@ -37,15 +36,6 @@ class Slope(Run):
     @property
     def pattern(self):
         return self.summary["motion"]["pattern"]
-
-    @property
-    def exchange(self):
-        """How much water elements may exchange in a second, over that of the case as it stands: a share of what the water's compression
-        stores, in every fourth step. 0 without exchange."""
-        given, rain = self.summary["input"], self.summary["stages"][-1]
-        if not given["stage"][-1]["water_exchange"]["value"]:
-            return 0.0
-        return CASE_MODULUS / given["water"]["bulk_modulus"]["value"] * CASE_STEP / rain["time_step"]
 
     def first_passing(self, monitor, threshold):
         """When its displacement passes a threshold [m] for the first time [s]; None when never."""

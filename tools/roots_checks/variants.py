@@ -3,7 +3,7 @@
 import dataclasses
 
 CONTENT, LAYER = "materials.rooted.root_content", "materials.rooted.water.conductivity"
-MODULUS, SCALING, EXCHANGE = "water.bulk_modulus", "stage.rain.mass_scaling", "stage.rain.water_exchange"
+MODULUS, SCALING, WATER = "water.bulk_modulus", "stage.rain.mass_scaling", "stage.rain.water"
 CONTENTS = {"bare": 0, "0.51 %": 0.51, "0.94 %": 0.94, "1.29 %": 1.29}
 ALL, PAIR = tuple(CONTENTS), ("bare", "1.29 %")
 HALVED = {"mesh.size": 0.145, "mesh.refine.0.size": 0.105}
@@ -41,7 +41,6 @@ CHOICES = (
     Variant("roots by depth, element size × 0.7", FINER, by_depth=True),
     Variant("roots by depth, element size halved", HALVED, by_depth=True),
     Variant("roots by depth, strain smoothing", {"stage.rain.smoothing": "strain"}, by_depth=True),
-    Variant("roots by depth, without exchange of water between elements", {EXCHANGE: "false"}, by_depth=True),
     Variant("element size × 1.5", COARSER),
     Variant("element size × 0.7", FINER),
     Variant("element size halved", HALVED, ("bare",)),
@@ -50,24 +49,23 @@ CHOICES = (
     Variant("strain smoothing", {"stage.rain.smoothing": "strain"}),
     Variant("damping 0.02", {"stage.rain.damping": 0.02}),
     Variant("time step halved", {"stage.rain.courant": 0.45}),
+    Variant("water with a velocity of its own", {WATER: "flows"}),
 )
 
 CRUTCHES = (  # water as stiff as water is; no inertia added
     Variant("50 MPa, β = 80", {MODULUS: "50 MPa"}),
     Variant("500 MPa, β = 80", {MODULUS: "500 MPa"}),
-    Variant("2,200 MPa, β = 80", {MODULUS: "2.2 GPa"}, ("bare",)),
+    Variant("2,200 MPa, β = 80", {MODULUS: "2.2 GPa"}),
     Variant("5 MPa, β = 8", {SCALING: 8}),
     Variant("5 MPa, β = 1", {SCALING: 1}),
-    Variant("5 MPa, β = 80, without exchange", {EXCHANGE: "false"}),
-    Variant("50 MPa, β = 80, without exchange", {MODULUS: "50 MPa", EXCHANGE: "false"}, ("bare",)),
-    Variant("5 MPa, β = 8, without exchange", {SCALING: 8, EXCHANGE: "false"}, ("bare",)),
+    Variant("2,200 MPa, β = 1", {MODULUS: "2.2 GPa", SCALING: 1}),
 )
 
-# Water that seeps, as stiff as it is, and elements of several sizes, with and without a length of what softens.
-SEEPING = {"stage.rain.water": "seeps", MODULUS: "2.2 GPa", "stage.rain.duration": 700}
+# Water as stiff as it is, and elements of several sizes, with and without a length of what softens.
+REAL = {MODULUS: "2.2 GPa", "stage.rain.duration": 700}
 SIZES = tuple(
     Variant(f"elements × {size:g}" + (f", softening over {length} m" if length else ""),
-            SEEPING | {"mesh.size": 0.29 * size, "mesh.refine.0.size": 0.21 * size} | ({"mesh.softening_length": length} if length else {}),
+            REAL | {"mesh.size": 0.29 * size, "mesh.refine.0.size": 0.21 * size} | ({"mesh.softening_length": length} if length else {}),
             PAIR if length else ("bare",))
     for length in (None, 0.3) for size in (1, 0.7, 0.5, 0.35)
 )
