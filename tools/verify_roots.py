@@ -74,7 +74,8 @@ def main():
         crutches |= {v.name: run(runner, v) for v in CRUTCHES} if "crutches" in parts else {}
         longer = choices.get("rain for 1,200 s", {})
         statements = list(find_all(slopes, tuple(longer[name] for name in PAIR) if longer else None,
-                                   choices.get("layer as conductive as the soil", {}).get("1.29 %")))
+                                   choices.get("layer as conductive as the soil", {}).get("1.29 %"),
+                                   choices.get("rain on the face itself", {}).get("bare")))
         save(figures.draw_histories(slopes, THRESHOLD), "vegetated_histories.svg", metadata={"Date": None})
         save(figures.draw_profiles(slopes), "vegetated_profiles.svg", metadata={"Date": None})
         save_png(figures.draw_strain(slopes), options.folder / "vegetated_strain.png", 90)
