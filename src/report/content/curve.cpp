@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/words/numbers.hpp"
+#include "results/bounds.hpp"
 #include "results/json.hpp"
 
 namespace talus::report {
@@ -24,6 +25,16 @@ json make_branch(const results::Branch& branch) {
   return {{"slope", branch.slope}, {"intercept", branch.intercept}, {"factors", branch.factors}};
 }
 
+/// As they are shown: the ends of an interval outward, as in the answer and in its table.
+std::vector<results::Criterion> list_criteria(std::vector<results::Criterion> criteria) {
+  for (results::Criterion& c : criteria) {
+    if (c.kind != results::CriterionKind::frozen) continue;
+    if (c.lower) c.lower = results::show_lower(*c.lower);
+    if (c.upper) c.upper = results::show_upper(*c.upper);
+  }
+  return criteria;
+}
+
 }  // namespace
 
 json make_curve(const ResultFolder& folder) {
@@ -35,8 +46,9 @@ json make_curve(const ResultFolder& folder) {
     for (const TrialFolder& trial : folder.trials)
       if (trial.result) points.push_back(make_point(*trial.result));
   if (!curve && points.empty()) return {};
-  json result{{"points", points},
-              {"criteria", results::to_json(curve ? curve->criteria : std::vector<results::Criterion>{})}};
+  json result{
+      {"points", points},
+      {"criteria", results::to_json(list_criteria(curve ? curve->criteria : std::vector<results::Criterion>{}))}};
   if (curve && curve->bilinear)
     result["bilinear"] = {{"first", make_branch(curve->bilinear->first)},
                           {"last", make_branch(curve->bilinear->second)},

@@ -240,9 +240,9 @@ class Assumptions {
             "± {:.3f}, and what the mesh does, ± {:.3f}.",
             frozen.list_found().size(), frozen.bracket, frozen.mesh_effect.value_or(0));
       else if (frozen.factor)
-        add("It is that of one mesh and not extrapolated: up to {} % too high at elements of H/13, {} % at H/27 on the "
-            "slopes that were compared.",
-            dimension_ == 2 ? 5 : 7, dimension_ == 2 ? 2.5 : 4.5);
+        add("It is that of one mesh and not extrapolated: {} % too high at elements of H/13, {} % at H/27 on the {}.",
+            dimension_ == 2 ? "up to 5" : "7", dimension_ == 2 ? "2.5" : "4.5",
+            dimension_ == 2 ? "slopes that were compared" : "vertical cut that was compared");
       for (const results::MeshFactor& m : frozen.meshes)
         if (m.undecided)
           add("At h = {} a trial was neither at rest nor run away when its time was over; it counts as failed.",

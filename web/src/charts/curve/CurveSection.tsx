@@ -218,7 +218,7 @@ function CurveChart({ curve }: { curve: Curve }) {
               <strong>{criterionTitles[c.name]}</strong>{" "}
               {c.factor === null ?
                 "found no factor"
-              : `${formatFactor(c.factor)}, bracket ${formatFactor(c.lower)} to ${formatFactor(c.upper)}`}
+              : `${formatFactor(c.factor)}, ${c.name === "frozen" ? "interval" : "bracket"} ${formatFactor(c.lower)} to ${formatFactor(c.upper)}`}
               {c.note && `: ${c.note}`}
               {c.main && " (the factor of safety of this report)"}
             </span>

@@ -34,9 +34,9 @@ describe("writeMethods", () => {
   });
 
   it("says how the frozen factor of these meshes was extrapolated and what its interval holds", () => {
-    const write = (frozen: InputTable) => {
+    const write = (frozen: InputTable, dimension = 2) => {
       const used = { ...input, strength_reduction: { frozen } };
-      const report = { methods: ["frozen_factor"], input: used, model: { dimension: 2 } } as unknown as Report;
+      const report = { methods: ["frozen_factor"], input: used, model: { dimension } } as unknown as Report;
       const { paragraphs, cited } = writeMethods(report);
       return writePlainMethods(paragraphs, cited);
     };
@@ -51,6 +51,9 @@ describe("writeMethods", () => {
       expect(write(other)).toContain("takes from the finest and 1 %");
     }
     expect(write({ meshes: given(1) })).toContain("not extrapolated; on eight slopes");
+    expect(write({ meshes: given(1) }, 3)).toContain("tetrahedra was 7 %");
+    expect(two).toContain("largest of the distance of the two finest");
+    expect(write({ meshes: given(2) }, 3)).toContain("largest of one and a half times the distance of the two finest");
     expect(write({ meshes: given(2), corner_refinement: given(1) })).not.toContain("corners");
   });
 
