@@ -109,7 +109,7 @@ void keep_own_water(MixtureBody<D>& body, const MixtureSettings& settings, const
       const WetPoint<D>& point = body.points[p];
       if (!soil_of(body, point).wet || !body.cells[e].wet) continue;
       for (int i = 0; i <= D; ++i)
-        at(body.own, node_of(body.mesh, static_cast<int>(e), i)) += pore_volume(body, point) * shares[e] / (D + 1);
+        at(body.own, node_of(body.mesh, static_cast<int>(e), i)) += find_pores(body, point) * shares[e] / (D + 1);
     }
   const std::vector<double> size = find_node_sizes(body.mesh);
   for (std::size_t i = 0; i < body.own.size() && !settings.frozen; ++i)
@@ -125,7 +125,7 @@ void move_water(MixtureBody<D>& body, const MixtureSettings& settings, const std
     const ElementWater water = find_element_water(body, cell);
     for (std::size_t p : cell.points) {
       WetPoint<D>& point = body.points[p];
-      point.water_mass = soil_of(body, point).water.density * water.water * pore_volume(body, point) / water.pores;
+      point.water_mass = soil_of(body, point).water.density * water.water * find_pores(body, point) / water.pores;
     }
   }
   std::vector<double> out;
@@ -136,7 +136,7 @@ void move_water(MixtureBody<D>& body, const MixtureSettings& settings, const std
     for (std::size_t p : body.cells[e].points) {
       WetPoint<D>& point = body.points[p];
       if (soil_of(body, point).wet)
-        point.water_mass -= soil_of(body, point).water.density * pore_volume(body, point) * shares[e];
+        point.water_mass -= soil_of(body, point).water.density * find_pores(body, point) * shares[e];
     }
   const double density = body.soils[0].water.density;
   body.node_budgets.resize(body.water.size());

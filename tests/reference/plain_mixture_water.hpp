@@ -12,6 +12,12 @@
 
 namespace talus::reference {
 
+/// Pores of a point [m³]: a thousandth of its volume at least, which smoothing may make smaller than its grains.
+template <int D>
+double find_pores(const WetBody<D>& body, const WetPoint<D>& point) {
+  return std::max(pore_volume(body, point), 1e-3 * point.volume);
+}
+
 /// Pores and water of an element's wet points [m³].
 struct ElementWater {
   double pores = 0, water = 0;
@@ -22,7 +28,7 @@ ElementWater find_element_water(const WetBody<D>& body, const WetCell& cell) {
   for (std::size_t p : cell.points) {
     const WetPoint<D>& point = body.points[p];
     if (!soil_of(body, point).wet) continue;
-    sum.pores += pore_volume(body, point);
+    sum.pores += find_pores(body, point);
     sum.water += point.water_mass / soil_of(body, point).water.density;
   }
   return sum;
@@ -137,7 +143,7 @@ void find_node_pressures(MixtureBody<D>& body) {
       const WetPoint<D>& point = body.points[p];
       const Soil& soil = soil_of(body, point);
       if (!soil.wet) continue;
-      const double pores = pore_volume(body, point) / (D + 1);
+      const double pores = find_pores(body, point) / (D + 1);
       for (int i = 0; i <= D; ++i) {
         const int node = node_of(body.mesh, e, i);
         at(body.water, node).pores += pores;

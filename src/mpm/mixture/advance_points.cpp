@@ -78,7 +78,8 @@ struct MixtureBlock {
     TALUS_KERNEL Pack update_water(MixturePass<D>& pass, const MixtureBlock& block, const Update& update,
                                    const SlotPoints<D>& points) {
       wet = block.lanes.is_wet(points.material);
-      const Pack pores = old_volume - points.mass * block.lanes.get_inverse_grain_density(points.material);
+      const Pack pores =
+          find_pores<Pack>(old_volume, points.mass * block.lanes.get_inverse_grain_density(points.material));
       mass = load<Pack>(fields + W::mass * lane_width);
       if constexpr (Update::mixed) mass = select(update.element.full, block.density * block.content * pores, mass);
       mass = mass - block.density * pores * block.share;

@@ -64,7 +64,7 @@ bool sum_element(Body<D>& body, int e, bool mixed) {
     uniform = uniform && (first < 0 || first == material);
     first = material;
     if (!law.wet) continue;
-    const double here = volume - p[P::mass * lane_width] / law.grain_density;
+    const double here = find_pores(volume, p[P::mass * lane_width] / law.grain_density);
     const double* w = p + water.first_field * lane_width;
     m.pores[material][e] += here;
     pores += here;

@@ -9,10 +9,19 @@
 #include <vector>
 
 #include "base/aligned.hpp"
+#include "base/lane.hpp"
 #include "base/vec.hpp"
 #include "mpm/mixture/node_graph.hpp"
 
 namespace talus::mpm {
+
+/// Pores of a wet point are this share of its volume at least: a volume that smoothing leads may fall below that of the
+/// grains, and the water stays [-].
+inline constexpr double smallest_porosity = 1e-3;
+template <class T>
+TALUS_KERNEL T find_pores(T volume, T grains) {
+  return lane_max(volume - grains, smallest_porosity * volume);
+}
 
 template <int D>
 struct MixtureWater {

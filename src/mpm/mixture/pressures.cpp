@@ -300,7 +300,7 @@ class PressureEquation {
       rz = sum([&](int i) { return r_[i] * z_[i]; });
       for_nodes([&](int i) { d_[i] = fixed_[i] ? 0.0 : z_[i] + rz / last * d_[i]; });
     }
-    if (rz > wanted)
+    if (!(rz <= wanted))  // or no number
       throw Error(ExitCode::unstable, fmt::format("the pore pressures of step {} were not found within {} iterations",
                                                   body_.step_count, most_iterations));
     apply(x, q_, true);
