@@ -20,9 +20,6 @@ namespace {
 constexpr int intervals = 100;
 /// The states of every tenth interval are kept: more are hardly told apart in a picture.
 constexpr int kept_interval = 10;
-/// Error of a step by which seepage chooses the next one [m of water]; a tenth of a kilopascal. Suctions of a dry
-/// season are a thousand times as high.
-constexpr double head_tolerance = 0.01;
 /// Lower limits of the layers of the record, as multiples of the deepest roots, or of a tenth of the soil's
 /// height where nothing grows.
 constexpr double layer_limits[] = {0.5, 1, 2, 4};
@@ -109,16 +106,16 @@ std::vector<double> find_pressures(const fem::SeepageModel<D>& model, const std:
 
 template <int D>
 fem::SeepageHistory<D> solve(const fem::SeepageModel<D>& model, const std::vector<double>& initial,
-                             const fem::SeepageSchedule& schedule) {
+                             const fem::SeepageSchedule& schedule, const std::string& key) {
   try {
     return fem::solve_transient_seepage(model, initial, schedule);
   } catch (const Error& error) {
     if (error.code() != ExitCode::unstable) throw;
     throw Error(
         ExitCode::unstable,
-        fmt::format("[initial] season: {} Smaller elements at the ground, or an air entry where the conductivity "
-                    "is Mualem's, may help.",
-                    error.what()));
+        fmt::format("{}: {} Smaller elements at the ground, or an air entry where the conductivity is Mualem's, may "
+                    "help.",
+                    key, error.what()));
   }
 }
 
@@ -142,21 +139,18 @@ double SeasonRecord::find_error() const {
 }
 
 template <int D>
-Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial) {
-  const double length = data.initial.water.season;
+FlowInTime<D> follow_flow(const input::Case& data, const fem::SeepageModel<D>& model,
+                          const std::vector<double>& initial, const fem::SeepageSchedule& schedule,
+                          const std::string& key) {
   const Layers layers = find_layers<D>(data, *model.mesh);
   fem::SeepageModel<D> growing = model;
   growing.sinks = make_root_sinks<D>(data, *model.mesh);
-  fem::SeepageSchedule schedule;
-  schedule.start = -length;
-  for (int i = 1; i <= intervals; ++i) schedule.outputs.push_back(length * (i - intervals) / intervals);
-  schedule.head_tolerance = head_tolerance;
-  const fem::SeepageHistory<D> history = solve(growing, initial, schedule);
-
-  SeasonRecord record;
+  FlowInTime<D> flow{solve(growing, initial, schedule, key), {}};
+  const fem::SeepageHistory<D>& history = flow.history;
+  SeasonRecord& record = flow.record;
   record.depths = layers.depths;
   record.initial = fem::find_stored_water(model, initial);
-  record.rows.push_back({-length, 0, 0, 0, 0, 0, 0, find_suctions(layers, find_pressures(model, initial))});
+  record.rows.push_back({schedule.start, 0, 0, 0, 0, 0, 0, find_suctions(layers, find_pressures(model, initial))});
   for (std::size_t i = 0; i < history.states.size(); ++i) {
     SeasonRecord::Row row{
         history.states[i].time, history.stored[i], 0, 0, 0, 0, 0, find_suctions(layers, history.states[i].pressure)};
@@ -176,14 +170,25 @@ Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model,
   record.steps = history.steps;
   record.rejected = history.rejected;
   record.iterations = history.iterations;
-  keep_states<D>(data, model, history.states, record);
-  return {history.states.back(), std::move(record)};
+  return flow;
+}
+
+template <int D>
+Season<D> run_season(const input::Case& data, const fem::SeepageModel<D>& model, const std::vector<double>& initial) {
+  const double length = data.initial.water.season;
+  fem::SeepageSchedule schedule;
+  schedule.start = -length;
+  for (int i = 1; i <= intervals; ++i) schedule.outputs.push_back(length * (i - intervals) / intervals);
+  schedule.head_tolerance = head_tolerance;
+  FlowInTime<D> flow = follow_flow<D>(data, model, initial, schedule, "[initial] season");
+  keep_states<D>(data, model, flow.history.states, flow.record);
+  return {std::move(flow.history.states.back()), std::move(flow.record)};
 }
 
 results::Season tell_season(const SeasonRecord& r) {
   const SeasonRecord::Row& last = r.rows.back();
   results::Season told;
-  told.duration = -r.rows.front().time;
+  told.duration = last.time - r.rows.front().time;
   told.initial = r.initial;
   told.growth = last.stored;
   told.inflow = last.inflow;
@@ -226,6 +231,12 @@ void write_season(const std::filesystem::path& path, const SeasonRecord& r) {
   write_atomically(path, text);
 }
 
+#define TALUS_INSTANTIATE(D)                                                                                         \
+  template FlowInTime<D> follow_flow<D>(const input::Case&, const fem::SeepageModel<D>&, const std::vector<double>&, \
+                                        const fem::SeepageSchedule&, const std::string&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
 template Season<2> run_season<2>(const input::Case&, const fem::SeepageModel<2>&, const std::vector<double>&);
 template Season<3> run_season<3>(const input::Case&, const fem::SeepageModel<3>&, const std::vector<double>&);
 

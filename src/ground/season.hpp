@@ -45,6 +45,21 @@ struct Season {
   SeasonRecord record;
 };
 
+/// Seepage over a time, with what plants draw: states and volumes at the times of `schedule`, and the record of them.
+template <int D>
+struct FlowInTime {
+  fem::SeepageHistory<D> history;
+  SeasonRecord record;  ///< without states and fields
+};
+/// From the heads `initial` per node on. `key` names what asked for it, for errors. Throws what run_season() does.
+template <int D>
+FlowInTime<D> follow_flow(const input::Case& data, const fem::SeepageModel<D>& model,
+                          const std::vector<double>& initial, const fem::SeepageSchedule& schedule,
+                          const std::string& key);
+
+/// Error of a step by which seepage over time chooses the next one [m of water]; a tenth of a kilopascal.
+inline constexpr double head_tolerance = 0.01;
+
 /// From the heads `initial` per node at the time -season to 0. `mesh` is that of the model, with dry soil empty.
 /// Throws what solve_transient_seepage() and make_root_sinks() throw.
 template <int D>

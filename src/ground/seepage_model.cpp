@@ -31,6 +31,7 @@ fem::HydraulicSoil<D> make_soil(const input::Case& data, const std::string& regi
   soil.retention = input::make_retention(m.water);
   soil.relative = input::make_relative_conductivity(m.water);
   soil.water_modulus = data.water.bulk_modulus;
+  soil.skeleton_compressibility = m.water.compressibility;
   return soil;
 }
 

@@ -37,6 +37,7 @@ struct PoreWater {
   std::vector<std::array<double, 2>> retention_table;  ///< suction [Pa], saturation [-]
   std::optional<double> conductivity;                  ///< saturated k [m/s]; or
   std::optional<double> permeability;                  ///< intrinsic κ [m²]
+  double compressibility = 0;                          ///< m_v of the skeleton, in soil that does not move [1/Pa]
   ConductivityCurve relative_conductivity = ConductivityCurve::constant;
   SaturationShare measure = SaturationShare::total;       ///< X of (4.16), (4.17)
   double exponent = 0;                                    ///< r of Hillel [-]
@@ -159,6 +160,14 @@ void describe(Visitor& v, PoreWater& w) {
             .allowed_unless("retention", w.retention, R::dry)
             .example("6e-11"),
         "Intrinsic permeability instead; the conductivity is density · gravity · permeability/viscosity.");
+  v.key("compressibility", w.compressibility,
+        quantity("kPa-1")
+            .at_least(0)
+            .usual_or_zero(1e-6, 1e-1, {{"MPa-1", 1e-3}})
+            .allowed_unless("retention", w.retention, R::dry)
+            .example("1e-4"),
+        "Coefficient of volume compressibility m_v of the skeleton: what saturated soil at rest stores under a change "
+        "of its pressure, in seepage over time (initial.season, [timeline]). Soil that moves has that of its model.");
   v.key("measure", w.measure,
         plain()
             .allowed_with("relative_conductivity", w.relative_conductivity, K::mualem)
