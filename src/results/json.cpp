@@ -63,6 +63,7 @@ void write_file(const std::filesystem::path& path, const T& result, int indent, 
 TALUS_JSON(RunResult)
 TALUS_JSON(SliceFile)
 TALUS_JSON(ElementFile)
+TALUS_JSON(BoundsFile)
 TALUS_JSON(WaterFields)
 TALUS_JSON(Trial)
 TALUS_JSON(std::vector<Trial>)
