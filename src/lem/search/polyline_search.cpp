@@ -21,6 +21,8 @@ constexpr int stations = 16;
 constexpr double active = 60 * std::numbers::pi / 180, passive = 30 * std::numbers::pi / 180;
 /// Starts that are optimised, of circles and of blocks; and surfaces shaken from the best one.
 constexpr std::size_t circle_starts = 3, block_starts = 3;
+/// And those where surfaces of a like slope are known.
+constexpr std::size_t starts_beside_known = 2;
 constexpr int shakes = 4;
 /// How far a vertex is shaken, over the depth of the mass [-].
 constexpr double shake = 0.15;
@@ -81,6 +83,17 @@ class PolylineSearch {
     for (const Surface& block : blocks) add(block, from_blocks);
     choose(slope(), std::move(from_circles), circle_starts, chosen);
     choose(slope(), std::move(from_blocks), block_starts, chosen);
+    for (const Start& s : chosen) improve(s.surface);
+  }
+
+  /// The same with surfaces that a like slope has.
+  void follow(const std::vector<Surface>& known, const std::vector<Surface>& circles,
+              const std::vector<Surface>& blocks) {
+    std::vector<Start> starts, chosen;
+    for (const Surface& s : known) add(s, starts);
+    for (const Surface& circle : circles) add(make_polyline(slope(), circle, ranges_.vertices), starts);
+    for (const Surface& block : blocks) add(block, starts);
+    choose(slope(), std::move(starts), starts_beside_known, chosen);
     for (const Start& s : chosen) improve(s.surface);
   }
 
@@ -191,12 +204,19 @@ std::vector<OptimisedSurface> find_polylines(const Slope& slope, const SearchOpt
       if (suits_polylines(options.methods[m])) work(m);
     });
   };
-  for_each([&](std::size_t m) { searches[m].search(choose_circles(circles, result, m, minima[m]), blocks); });
+  for_each([&](std::size_t m) {
+    const std::vector<Surface> starts = choose_circles(circles, result, m, minima[m]);
+    if (options.known.empty())
+      searches[m].search(starts, blocks);
+    else
+      searches[m].follow(options.known, starts, blocks);
+  });
   // A method's best surface is a start for the others, and each goes on from beside its own.
   std::vector<Surface> found;
   for (const PolylineSearch& s : searches)
     if (!s.best().surface.line.empty()) found.push_back(s.best().surface);
   for_each([&](std::size_t m) {
+    if (!options.known.empty()) return;
     for (const Surface& s : found) searches[m].improve(s);
     searches[m].shake_best();
   });

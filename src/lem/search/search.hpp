@@ -48,6 +48,9 @@ struct SearchOptions {
   /// 0: entries, exits and blocks stand where the ground wants them; another number moves each by a random part of the
   /// distance to its neighbour. It also shakes surfaces. Two seeds must find one minimum.
   int seed = 0;
+  /// Polylines of a slope that differs little, as of another time. Where there are any, the best of them and of the
+  /// other starts are optimised, and none is shaken.
+  std::vector<Surface> known{};
   int threads = 1;
   /// A signal ends the search, unless it came before it: who began then wants the result.
   bool ends_at_signal = true;
