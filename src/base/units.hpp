@@ -35,4 +35,7 @@ std::string get_dimension_name(const std::string& unit);
 /// A quantity of the unit's dimension as a user would write it: "2 kPa" for every unit of stress.
 std::string get_dimension_example(const std::string& unit);
 
+/// A time as people say it: "90 s", "12.5 min", "6 h", "3 days".
+std::string say_time(double seconds);
+
 }  // namespace talus::units

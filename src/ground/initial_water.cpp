@@ -5,11 +5,15 @@
 #include <cmath>
 
 #include "ground/nearest_side.hpp"
+#include "ground/plane_water.hpp"
 #include "ground/pore_water.hpp"
 #include "ground/water_sides.hpp"
 
 namespace talus::ground {
 namespace {
+
+/// Of a season's length.
+constexpr double just_before = 1e-9;
 
 template <int D>
 bool is_wet(const input::Case& data, const mesh::Mesh<D>& mesh, int e) {
@@ -119,7 +123,9 @@ InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>&
       set_from_table(data, mesh, water);
       break;
     case input::InitialPressure::seepage:
-      water.seepage = fem::solve_steady_seepage(model, {}, {}, has_season ? -data.initial.water.season : 0);
+      // As it is before a series jumps there.
+      water.seepage = fem::solve_steady_seepage(
+          model, {}, {}, has_season ? -(1 + just_before) * data.initial.water.season : find_first_time(data));
       set_from_seepage<D>(data, mesh, *water.seepage, water);
       water.nodal = water.seepage->pressure;
       break;

@@ -28,6 +28,11 @@ double find_width(const Polyline& ground) {
 
 }  // namespace
 
+double find_first_time(const input::Case& data) {
+  constexpr double just_before = -1e-9;
+  return data.timeline ? just_before * data.timeline->duration : 0;
+}
+
 std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time) {
   std::vector<Pond> ponds;
   const double weight = find_water_weight(data), near = 1e-6 * find_width(ground);
@@ -93,8 +98,8 @@ std::optional<double> find_standing_level(const std::vector<Pond>& ponds, const 
 }
 
 bool needs_seepage(const input::Case& data) {
-  return has_water(data) &&
-         (data.initial.water.pressure == input::InitialPressure::seepage || data.initial.water.season > 0);
+  return has_water(data) && (data.initial.water.pressure == input::InitialPressure::seepage ||
+                             data.initial.water.season > 0 || data.timeline);
 }
 
 bool takes_water(const input::Case& data, const input::Material& soil) {

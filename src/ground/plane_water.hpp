@@ -20,8 +20,12 @@ struct Pond {
   Point from{}, to{};                   ///< on the ground, from left to right [m]
   double level_from = 0, level_to = 0;  ///< of the water there [m]
 };
-/// As it stands at `time` [s]; the methods begin at 0.
-std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time = 0);
+/// The time that the methods begin with [s]: 0, and just before it where a timeline follows, whose series may jump at
+/// 0.
+double find_first_time(const input::Case& data);
+
+/// As it stands at `time` [s].
+std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time);
 
 /// Sentences on ponds without a bank, where the ground beside them is lower than their water.
 std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Polyline& ground);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/units.hpp"
 #include "results/governing.hpp"
 #include "results/side_line.hpp"
 
@@ -106,6 +107,23 @@ class Values {
   void add_bounds(const BoundsResult& bounds) {
     add_factor("bounds.lower", "proven lower bound of the factor of safety", bounds.lower);
     add_factor("bounds.upper", "proven upper bound of the factor of safety", bounds.upper);
+  }
+
+  void add_timeline(const Timeline& timeline) {
+    add_factor("timeline.least", "least factor of safety in time", timeline.least);
+    add({"timeline.least_time", "when the factor of safety is least", "s", ResultKind::other, "least_time", {}},
+        timeline.least_time);
+    add({"timeline.failure_time",
+         "time at which the factor of safety is first found below the target",
+         "s",
+         ResultKind::other,
+         "failure_time",
+         {}},
+        timeline.failure ? std::optional(timeline.failure->to) : std::nullopt);
+    if (timeline.chosen) return;
+    for (const TimedFactor& f : timeline.factors)
+      add_factor(fmt::format("timeline.factor[{:g}]", f.time),
+                 fmt::format("factor of safety at {}", units::say_time(f.time)), f.factor);
   }
 
   void add_factors(const PointFactors& factors) {
@@ -264,6 +282,7 @@ std::vector<NamedValue> list_values(const RunResult& run, int dimension) {
   if (run.methods) values.add_methods(*run.methods);
   if (run.elements) values.add_elements(*run.elements);
   if (run.bounds) values.add_bounds(*run.bounds);
+  if (run.timeline) values.add_timeline(*run.timeline);
   if (run.methods && run.methods->partial_factors) values.add_over_design(run.methods->partial_factors->over_design);
   if (run.factor_of_safety) values.add_factors(*run.factor_of_safety);
   if (run.runouts)

@@ -15,6 +15,7 @@
 #include "results/head.hpp"
 #include "results/motion.hpp"
 #include "results/slices.hpp"
+#include "results/timeline.hpp"
 #include "results/trial.hpp"
 #include "results/water.hpp"
 
@@ -131,6 +132,7 @@ struct RunResult {
   std::optional<SliceResult> slices;
   std::optional<ElementResult> elements;
   std::optional<BoundsResult> bounds;
+  std::optional<Timeline> timeline;
   // Of material points.
   std::optional<Mesh> mesh;
   std::optional<std::vector<Stage>> stages;
@@ -164,8 +166,8 @@ struct RunResult {
 };
 
 /// The main factor of the run: the smallest of those that slices, finite elements and material points found, each by
-/// the rules of results/governing.hpp, and of a proven upper bound; of proven bounds alone the lower one. Nothing: no
-/// method found a factor.
+/// the rules of results/governing.hpp, and of a proven upper bound; over a timeline the least of them; of proven bounds
+/// alone the lower one. Nothing: no method found a factor.
 std::optional<double> find_main_factor(const RunResult& run);
 
 template <class V, As<RunResult> R>
@@ -183,6 +185,7 @@ void describe(V& v, R& r) {
   v.maybe("lem", r.slices, {"", "slices"});
   v.maybe("fem", r.elements, {"", "finite elements"});
   v.maybe("bounds", r.bounds, {"", "proven bounds"});
+  v.maybe("timeline", r.timeline, {"", "the factor of safety in time"});
   v.maybe("mesh", r.mesh, {"", "mesh and material points"});
   v.maybe("stages", r.stages, {"", "stages"});
   v.maybe("start", r.start, {"", "result that it started from"});

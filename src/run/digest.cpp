@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/units.hpp"
 #include "results/governing.hpp"
 
 namespace talus::run {
@@ -29,6 +30,9 @@ std::string write_main_factor(const results::RunResult& run) {
     return run.bounds->lower == factor
                ? fmt::format("Factor of safety at least {:.3f} (proven lower bound)\n", results::show_lower(*factor))
                : fmt::format("Factor of safety at most {:.3f} (proven upper bound)\n", results::show_upper(*factor));
+  if (run.timeline && run.timeline->least == factor)
+    return fmt::format("Factor of safety {:.3f}, the least in time ({}, at {})\n", *factor, "slices",
+                       units::say_time(*run.timeline->least_time));
   const bool by_slices = surface && surface->found->surface.factor == factor;
   return fmt::format("Factor of safety {:.3f} ({})\n", *factor,
                      by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface))
@@ -147,6 +151,17 @@ std::string write_state(const results::WaterState& state) {
   return text;
 }
 
+std::string write_timeline(const results::Timeline& t) {
+  std::string text = "  Time           Factor   Slip surface\n";
+  for (const results::TimedFactor& f : t.factors)
+    text += "  " + pad(units::say_time(f.time), 15) +
+            (f.factor ? fmt::format("{:6.3f}   {}, {}{}\n", *f.factor, f.surface.title, f.source,
+                                    f.refusal.empty() ? "" : " (" + f.refusal + ")")
+                      : std::string("  none\n"));
+  text += results::say_failure(t) + "\n";
+  return text;
+}
+
 std::string write_water(const results::RunResult& run) {
   std::string text;
   if (const auto& w = run.seepage)
@@ -171,7 +186,9 @@ std::string write_water(const results::RunResult& run) {
 std::string write_digest(const results::RunResult& run) {
   std::string text = run.title + "\n";
   text += write_main_factor(run);
+  if (run.timeline && run.methods) text += "At time 0:\n";
   if (run.methods) text += write_method_table(*run.methods);
+  if (run.timeline) text += write_timeline(*run.timeline);
   if (const auto& mesh = run.mesh)
     text += fmt::format("  {} points in {} elements, critical time step {:.3g} s\n", mesh->points, mesh->soil_elements,
                         mesh->critical_time_step);

@@ -25,6 +25,7 @@
 #include "run/mpm/point_run.hpp"
 #include "run/named_results.hpp"
 #include "run/run_folder.hpp"
+#include "run/timeline/timeline_run.hpp"
 
 namespace talus::run {
 namespace {
@@ -89,6 +90,7 @@ class CaseRun {
     }
     if (has_elements) elements_.emplace(data, alone, options_, hash_).prepare();
     if (has_bounds) bounds_.emplace(data, alone, options_, hash_).prepare();
+    if (data.timeline) timeline_.emplace(data, options_);
   }
 
   void calculate() {
@@ -98,6 +100,7 @@ class CaseRun {
       if (points_) slices_->calculate();
       slices_->keep();
     }
+    if (timeline_) timeline_->calculate(slices_->result());
     if (elements_) elements_->calculate();
     if (bounds_) bounds_->calculate(find_start());
     if (points_) points_->calculate(run_);
@@ -134,6 +137,7 @@ class CaseRun {
     if (slices_) slices_->tell(run_);
     if (elements_) elements_->tell(run_);
     if (bounds_) bounds_->tell(run_);
+    if (timeline_) timeline_->tell(run_);
     if (!points_) timing.parts = list_parts();
     keep_water();
     compare();
@@ -183,6 +187,7 @@ class CaseRun {
   std::optional<SliceRun> slices_;
   std::optional<ElementRun<D>> elements_;
   std::optional<BoundsRun> bounds_;
+  std::optional<TimelineRun> timeline_;
   std::optional<PointRun<D>> points_;
   results::RunResult run_;
 };

@@ -28,6 +28,7 @@
 #include "input/case/stage.hpp"
 #include "input/case/start.hpp"
 #include "input/case/study.hpp"
+#include "input/case/timeline.hpp"
 #include "input/case/water.hpp"
 
 namespace talus::input {
@@ -53,6 +54,7 @@ struct Case {
   std::vector<Roots> roots;
   Gravity gravity;
   Initial initial;
+  std::optional<Timeline> timeline;
   std::vector<Stage> stages;
   RestCriterion rest;
   AnalysisKind analysis = AnalysisKind::run;
@@ -114,6 +116,9 @@ void describe(Visitor& v, Case& c) {
            "the content or cohesion of the material counts.");
   v.table("gravity", c.gravity, "Gravity.");
   v.table("initial", c.initial, "The state at the start.");
+  v.optional_table("timeline", c.timeline,
+                   "The factor of safety through time: transient seepage from time 0 on, and a search for the critical "
+                   "slip surface at many times.");
   v.tables("stage", c.stages, 1, "A period of time. Stages follow one another; at least one is needed.");
   v.table("rest", c.rest, "When the soil counts as being at rest, for stages with until = \"rest\".");
   v.table("analysis", AnalysisBlock{c.analysis, c.methods}, "What is calculated.");

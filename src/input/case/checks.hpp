@@ -45,6 +45,8 @@ void check_sampling(const Case& data, Findings& findings);
 void check_water(const Case& data, Findings& findings);
 /// Hydraulic conditions and the pore pressure at the start.
 void check_hydraulics(const Case& data, Findings& findings);
+/// [timeline]: what it needs of the case, and its times.
+void check_timeline(const Case& data, Findings& findings);
 /// Clock and sections of the output.
 void check_output(const Case& data, Findings& findings);
 /// Names, units and tolerances of the values that results are compared with. A result that this case leaves out is

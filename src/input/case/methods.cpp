@@ -236,7 +236,8 @@ void check_methods(const Case& data, Findings& findings) {
   if (uses(data, Method::mpm))
     for (const auto& [name, material] : data.materials) check_pressure_ratio(material, name, findings);
   if (!is_wet(data)) return;
-  const bool needs_seepage = data.initial.water.pressure == InitialPressure::seepage || data.initial.water.season > 0;
+  const bool needs_seepage =
+      data.initial.water.pressure == InitialPressure::seepage || data.initial.water.season > 0 || data.timeline;
   if (needs_seepage && !has_elements && data.mesh.file.empty() && data.mesh.size == 0 && findings.is_sound("mesh.size"))
     findings.add("mesh", "pore pressures that follow from seepage need a mesh: give 'size' in [mesh]");
 }

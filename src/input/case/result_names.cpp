@@ -167,12 +167,27 @@ void outline_points(const Case& data, results::RunResult& run) {
   run.motion = outline_motion(data);
 }
 
+results::Timeline outline_timeline(const Timeline& asked) {
+  results::Timeline timeline;
+  timeline.least = timeline.least_time = 1;
+  timeline.failure = {0, 1, 1, 1};
+  timeline.chosen = asked.times.empty();
+  const auto add = [&](double time) {
+    timeline.factors.emplace_back().time = time;
+    timeline.factors.back().factor = 1;
+  };
+  add(0);
+  for (const double time : asked.times) add(time);
+  return timeline;
+}
+
 /// A run with a placeholder wherever a run of `data` may have a number: it tells which results there are.
 results::RunResult outline_results(const Case& data) {
   results::RunResult run;
   if (uses(data, Method::lem)) run.slices = outline_slices(data.lem);
   if (uses(data, Method::fem)) run.elements = outline_elements(data.fem.flow);
   if (uses(data, Method::bounds)) run.bounds.emplace().lower = run.bounds->upper = 1;
+  if (data.timeline) run.timeline = outline_timeline(*data.timeline);
   run.methods = outline_methods(data);
   if (uses(data, Method::mpm)) outline_points(data, run);
   if (is_wet(data) && data.initial.water.pressure == InitialPressure::seepage) {

@@ -108,7 +108,7 @@ class SolidBuilder {
   void find_plane() {
     if (data_.mesh.polygons.empty()) return;  // a ready mesh: only its sides carry loads
     ground_ = ground::find_ground(data_.mesh);
-    ponds_ = ground::find_ponds(data_, ground_);
+    ponds_ = ground::find_ponds(data_, ground_, ground::find_first_time(data_));
     for (std::string& note : ground::find_open_ends(ponds_, ground_)) solid_.notes.push_back(std::move(note));
     if (data_.initial.water.pressure == input::InitialPressure::water_table) table_ = data_.initial.water.water_table;
   }

@@ -151,19 +151,20 @@ void weigh_moist_soil(const input::Case& data, const lem::PressureGrid* grid, le
 
 void add_water(const input::Case& data, lem::Section& section, ground::ToldWater& told) {
   section.water_unit_weight = ground::find_water_weight(data);
-  const std::vector<ground::Pond> ponds = ground::find_ponds(data, section.ground);
   if (ground::needs_seepage(data)) {
     const mesh::Mesh<2> mesh = mesh::generate<2>(data.mesh);
-    section.pressure_grid =
-        ground::make_pressure_grid(data, mesh, ground::find_nodal_pressure<2>(ground::close_sides(data), mesh, &told));
-    section.water_table = ground::trace_water_table(*section.pressure_grid, ponds, section.ground, section.base);
-  } else if (data.initial.water.pressure == input::InitialPressure::water_table) {
+    set_pressures(data, mesh, ground::find_nodal_pressure<2>(ground::close_sides(data), mesh, &told),
+                  ground::find_first_time(data), section);
+    return;
+  }
+  if (data.initial.water.pressure == input::InitialPressure::water_table) {
     ground::check_upright(data, "a water table");
     section.water_table = data.initial.water.water_table;
     told = ground::tell_water_table(data);
+    const std::vector<ground::Pond> ponds = ground::find_ponds(data, section.ground, ground::find_first_time(data));
     if (!ponds.empty()) section.water_table = ground::add_ponds(section.water_table, ponds, section.ground);
   }
-  weigh_moist_soil(data, section.pressure_grid ? &*section.pressure_grid : nullptr, section);
+  weigh_moist_soil(data, nullptr, section);
 }
 
 /// The vertical part of a traction on a named line of the ground, per horizontal metre.
@@ -238,6 +239,15 @@ void add_roots(const input::Case& data, lem::Section& section, std::vector<std::
 
 }  // namespace
 
+void set_pressures(const input::Case& data, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
+                   lem::Section& section) {
+  for (lem::Soil& soil : section.soils) soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
+  section.pressure_grid = ground::make_pressure_grid(data, mesh, pressure);
+  section.water_table = ground::trace_water_table(
+      *section.pressure_grid, ground::find_ponds(data, section.ground, time), section.ground, section.base);
+  weigh_moist_soil(data, &*section.pressure_grid, section);
+}
+
 SectionOfCase make_section(const input::Case& data) {
   if (data.mesh.dimension != 2)
     throw Error(
@@ -252,7 +262,8 @@ SectionOfCase make_section(const input::Case& data) {
   section.base = ground::find_base(data.mesh);
   add_regions(data, section, result.notes);
   add_water(data, section, result.water);
-  for (std::string& note : ground::find_open_ends(ground::find_ponds(data, section.ground), section.ground))
+  const double first = ground::find_first_time(data);
+  for (std::string& note : ground::find_open_ends(ground::find_ponds(data, section.ground, first), section.ground))
     result.notes.push_back(std::move(note));
   add_surcharges(data, section);
   add_tractions(data, section, result.notes);

@@ -8,6 +8,7 @@
 #include "ground/tell_seepage.hpp"
 #include "input/case/case.hpp"
 #include "lem/section/section.hpp"
+#include "mesh/mesh.hpp"
 
 namespace talus::run {
 
@@ -21,5 +22,10 @@ struct SectionOfCase {
 /// Throws Error (wrong_input) when the case is not plane or has no polygons, the ground has gaps or overhangs, or a
 /// soil has no friction angle and cohesion; what find_initial_water() throws.
 SectionOfCase make_section(const input::Case& data);
+
+/// Gives a section the pore pressures of the nodes of `mesh`, positive in tension [Pa], the water that stands on its
+/// ground at `time` [s], and the weights that follow.
+void set_pressures(const input::Case& data, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
+                   lem::Section& section);
 
 }  // namespace talus::run

@@ -40,7 +40,7 @@ Standing find_standing(const input::Case& data) {
     return {};
   try {
     Standing standing{ground::find_ground(data.mesh), data.initial.water.water_table};
-    if (!ground::find_ponds(data, standing.ground).empty()) return {};
+    if (!ground::find_ponds(data, standing.ground, ground::find_first_time(data)).empty()) return {};
     return standing;
   } catch (const Error&) {
     return {};  // an overhang: there is no one level of the ground

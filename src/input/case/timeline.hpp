@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// [timeline]: the factor of safety through storms and drawdown.
+
+#include <vector>
+
+#include "input/language/spec.hpp"
+
+namespace talus::input {
+
+struct Timeline {
+  double duration = 0;        ///< from time 0 on [s]
+  std::vector<double> times;  ///< when factors are found [s]; empty: chosen
+  double target = 1;          ///< a factor below it is failure [-]
+  double tolerance = 0.003;   ///< of the factor between the times that are chosen, over it [-]
+  int most_times = 40;        ///< that are chosen
+};
+
+template <class Visitor>
+void describe(Visitor& v, Timeline& t) {
+  v.key("duration", t.duration, quantity("day").above(0).required().example("3"),
+        "How long it lasts. It begins at time 0 with the pore pressure that [initial] names; the [[hydraulic]] series "
+        "give rain, evaporation and pools.");
+  v.key("times", t.times, quantity("day").example(R"(["6 h", 0.5, 1, 3])"),
+        "When the factor of safety is found, beside time 0. If not given, times are chosen where the factor bends, "
+        "passes the target or is least.");
+  v.key("target", t.target, plain().above(0), "The slope fails where its factor falls below this.");
+  v.key("tolerance", t.tolerance, plain().above(0).below(0.5),
+        "Times are chosen until the straight lines between them are this near to the factor, over the factor.");
+  v.key("most_times", t.most_times, plain().at_least(3).at_most(1000), "Most times that are chosen.");
+}
+
+}  // namespace talus::input

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The factor of safety in time: when it was found, where it is least, and when it falls below the target.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results/slices.hpp"
+#include "results/water.hpp"
+
+namespace talus::results {
+
+/// The slip surface that governs at one time.
+struct TimedFactor {
+  double time = 0;               ///< [s]
+  std::optional<double> factor;  ///< nothing: no surface was admissible
+  SlipSurface surface;
+  std::string source;   ///< "critical polyline"
+  std::string refusal;  ///< why a search would refuse it; empty: it would not
+};
+template <class V, As<TimedFactor> R>
+void describe(V& v, R& r) {
+  v.key("time", r.time, {"s", "when"});
+  v.key("factor", r.factor, {"", "factor of safety"});
+  v.key("surface", r.surface, {"", "the slip surface that governs"});
+  v.key("source", r.source, {"", "what the surface is"});
+  v.key("refusal", r.refusal, {"", "why a search would refuse it"});
+}
+
+/// Between two times the factor falls below the target; both were tried.
+struct FailureTime {
+  double from = 0, to = 0;                ///< [s]
+  double factor_from = 0, factor_to = 0;  ///< [-]
+};
+template <class V, As<FailureTime> R>
+void describe(V& v, R& r) {
+  v.key("from", r.from, {"s", "the last time at or above the target"});
+  v.key("to", r.to, {"s", "the first time below it"});
+  v.key("factor_from", r.factor_from, {"", "factor of safety at the first of them"});
+  v.key("factor_to", r.factor_to, {"", "factor of safety at the second"});
+}
+
+/// "timeline" of summary.json.
+struct Timeline {
+  double duration = 0;  ///< [s]
+  double target = 1;
+  std::vector<TimedFactor> factors;  ///< in time
+  std::optional<double> least;       ///< of the factors
+  std::optional<double> least_time;  ///< [s]
+  bool fails_from_start = false;     ///< the factor at time 0 is below the target
+  std::optional<FailureTime> failure;
+  bool chosen = false;  ///< times were chosen, not given
+  std::optional<double>
+      distance;  ///< largest estimate of what a straight line between two times is off, over the factor
+  std::vector<WaterState> states;  ///< where the water stood at the times of the factors
+  std::vector<std::string> notes;
+  Season weather;
+  double seepage_seconds = 0, search_seconds = 0;
+};
+template <class V, As<Timeline> R>
+void describe(V& v, R& r) {
+  v.key("duration", r.duration, {"s", "length of the timeline"});
+  v.key("target", r.target, {"", "a factor below it is failure"});
+  v.key("factors", r.factors, {"", "factor of safety in time"});
+  v.key("least", r.least, {"", "least factor of safety in time"});
+  v.key("least_time", r.least_time, {"s", "when the factor is least"});
+  v.key("fails_from_start", r.fails_from_start, {"", "whether the factor is below the target at time 0"});
+  v.key("failure", r.failure, {"", "when the factor falls below the target"});
+  v.key("chosen", r.chosen, {"", "whether the times were chosen"});
+  v.key("distance", r.distance, {"", "what straight lines between the times are off at most, over the factor"});
+  v.key("states", r.states, {"", "where the water stood at the times of the factors"});
+  v.key("notes", r.notes, {"", "what must be known of it"});
+  v.key("weather", r.weather, {"", "water that came, went and is stored"});
+  v.key("seepage_seconds", r.seepage_seconds, {"s", "seconds of the seepage"});
+  v.key("search_seconds", r.search_seconds, {"s", "seconds of the searches"});
+}
+
+/// "The factor of safety falls below 1 between 3.38 and 3.94 h (1.000 and 0.999); it is least at 72 h, 0.941."
+std::string say_failure(const Timeline& timeline);
+
+}  // namespace talus::results

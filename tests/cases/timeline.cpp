@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The factor of safety in time: a dam after drawdown beside published factors, both limits of its rate, and what the
+// program says of cases that have none.
+
+#include <fstream>
+
+#include "cases/methods_slope.hpp"
+
+namespace talus {
+namespace {
+
+class Timeline : public MethodsTest {
+ protected:
+  static std::string read_dam() {
+    std::ifstream file(TALUS_SOURCE_DIR "/examples/reservoir_drawdown/case.toml");
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  static std::vector<input::Override> coarsen(std::vector<input::Override> more = {}) {
+    std::vector<input::Override> all = {{"mesh.size", "1"},
+                                        {"lem.entry_exit.entries", "10"},
+                                        {"lem.entry_exit.exits", "10"},
+                                        {"lem.entry_exit.depths", "8"}};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  static double find_last(const nlohmann::json& summary) {
+    return summary.at("timeline").at("factors").back().at("factor");
+  }
+};
+
+TEST_F(Timeline, DrawdownOfADamIsThePublishedOne) {
+  const std::vector<double> published{1.0390, 1.0654, 1.0938, 1.1238, 1.1567, 1.1939, 1.2336};  // from two days on
+  const auto summary = run(read_dam(), coarsen({{"timeline.times",
+                                                 "['178298 s', '291181 s', '461858 s', '719916 s', '1110093 s', "
+                                                 "'1700031 s', '2592000 s']"}}));
+  const auto& factors = summary.at("timeline").at("factors");
+  ASSERT_EQ(factors.size(), published.size() + 1);
+  EXPECT_NEAR(factors[0].at("factor").get<double>() / 1.6721, 1, 0.02);
+  for (std::size_t i = 0; i < published.size(); ++i)
+    EXPECT_NEAR(factors[i + 1].at("factor").get<double>() / published[i], 1, 0.02) << factors[i + 1].at("time");
+  EXPECT_LT(std::abs(summary.at("timeline").at("weather").at("error").get<double>()), 1e-10);
+  // What slices found by themselves is the first of them, and the least in time governs.
+  EXPECT_EQ(factors[0].at("factor"), summary.at("lem").at("critical")[0].at("factor"));
+  EXPECT_EQ(summary.at("main_factor"), summary.at("timeline").at("least"));
+  EXPECT_EQ(summary.at("main_factor"), factors[1].at("factor"));
+}
+
+TEST_F(Timeline, WaterThatFallsSlowlyLeavesADrainedSlope) {
+  const auto slow = run(read_dam(), coarsen({{"hydraulic.0.head", "[[0, 8], ['1e10 s', 4]]"},
+                                             {"timeline.duration", "'1e10 s'"},
+                                             {"timeline.times", "['1e10 s']"}}));
+  std::string steady = read_dam();
+  steady.erase(steady.find("[timeline]"), steady.find("[analysis]") - steady.find("[timeline]"));
+  const auto drained = run(steady, coarsen({{"hydraulic.0.head", "4"}}));
+  EXPECT_NEAR(find_last(slow) / find_factor(drained, "spencer"), 1, 0.01);
+}
+
+TEST_F(Timeline, WaterThatFallsAtOnceLeavesItsPressures) {
+  // In soil that stores much water the pressures of the full pool remain, and nothing presses on the face any more.
+  const auto summary = run(read_dam(), coarsen({{"timeline.duration", "'1 s'"},
+                                                {"timeline.times", "['1 s']"},
+                                                {"materials.dam.water.compressibility", "'1 kPa-1'"}}));
+  std::string before = read_dam();
+  before.erase(before.find("[timeline]"), before.find("[analysis]") - before.find("[timeline]"));
+  const auto full = run(before, coarsen({{"hydraulic.0.head", "8"}}));
+  EXPECT_LT(find_last(summary), 0.6 * find_factor(full, "spencer"));
+}
+
+TEST_F(Timeline, TimeOfFailureLiesBetweenTwoTimesThatWereTried) {
+  const auto summary = run(read_dam(), coarsen({{"hydraulic.0.head", "[[0, 8], ['4 day', 0]]"},
+                                                {"timeline.duration", "'4 day'"},
+                                                {"timeline.target", "1.3"},
+                                                {"timeline.tolerance", "0.01"}}));
+  const auto& timeline = summary.at("timeline");
+  ASSERT_FALSE(timeline.at("failure").is_null());
+  const auto& failure = timeline.at("failure");
+  EXPECT_GE(failure.at("factor_from").get<double>(), 1.3);
+  EXPECT_LT(failure.at("factor_to").get<double>(), 1.3);
+  EXPECT_LT(failure.at("to").get<double>() - failure.at("from").get<double>(), 4 * 86400 / 64.0);
+  bool has_from = false, has_to = false;
+  for (const auto& f : timeline.at("factors")) {
+    has_from = has_from || f.at("time") == failure.at("from");
+    has_to = has_to || f.at("time") == failure.at("to");
+  }
+  EXPECT_TRUE(has_from && has_to);
+  EXPECT_LT(timeline.at("distance").get<double>(), 0.01);
+  EXPECT_EQ(timeline.at("states").size(), timeline.at("factors").size());
+}
+
+TEST_F(Timeline, SaysWhatACaseLacks) {
+  const auto has = [&](const std::vector<input::Override>& changes, const char* sentence) {
+    const std::string fault = find_fault(read_dam(), changes);
+    EXPECT_NE(fault.find(sentence), std::string::npos) << fault;
+  };
+  has({{"timeline.times", "['40 day']"}}, "outside the timeline");
+  has({{"timeline.times", "['2 day', '1 day']"}}, "must increase");
+  has({{"timeline.duration", "'-1 day'"}}, "above 0");
+  has({{"analysis.methods", "['fem']"}}, "add \"lem\" to [analysis] methods");
+  has({{"lem.search", "'none'"}}, "[[lem.surface]]");
+}
+
+}  // namespace
+}  // namespace talus
