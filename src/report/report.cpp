@@ -22,6 +22,7 @@
 #include "report/content/slices.hpp"
 #include "report/content/study.hpp"
 #include "report/content/tables.hpp"
+#include "report/content/timeline.hpp"
 #include "report/content/water.hpp"
 #include "report/content/water_states.hpp"
 #include "report/folder.hpp"
@@ -95,6 +96,7 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   if (json sections = make_sections(folder, document["warnings"]); !sections.empty())
     document["sections"] = std::move(sections);
   add_other_methods(folder, packer, document);
+  if (json timeline = make_timeline(folder); !timeline.is_null()) document["timeline"] = std::move(timeline);
   add_water_fields(folder, document, packer);
   return document;
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/units.hpp"
 #include "report/content/asked_methods.hpp"
 #include "report/words/numbers.hpp"
 #include "results/governing.hpp"
@@ -203,6 +204,26 @@ json group_remarks(const std::vector<results::Remark>& remarks) {
   return groups;
 }
 
+/// The least in time stands for slices; what they found at time 0 says so.
+void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& factors) {
+  for (Factor& factor : factors) {
+    if (factor.method != Method::lem) continue;
+    factor.is_main = false;
+    factor.title += ", at time 0";
+  }
+  if (!timeline.least) return;
+  const auto at = std::find_if(timeline.factors.begin(), timeline.factors.end(),
+                               [&](const results::TimedFactor& f) { return f.time == timeline.least_time; });
+  Factor least;
+  least.method = Method::lem;
+  least.name = "timeline.least";
+  least.title = fmt::format("least in time, at {}: {}, {}", units::say_time(at->time), at->surface.title, at->source);
+  least.value = timeline.least;
+  least.note = results::say_failure(timeline);
+  least.is_main = true;
+  factors.insert(factors.begin(), std::move(least));
+}
+
 }  // namespace
 
 json make_method_table(const ResultFolder& folder) {
@@ -263,6 +284,7 @@ std::vector<Factor> list_other_factors(const results::RunResult& run) {
   }
   if (governing)
     for (Factor& factor : factors) factor.is_main = factor.name == governing->name && factor.value;
+  if (run.timeline) lead_with_timeline(*run.timeline, factors);
   std::stable_sort(factors.begin(), factors.end(), [](const Factor& a, const Factor& b) {
     return std::pair(a.method, !a.is_main) < std::pair(b.method, !b.is_main);
   });

@@ -26,13 +26,15 @@ json list_discharges(const std::vector<results::Discharge>& discharges) {
   return list;
 }
 
-json take_state(const results::WaterState& state, bool is_last) {
+}  // namespace
+
+json write_water_state(const results::WaterState& state, const std::string& title) {
   json exits = json::array(), ponds = json::array();
   for (const results::SeepageExit& e : state.exits)
     exits.push_back({{"name", e.name}, {"lowest", e.lowest}, {"highest", e.highest}});
   for (const results::StandingWater& pond : state.ponds) ponds.push_back(results::to_json(pond));
   return {{"flow", results::to_word(state.flow)},
-          {"title", name_water_state(state, is_last)},
+          {"title", title},
           {"time", state.time},
           {"inflow", state.inflow},
           {"outflow", state.outflow},
@@ -42,6 +44,8 @@ json take_state(const results::WaterState& state, bool is_last) {
           {"tables", state.water_table},
           {"ponds", ponds}};
 }
+
+namespace {
 
 /// The numbers of a field; null where they do not fit the mesh.
 json pack_field(const results::WaterFields& file, const results::WaterField& field, std::size_t number,
@@ -135,7 +139,10 @@ std::vector<results::WaterState> find_water_states(const ResultFolder& folder) {
 json list_water_states(const ResultFolder& folder) {
   const std::vector<results::WaterState> states = find_water_states(folder);
   json list = json::array();
-  for (std::size_t i = 0; i < states.size(); ++i) list.push_back(take_state(states[i], i + 1 == states.size()));
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const results::WaterState& state = states[i];
+    list.push_back(write_water_state(state, name_water_state(state, i + 1 == states.size())));
+  }
   return list;
 }
 
@@ -146,7 +153,7 @@ void add_water_fields(const ResultFolder& folder, json& document, Packer& packer
     json mesh = pack_mesh(*file, packer), list = json::array();
     const std::vector<results::WaterState> states = find_water_states(folder);
     for (std::size_t i = 0; i < states.size(); ++i) {
-      json state = take_state(states[i], i + 1 == states.size());
+      json state = write_water_state(states[i], name_water_state(states[i], i + 1 == states.size()));
       if (const results::WaterField* field = find_field(*file, states[i]))
         if (json packed = pack_field(*file, *field, i, packer); !packed.is_null()) state["fields"] = std::move(packed);
       list.push_back(std::move(state));

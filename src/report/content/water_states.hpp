@@ -17,6 +17,9 @@ std::vector<results::WaterState> find_water_states(const ResultFolder& folder);
 /// "steady seepage", "1.5 days before the start".
 std::string name_water_state(const results::WaterState& state, bool is_last);
 
+/// `WaterState` of the contract, without fields.
+nlohmann::json write_water_state(const results::WaterState& state, const std::string& title);
+
 /// "3 days", "12 hours", "40 s".
 std::string show_duration(double seconds);
 

@@ -311,6 +311,7 @@ json make_answer(const ResultFolder& folder) {
   const bool lone = !asks_for_others(folder);
   if (!lone) say_methods(run, factors, sentences);
   say_factor(run, own, lone, sentences);
+  if (run.timeline) sentences.push_back(results::say_failure(*run.timeline));
   say_runouts(run, sentences);
   if (run.motion && !run.motion->sentence.empty()) sentences.push_back(run.motion->sentence);
   for (const std::string& sentence : tell_water(folder)) sentences.push_back(sentence);

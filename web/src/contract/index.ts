@@ -12,5 +12,6 @@ export type * from "./run";
 export type * from "./sampling";
 export type * from "./slices";
 export type * from "./study";
+export type * from "./timeline";
 export type * from "./units";
 export type * from "./water";

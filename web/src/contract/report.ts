@@ -15,6 +15,7 @@ import type { Model } from "./model";
 import type { Curve, Motion, Section, Sequence, Table } from "./run";
 import type { Slices } from "./slices";
 import type { Study } from "./study";
+import type { Timeline } from "./timeline";
 import type { Unit } from "./units";
 import type { Water } from "./water";
 
@@ -51,6 +52,8 @@ export interface Report {
   slices?: Slices;
   finite_elements?: FiniteElements;
   proven_bounds?: ProvenBounds;
+  /** Of a case with a timeline. */
+  timeline?: Timeline;
   /** Sentences: what the numbers rest on, and where they end. */
   assumptions: string[];
   /** Names of the paragraphs of the methods section that apply. */

@@ -11,7 +11,10 @@ import "./answer.css";
 /** Partial factors make it one of design values, and failure a matter of verification. */
 const hasDesignValues = () => report.value.method_table?.partial_factors !== undefined;
 const nameFactor = () => (hasDesignValues() ? "Factor of safety with design values" : "Factor of safety");
-const sayFailure = () => (hasDesignValues() ? "the slope is not verified" : "the slope fails as it stands");
+const sayFailure = () =>
+  hasDesignValues() ? "the slope is not verified"
+  : report.value.timeline ? "the slope fails in this time"
+  : "the slope fails as it stands";
 
 /** Both ends of what is proven, or the one that there is. */
 function Interval({ factor: { lower, upper } }: { factor: Factor }) {

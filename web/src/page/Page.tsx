@@ -18,6 +18,7 @@ import { MethodsSection } from "../compared/MethodsSection";
 import { Overview } from "../compared/Overview";
 import { BoundsSection } from "../bounds/BoundsSection";
 import { ElementsSection } from "../elements/ElementsSection";
+import { TimelineSection } from "../timeline/TimelineSection";
 import { SamplingSection } from "../sampling/SamplingSection";
 import { SlicesSection } from "../slices/SlicesSection";
 import { Viewer } from "../viewer/Viewer";
@@ -103,6 +104,15 @@ export function Page() {
           <ChartPart id="study" title="Study" what="The study" height={600} draw={() => <StudySection />} />
         )}
         {has("variants") && <Variants />}
+        {has("timeline") && (
+          <ChartPart
+            id="timeline"
+            title="Factor of safety in time"
+            what="The factor in time"
+            height={1200}
+            draw={() => <TimelineSection />}
+          />
+        )}
         {has("compared") && (
           <ChartPart
             id="compared"

@@ -18,6 +18,7 @@ export function listContents(report: Report): Entry[] {
     [isStudy && report.study?.sampling !== undefined, "sampling", "Sampling"],
     [isStudy && (report.study?.rows.length ?? 0) > 0, "study", "Study"],
     [isStudy && (report.study?.rows.length ?? 0) > 0, "variants", "Variants"],
+    [report.timeline !== undefined, "timeline", "Timeline"],
     [report.method_table !== undefined, "compared", "Compared"],
     [report.slices !== undefined, "slices", "Slices"],
     [report.finite_elements !== undefined, "elements", "Elements"],

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "report/content/timeline.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "base/units.hpp"
+#include "report/content/water_states.hpp"
+#include "report/words/numbers.hpp"
+
+namespace talus::report {
+
+using nlohmann::json;
+
+namespace {
+
+/// The largest unit that the duration has two of.
+ShownUnit choose_time_unit(double duration) {
+  constexpr double minute = 60, hour = 3600, day = 86400;
+  if (duration >= 2 * day) return {"days", day};
+  if (duration >= 2 * hour) return {"h", hour};
+  return duration >= 2 * minute ? ShownUnit{"min", minute} : ShownUnit{"s", 1};
+}
+
+json write(const std::optional<double>& value) {
+  return value ? json(*value) : json();
+}
+
+}  // namespace
+
+json make_timeline(const ResultFolder& folder) {
+  if (!folder.run.timeline) return {};
+  const results::Timeline& timeline = *folder.run.timeline;
+  json factors = json::array(), states = json::array();
+  for (const results::TimedFactor& f : timeline.factors)
+    factors.push_back({{"time", f.time},
+                       {"title", units::say_time(f.time)},
+                       {"factor", write(f.factor)},
+                       {"method", f.surface.title},
+                       {"source", f.source},
+                       {"refusal", f.refusal},
+                       {"points", f.surface.points}});
+  for (const results::WaterState& state : timeline.states)
+    states.push_back(write_water_state(state, units::say_time(state.time)));
+  json block{{"duration", timeline.duration},
+             {"unit", to_json(choose_time_unit(timeline.duration))},
+             {"target", timeline.target},
+             {"sentence", results::say_failure(timeline)},
+             {"factors", factors},
+             {"states", states},
+             {"least", write(timeline.least)},
+             {"least_time", write(timeline.least_time)},
+             {"distance", write(timeline.distance)},
+             {"seepage_seconds", timeline.seepage_seconds},
+             {"search_seconds", timeline.search_seconds},
+             {"water",
+              {{"inflow", timeline.weather.inflow},
+               {"outflow", timeline.weather.outflow},
+               {"runoff", timeline.weather.runoff},
+               {"transpired", timeline.weather.transpired},
+               {"growth", timeline.weather.growth},
+               {"error", timeline.weather.error}}}};
+  if (timeline.failure) block["failure"] = {{"from", timeline.failure->from}, {"to", timeline.failure->to}};
+  return block;
+}
+
+}  // namespace talus::report

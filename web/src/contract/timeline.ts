@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+/** The factor of safety in time. */
+import type { Unit } from "./units";
+import type { WaterState } from "./water";
+
+export interface Timeline {
+  /** [s] */
+  duration: number;
+  /** Of the times that are shown. */
+  unit: Unit;
+  /** A factor below it is failure. */
+  target: number;
+  /** When it fails, and when the factor is least, in words. */
+  sentence: string;
+  /** In time; the first one at 0. */
+  factors: TimedFactor[];
+  /** Where the water stood at these times; empty where it is not known. */
+  states: WaterState[];
+  least: number | null;
+  /** [s] */
+  least_time: number | null;
+  /** Largest estimate of what a straight line between two times is off, over the factor; null for given times. */
+  distance: number | null;
+  /** Between these times [s] the factor falls below the target; both were tried. */
+  failure?: { from: number; to: number };
+  /** Volumes over the whole time [m³], in 2D per metre. */
+  water: { inflow: number; outflow: number; runoff: number; transpired: number; growth: number; error: number };
+  seepage_seconds: number;
+  search_seconds: number;
+}
+
+export interface TimedFactor {
+  /** [s] */
+  time: number;
+  /** "6 h". */
+  title: string;
+  factor: number | null;
+  /** Of slices, in words. */
+  method: string;
+  /** "critical polyline". */
+  source: string;
+  /** Why a search would refuse the surface; empty: it would not. */
+  refusal: string;
+  /** Of the slip surface that governs [m]. */
+  points: number[][];
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+/** Factor of safety over time, with the rain of the case above it. */
+import * as Plot from "@observablehq/plot";
+import { useEffect, useState } from "preact/hooks";
+import { signal } from "@preact/signals";
+
+import { centred } from "../charts/base/axes";
+import { Chart } from "../charts/base/Chart";
+import { styleOf } from "../charts/base/styles";
+import type { Timeline } from "../contract";
+import { formatFactor } from "../page/format";
+import { report } from "../state";
+import { listRain, type RainBar } from "./rain";
+
+interface Props {
+  timeline: Timeline;
+  chosen: number;
+  onChoose: (moment: number) => void;
+}
+
+export function FactorChart({ timeline, chosen, onChoose }: Props) {
+  const [at] = useState(() => signal(0));
+  const { unit, target, failure } = timeline;
+  const points = timeline.factors.map((f, i) => ({ ...f, i, t: f.time / unit.si })).filter((p) => p.factor !== null);
+  const stops = points.map((p) => p.t);
+  useEffect(() => {
+    at.value = timeline.factors[chosen]!.time / unit.si;
+  }, [chosen]);
+  const rain = listRain(report.value.water?.conditions ?? [], timeline.duration).map((bar) => ({
+    ...bar,
+    from: bar.from / unit.si,
+    to: bar.to / unit.si,
+  }));
+  const factors = points.map((p) => p.factor!);
+  const [low, high] = [Math.min(target, ...factors), Math.max(target, ...factors)];
+  const margin = 0.06 * Math.max(high - low, 0.02);
+  const most = Math.max(0, ...rain.map((bar) => bar.rate));
+  // Rain hangs from the upper edge, over a quarter of the picture.
+  const top = high + margin + (most > 0 ? 0.35 * (high - low + 2 * margin) : 0);
+  const depth = (bar: RainBar) => top - (bar.rate / most) * 0.3 * (top - low);
+  const { colour } = styleOf(0);
+  const draw = (width: number): Plot.PlotOptions => ({
+    height: Math.max(260, Math.min(360, width * 0.45)),
+    marginLeft: 56,
+    marginRight: 20,
+    marginTop: 24,
+    marginBottom: 46,
+    x: { domain: [0, timeline.duration / unit.si], label: `Time [${unit.name}]`, ...centred, ticks: Math.max(4, width / 90) },
+    y: { domain: [low - margin, top], label: "Factor of safety", ticks: 5, labelArrow: "none" },
+    marks: [
+      Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
+      Plot.rect(rain, { x1: "from", x2: "to", y1: depth, y2: top, fill: "var(--water, #2f7fb8)", fillOpacity: 0.45 }),
+      failure
+        ? Plot.rect([failure], {
+            x1: failure.from / unit.si,
+            x2: failure.to / unit.si,
+            y1: low - margin,
+            y2: high + margin,
+            fill: "#c2185b",
+            fillOpacity: 0.18,
+          })
+        : null,
+      Plot.ruleY([target], { stroke: "#c2185b", strokeDasharray: "4 3" }),
+      Plot.line(points, { x: "t", y: "factor", stroke: colour, strokeWidth: 1.8 }),
+      Plot.dot(points, { x: "t", y: "factor", r: 3, fill: colour }),
+    ],
+  });
+  return (
+    <figure class="chart-figure" aria-label="Factor of safety over time">
+      <Chart
+        label="Factor of safety over time"
+        draw={draw}
+        depends={[timeline]}
+        stops={stops}
+        showReading
+        hint="Point at a time to read it; a click shows its section below."
+        ruler={() => at.value}
+        onPick={(stop) => onChoose(points[stop]!.i)}
+        read={(i) => {
+          const p = points[i]!;
+          return {
+            text: `${p.title}: F = ${formatFactor(p.factor)}, ${p.method}, ${p.source}`,
+            marks: [{ value: p.factor!, at: p.t, colour }],
+          };
+        }}
+      />
+      <p class="chart-note">
+        Every dot is a search. Dashed: {formatFactor(target)}, below which the slope fails
+        {failure && "; the band holds the time of failure, both its edges were tried"}.
+        {most > 0 && " Bars from above: rain, to the scale of the strongest."}
+      </p>
+    </figure>
+  );
+}
