@@ -63,10 +63,12 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
   SampleSet set = draw_samples(base);
   check_folder(options, "give another one with -o, or replace it with --overwrite");
   FolderLock lock(options.folder);
-  if (set.told.method == Method::lem) lock.take_existing();  // a study of runs takes it itself
+  // In time every sample is a run, with a seepage of its own.
+  const bool by_slices = set.told.method == Method::lem && !base.data.timeline;
+  if (by_slices) lock.take_existing();  // a study of runs takes it itself
   SamplingResult result;
   results::StudyResult& study = result.study;
-  if (set.told.method == Method::lem) {
+  if (by_slices) {
     study = begin_study(base);
     study.units.stress = base.data.output.stress_unit;
     study.project = run::tell_project(base.data);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples calculated by runs of the case: finite elements, or material points with their runout.
+// Samples calculated by runs of the case: finite elements, material points with their runout, or slices in time.
 
 #include <fmt/format.h>
 
@@ -55,6 +55,13 @@ std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::
   return "";
 }
 
+/// Names of the factor by a method, the first one before the others.
+std::vector<std::string> list_factors(Method method) {
+  if (method == Method::lem) return {"timeline.least"};
+  if (method == Method::fem) return {"fem.factor", "fem.associated.factor"};
+  return {"factor_of_safety.frozen", "factor_of_safety.bilinear", "factor_of_safety.displacement"};
+}
+
 /// That number of every sample; the first row is the case at the means.
 std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& name) {
   std::vector<double> values;
@@ -73,13 +80,10 @@ results::StudyResult calculate_runs(const input::LoadedCase& base, const std::ve
   const StudyPlan plan = plan_samples(base, overrides, set);
   const std::vector<StudyRow> rows = run_study(plan, options);
   failure = find_failure(rows);
-  const bool by_elements = set.told.method == Method::fem;
-  const std::string factor =
-      find_name(rows, by_elements ? std::vector<std::string>{"fem.factor", "fem.associated.factor"}
-                                  : std::vector<std::string>{"factor_of_safety.frozen", "factor_of_safety.bilinear",
-                                                             "factor_of_safety.displacement"});
+  const Method method = set.told.method;
+  const std::string factor = find_name(rows, list_factors(method));
   if (!factor.empty()) set.factor = take(rows, factor);
-  if (!by_elements) {
+  if (method == Method::mpm) {
     std::vector<std::string> names{"runout.toe_distance"};
     for (const double f : base.data.strength_reduction.curve.runout)
       names.push_back(fmt::format("runout[{:g}].toe_distance", f));
@@ -88,7 +92,9 @@ results::StudyResult calculate_runs(const input::LoadedCase& base, const std::ve
       set.told.runout.emplace().name = name;
     }
   }
-  set.told.method_title = by_elements ? "Finite elements" : "Material points";
+  set.told.method_title = method == Method::fem   ? "Finite elements"
+                          : method == Method::lem ? "Slices, the least factor in time"
+                                                  : "Material points";
   set.told.method_title += ", a run for every sample" + (factor.empty() ? "" : ", " + factor);
   if (set.factor.empty() && set.runout.empty())
     set.told.notes.push_back("No run has come to a factor of safety or a runout.");

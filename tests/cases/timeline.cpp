@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "cases/methods_slope.hpp"
+#include "study/sampling.hpp"
 
 namespace talus {
 namespace {
@@ -85,6 +86,26 @@ TEST_F(Timeline, TimeOfFailureLiesBetweenTwoTimesThatWereTried) {
   EXPECT_TRUE(has_from && has_to);
   EXPECT_LT(timeline.at("distance").get<double>(), 0.01);
   EXPECT_EQ(timeline.at("states").size(), timeline.at("factors").size());
+}
+
+TEST_F(Timeline, SamplesHaveTheLeastFactorInTime) {
+  const std::string text = read_dam() + R"(
+[study]
+mode = "sample"
+samples = 4
+[[study.random]]
+key = "materials.dam.cohesion"
+deviation = 1
+)";
+  const auto changes = coarsen({{"mesh.size", "1.5"}, {"timeline.times", "['1 day', '10 day']"}});
+  const input::LoadedCase base = input::read_case_text(text, "dam.toml", changes);
+  study::StudyOptions options;
+  options.folder = folder_;
+  const study::SamplingResult found = study::run_sampling(base, changes, options);
+  ASSERT_TRUE(found.study.sampling->factor);
+  EXPECT_EQ(found.study.variants.size(), 5u);  // the means first
+  EXPECT_LT(found.study.sampling->factor->largest, 1.3) << "at time 0 it is above 1.4 for each of them";
+  EXPECT_GT(found.study.sampling->factor->smallest, 0.7);
 }
 
 TEST_F(Timeline, SaysWhatACaseLacks) {
