@@ -173,8 +173,13 @@ TEST(UnitWeight, IsGivenOnceAndNotAloneForMovingWater) {
   expect_fault(change(slope, "grain_density = 2500", "unit_weight = 20\ngrain_density = @@2500"),
                "both a unit weight and a grain density");
   const std::string water = "[materials.soil.water]\nretention = \"saturated\"\nconductivity = 1e-5\n";
-  expect_one_fault(change(slices_alone, "unit_weight = 20\n", "unit_weight = 20\nporosity = 0.4\n") + water,
-                   "give 'grain_density' and 'porosity' as well");
+  // Slices take the weight as it is; only what the pores hold must be known.
+  EXPECT_TRUE(
+      find_faults(change(slices_alone, "unit_weight = 20\n", "unit_weight = 20\nporosity = 0.4\n") + water).empty());
+  expect_one_fault(slices_alone + water, "needs pores: a porosity above 0 and below 1");
+  expect_fault(change(slope, "grain_density = 2500", "unit_weight = @@20") +
+                   "[materials.sand.water]\nretention = \"saturated\"\nconductivity = 1e-5\n",
+               "give 'grain_density' and 'porosity' as well");
   EXPECT_TRUE(find_faults(change(slices_alone, "unit_weight = 20\n",
                                  "unit_weight = 20\ngrain_density = 2650\nporosity = 0.4\n") +
                           water)

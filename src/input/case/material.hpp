@@ -58,7 +58,7 @@ void describe(Visitor& v, Material& m) {
   v.key("model", m.model, plain().required().example(R"("mohr_coulomb")"), "How stress follows strain.");
   v.key("unit_weight", m.slices.unit_weight, quantity("kN/m3").above(0).usual(10, 28, weight_slips()).example("18"),
         "γ, weight of the soil above the water table, instead of `grain_density` and porosity. Soil whose pore water "
-        "moves ([materials.NAME.water]) needs those all the same.");
+        "moves ([materials.NAME.water]) needs its porosity all the same, and with material points both.");
   const bool is_weighed = m.slices.unit_weight.has_value();
   v.key("grain_density", m.grain_density,
         quantity("kg/m3")

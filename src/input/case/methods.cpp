@@ -168,7 +168,7 @@ void check_cohesion_gradient(const Case& data, const Material& m, const std::str
                              least / 1e3, bottom));
 }
 
-void check_weight(const Material& m, const std::string& name, Findings& findings) {
+void check_weight(const Case& data, const Material& m, const std::string& name, Findings& findings) {
   const std::string path = "materials." + name;
   const auto is_given = [&](const char* key) { return findings.places.is_given(path + key); };
   const SliceSoil& s = m.slices;
@@ -186,7 +186,8 @@ void check_weight(const Material& m, const std::string& name, Findings& findings
                    fmt::format("material '{}' has both a unit weight and a grain density; give one of them", name));
     return;
   }
-  if (!is_given(".grain_density") || (!is_given(".porosity") && !is_given(".void_ratio")))
+  // Slices and elements take the weight that is given; material points carry grains and water.
+  if (uses(data, Method::mpm) && !is_given(".grain_density"))
     findings.add(
         path + ".unit_weight",
         fmt::format("the pore water of material '{}' moves, so that its weight changes: give 'grain_density' and "
@@ -218,7 +219,7 @@ void check_suction(const Material& m, const std::string& name, Findings& finding
 void check_methods(const Case& data, Findings& findings) {
   if (!findings.is_sound("analysis.methods")) return;
   for (const auto& [name, material] : data.materials) {
-    check_weight(material, name, findings);
+    check_weight(data, material, name, findings);
     check_suction(material, name, findings);
     check_cohesion_gradient(data, material, name, findings);
   }
