@@ -12,9 +12,6 @@
 namespace talus::ground {
 namespace {
 
-/// Of a season's length.
-constexpr double just_before = 1e-9;
-
 template <int D>
 bool is_wet(const input::Case& data, const mesh::Mesh<D>& mesh, int e) {
   const input::Material* soil = find_soil(data, mesh, e);
@@ -123,9 +120,7 @@ InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>&
       set_from_table(data, mesh, water);
       break;
     case input::InitialPressure::seepage:
-      // As it is before a series jumps there.
-      water.seepage = fem::solve_steady_seepage(
-          model, {}, {}, has_season ? -(1 + just_before) * data.initial.water.season : find_first_time(data));
+      water.seepage = fem::solve_steady_seepage(model, {}, {}, find_weather_start(data));
       set_from_seepage<D>(data, mesh, *water.seepage, water);
       water.nodal = water.seepage->pressure;
       break;

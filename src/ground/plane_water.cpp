@@ -15,6 +15,8 @@ namespace {
 
 /// Columns in which the water table is looked for.
 constexpr int columns = 400;
+/// Of the length of what begins at a time: a series that jumps there has its first value still.
+constexpr double just_before = 1e-9;
 
 const mesh::Line* find_line(const mesh::Plan& plan, const std::string& name) {
   for (const mesh::Line& line : plan.lines)
@@ -29,8 +31,12 @@ double find_width(const Polyline& ground) {
 }  // namespace
 
 double find_first_time(const input::Case& data) {
-  constexpr double just_before = -1e-9;
-  return data.timeline ? just_before * data.timeline->duration : 0;
+  return data.timeline ? -just_before * data.timeline->duration : 0;
+}
+
+double find_weather_start(const input::Case& data) {
+  const bool has_season = data.initial.water.season > 0 && data.initial.result.empty();
+  return has_season ? -(1 + just_before) * data.initial.water.season : find_first_time(data);
 }
 
 std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time) {

@@ -24,6 +24,9 @@ struct Pond {
 /// 0.
 double find_first_time(const input::Case& data);
 
+/// The same of the weather: just before the season, where there is one [s].
+double find_weather_start(const input::Case& data);
+
 /// As it stands at `time` [s].
 std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, double time);
 
