@@ -7,17 +7,41 @@
 
 namespace talus::results {
 
+void find_failure(Timeline& t) {
+  const TimedFactor* last = nullptr;
+  double above = 0;  // the last time at which the factor was clearly above the target; else the start
+  for (const TimedFactor& f : t.factors) {
+    if (!f.factor) continue;
+    if (!t.least || *f.factor < *t.least) t.least = f.factor, t.least_time = f.time;
+    if (*f.factor < t.target && !t.failure && !t.fails_from_start) {
+      if (last == nullptr)
+        t.fails_from_start = true;
+      else
+        t.failure = {last->time, f.time, *last->factor, *f.factor, above, std::nullopt};
+    }
+    if (t.failure && !t.failure->latest && *f.factor < t.target * (1 - search_scatter)) t.failure->latest = f.time;
+    if (!t.failure && *f.factor > t.target * (1 + search_scatter)) above = f.time;
+    last = &f;
+  }
+}
+
 std::string say_failure(const Timeline& t) {
   if (!t.least) return "No slip surface was admissible at any time.";
-  const std::string least = fmt::format("{:.3f} at {}", *t.least, units::say_time(*t.least_time));
-  if (t.failure)
-    return fmt::format("The factor of safety falls below {:g} between {} and {} ({:.4f} and {:.4f}); it is least, {}.",
-                       t.target, units::say_time(t.failure->from), units::say_time(t.failure->to),
-                       t.failure->factor_from, t.failure->factor_to, least);
-  if (t.fails_from_start)
-    return fmt::format("The factor of safety is below {:g} from the start; it is least, {}.", t.target, least);
-  return fmt::format("The factor of safety stays at or above {:g} at all {} times that were tried; it is least, {}.",
-                     t.target, t.factors.size(), least);
+  const std::string least = fmt::format("It is least at {}, {:.3f}.", units::say_time(*t.least_time), *t.least);
+  if (t.fails_from_start) return fmt::format("The factor of safety is below {:g} from the start. {}", t.target, least);
+  if (!t.failure)
+    return fmt::format("The factor of safety stays at or above {:g} at all {} times that were tried. {}", t.target,
+                       t.factors.size(), least);
+  const FailureTime& f = *t.failure;
+  std::string text =
+      fmt::format("The factor of safety falls below {:g} between {} and {}, where it is {:.4f} and {:.4f}. ", t.target,
+                  units::say_time(f.from), units::say_time(f.to), f.factor_from, f.factor_to);
+  if (f.earliest < f.from || f.latest != f.to)
+    text +=
+        fmt::format("With the {:g} % by which searches scatter it falls {}. ", 100 * search_scatter,
+                    f.latest ? fmt::format("between {} and {}", units::say_time(f.earliest), units::say_time(*f.latest))
+                             : fmt::format("after {}, or not at all", units::say_time(f.earliest)));
+  return text + least;
 }
 
 }  // namespace talus::results

@@ -28,10 +28,16 @@ void describe(V& v, R& r) {
   v.key("refusal", r.refusal, {"", "why a search would refuse it"});
 }
 
+/// By how much the factors of two searches of one slope may differ, over the factor: twenty random starts scatter by as
+/// much (docs/verification_data/search.md).
+inline constexpr double search_scatter = 0.003;
+
 /// Between two times the factor falls below the target; both were tried.
 struct FailureTime {
   double from = 0, to = 0;                ///< [s]
   double factor_from = 0, factor_to = 0;  ///< [-]
+  double earliest = 0;                    ///< the last time before at which it is higher by more than searches scatter
+  std::optional<double> latest;           ///< the first time at which it is lower by as much; nothing: it never is
 };
 template <class V, As<FailureTime> R>
 void describe(V& v, R& r) {
@@ -39,6 +45,9 @@ void describe(V& v, R& r) {
   v.key("to", r.to, {"s", "the first time below it"});
   v.key("factor_from", r.factor_from, {"", "factor of safety at the first of them"});
   v.key("factor_to", r.factor_to, {"", "factor of safety at the second"});
+  v.key("earliest", r.earliest,
+        {"s", "last time before at which it is above the target by more than searches scatter"});
+  v.key("latest", r.latest, {"s", "first time at which it is below the target by as much"});
 }
 
 /// "timeline" of summary.json.
@@ -75,6 +84,9 @@ void describe(V& v, R& r) {
   v.key("seepage_seconds", r.seepage_seconds, {"s", "seconds of the seepage"});
   v.key("search_seconds", r.search_seconds, {"s", "seconds of the searches"});
 }
+
+/// Sets the least factor and the time of failure from the factors in time.
+void find_failure(Timeline& timeline);
 
 /// "The factor of safety falls below 1 between 3.38 and 3.94 h (1.000 and 0.999); it is least at 72 h, 0.941."
 std::string say_failure(const Timeline& timeline);

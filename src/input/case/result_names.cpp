@@ -170,7 +170,7 @@ void outline_points(const Case& data, results::RunResult& run) {
 results::Timeline outline_timeline(const Timeline& asked) {
   results::Timeline timeline;
   timeline.least = timeline.least_time = 1;
-  timeline.failure = {0, 1, 1, 1};
+  timeline.failure.emplace().to = 1;
   timeline.chosen = asked.times.empty();
   const auto add = [&](double time) {
     timeline.factors.emplace_back().time = time;

@@ -204,11 +204,10 @@ json group_remarks(const std::vector<results::Remark>& remarks) {
   return groups;
 }
 
-/// The least in time stands for slices; what they found at time 0 says so.
+/// The least in time stands for slices; what was found at time 0 says so.
 void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& factors) {
   for (Factor& factor : factors) {
-    if (factor.method != Method::lem) continue;
-    factor.is_main = false;
+    if (factor.method == Method::lem) factor.is_main = false;
     factor.title += ", at time 0";
   }
   if (!timeline.least) return;

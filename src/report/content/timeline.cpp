@@ -59,7 +59,10 @@ json make_timeline(const ResultFolder& folder) {
                {"transpired", timeline.weather.transpired},
                {"growth", timeline.weather.growth},
                {"error", timeline.weather.error}}}};
-  if (timeline.failure) block["failure"] = {{"from", timeline.failure->from}, {"to", timeline.failure->to}};
+  if (timeline.failure) {
+    const results::FailureTime& f = *timeline.failure;
+    block["failure"] = {{"from", f.from}, {"to", f.to}, {"earliest", f.earliest}, {"latest", write(f.latest)}};
+  }
   return block;
 }
 

@@ -113,8 +113,9 @@ void say_methods(const results::RunResult& run, const std::vector<Factor>& facto
                                   [](const Factor& f) { return f.is_main && f.value && *f.value < 1; }) ||
                       (governs && run.bounds->upper && *run.bounds->upper < 1);
   if (!has_design_values(run) && is_low) sentences.push_back(too_low);
-  for (const std::string& said :
-       {say_agreement(factors), has_design_values(run) ? run.methods->partial_factors->text : std::string()})
+  // The least in time and factors at time 0 are of different states.
+  for (const std::string& said : {run.timeline ? std::string() : say_agreement(factors),
+                                  has_design_values(run) ? run.methods->partial_factors->text : std::string()})
     if (!said.empty()) sentences.push_back(said);
 }
 

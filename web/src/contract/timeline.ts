@@ -21,8 +21,11 @@ export interface Timeline {
   least_time: number | null;
   /** Largest estimate of what a straight line between two times is off, over the factor; null for given times. */
   distance: number | null;
-  /** Between these times [s] the factor falls below the target; both were tried. */
-  failure?: { from: number; to: number };
+  /**
+   * Between `from` and `to` [s] the factor falls below the target; both were tried. With what searches scatter it falls
+   * between `earliest` and `latest`; null: or not at all.
+   */
+  failure?: { from: number; to: number; earliest: number; latest: number | null };
   /** Volumes over the whole time [m³], in 2D per metre. */
   water: { inflow: number; outflow: number; runoff: number; transpired: number; growth: number; error: number };
   seepage_seconds: number;

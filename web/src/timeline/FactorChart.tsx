@@ -52,13 +52,16 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
       Plot.rect(rain, { x1: "from", x2: "to", y1: depth, y2: top, fill: "var(--water, #2f7fb8)", fillOpacity: 0.45 }),
       failure
         ? Plot.rect([failure], {
-            x1: failure.from / unit.si,
-            x2: failure.to / unit.si,
+            x1: failure.earliest / unit.si,
+            x2: (failure.latest ?? timeline.duration) / unit.si,
             y1: low - margin,
             y2: high + margin,
             fill: "#c2185b",
-            fillOpacity: 0.18,
+            fillOpacity: 0.14,
           })
+        : null,
+      failure
+        ? Plot.ruleX([failure.to / unit.si], { stroke: "#c2185b", y1: low - margin, y2: high + margin })
         : null,
       Plot.ruleY([target], { stroke: "#c2185b", strokeDasharray: "4 3" }),
       Plot.line(points, { x: "t", y: "factor", stroke: colour, strokeWidth: 1.8 }),
@@ -85,8 +88,9 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
         }}
       />
       <p class="chart-note">
-        Every dot is a search. Dashed: {formatFactor(target)}, below which the slope fails
-        {failure && "; the band holds the time of failure, both its edges were tried"}.
+        The factor was found at every dot. Dashed: {formatFactor(target)}, below which the slope fails.
+        {failure &&
+          " The line is the first time below it; the band holds the time of failure with what searches scatter."}
         {most > 0 && " Bars from above: rain, to the scale of the strongest."}
       </p>
     </figure>

@@ -36,10 +36,10 @@ export function TimelineSection() {
       <MomentFigure timeline={timeline} chosen={chosen} />
       <p class="chart-note">
         Water over the whole time, per metre: {volume(water.inflow)} came in, {volume(water.outflow)} left
-        {water.transpired > 0 && `, ${volume(water.transpired)} were drawn by roots`}, {volume(water.growth)} more are in
+        {water.transpired > 0 && `, ${volume(water.transpired)} were drawn by roots`}, {volume(Math.abs(water.growth))} {water.growth < 0 ? "less" : "more"} are in
         the soil, {volume(water.runoff)} of the rain ran off; it closes to {water.error === 0 ? "0" : Math.abs(water.error).toExponential(0)}.
         {timeline.distance !== null &&
-          ` Between the times a straight line is off by ${formatNumber(100 * timeline.distance, 2)} % of the factor at most, as the bends of the curve say.`}
+          ` Between the times a straight line is off by ${formatNumber(100 * timeline.distance, 2)} % of the factor, as far as the bends of the curve tell.`}
       </p>
       <ChartTable
         label="Factors of safety in time"
