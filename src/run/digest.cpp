@@ -31,7 +31,7 @@ std::string write_main_factor(const results::RunResult& run) {
                ? fmt::format("Factor of safety at least {:.3f} (proven lower bound)\n", results::show_lower(*factor))
                : fmt::format("Factor of safety at most {:.3f} (proven upper bound)\n", results::show_upper(*factor));
   if (run.timeline && run.timeline->least == factor)
-    return fmt::format("Factor of safety {:.3f}, the least in time ({}, at {})\n", *factor, "slices",
+    return fmt::format("Factor of safety {:.3f} (slices, the least in time, at {})\n", *factor,
                        units::say_time(*run.timeline->least_time));
   const bool by_slices = surface && surface->found->surface.factor == factor;
   return fmt::format("Factor of safety {:.3f} ({})\n", *factor,

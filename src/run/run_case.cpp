@@ -100,7 +100,7 @@ class CaseRun {
       if (points_) slices_->calculate();
       slices_->keep();
     }
-    if (timeline_) timeline_->calculate(slices_->result());
+    if (timeline_) timeline_->calculate(slices_->prepared(), slices_->result());
     if (elements_) elements_->calculate();
     if (bounds_) bounds_->calculate(find_start());
     if (points_) points_->calculate(run_);

@@ -16,6 +16,12 @@ class Timeline : public MethodsTest {
     std::ifstream file(TALUS_SOURCE_DIR "/examples/reservoir_drawdown/case.toml");
     return {std::istreambuf_iterator<char>(file), {}};
   }
+  /// The dam as it stands, without a timeline.
+  static std::string read_still() {
+    std::string text = read_dam();
+    text.erase(text.find("[timeline]"), text.find("[analysis]") - text.find("[timeline]"));
+    return text;
+  }
   static std::vector<input::Override> coarsen(std::vector<input::Override> more = {}) {
     std::vector<input::Override> all = {{"mesh.size", "1"},
                                         {"lem.entry_exit.entries", "10"},
@@ -50,9 +56,7 @@ TEST_F(Timeline, WaterThatFallsSlowlyLeavesADrainedSlope) {
   const auto slow = run(read_dam(), coarsen({{"hydraulic.0.head", "[[0, 8], ['1e10 s', 4]]"},
                                              {"timeline.duration", "'1e10 s'"},
                                              {"timeline.times", "['1e10 s']"}}));
-  std::string steady = read_dam();
-  steady.erase(steady.find("[timeline]"), steady.find("[analysis]") - steady.find("[timeline]"));
-  const auto drained = run(steady, coarsen({{"hydraulic.0.head", "4"}}));
+  const auto drained = run(read_still(), coarsen({{"hydraulic.0.head", "4"}}));
   EXPECT_NEAR(find_last(slow) / find_factor(drained, "spencer"), 1, 0.01);
 }
 
@@ -61,9 +65,7 @@ TEST_F(Timeline, WaterThatFallsAtOnceLeavesItsPressures) {
   const auto summary = run(read_dam(), coarsen({{"timeline.duration", "'1 s'"},
                                                 {"timeline.times", "['1 s']"},
                                                 {"materials.dam.water.compressibility", "'1 kPa-1'"}}));
-  std::string before = read_dam();
-  before.erase(before.find("[timeline]"), before.find("[analysis]") - before.find("[timeline]"));
-  const auto full = run(before, coarsen({{"hydraulic.0.head", "8"}}));
+  const auto full = run(read_still(), coarsen({{"hydraulic.0.head", "8"}}));
   EXPECT_LT(find_last(summary), 0.6 * find_factor(full, "spencer"));
 }
 
@@ -84,6 +86,8 @@ TEST_F(Timeline, TimeOfFailureLiesBetweenTwoTimesThatWereTried) {
     has_to = has_to || f.at("time") == failure.at("to");
   }
   EXPECT_TRUE(has_from && has_to);
+  EXPECT_LE(failure.at("earliest").get<double>(), failure.at("from").get<double>());
+  EXPECT_GE(failure.at("latest").get<double>(), failure.at("to").get<double>());
   EXPECT_LT(timeline.at("distance").get<double>(), 0.01);
   EXPECT_EQ(timeline.at("states").size(), timeline.at("factors").size());
 }
@@ -118,6 +122,12 @@ TEST_F(Timeline, SaysWhatACaseLacks) {
   has({{"timeline.duration", "'-1 day'"}}, "above 0");
   has({{"analysis.methods", "['fem']"}}, "add \"lem\" to [analysis] methods");
   has({{"lem.search", "'none'"}}, "[[lem.surface]]");
+  // Before anything is written: soil that stores nothing has no time.
+  has({{"materials.dam.water.retention", "'saturated'"},
+       {"materials.dam.water.compressibility", "0"},
+       {"water.bulk_modulus", "inf"}},
+      "store");
+  EXPECT_FALSE(std::filesystem::exists(folder_));
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ class SliceRun {
   /// What it calculated or found in the folder.
   const results::SliceResult& result() const { return outcome_.result; }
   const lem::Slope* slope() const { return prepared_.slope.get(); }
+  const PreparedSlope& prepared() const { return prepared_; }
 
  private:
   const input::Case& data_;

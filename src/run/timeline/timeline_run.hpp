@@ -6,19 +6,21 @@
 #include <memory>
 #include <optional>
 
-#include "ground/tell_seepage.hpp"
 #include "results/run.hpp"
+#include "run/lem/run_lem.hpp"
 #include "run/options.hpp"
 
 namespace talus::run {
 
 class TimelineRun {
  public:
+  /// Throws Error (wrong_input) where the soil stores no water.
   TimelineRun(const input::Case& data, const RunOptions& options);
   ~TimelineRun();
 
-  /// `first`: what slices found at time 0. Throws what seepage in time throws, and Error (interrupted).
-  void calculate(const results::SliceResult& first);
+  /// `prepared`, `first`: the slope at time 0, and what slices found there. Throws what seepage in time throws, and
+  /// Error (interrupted).
+  void calculate(const PreparedSlope& prepared, const results::SliceResult& first);
   void tell(results::RunResult& run) const;
 
  private:

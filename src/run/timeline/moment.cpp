@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "run/timeline/moment.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "lem/surface/polyline_shape.hpp"
+#include "results/governing.hpp"
+#include "run/lem/run_lem.hpp"
+#include "run/lem/tell_slices.hpp"
+
+namespace talus::run {
+namespace {
+
+/// A surface of one time is better than that of another only if its factor is lower by more than this share.
+constexpr double same_factor = 1e-6;
+/// Rounds in which surfaces pass from time to time.
+constexpr int most_rounds = 4;
+
+/// The best of `list` by `method`; nullptr: there is none.
+lem::Critical* find_by(std::vector<lem::Critical>& list, lem::Method method) {
+  const auto at = std::find_if(list.begin(), list.end(), [&](const lem::Critical& c) { return c.method == method; });
+  return at == list.end() ? nullptr : &*at;
+}
+
+/// Results hold a polyline with a point for each side of a slice: those on straight lines go again.
+lem::Surface take_surface(const results::SlipSurface& told, int vertices) {
+  lem::Surface surface;
+  surface.name = told.name.value_or("");
+  surface.from = told.points.front()[0];
+  surface.to = told.points.back()[0];
+  if (told.circle)
+    surface.circle = lem::Circle{told.circle->centre, told.circle->radius};
+  else
+    surface.line = lem::thin_points({told.points.begin(), told.points.end()}, vertices);
+  return surface;
+}
+
+bool is_better(const lem::Critical& one, const lem::Critical* other) {
+  if (one.solution.refusal != lem::Refusal::none || !(one.solution.factor > 0)) return false;
+  return other == nullptr || one.solution.factor < other->solution.factor * (1 - same_factor);
+}
+
+/// Tries the surfaces of other times at this one, and improves the best of them where it is lower. Returns whether one
+/// was.
+bool take_over(const std::vector<Moment>& others, const lem::SearchOptions& options, bool circular, Moment& moment) {
+  bool any = false;
+  auto& own = circular ? moment.circular : moment.noncircular;
+  for (const lem::Method method : options.methods) {
+    lem::Critical* mine = find_by(own, method);
+    const lem::Surface* best = nullptr;
+    double least = mine != nullptr ? mine->solution.factor * (1 - same_factor) : 1e9;
+    for (const Moment& other : others)
+      for (const lem::Critical& c : circular ? other.circular : other.noncircular) {
+        if (c.method != method) continue;
+        const lem::Critical here = solve_surface(*moment.slope, c.surface, method, options);
+        if (!(here.solution.factor > 0)) continue;
+        if (here.solution.refusal != lem::Refusal::none) {
+          if (here.solution.factor < moment.refused_factor)
+            moment.refused_factor = here.solution.factor, moment.refusal = here.solution.refusal;
+          continue;
+        }
+        if (here.solution.factor < least) least = here.solution.factor, best = &c.surface;
+      }
+    if (best == nullptr) continue;
+    lem::Critical found = lem::optimise(*moment.slope, *best, method, options);
+    if (!is_better(found, mine)) found = solve_surface(*moment.slope, *best, method, options);
+    if (!is_better(found, mine)) continue;
+    any = true;
+    if (mine != nullptr)
+      *mine = std::move(found);
+    else
+      own.push_back(std::move(found));
+  }
+  return any;
+}
+
+}  // namespace
+
+void take_known(const results::SliceResult& found, const lem::SearchOptions& options, Moment& moment) {
+  const auto take = [&](const std::vector<results::CriticalSurface>& from, std::vector<lem::Critical>& to) {
+    for (const results::CriticalSurface& c : from)
+      to.push_back(solve_surface(*moment.slope, take_surface(c.surface, options.vertices), c.surface.method, options));
+  };
+  take(found.critical, moment.circular);
+  take(found.noncircular, moment.noncircular);
+  take(found.given, moment.given);
+}
+
+void search_moment(const input::Case& data, lem::SearchOptions options, const std::vector<Moment>& others,
+                   Moment& moment) {
+  for (const Moment& other : others)
+    for (const lem::Critical& c : other.noncircular) options.known.push_back(c.surface);
+  for (const input::SlipSurface& given : data.lem.surfaces)
+    for (const lem::Method method : options.methods)
+      moment.given.push_back(solve_surface(*moment.slope, make_surface(*moment.slope, given), method, options));
+  if (data.lem.search == input::SurfaceSearch::none) return;
+  try {
+    lem::SearchResult found = lem::search(*moment.slope, options);
+    moment.circular = std::move(found.circular);
+    moment.noncircular = std::move(found.noncircular);
+  } catch (const Error& error) {
+    if (error.code() == ExitCode::interrupted) throw;
+    moment.error = error.what();
+  }
+}
+
+void share_surfaces(const lem::SearchOptions& options, int threads, std::vector<Moment>& moments) {
+  for (const bool circular : {true, false}) {
+    for (int round = 0; round < most_rounds; ++round) {
+      // All of a round see the surfaces of the one before: the same for any number of threads.
+      std::vector<Moment> before(moments.size());
+      for (std::size_t i = 0; i < moments.size(); ++i)
+        (circular ? before[i].circular : before[i].noncircular) =
+            circular ? moments[i].circular : moments[i].noncircular;
+      std::vector<char> changed(moments.size(), 0);
+      parallel_tasks(static_cast<int>(moments.size()), threads, [&](int i) {
+        const auto k = static_cast<std::size_t>(i);
+        changed[k] = take_over(before, options, circular, moments[k]) ? 1 : 0;
+      });
+      if (std::none_of(changed.begin(), changed.end(), [](char c) { return c != 0; })) break;
+    }
+  }
+}
+
+results::TimedFactor tell_moment(const lem::SearchOptions& options, const Moment& moment) {
+  results::SliceResult slices;
+  slices.methods = options.methods;
+  const auto tell = [&](const std::vector<lem::Critical>& from, std::vector<results::CriticalSurface>& to) {
+    for (const lem::Critical& c : from) to.push_back(tell_critical(*moment.slope, c));
+  };
+  tell(moment.circular, slices.critical);
+  tell(moment.noncircular, slices.noncircular);
+  tell(moment.given, slices.given);
+  results::TimedFactor told;
+  told.time = moment.time;
+  if (const auto governing = results::find_governing_surface(slices, nullptr)) {
+    told.factor = governing->found->surface.factor;
+    told.surface = governing->found->surface;
+    told.source = results::name_surface(*governing);
+    told.refusal = governing->found->checks.refusal;
+  }
+  return told;
+}
+
+}  // namespace talus::run
