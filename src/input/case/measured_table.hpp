@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Tables of measurements: comma-separated text whose header names columns and units.
+// Tables of measurements of element tests.
 
 #include <array>
 #include <filesystem>
@@ -18,9 +18,8 @@ const PointQuantity* find_point_quantity(const std::string& name);
 /// is unknown or of another dimension.
 double find_measured_factor(const PointQuantity& quantity, const std::string& unit);
 
-/// The columns `x` and `y` of the table [SI], row by row; rows in which one of them is empty are left out. Columns are
-/// separated by commas, semicolons (then a comma may be the decimal sign) or tabs; lines that begin with # are skipped.
-/// Throws Error (wrong_input) with one sentence that names the file and the line.
+/// The columns `x` and `y` of a TextTable [SI], row by row; rows in which one of them is empty are left out. Throws
+/// Error (wrong_input) with one sentence that names the file and the line.
 std::vector<std::array<double, 2>> read_measured_table(const std::filesystem::path& path, const PointQuantity& x,
                                                        const PointQuantity& y);
 
