@@ -124,6 +124,19 @@ void share_surfaces(const lem::SearchOptions& options, int threads, std::vector<
   }
 }
 
+std::optional<double> try_surfaces(const std::vector<results::TimedFactor>& known, const lem::SearchOptions& options,
+                                   const lem::Slope& slope) {
+  std::optional<double> least;
+  for (const results::TimedFactor& k : known) {
+    if (!k.factor) continue;
+    const lem::Solution solution =
+        solve_surface(slope, take_surface(k.surface, options.vertices), k.surface.method, options).solution;
+    if (solution.refusal == lem::Refusal::none && solution.factor > 0 && !(least && *least <= solution.factor))
+      least = solution.factor;
+  }
+  return least;
+}
+
 results::TimedFactor tell_moment(const lem::SearchOptions& options, const Moment& moment) {
   results::SliceResult slices;
   slices.methods = options.methods;

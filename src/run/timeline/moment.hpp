@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ void search_moment(const input::Case& data, lem::SearchOptions options, const st
 /// Tries the surfaces of each time at all others, improves them where they are lower, and so on until none is, at most
 /// four times. The same for any number of threads.
 void share_surfaces(const lem::SearchOptions& options, int threads, std::vector<Moment>& moments);
+
+/// The least factor of surfaces that govern at other times; nothing where all are refused.
+std::optional<double> try_surfaces(const std::vector<results::TimedFactor>& known, const lem::SearchOptions& options,
+                                   const lem::Slope& slope);
 
 /// The surface that governs.
 results::TimedFactor tell_moment(const lem::SearchOptions& options, const Moment& moment);

@@ -49,6 +49,7 @@ struct TimelineRun::Parts {
   ground::FlowInTime<2> flow;
   std::vector<double> times;  ///< with 0
   std::vector<Moment> moments;
+  std::vector<std::optional<double>> guide;  ///< least factor of the surfaces that govern at some times, at all times
   ground::ToldWater water;
   results::Timeline told;
 
@@ -93,6 +94,8 @@ struct TimelineRun::Parts {
     const int most = told.chosen ? asked.most_times : static_cast<int>(times.size());
     TimeChoice choice(times, asked.target, asked.tolerance, most);
     std::vector<std::size_t> numbers;
+    std::size_t guided = 0;  // moments whose surfaces the guide has
+    guide.assign(times.size(), std::nullopt);
     const auto search_all = [&](const std::vector<std::size_t>& next) {
       if (options.progress) options.progress->show(fmt::format("timeline: {} searches", moments.size() + next.size()));
       std::vector<Moment> found(next.size());
@@ -112,12 +115,29 @@ struct TimelineRun::Parts {
       std::erase_if(next, [&](std::size_t n) { return std::find(numbers.begin(), numbers.end(), n) != numbers.end(); });
       search_all(next);
       if (data.lem.search != input::SurfaceSearch::none) share_surfaces(search, options.threads, moments);
-      for (std::size_t i = 0; i < moments.size(); ++i) choice.set(numbers[i], tell_moment(search, moments[i]).factor);
+      std::vector<results::TimedFactor> fresh;
+      for (std::size_t i = 0; i < moments.size(); ++i) {
+        results::TimedFactor factor = tell_moment(search, moments[i]);
+        choice.set(numbers[i], factor.factor);
+        if (i >= guided) fresh.push_back(std::move(factor));
+      }
       if (!told.chosen) break;
+      guided = moments.size();
+      extend_guide(fresh);
+      choice.set_guide(guide);
     }
     std::sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time < b.time; });
     if (told.chosen) told.distance = choice.find_distance();
     told.search_seconds = count_seconds(start);
+  }
+
+  /// Tries the surfaces that govern at some times at all times: what searches there would find at most.
+  void extend_guide(const std::vector<results::TimedFactor>& fresh) {
+    parallel_tasks(static_cast<int>(times.size()), options.threads, [&](int i) {
+      const auto k = static_cast<std::size_t>(i);
+      const auto factor = try_surfaces(fresh, search, *make_moment(k).slope);
+      if (factor && !(guide[k] && *guide[k] <= *factor)) guide[k] = factor;
+    });
   }
 
   std::vector<std::size_t> list_all() const {

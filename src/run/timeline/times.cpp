@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace talus::run {
@@ -15,10 +16,9 @@ constexpr int even_times = 16, near_times = 14;
 /// Even times over the whole.
 constexpr int least_times = 128;
 /// The first times that are tried.
-constexpr std::size_t first_tried = 9;
-/// A parabola through three times is off a straight line through two neighbours of them by a quarter of the middle's
-/// distance; what bends more sharply, by up to all of it.
-constexpr double share_of_bend = 0.5;
+constexpr std::size_t first_tried = 5;
+/// The least factor in time is looked for more closely than the rest of the curve.
+constexpr double share_at_least = 0.25;
 
 std::set<double> list_corners(const input::Case& data) {
   const double end = data.timeline->duration;
@@ -68,20 +68,64 @@ std::vector<std::size_t> TimeChoice::list_tried() const {
   return tried;
 }
 
-double TimeChoice::find_bend(const std::vector<std::size_t>& tried, std::size_t k) const {
-  if (k == 0 || k + 1 >= tried.size()) return 0;
-  const auto &a = known_[tried[k - 1]].factor, &b = known_[tried[k]].factor, &c = known_[tried[k + 1]].factor;
-  if (!a || !b || !c) return 0;
-  const double ta = times_[tried[k - 1]], tb = times_[tried[k]], tc = times_[tried[k + 1]];
-  const double line = *a + (*c - *a) * (tb - ta) / (tc - ta);
-  return share_of_bend * std::abs(*b - line) / *b;
+void TimeChoice::set_guide(std::vector<std::optional<double>> factors) {
+  guide_ = std::move(factors);
+}
+
+std::optional<double> TimeChoice::line_at(std::size_t from, std::size_t to, std::size_t i) const {
+  const auto &a = known_[from].factor, &b = known_[to].factor;
+  if (!a || !b) return std::nullopt;
+  return *a + (*b - *a) * (times_[i] - times_[from]) / (times_[to] - times_[from]);
+}
+
+std::optional<double> TimeChoice::estimate(std::size_t from, std::size_t to, std::size_t i) const {
+  const auto line = line_at(from, to, i);
+  if (!line || guide_.empty() || !guide_[from] || !guide_[to] || !guide_[i]) return line;
+  const double share = (times_[i] - times_[from]) / (times_[to] - times_[from]);
+  return *line + *guide_[i] - (*guide_[from] + share * (*guide_[to] - *guide_[from]));
+}
+
+TimeChoice::Bend TimeChoice::find_bend(std::size_t from, std::size_t to) const {
+  Bend bend;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const auto line = line_at(from, to, i), there = estimate(from, to, i);
+    if (!line || !there) continue;
+    const double distance = (*there - *line) / *line;
+    if (std::abs(distance) > std::abs(bend.distance)) bend = {distance, i};
+  }
+  return bend;
+}
+
+/// The untried time next to where the estimate passes the target first; `from` where it does not between untried times.
+std::size_t TimeChoice::find_passage(std::size_t from, std::size_t to) const {
+  if (to == from + 1) return from;
+  const auto is_above = [&](std::size_t i) { return estimate(from, to, i).value_or(target_) >= target_; };
+  for (std::size_t i = from + 1; i <= to; ++i) {
+    const bool passes = i == to ? *known_[to].factor >= target_ : is_above(i);
+    if (passes == (*known_[from].factor >= target_)) continue;
+    return i == to ? to - 1 : i;
+  }
+  return from;
+}
+
+/// Where the estimate is lower than at every tried time, by more than a share of the tolerance.
+std::optional<std::size_t> TimeChoice::find_least_estimate(const std::vector<std::size_t>& tried) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : tried)
+    if (known_[i].factor) least = std::min(least, *known_[i].factor);
+  least *= 1 - share_at_least * tolerance_;
+  std::optional<std::size_t> found;
+  for (std::size_t k = 0; k + 1 < tried.size(); ++k)
+    for (std::size_t i = tried[k] + 1; i < tried[k + 1]; ++i)
+      if (const auto there = estimate(tried[k], tried[k + 1], i); there && *there < least) least = *there, found = i;
+  return found;
 }
 
 double TimeChoice::find_distance() const {
   const std::vector<std::size_t> tried = list_tried();
   double distance = 0;
   for (std::size_t k = 0; k + 1 < tried.size(); ++k)
-    if (tried[k + 1] > tried[k] + 1) distance = std::max({distance, find_bend(tried, k), find_bend(tried, k + 1)});
+    distance = std::max(distance, std::abs(find_bend(tried[k], tried[k + 1]).distance));
   return distance;
 }
 
@@ -94,24 +138,33 @@ std::vector<std::size_t> TimeChoice::next() const {
     for (std::size_t i = 0; i <= parts; ++i) first.insert(i * last / std::max<std::size_t>(parts, 1));
     return {first.begin(), first.end()};
   }
-  struct Gap {
+  struct Candidate {
     double weight;
-    std::size_t middle;
+    std::size_t at;
   };
-  std::vector<Gap> gaps;
+  std::vector<Candidate> candidates;
   for (std::size_t k = 0; k + 1 < tried.size(); ++k) {
     const std::size_t from = tried[k], to = tried[k + 1];
-    if (to == from + 1) continue;
     const auto &a = known_[from].factor, &b = known_[to].factor;
-    const bool passes = a && b && (*a >= target_) != (*b >= target_);
-    const double bend = std::max(find_bend(tried, k), find_bend(tried, k + 1));
+    if (!a || !b || to == from + 1) continue;
+    const Bend bend = find_bend(from, to);
+    const double deepest = bend.distance < 0 ? *estimate(from, to, bend.at) : std::min(*a, *b);
+    const bool passes = (*a >= target_) != (*b >= target_);
     // The time of failure comes before the rest of the curve.
-    if (passes || bend > tolerance_) gaps.push_back({passes ? 1e9 : bend, (from + to) / 2});
+    if (passes && find_passage(from, to) != from)
+      candidates.push_back({1e9, find_passage(from, to)});
+    else if (!passes && *a >= target_ && deepest < target_)
+      candidates.push_back({1e9, bend.at});
+    else if (std::abs(bend.distance) > tolerance_)
+      candidates.push_back({std::abs(bend.distance), bend.at});
   }
-  std::stable_sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.weight > b.weight; });
+  if (const auto low = find_least_estimate(tried)) candidates.push_back({1e8, *low});
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.weight > b.weight; });
   std::vector<std::size_t> chosen;
-  for (const Gap& gap : gaps)
-    if (tried.size() + chosen.size() < most_) chosen.push_back(gap.middle);
+  for (const Candidate& c : candidates)
+    if (tried.size() + chosen.size() < most_ && std::find(chosen.begin(), chosen.end(), c.at) == chosen.end())
+      chosen.push_back(c.at);
   return chosen;
 }
 
