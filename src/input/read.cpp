@@ -21,6 +21,7 @@
 #include "input/case/checks.hpp"
 #include "input/case/complete.hpp"
 #include "input/case/harmful.hpp"
+#include "input/case/series_file.hpp"
 #include "input/case/uncertain_number.hpp"
 #include "input/echo.hpp"
 #include "input/language/apply_overrides.hpp"
@@ -137,6 +138,7 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   reader.ask_methods(asked);
   describe(reader, loaded.data);
   reader.finish();
+  load_series(loaded.data, name, findings);
   complete(loaded.data, name, findings.places);
   if (loaded.is_whole) {
     join_polygons(loaded.data, findings);

@@ -245,7 +245,7 @@ TEST(Documents, HaveTheBlockWithinAMaterial) {
   EXPECT_EQ(water["properties"]["retention"]["default"], "dry");
   EXPECT_FALSE(water["additionalProperties"].get<bool>());
   const auto& rate = schema["properties"]["hydraulic"]["items"]["properties"]["rate"]["anyOf"];
-  ASSERT_EQ(rate.size(), 3u) << "a number, a text, or rows";
+  ASSERT_EQ(rate.size(), 4u) << "a number, a text, rows, or a file";
   EXPECT_EQ(rate[2]["items"]["prefixItems"].size(), 2u);
 }
 

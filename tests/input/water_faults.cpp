@@ -113,6 +113,17 @@ TEST(TotalHead, IsNotBelowTheSoil) {
   expect_wet_fault("head = 10", "head = @@[[0, 10], [5, \"-10 cm\"]]", "'head' is -0.1 m");
 }
 
+TEST(Hydraulic, APoolAboveTheCrestIsTold) {
+  const auto tell = [](const std::string& head) {
+    return read_case_text(change(wet_slope, "head = 5", head), "slope.toml").warnings;
+  };
+  EXPECT_TRUE(tell("head = 14").empty());
+  const auto warnings = tell("head = [[0, 5], [10, 16]]");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].sentence.find("the pool on 'toe' stands up to 16 m, above the crest, 15 m"), std::string::npos)
+      << warnings[0].sentence;
+}
+
 TEST(Hydraulic, NeedsASideOrLineThatExists) {
   expect_wet_fault("on = \"slope\"", "on = @@\"slop\"", "there is no side or line 'slop'; did you mean 'slope'?");
   expect_wet_fault("on = \"slope\"", "on = @@\"crest\"", "there are two hydraulic conditions on 'crest'");
@@ -166,9 +177,11 @@ TEST(Series, GoesForwardInTime) {
   expect_fault(rate("[[0, 1], [10, 2], @@[5, 3]]"), "the times of 'rate' must not decrease from row to row");
   expect_fault(rate("[[0, 1], [0, 2], @@[0, 3]]"), "three rows at one time");
   expect_fault(rate("@@[[0, 1], [5, 2], [5, 3]]\nseries = \"steps\""), "must increase from row to row where series");
-  expect_fault(rate("[[0, 1], @@[5, 2, 3]]"), "must be a value, or rows [time, value], not a list of 3");
+  expect_fault(
+      rate("[[0, 1], @@[5, 2, 3]]"),
+      "must be a value, rows [time, value], or { file = \"station.csv\", column = \"rain\" }, not a list of 3");
   expect_fault(rate("[[0, 1], [@@\"5 m\", 2]]"), "'5 m' is a length");
-  expect_fault(rate("@@[]"), "must be a value, or rows [time, value]");
+  expect_fault(rate("@@[]"), "must be a value, rows [time, value]");
   expect_fault(rate("@@true"), "'rate' must be a speed");
 }
 

@@ -46,12 +46,13 @@ class SoilPlan {
     return border;
   }
 
-  /// Level of the lowest soil [m].
-  double find_bottom() const {
-    double bottom = std::numeric_limits<double>::infinity();
+  /// Levels of the lowest and of the highest soil [m].
+  std::pair<double, double> find_levels() const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::pair<double, double> levels{infinity, -infinity};
     for (const mesh::Polygon& polygon : plan_.polygons)
-      for (const Point2& x : polygon.points) bottom = std::min(bottom, x[1]);
-    return bottom;
+      for (const Point2& x : polygon.points) levels = {std::min(levels.first, x[1]), std::max(levels.second, x[1])};
+    return levels;
   }
 
  private:
@@ -98,12 +99,20 @@ void check_surface(const Hydraulic& hydraulic, const mesh::Plan& plan, const std
 void check_head(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::string& path, Findings& findings) {
   if (hydraulic.condition != WaterCondition::total_head || plan.polygons.empty() || hydraulic.head.value.empty())
     return;
-  const double head = *std::min_element(hydraulic.head.value.begin(), hydraulic.head.value.end());
-  const double bottom = SoilPlan(plan).find_bottom();
+  const auto [least, most] = std::minmax_element(hydraulic.head.value.begin(), hydraulic.head.value.end());
+  const double head = *least;
+  const SoilPlan soil(plan);
+  const auto [bottom, crest] = soil.find_levels();
   if (head < bottom)
     findings.add(path + ".head", fmt::format("'head' is {:.6g} m, below the lowest point of the soil, {:.6g} m; heads "
                                              "are levels in the coordinates of the section",
                                              head, bottom));
+  // Behind a side of the box there may be artesian water; a pool on the ground runs over, unless all lies under water.
+  for (const mesh::Line& line : plan.lines)
+    if (line.name == hydraulic.on && *most > crest && soil.look_along(line.points).meets_air)
+      findings.warn(path + ".head",
+                    fmt::format("the pool on '{}' stands up to {:.6g} m, above the crest, {:.6g} m: it runs over",
+                                hydraulic.on, *most, crest));
 }
 
 bool fixes_level(const Hydraulic& hydraulic) {

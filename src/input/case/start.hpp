@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "input/language/forms.hpp"
 #include "input/language/spec.hpp"
 
 namespace talus::input {
@@ -33,6 +34,7 @@ struct InitialWater {
 enum class InitialStress { none, k0 };
 
 struct Initial {
+  std::optional<Date> date;  ///< of time 0
   InitialStress stress = InitialStress::none;
   std::optional<double> k0;                               ///< K0 [-]; by default ν/(1-ν) of each material
   std::map<std::string, std::array<double, 3>> velocity;  ///< by region [m/s]
@@ -89,6 +91,8 @@ void describe(Visitor& v, Initial& i) {
             .example("90"),
         "Weather before the run: seepage is calculated in soil at rest from this long before time 0, where the pore "
         "pressure named above holds, with the [[hydraulic]] series at negative times and the roots' transpiration.");
+  v.key("date", i.date, plain().example("2023-07-01"),
+        "The date of time 0: tables of dates begin there, and the times of [timeline] are told as dates as well.");
   v.key("equilibrium", i.equilibrium, plain().example(R"("gravity")"),
         "The stage at whose end `preconsolidation_ratio` of Cam-clay soils is applied; if not given, the first one.");
   v.entries("velocity", i.velocity, "soil", 0, quantity("m/s").example("[1, 0]"),

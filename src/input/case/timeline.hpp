@@ -2,14 +2,17 @@
 #pragma once
 // [timeline]: the factor of safety through storms and drawdown.
 
+#include <optional>
 #include <vector>
 
+#include "input/language/forms.hpp"
 #include "input/language/spec.hpp"
 
 namespace talus::input {
 
 struct Timeline {
   double duration = 0;        ///< from time 0 on [s]
+  std::optional<Date> until;  ///< its end, where it is given instead; nothing once `duration` is known
   std::vector<double> times;  ///< when factors are found [s]; empty: chosen
   double target = 1;          ///< a factor below it is failure [-]
   double tolerance = 0.003;   ///< of the factor between the times that are chosen, over it [-]
@@ -18,7 +21,10 @@ struct Timeline {
 
 template <class Visitor>
 void describe(Visitor& v, Timeline& t) {
-  v.key("duration", t.duration, quantity("day").above(0).required().example("3"),
+  v.key("until", t.until, plain().example("2023-07-31"),
+        "The date of its end, in place of `duration`; [initial] date says when it begins.");
+  v.key("duration", t.duration,
+        quantity("day").above(0).required().unless_given("until", t.until.has_value()).example("3"),
         "How long it lasts. It begins at time 0 with the pore pressure that [initial] names; the [[hydraulic]] series "
         "give rain, evaporation and pools.");
   v.key("times", t.times, quantity("day").example(R"(["6 h", 0.5, 1, 3])"),

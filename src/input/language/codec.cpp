@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 #include "base/nearest.hpp"
 #include "base/units.hpp"
@@ -118,7 +119,10 @@ std::string write_toml(const toml::node& node) {
   }
   if (const auto* number = node.as_integer()) return std::to_string(number->get());
   if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
-  return "";
+  std::ostringstream date;
+  if (const auto* day = node.as_date()) date << day->get();
+  if (const auto* time = node.as_date_time()) date << time->get();
+  return date.str();
 }
 
 bool decode_number(const Decoding& in, const toml::node& node, const std::string& path, double& out) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "base/dates.hpp"
+
 namespace talus::input {
 namespace {
 
@@ -11,6 +13,30 @@ using Pairs = std::vector<std::array<double, 2>>;
 
 const Spec seconds = quantity("s");
 const Spec share = plain().at_least(0).at_most(1);
+
+constexpr const char* file_form = "{ file = \"station.csv\", column = \"rain\" }";
+
+bool decode_file(const Decoding& in, const toml::table& table, const std::string& path, SeriesFile& out) {
+  bool is_good = true;
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    std::string* part = name == "file"     ? &out.file
+                        : name == "column" ? &out.column
+                        : name == "minus"  ? &out.minus
+                                           : nullptr;
+    if (part == nullptr)
+      is_good = in.fail(node, path,
+                        fmt::format("'{}' from a file has 'file', 'column' and 'minus', and no '{}'", in.key, name));
+    else if (const auto* text = node.as_string(); text != nullptr && !text->get().empty())
+      *part = text->get();
+    else
+      is_good = in.fail_type(node, path + "." + name, "a text in quotation marks");
+  }
+  if (is_good && (out.file.empty() || out.column.empty()))
+    return in.fail(table, path, fmt::format("'{}' from a file needs 'file' and 'column', as in {}", in.key, file_form));
+  if (is_good) in.record(table, path);
+  return is_good;
+}
 
 }  // namespace
 
@@ -44,6 +70,7 @@ json write_pair_schema(const Spec& first, const Spec& second) {
 
 bool Codec<Series>::decode(const Decoding& in, const toml::node& node, const std::string& path, Series& out) {
   out.table = {};
+  if (const toml::table* file = node.as_table()) return decode_file(in, *file, path, out.table.source.emplace());
   if (!node.is_array()) {
     double value = 0;
     if (!decode_number(in, node, path, value)) return false;
@@ -51,7 +78,9 @@ bool Codec<Series>::decode(const Decoding& in, const toml::node& node, const std
     return true;
   }
   Pairs rows;
-  if (!decode_pairs(in, node, path, seconds, in.spec, "a value, or rows [time, value]", rows)) return false;
+  if (!decode_pairs(in, node, path, seconds, in.spec, fmt::format("a value, rows [time, value], or {}", file_form),
+                    rows))
+    return false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i > 0 && rows[i][0] < rows[i - 1][0])
       return in.fail(*node.as_array()->get(i), fmt::format("{}.{}", path, i),
@@ -76,14 +105,40 @@ json Codec<Series>::encode(const Series& value, const Spec& spec) {
 }
 
 std::string Codec<Series>::name(const Spec& spec) {
-  return fmt::format("number [{0}] or [[time, value], ...] [s, {0}]", spec.unit);
+  return fmt::format("number [{0}], [[time, value], ...] [s, {0}] or {{ file, column }}", spec.unit);
 }
 
 json Codec<Series>::schema(const Spec& spec) {
   const json number = write_number_schema(spec), rows = write_pair_schema(seconds, spec);
   json choices = number.contains("anyOf") ? number["anyOf"] : json::array({number});
   choices.push_back(rows);
+  const json text{{"type", "string"}};
+  choices.push_back({{"type", "object"},
+                     {"properties", {{"file", text}, {"column", text}, {"minus", text}}},
+                     {"required", {"file", "column"}},
+                     {"additionalProperties", false}});
   return {{"anyOf", choices}};
+}
+
+bool Codec<Date>::decode(const Decoding& in, const toml::node& node, const std::string& path, Date& out) {
+  std::string text;
+  if (const auto* word = node.as_string())
+    text = word->get();
+  else if (node.is_date() || node.is_date_time())
+    text = write_toml(node);
+  const auto seconds = parse_date(text);
+  if (!seconds) return in.fail_type(node, path, "a date such as 2023-07-01 or \"2023-07-01 06:00\"");
+  out.seconds = *seconds;
+  in.record(node, path);
+  return true;
+}
+
+json Codec<Date>::encode(const Date& value, const Spec&) {
+  return say_date(value.seconds);
+}
+
+json Codec<Date>::schema(const Spec&) {
+  return {{"type", "string"}};
 }
 
 bool Codec<SuctionCurve>::decode(const Decoding& in, const toml::node& node, const std::string& path,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How series in time and curves over suction are written in TOML: pairs whose two numbers have different units.
+// How dates, series in time and curves over suction are written in TOML: pairs whose two numbers have different units.
 
 #include "input/language/codec.hpp"
 
@@ -16,6 +16,14 @@ struct Codec<Series> {
   static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Series& out);
   static nlohmann::json encode(const Series& value, const Spec& spec);
   static std::string name(const Spec& spec);
+  static nlohmann::json schema(const Spec& spec);
+};
+
+template <>
+struct Codec<Date> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, Date& out);
+  static nlohmann::json encode(const Date& value, const Spec& spec);
+  static std::string name(const Spec&) { return "date"; }
   static nlohmann::json schema(const Spec& spec);
 };
 

@@ -29,9 +29,14 @@ struct TomlText {
 };
 
 /// A quantity that may change with time: one value, or rows [[time, value], ...] whose times do not decrease; two rows
-/// at one time are a jump. The unit and the range of the key are those of the value.
+/// at one time are a jump. The unit and the range of the key are those of the value. Or { file, column } of a table.
 struct Series {
   TimeTable& table;
+};
+
+/// A day of the calendar, with a time of day: a TOML date, or a text of its form.
+struct Date {
+  double seconds = 0;  ///< since the start of 1970
 };
 
 /// Measured pairs [[suction, share], ...]: the unit of the key is that of the suction, the share lies from 0 to 1.

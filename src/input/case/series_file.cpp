@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "input/case/series_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "base/dates.hpp"
+#include "base/error.hpp"
+#include "base/units.hpp"
+#include "input/case/text_table.hpp"
+
+namespace talus::input {
+namespace {
+
+[[noreturn]] void reject(const std::string& sentence) {
+  throw Error(ExitCode::wrong_input, sentence);
+}
+
+/// A series of the case, and what its values are.
+struct Wanted {
+  std::string path;  ///< "hydraulic.0.rate"
+  TimeTable& table;
+  SeriesShape& shape;
+  const char* unit;    ///< SI: "m", "Pa", "m/s"
+  bool positive_only;  ///< values below zero have no meaning
+};
+
+std::vector<Wanted> list_series(Case& data) {
+  std::vector<Wanted> all;
+  const auto add = [&](const std::string& path, TimeTable& table, SeriesShape& shape, const char* unit, bool positive) {
+    if (table.source) all.push_back({path, table, shape, unit, positive});
+  };
+  for (std::size_t i = 0; i < data.hydraulics.size(); ++i) {
+    Hydraulic& h = data.hydraulics[i];
+    const std::string path = fmt::format("hydraulic.{}", i);
+    add(path + ".head", h.head, h.series, "m", false);
+    add(path + ".pressure", h.pressure, h.series, "Pa", false);
+    add(path + ".rate", h.rate, h.series, "m/s", false);
+  }
+  for (std::size_t i = 0; i < data.roots.size(); ++i)
+    if (auto& t = data.roots[i].transpiration)
+      add(fmt::format("roots.{}.transpiration.rate", i), t->rate, t->series, "m/s", true);
+  return all;
+}
+
+/// The times of the rows [s], increasing. A column `date` needs the date of time 0.
+std::vector<double> read_times(const TextTable& table, const std::optional<Date>& zero) {
+  const bool dated = table.has_column("date");
+  if (!dated && !table.has_column("time"))
+    reject(fmt::format("'{}' has no column 'date' and no column 'time'", table.file()));
+  const std::size_t column = table.find_column(dated ? "date" : "time");
+  const std::string& unit = table.header()[column].unit;
+  if (dated && !zero) reject(fmt::format("'{}' has dates: [initial] date must say which one is time 0", table.file()));
+  if (!dated && unit.empty())
+    reject(fmt::format("the column 'time' of '{}' has no unit; head it 'time [h]' or 'time [day]'", table.file()));
+  const double second = dated ? 1 : units::parse_as_si("1 " + unit, "s", "time");
+  std::vector<double> times;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (dated) {
+      const std::string& text = table.cell(i, column);
+      const auto date = parse_date(text);
+      if (!date)
+        reject(fmt::format("{}: '{}' is no date; write it as 2023-07-01 or 2023-07-01 06:00", table.place(i), text));
+      times.push_back(*date - zero->seconds);
+    } else {
+      times.push_back(second * table.number(i, column));
+    }
+    if (i > 0 && times[i] <= times[i - 1])
+      reject(fmt::format("{}: its {} is not after that of the row before", table.place(i), dated ? "date" : "time"));
+  }
+  return times;
+}
+
+/// The values of a column in the SI unit of its own dimension, and whether they are amounts: lengths for rates.
+std::vector<double> read_values(const TextTable& table, const std::string& name, const std::string& wanted,
+                                bool& is_amount) {
+  const std::size_t column = table.find_column(name);
+  const std::string& unit = table.header()[column].unit;
+  const char* example = wanted == "m/s" ? "mm" : wanted == "Pa" ? "kPa" : "m";
+  if (unit.empty())
+    reject(fmt::format("the column '{0}' of '{1}' has no unit; head it '{0} [{2}]'", name, table.file(), example));
+  is_amount = wanted == "m/s" && units::get_dimension_name(unit) == units::get_dimension_name("m");
+  const double factor = units::parse_as_si("1 " + unit, is_amount ? "m" : wanted,
+                                           fmt::format("the column '{}' of '{}'", name, table.file()));
+  std::vector<double> values;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (table.cell(i, column).empty())
+      reject(
+          fmt::format("{}: no value of '{}'; write 0 where there is none, or leave the row out", table.place(i), name));
+    values.push_back(factor * table.number(i, column));
+  }
+  return values;
+}
+
+/// Amounts become rates, which hold from row to row.
+void spread_amounts(const TextTable& table, std::vector<double>& times, std::vector<double>& values) {
+  if (times.size() < 2)
+    reject(fmt::format("'{}' has amounts and a single row, so that nothing says how long it lasts", table.file()));
+  times.push_back(2 * times.back() - times[times.size() - 2]);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] /= times[i + 1] - times[i];
+  values.push_back(0);
+}
+
+void load(const Wanted& wanted, const std::filesystem::path& folder, const std::optional<Date>& zero) {
+  const SeriesFile source = *wanted.table.source;
+  const TextTable table((folder / source.file).lexically_normal());
+  if (table.rows() == 0) reject(fmt::format("the table '{}' has no row", table.file()));
+  std::vector<double> times = read_times(table, zero);
+  bool is_amount = false;
+  std::vector<double> values = read_values(table, source.column, wanted.unit, is_amount);
+  if (!source.minus.empty()) {
+    bool is_other_amount = false;
+    const std::vector<double> less = read_values(table, source.minus, wanted.unit, is_other_amount);
+    if (is_amount != is_other_amount)
+      reject(fmt::format("'{}' and '{}' of '{}' have different dimensions", source.column, source.minus, table.file()));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= less[i];
+  }
+  if (wanted.positive_only)
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i] < 0) reject(fmt::format("{}: '{}' is below zero", table.place(i), source.column));
+  if (is_amount) {
+    spread_amounts(table, times, values);
+    wanted.shape = SeriesShape::steps;
+  }
+  wanted.table = {std::move(times), std::move(values)};
+}
+
+/// A file that begins late or ends early would be taken as constant there.
+void check_span(const Case& data, const Wanted& wanted, const std::string& file, Findings& findings) {
+  const double from = -data.initial.water.season, to = data.timeline ? data.timeline->duration : 0;
+  const auto say = [&](double t) {
+    return data.initial.date ? say_date(data.initial.date->seconds + t) : units::say_time(t);
+  };
+  if (const double first = wanted.table.time.front(); first > from)
+    findings.add(wanted.path, fmt::format("'{}' begins at {}, after {}, where the water is first asked for", file,
+                                          say(first), say(from)));
+  if (const double last = wanted.table.time.back(); last < to)
+    findings.add(wanted.path,
+                 fmt::format("'{}' ends at {}, before {}, where the timeline ends", file, say(last), say(to)));
+}
+
+void find_duration(Case& data, Findings& findings) {
+  if (!data.timeline || !data.timeline->until || !findings.is_sound("timeline.until") ||
+      !findings.is_sound("initial.date"))
+    return;
+  Timeline& timeline = *data.timeline;
+  if (!data.initial.date)
+    return findings.add("timeline.until", "a timeline that ends at a date needs [initial] date, the date of time 0");
+  timeline.duration = timeline.until->seconds - data.initial.date->seconds;
+  if (timeline.duration <= 0)
+    findings.add("timeline.until",
+                 fmt::format("the timeline ends at {}, not after time 0, {}", say_date(timeline.until->seconds),
+                             say_date(data.initial.date->seconds)));
+  timeline.until.reset();
+}
+
+}  // namespace
+
+void load_series(Case& data, const std::string& file, Findings& findings) {
+  find_duration(data, findings);
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  for (const Wanted& wanted : list_series(data)) {
+    const std::string table = wanted.table.source->file;
+    try {
+      load(wanted, folder, data.initial.date);
+      if (findings.is_sound("timeline")) check_span(data, wanted, table, findings);
+    } catch (const Error& error) {
+      findings.add(wanted.path, error.what());
+      wanted.table = {{0}, {0}};
+    }
+  }
+}
+
+}  // namespace talus::input
