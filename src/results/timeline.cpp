@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/dates.hpp"
 #include "base/units.hpp"
 
 namespace talus::results {
@@ -25,9 +26,15 @@ void find_failure(Timeline& t) {
   }
 }
 
+std::string say_moment(const Timeline& t, double time) {
+  std::string text = units::say_time(time);
+  if (const auto zero = t.start ? parse_date(*t.start) : std::nullopt) text += " (" + say_date(*zero + time) + ")";
+  return text;
+}
+
 std::string say_failure(const Timeline& t) {
   if (!t.least) return "No slip surface was admissible at any time.";
-  const std::string least = fmt::format("It is least at {}, {:.3f}.", units::say_time(*t.least_time), *t.least);
+  const std::string least = fmt::format("It is least at {}, {:.3f}.", say_moment(t, *t.least_time), *t.least);
   if (t.fails_from_start) return fmt::format("The factor of safety is below {:g} from the start. {}", t.target, least);
   if (!t.failure)
     return fmt::format("The factor of safety stays at or above {:g} at all {} times that were tried. {}", t.target,
@@ -35,12 +42,12 @@ std::string say_failure(const Timeline& t) {
   const FailureTime& f = *t.failure;
   std::string text =
       fmt::format("The factor of safety falls below {:g} between {} and {}, where it is {:.4f} and {:.4f}. ", t.target,
-                  units::say_time(f.from), units::say_time(f.to), f.factor_from, f.factor_to);
+                  say_moment(t, f.from), say_moment(t, f.to), f.factor_from, f.factor_to);
   if (f.earliest < f.from || f.latest != f.to)
     text +=
         fmt::format("With the {:g} % by which searches scatter it falls {}. ", 100 * search_scatter,
-                    f.latest ? fmt::format("between {} and {}", units::say_time(f.earliest), units::say_time(*f.latest))
-                             : fmt::format("after {}, or not at all", units::say_time(f.earliest)));
+                    f.latest ? fmt::format("between {} and {}", say_moment(t, f.earliest), say_moment(t, *f.latest))
+                             : fmt::format("after {}, or not at all", say_moment(t, f.earliest)));
   return text + least;
 }
 

@@ -52,7 +52,8 @@ void describe(V& v, R& r) {
 
 /// "timeline" of summary.json.
 struct Timeline {
-  double duration = 0;  ///< [s]
+  double duration = 0;               ///< [s]
+  std::optional<std::string> start;  ///< the date of time 0, "2023-03-01"
   double target = 1;
   std::vector<TimedFactor> factors;  ///< in time
   std::optional<double> least;       ///< of the factors
@@ -70,6 +71,7 @@ struct Timeline {
 template <class V, As<Timeline> R>
 void describe(V& v, R& r) {
   v.key("duration", r.duration, {"s", "length of the timeline"});
+  v.key("start", r.start, {"", "date of time 0"});
   v.key("target", r.target, {"", "a factor below it is failure"});
   v.key("factors", r.factors, {"", "factor of safety in time"});
   v.key("least", r.least, {"", "least factor of safety in time"});
@@ -87,6 +89,9 @@ void describe(V& v, R& r) {
 
 /// Sets the least factor and the time of failure from the factors in time.
 void find_failure(Timeline& timeline);
+
+/// "2.5 days", with " (2023-03-03 12:00)" where the date of time 0 is known.
+std::string say_moment(const Timeline& timeline, double time);
 
 /// "The factor of safety falls below 1 between 3.38 and 3.94 h (1.000 and 0.999); it is least at 72 h, 0.941."
 std::string say_failure(const Timeline& timeline);

@@ -32,7 +32,7 @@ std::string write_main_factor(const results::RunResult& run) {
                : fmt::format("Factor of safety at most {:.3f} (proven upper bound)\n", results::show_upper(*factor));
   if (run.timeline && run.timeline->least == factor)
     return fmt::format("Factor of safety {:.3f} (slices, the least in time, at {})\n", *factor,
-                       units::say_time(*run.timeline->least_time));
+                       results::say_moment(*run.timeline, *run.timeline->least_time));
   const bool by_slices = surface && surface->found->surface.factor == factor;
   return fmt::format("Factor of safety {:.3f} ({})\n", *factor,
                      by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface))
@@ -152,9 +152,9 @@ std::string write_state(const results::WaterState& state) {
 }
 
 std::string write_timeline(const results::Timeline& t) {
-  std::string text = "  Time           Factor   Slip surface\n";
+  std::string text = "  " + pad("Time", t.start ? 30 : 15) + "Factor   Slip surface\n";
   for (const results::TimedFactor& f : t.factors)
-    text += "  " + pad(units::say_time(f.time), 15) +
+    text += "  " + pad(results::say_moment(t, f.time), t.start ? 30 : 15) +
             (f.factor ? fmt::format("{:6.3f}   {}, {}{}\n", *f.factor, f.surface.title, f.source,
                                     f.refusal.empty() ? "" : " (" + f.refusal + ")")
                       : std::string("  none\n"));

@@ -33,15 +33,16 @@ json make_timeline(const ResultFolder& folder) {
   json factors = json::array(), states = json::array();
   for (const results::TimedFactor& f : timeline.factors)
     factors.push_back({{"time", f.time},
-                       {"title", units::say_time(f.time)},
+                       {"title", results::say_moment(timeline, f.time)},
                        {"factor", write(f.factor)},
                        {"method", f.surface.title},
                        {"source", f.source},
                        {"refusal", f.refusal},
                        {"points", f.surface.points}});
   for (const results::WaterState& state : timeline.states)
-    states.push_back(write_water_state(state, units::say_time(state.time)));
+    states.push_back(write_water_state(state, results::say_moment(timeline, state.time)));
   json block{{"duration", timeline.duration},
+             {"start", timeline.start ? json(*timeline.start) : json()},
              {"unit", to_json(choose_time_unit(timeline.duration))},
              {"target", timeline.target},
              {"sentence", results::say_failure(timeline)},

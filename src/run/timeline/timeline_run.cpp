@@ -7,6 +7,7 @@
 #include <chrono>
 #include <limits>
 
+#include "base/dates.hpp"
 #include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "fem/seepage/check.hpp"
@@ -149,6 +150,7 @@ struct TimelineRun::Parts {
   void conclude() {
     const input::Timeline& asked = *data.timeline;
     told.duration = asked.duration;
+    if (data.initial.date) told.start = say_date(data.initial.date->seconds);
     told.target = asked.target;
     for (const Moment& moment : moments) {
       told.factors.push_back(tell_moment(search, moment));

@@ -6,6 +6,8 @@ import type { WaterState } from "./water";
 export interface Timeline {
   /** [s] */
   duration: number;
+  /** The date of time 0, "2023-03-01"; null where none is given. */
+  start: string | null;
   /** Of the times that are shown. */
   unit: Unit;
   /** A factor below it is failure. */

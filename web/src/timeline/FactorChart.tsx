@@ -45,7 +45,7 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
     marginRight: 20,
     marginTop: 24,
     marginBottom: 46,
-    x: { domain: [0, timeline.duration / unit.si], label: `Time [${unit.name}]`, ...centred, ticks: Math.max(4, width / 90) },
+    x: { domain: [0, timeline.duration / unit.si], label: `Time [${unit.name}${timeline.start ? ` since ${timeline.start}` : ""}]`, ...centred, ticks: Math.max(4, width / 90) },
     y: { domain: [low - margin, top], label: "Factor of safety", ticks: 5, labelArrow: "none" },
     marks: [
       Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
