@@ -140,6 +140,25 @@ TEST(SeepageInfiltration, DrainedColumnKeepsWhatItsCurveHolds) {
   for (double h : history.states.back().head) EXPECT_NEAR(h, 0, 0.02);
 }
 
+TEST(SeepageInfiltration, DrySoilBesideTheWaterNeedsNoStore) {
+  auto mesh = make_soil_box<2>(
+      {8, 4}, {2, 1}, [](const Vec<2>& x) { return x[0] > 1 ? 1 : 0; }, 0.0);
+  auto wet = make_soil<2>(1e-6), dry = make_soil<2>(1);
+  wet.water_modulus = 2e9;
+  SeepageModel<2> model{&mesh, {wet, dry}, {make_condition(mesh, "left", HydraulicKind::total_head, 1.5)}};
+  const std::vector<double> head(mesh.nodes.size(), 2);
+  fem::SeepageSchedule schedule;
+  schedule.outputs = {1e5};
+  EXPECT_THROW(fem::solve_transient_seepage(model, head, schedule), Error);  // while it takes part
+  for (int& region : mesh.element_region)
+    if (region == 1) region = mesh::empty_region;
+  const auto history = fem::solve_transient_seepage(model, head, schedule);
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    if (mesh.nodes[i][0] > 1) continue;
+    EXPECT_NEAR(history.states[0].head[i], 1.5, 1e-6);
+  }
+}
+
 TEST(SeepageInfiltration, RainBeyondTheSoilsIntakeRunsOffAndIsCounted) {
   const auto mesh = make_soil_box<2>({4, 60}, {0.2, 1});
   auto soil = make_soil<2>(1e-6, 0.4);

@@ -100,7 +100,12 @@ void check_model(const SeepageModel<D>& model) {
 
 template <int D>
 void check_storage(const SeepageModel<D>& model) {
-  for (const auto& soil : model.soils) {
+  std::vector<bool> takes_part(model.soils.size(), false);  // a region of dry soil has no element left
+  for (const int region : model.mesh->element_region)
+    if (region != mesh::empty_region) takes_part[static_cast<std::size_t>(region)] = true;
+  for (std::size_t i = 0; i < model.soils.size(); ++i) {
+    const auto& soil = model.soils[i];
+    if (!takes_part[i]) continue;
     const bool flat = std::visit(
         [](const auto& c) {
           return std::is_same_v<std::decay_t<decltype(c)>, material::ConstantSaturation> || c.minimum == c.maximum;
