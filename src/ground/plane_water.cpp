@@ -209,9 +209,11 @@ Polyline trace_water_table(const lem::PressureGrid& grid, const std::vector<Pond
     const double x = x_of(c), next = x_of(c + 1), level_here = std::min(wet_top[c], find_level(ground, x));
     const auto standing = find_standing_level(ponds, {}, ground, x);
     add(x, standing.value_or(level_here));
-    for (const Pond& p : ponds) {  // banks of ponds are steps
-      if (p.from[0] > x && p.from[0] < next) add(p.from[0] - step, level_here), add(p.from[0], p.level_from);
-      if (p.to[0] > x && p.to[0] < next) add(p.to[0], p.level_to), add(p.to[0] + step, level_here);
+    const auto beside = [&](double bank) { return find_standing_level(ponds, {}, ground, bank).value_or(level_here); };
+    for (const Pond& p : ponds) {  // banks of ponds are steps, unless the next pond begins there
+      if (p.from[0] > x && p.from[0] < next)
+        add(p.from[0] - step, beside(p.from[0] - step)), add(p.from[0], p.level_from);
+      if (p.to[0] > x && p.to[0] < next) add(p.to[0], p.level_to), add(p.to[0] + step, beside(p.to[0] + step));
     }
   }
   return table;
