@@ -216,6 +216,15 @@ results::WaterField tell_field(const mesh::Mesh<D>& wet_mesh, const fem::Seepage
   return told;
 }
 
+std::optional<results::WaterFields> begin_fields(const input::Case& data, const mesh::Mesh<2>& wet_mesh) {
+  results::WaterFields fields;
+  fields.elements = list_elements<2>(wet_mesh);
+  if (fields.elements.size() > most_elements) return std::nullopt;
+  fields.unit_weight = find_water_weight(data);
+  for (const auto& x : wet_mesh.nodes) fields.nodes.push_back({shorten(x[0]), shorten(x[1])});
+  return fields;
+}
+
 template <int D>
 ToldWater tell_water(const input::Case& data, const mesh::Mesh<D>& mesh,
                      const std::optional<fem::SeepageResult<D>>& steady, const std::optional<SeasonRecord>& season) {
@@ -238,14 +247,11 @@ ToldWater tell_water(const input::Case& data, const mesh::Mesh<D>& mesh,
     for (int e = 0; e < mesh.element_count(); ++e)
       if (const input::Material* soil = find_soil(data, mesh, e); soil == nullptr || !soil->water.is_wet())
         wet.element_region[e] = mesh::empty_region;
-    results::WaterFields fields;
-    fields.elements = list_elements<2>(wet);
-    if (fields.elements.size() > most_elements) return told;
-    fields.unit_weight = find_water_weight(data);
-    for (const auto& x : mesh.nodes) fields.nodes.push_back({shorten(x[0]), shorten(x[1])});
-    if (steady) fields.states.push_back(tell_field<2>(wet, *steady, results::WaterFlow::steady, start));
-    if (season) fields.states.insert(fields.states.end(), season->fields.begin(), season->fields.end());
-    told.fields = std::move(fields);
+    told.fields = begin_fields(data, wet);
+    if (!told.fields) return told;
+    auto& fields = told.fields->states;
+    if (steady) fields.push_back(tell_field<2>(wet, *steady, results::WaterFlow::steady, start));
+    if (season) fields.insert(fields.end(), season->fields.begin(), season->fields.end());
   }
   return told;
 }

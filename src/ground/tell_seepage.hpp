@@ -44,6 +44,9 @@ template <int D>
 results::WaterState tell_state(const input::Case& data, const fem::SeepageResult<D>& seepage, results::WaterFlow flow,
                                double time);
 
+/// Fields without states on the elements of `wet_mesh` that take part; nothing where they are more than a report draws.
+std::optional<results::WaterFields> begin_fields(const input::Case& data, const mesh::Mesh<2>& wet_mesh);
+
 /// Its fields on the elements of `mesh` that take part.
 template <int D>
 results::WaterField tell_field(const mesh::Mesh<D>& wet_mesh, const fem::SeepageResult<D>& seepage,

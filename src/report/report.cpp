@@ -96,7 +96,8 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   if (json sections = make_sections(folder, document["warnings"]); !sections.empty())
     document["sections"] = std::move(sections);
   add_other_methods(folder, packer, document);
-  if (json timeline = make_timeline(folder); !timeline.is_null()) document["timeline"] = std::move(timeline);
+  if (json timeline = make_timeline(folder, packer, document["warnings"]); !timeline.is_null())
+    document["timeline"] = std::move(timeline);
   add_water_fields(folder, document, packer);
   return document;
 }

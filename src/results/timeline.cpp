@@ -44,10 +44,9 @@ std::string say_failure(const Timeline& t) {
       fmt::format("The factor of safety falls below {:g} between {} and {}, where it is {:.4f} and {:.4f}. ", t.target,
                   say_moment(t, f.from), say_moment(t, f.to), f.factor_from, f.factor_to);
   if (f.earliest < f.from || f.latest != f.to)
-    text +=
-        fmt::format("With the {:g} % by which searches scatter it falls {}. ", 100 * search_scatter,
-                    f.latest ? fmt::format("between {} and {}", say_moment(t, f.earliest), say_moment(t, *f.latest))
-                             : fmt::format("after {}, or not at all", say_moment(t, f.earliest)));
+    text += fmt::format("With the {:g} % by which searches scatter it falls {}. ", 100 * search_scatter,
+                        f.latest ? fmt::format("between {} and {}", say_moment(t, f.earliest), say_moment(t, *f.latest))
+                                 : fmt::format("after {}, or not at all", say_moment(t, f.earliest)));
   return text + least;
 }
 

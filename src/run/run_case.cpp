@@ -147,13 +147,15 @@ class CaseRun {
     if (points_ && run_.status == results::Status::finished) points_->forget();
   }
 
-  /// water.json: the fields of the water that the methods began with.
+  /// water.json: the fields of the water that the methods began with; timeline_water.json: those in time.
   void keep_water() const {
     const results::WaterFields* fields = points_ ? points_->water_fields() : nullptr;
     if (fields == nullptr && slices_) fields = slices_->water_fields();
     if (fields == nullptr && elements_) fields = elements_->water_fields();
     if (fields == nullptr && bounds_) fields = bounds_->water_fields();
     if (fields != nullptr) results::write_file(options_.folder / "water.json", *fields, -1);
+    if (const results::WaterFields* in_time = timeline_ ? timeline_->water_fields() : nullptr)
+      results::write_file(options_.folder / "timeline_water.json", *in_time, -1);
   }
 
   /// Seconds of a run without material points.

@@ -31,6 +31,8 @@ TEST(TimelineReport, LeadsWithTheLeastFactorAndKeepsTheContract) {
   ASSERT_EQ(timeline.at("factors").size(), 3u);
   EXPECT_EQ(timeline.at("states").size(), 3u);
   EXPECT_EQ(timeline.at("unit").at("name"), "days");
+  EXPECT_TRUE(timeline.contains("water_mesh"));
+  for (const auto& state : timeline.at("states")) EXPECT_TRUE(state.at("fields").contains("pressure"));
   const auto& factors = document.at("answer").at("factors");
   EXPECT_EQ(factors[0].at("name"), "timeline.least");
   EXPECT_TRUE(factors[0].at("main"));

@@ -216,7 +216,8 @@ void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& 
   Factor least;
   least.method = Method::lem;
   least.name = "timeline.least";
-  least.title = fmt::format("least in time, at {}: {}, {}", results::say_moment(timeline, at->time), at->surface.title, at->source);
+  least.title = fmt::format("least in time, at {}: {}, {}", results::say_moment(timeline, at->time), at->surface.title,
+                            at->source);
   least.value = timeline.least;
   least.note = results::say_failure(timeline);
   least.is_main = true;

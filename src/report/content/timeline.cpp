@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "report/content/timeline.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
 #include "base/units.hpp"
 #include "report/content/water_states.hpp"
 #include "report/words/numbers.hpp"
+#include "results/json.hpp"
 
 namespace talus::report {
 
@@ -25,9 +29,24 @@ json write(const std::optional<double>& value) {
   return value ? json(*value) : json();
 }
 
+/// The fields of the states and their mesh. What cannot be read is left out with a warning.
+void add_fields(const ResultFolder& folder, json& block, Packer& packer, json& warnings) {
+  try {
+    const auto file = results::read_file<results::WaterFields>(folder.path / "timeline_water.json");
+    if (!file || file->nodes.empty() || file->elements.empty()) return;
+    block["water_mesh"] = pack_water_mesh(*file, "timeline", packer);
+    const std::vector<results::WaterState>& states = folder.run.timeline->states;
+    for (std::size_t i = 0; i < states.size(); ++i)
+      if (json packed = pack_water_field(*file, states[i], fmt::format("timeline.{}", i), packer); !packed.is_null())
+        block["states"][i]["fields"] = std::move(packed);
+  } catch (const Error& error) {
+    warnings.push_back(fmt::format("The fields of the pore water in time are not drawn: {}", error.what()));
+  }
+}
+
 }  // namespace
 
-json make_timeline(const ResultFolder& folder) {
+json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
   if (!folder.run.timeline) return {};
   const results::Timeline& timeline = *folder.run.timeline;
   json factors = json::array(), states = json::array();
@@ -64,6 +83,7 @@ json make_timeline(const ResultFolder& folder) {
     const results::FailureTime& f = *timeline.failure;
     block["failure"] = {{"from", f.from}, {"to", f.to}, {"earliest", f.earliest}, {"latest", write(f.latest)}};
   }
+  add_fields(folder, block, packer, warnings);
   return block;
 }
 

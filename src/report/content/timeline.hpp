@@ -5,10 +5,11 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "report/folder.hpp"
+#include "report/pack/pack.hpp"
 
 namespace talus::report {
 
-/// Null for a run without a timeline.
-nlohmann::json make_timeline(const ResultFolder& folder);
+/// Null for a run without a timeline. What cannot be drawn goes to `warnings`.
+nlohmann::json make_timeline(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 
 }  // namespace talus::report

@@ -48,24 +48,25 @@ json write_water_state(const results::WaterState& state, const std::string& titl
 namespace {
 
 /// The numbers of a field; null where they do not fit the mesh.
-json pack_field(const results::WaterFields& file, const results::WaterField& field, std::size_t number,
+json pack_field(const results::WaterFields& file, const results::WaterField& field, const std::string& name,
                 Packer& packer) {
   const std::size_t nodes = file.nodes.size(), elements = file.elements.size();
   if (field.pressure.size() != nodes) return {};
-  const std::string id = fmt::format("water.{}", number);
-  json packed{{"pressure", packer.add_values(id + ".pressure", field.pressure, {nodes}, false)}};
+  json packed{{"pressure", packer.add_values(name + ".pressure", field.pressure, {nodes}, false)}};
   if (field.saturation.size() == elements)
-    packed["saturation"] = packer.add_values(id + ".saturation", field.saturation, {elements}, false);
+    packed["saturation"] = packer.add_values(name + ".saturation", field.saturation, {elements}, false);
   if (field.velocity.size() == elements) {
     std::vector<double> velocity;
     for (const std::vector<double>& v : field.velocity) velocity.insert(velocity.end(), v.begin(), v.end());
     if (velocity.size() == 2 * elements)
-      packed["velocity"] = packer.add_reals(id + ".velocity", velocity, {elements, 2});
+      packed["velocity"] = packer.add_reals(name + ".velocity", velocity, {elements, 2});
   }
   return packed;
 }
 
-json pack_mesh(const results::WaterFields& file, Packer& packer) {
+}  // namespace
+
+json pack_water_mesh(const results::WaterFields& file, const std::string& name, Packer& packer) {
   std::vector<double> nodes;
   std::vector<std::uint32_t> elements;
   for (const results::Point& x : file.nodes) nodes.insert(nodes.end(), x.begin(), x.end());
@@ -78,18 +79,16 @@ json pack_mesh(const results::WaterFields& file, Packer& packer) {
     }
   }
   return {{"unit_weight", file.unit_weight},
-          {"nodes", packer.add_reals("water.nodes", nodes, {file.nodes.size(), 2})},
-          {"elements", packer.add_numbers("water.elements", elements, {file.elements.size(), 3}, true)}};
+          {"nodes", packer.add_reals(name + ".nodes", nodes, {file.nodes.size(), 2})},
+          {"elements", packer.add_numbers(name + ".elements", elements, {file.elements.size(), 3}, true)}};
 }
 
-/// The field of a state; nullptr where the file has none.
-const results::WaterField* find_field(const results::WaterFields& file, const results::WaterState& state) {
+json pack_water_field(const results::WaterFields& file, const results::WaterState& state, const std::string& name,
+                      Packer& packer) {
   for (const results::WaterField& field : file.states)
-    if (field.time == state.time && field.flow == state.flow) return &field;
-  return nullptr;
+    if (field.time == state.time && field.flow == state.flow) return pack_field(file, field, name, packer);
+  return {};
 }
-
-}  // namespace
 
 std::string show_duration(double seconds) {
   const double unit = seconds >= day ? day : seconds >= hour ? hour : 1;
@@ -150,12 +149,12 @@ void add_water_fields(const ResultFolder& folder, json& document, Packer& packer
   try {
     const auto file = results::read_file<results::WaterFields>(folder.path / "water.json");
     if (!file || file->nodes.empty() || file->elements.empty()) return;
-    json mesh = pack_mesh(*file, packer), list = json::array();
+    json mesh = pack_water_mesh(*file, "water", packer), list = json::array();
     const std::vector<results::WaterState> states = find_water_states(folder);
     for (std::size_t i = 0; i < states.size(); ++i) {
       json state = write_water_state(states[i], name_water_state(states[i], i + 1 == states.size()));
-      if (const results::WaterField* field = find_field(*file, states[i]))
-        if (json packed = pack_field(*file, *field, i, packer); !packed.is_null()) state["fields"] = std::move(packed);
+      if (json packed = pack_water_field(*file, states[i], fmt::format("water.{}", i), packer); !packed.is_null())
+        state["fields"] = std::move(packed);
       list.push_back(std::move(state));
     }
     document["model"]["water_mesh"] = std::move(mesh);

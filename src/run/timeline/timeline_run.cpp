@@ -53,6 +53,7 @@ struct TimelineRun::Parts {
   std::vector<std::optional<double>> guide;  ///< least factor of the surfaces that govern at some times, at all times
   ground::ToldWater water;
   results::Timeline told;
+  std::optional<results::WaterFields> fields;
 
   void follow_water(const PreparedSlope& prepared) {
     const Clock::time_point start = Clock::now();
@@ -186,17 +187,31 @@ struct TimelineRun::Parts {
         when.size(), moments.size(), units::say_time(when.front()), units::say_time(when.back()), least, why));
   }
 
+  /// The field of time 0: that of the methods, where it is on this mesh.
+  results::WaterField make_first_field() const {
+    if (water.fields && water.fields->nodes.size() == mesh.nodes.size() && !water.fields->states.empty())
+      return water.fields->states.back();
+    results::WaterField first;
+    first.flow = water.states->back().flow;
+    for (const double p : first_pressure) first.pressure.push_back(-p);
+    return first;
+  }
+
   /// Where the water stood at the times of the factors.
   void keep_water() {
     if (!water.states || water.states->empty()) return;
+    fields = ground::begin_fields(data, wet_mesh);
     for (const Moment& moment : moments) {
       if (moment.time == 0) {
         told.states.push_back(water.states->back());
+        if (fields) fields->states.push_back(make_first_field());
         continue;
       }
       const auto at = std::find(times.begin(), times.end(), moment.time);
       const auto& state = flow.history.states[static_cast<std::size_t>(at - times.begin()) - 1];
       told.states.push_back(ground::tell_state<2>(data, state, results::WaterFlow::transient, moment.time));
+      if (fields)
+        fields->states.push_back(ground::tell_field<2>(wet_mesh, state, results::WaterFlow::transient, moment.time));
     }
   }
 };
@@ -210,6 +225,10 @@ void TimelineRun::calculate(const PreparedSlope& prepared, const results::SliceR
   parts_->search_times(first);
   parts_->conclude();
   if (parts_->options.progress) parts_->options.progress->clear();
+}
+
+const results::WaterFields* TimelineRun::water_fields() const {
+  return parts_->fields ? &*parts_->fields : nullptr;
 }
 
 void TimelineRun::tell(results::RunResult& run) const {

@@ -22,6 +22,8 @@ class TimelineRun {
   /// Error (interrupted).
   void calculate(const PreparedSlope& prepared, const results::SliceResult& first);
   void tell(results::RunResult& run) const;
+  /// Fields of the water at the times of the factors; nullptr where they are more than a report draws.
+  const results::WaterFields* water_fields() const;
 
  private:
   struct Parts;

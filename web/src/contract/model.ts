@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The calculation model: geometry, supports, loads, soils, stages, mesh. */
 import type { PackedArray } from "./units";
-import type { SoilWater, WaterState } from "./water";
+import type { SoilWater, WaterMesh, WaterState } from "./water";
 
 export interface Model {
   dimension: 2 | 3;
@@ -17,13 +17,7 @@ export interface Model {
   /** Where the water stood, in time: the last state is that which the methods began with. Empty in dry ground. */
   water: WaterState[];
   /** The triangles of the fields of these states. */
-  water_mesh?: {
-    /** Of water [N/m³]. */
-    unit_weight: number;
-    /** [node][2] f32 [m], [element][3] u32. */
-    nodes: PackedArray;
-    elements: PackedArray;
-  };
+  water_mesh?: WaterMesh;
   monitors: { name: string; at: number[]; id: number }[];
   materials: MaterialRow[];
   /** `time`: simulated time at the end [s]; `wall`: how long it took [s]. */

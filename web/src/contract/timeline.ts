@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The factor of safety in time. */
 import type { Unit } from "./units";
-import type { WaterState } from "./water";
+import type { WaterMesh, WaterState } from "./water";
 
 export interface Timeline {
   /** [s] */
@@ -18,6 +18,8 @@ export interface Timeline {
   factors: TimedFactor[];
   /** Where the water stood at these times; empty where it is not known. */
   states: WaterState[];
+  /** The triangles of the fields of these states. */
+  water_mesh?: WaterMesh;
   least: number | null;
   /** [s] */
   least_time: number | null;

@@ -2,6 +2,15 @@
 /** Pore water: soils, conditions, start, weather before the run, budget. */
 import type { PackedArray, Unit } from "./units";
 
+/** The triangles that fields of pore water lie on. */
+export interface WaterMesh {
+  /** Of water [N/m³]. */
+  unit_weight: number;
+  /** [node][2] f32 [m], [element][3] u32. */
+  nodes: PackedArray;
+  elements: PackedArray;
+}
+
 /** What a soil does with water: the laws in words, their parameters, and their curves. */
 export interface SoilWater {
   /** "van Genuchten", and its formula in words. */

@@ -18,6 +18,7 @@ import { MethodsSection } from "../compared/MethodsSection";
 import { Overview } from "../compared/Overview";
 import { BoundsSection } from "../bounds/BoundsSection";
 import { ElementsSection } from "../elements/ElementsSection";
+import { TimelinePane } from "../timeline/TimelinePane";
 import { TimelineSection } from "../timeline/TimelineSection";
 import { SamplingSection } from "../sampling/SamplingSection";
 import { SlicesSection } from "../slices/SlicesSection";
@@ -38,6 +39,12 @@ import { TitleLine } from "./TitleLine";
 import { TopBar } from "./TopBar";
 import { Variants } from "./Variants";
 
+/** The first figure: the history of a timeline, the motion of material points, or the section. */
+function drawFirstFigure() {
+  if (report.value.timeline) return <TimelinePane />;
+  return report.value.sequences.length > 0 ? <Viewer /> : <Overview />;
+}
+
 function SectionPane() {
   const is3d = report.value.model.dimension === 3;
   return (
@@ -46,7 +53,7 @@ function SectionPane() {
         {is3d ? "The slope in three dimensions" : "Section through the slope"}
       </h2>
       <Guard what="The section">
-        <Lazy height={520}>{() => (report.value.sequences.length > 0 ? <Viewer /> : <Overview />)}</Lazy>
+        <Lazy height={report.value.timeline ? 900 : 520}>{drawFirstFigure}</Lazy>
       </Guard>
     </section>
   );
@@ -109,7 +116,7 @@ export function Page() {
             id="timeline"
             title="Factor of safety in time"
             what="The factor in time"
-            height={1200}
+            height={500}
             draw={() => <TimelineSection />}
           />
         )}

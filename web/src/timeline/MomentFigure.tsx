@@ -1,44 +1,72 @@
 // SPDX-License-Identifier: MIT
 /** The section at one time: water, and the slip surface that governs. */
+import { useState } from "preact/hooks";
+
+import { Choice } from "../charts/base/Legend";
 import type { Timeline } from "../contract";
 import { useDark } from "../drawing/dark";
-import { drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
+import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
-import { drawWaterState } from "../drawing/standingWater";
 import { drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
+import { useOpacity } from "../drawing/useOpacity";
 import { formatFactor } from "../page/format";
 import { criticalLook } from "../slices/surfacePainter";
+import { listQuantities, quantityTitles, useWaterLayer } from "../water/useWaterLayer";
+import type { WaterQuantity } from "../water/waterFields";
+
+type Shown = "soils" | WaterQuantity;
 
 export function MomentFigure({ timeline, chosen }: { timeline: Timeline; chosen: number }) {
   const dark = useDark();
   const moment = timeline.factors[chosen]!;
+  const states = { water: timeline.states, water_mesh: timeline.water_mesh };
+  const options: Shown[] = ["soils", ...listQuantities(states)];
+  const [shows, choose] = useState<Shown>("soils");
+  const { opacity, slider } = useOpacity();
+  const layer = useWaterLayer(shows === "soils" ? null : shows, states, chosen);
   return (
     <figure class="chart-figure" aria-label={`Section at ${moment.title}`}>
       <h4>
         {moment.title}: F = {formatFactor(moment.factor, "none")}
         {moment.factor !== null && `, ${moment.method}, ${moment.source}`}
       </h4>
+      {options.length > 1 && (
+        <div class="chart-bar no-print">
+          <Choice
+            label="Colours of the section"
+            value={shows}
+            options={options.map((value) => ({ value, title: value === "soils" ? "soils" : quantityTitles[value] }))}
+            onChange={choose}
+          />
+          {layer.controls}
+          {shows !== "soils" && slider}
+        </div>
+      )}
       <SectionCanvas
         label={`Section at ${moment.title} with the water and the slip surface that governs, F = ${formatFactor(moment.factor, "none")}`}
         file={`timeline_${chosen}`}
         box={findSoilBox()}
+        bar={layer.bar}
+        tallest={430}
         draw={(pen) => {
           drawSoils(pen);
+          clipToSoil(pen, () => layer.paint(pen, opacity));
           drawOutlines(pen);
           drawSurcharges(pen);
         }}
-        depends={[dark]}
+        depends={[dark, shows, ...layer.depends, opacity]}
         drawOver={(pen) => {
           drawSoilNames(pen);
-          drawWaterState(pen, timeline.states[chosen]);
+          layer.drawOver(pen);
           if (moment.factor === null) return;
           const line = moment.points.map(pen.place);
           drawSurface(pen.context, line, criticalLook, 2.6);
           drawSurfaceLabels(pen.context, [{ line, text: moment.factor.toFixed(3), colour: criticalLook.colour }]);
         }}
-        dependsOver={[timeline, chosen]}
+        dependsOver={[timeline, chosen, ...layer.depends]}
       />
+      {layer.note && <p class="chart-note">{layer.note}</p>}
     </figure>
   );
 }

@@ -3,7 +3,7 @@
 import { useMemo, useState } from "preact/hooks";
 
 import { titleWithUnit } from "../charts/base/numbers";
-import type { WaterState } from "../contract";
+import type { WaterMesh, WaterState } from "../contract";
 import type { Pen } from "../drawing/pen";
 import { drawWaterState } from "../drawing/standingWater";
 import { paintTriangles } from "../drawing/trianglePainter";
@@ -20,9 +20,14 @@ export const quantityTitles: { [name in WaterQuantity]: string } = {
   saturation: "degree of saturation",
 };
 
-/** The quantities that the states of this report have. */
-export function listQuantities(): WaterQuantity[] {
-  const { water, water_mesh } = report.value.model;
+/** States of the water and the mesh of their fields. */
+export interface WaterStates {
+  water: WaterState[];
+  water_mesh?: WaterMesh;
+}
+
+/** The quantities that states have; by default those that the methods began with. */
+export function listQuantities({ water, water_mesh }: WaterStates = report.value.model): WaterQuantity[] {
   if (!water_mesh || !water.some((s) => s.fields)) return [];
   return water.some((s) => s.fields?.saturation) ? ["pressure", "head", "saturation"] : ["pressure", "head"];
 }
@@ -62,12 +67,17 @@ function makeBar(quantity: WaterQuantity, limits: [number, number]): { bar: Bar;
   return { unit: length.si, bar: { ...flat, title: titleWithUnit("Head", length.name), colours, scale } };
 }
 
-export function useWaterLayer(quantity: WaterQuantity | null): WaterLayer {
-  const { water } = report.value.model;
-  const [index, setIndex] = useState(water.length - 1);
+/** Of the states that the methods began with; or of others, of which `given` is shown. */
+export function useWaterLayer(
+  quantity: WaterQuantity | null,
+  { water, water_mesh }: WaterStates = report.value.model,
+  given?: number,
+): WaterLayer {
+  const [picked, setIndex] = useState(water.length - 1);
   const [on, setOn] = useState({ lines: true, arrows: false });
+  const index = given ?? picked;
   const state = water[index];
-  const arrays = useWaterArrays(state);
+  const arrays = useWaterArrays(state, water_mesh);
   const shown = useMemo(() => (arrays && quantity ? takeQuantity(arrays, quantity) : null), [arrays, quantity]);
   const scaled = useMemo(() => (shown && quantity ? makeBar(quantity, findLimits(shown)) : null), [shown]);
   const toggle = (name: keyof typeof on, title: string) => (
@@ -100,7 +110,7 @@ export function useWaterLayer(quantity: WaterQuantity | null): WaterLayer {
     },
     controls: (
       <>
-        {water.length > 1 && (
+        {water.length > 1 && given === undefined && (
           <label>
             Water at{" "}
             <select value={index} onChange={(e) => setIndex(Number(e.currentTarget.value))}>

@@ -2,8 +2,8 @@
 /** The fields of the water states: decoded, as quantities that are drawn. */
 import { useEffect, useState } from "preact/hooks";
 
-import type { WaterState } from "../contract";
-import { load, loadIntegers, report } from "../state";
+import type { WaterMesh, WaterState } from "../contract";
+import { load, loadIntegers } from "../state";
 import type { Triangles } from "../drawing/trianglePainter";
 
 export type WaterQuantity = "pressure" | "head" | "saturation";
@@ -19,8 +19,7 @@ export interface WaterArrays {
   velocity: Float32Array | null;
 }
 
-async function loadState(state: WaterState): Promise<WaterArrays | null> {
-  const { water_mesh: told } = report.value.model;
+async function loadState(state: WaterState, told: WaterMesh | undefined): Promise<WaterArrays | null> {
   const { fields } = state;
   if (!told || !fields) return null;
   const [nodes, numbers, pressure] = await Promise.all([
@@ -39,12 +38,12 @@ async function loadState(state: WaterState): Promise<WaterArrays | null> {
 }
 
 /** null until they are there, and where there are none. */
-export function useWaterArrays(state: WaterState | undefined): WaterArrays | null {
+export function useWaterArrays(state: WaterState | undefined, mesh: WaterMesh | undefined): WaterArrays | null {
   const [arrays, setArrays] = useState<WaterArrays | null>(null);
   useEffect(() => {
     if (!state) return setArrays(null);
     let wanted = true;
-    loadState(state).then(
+    loadState(state, mesh).then(
       (found) => wanted && setArrays(found),
       () => wanted && setArrays(null),
     );
