@@ -121,6 +121,36 @@ TEST_F(Timeline, TimeOfFailureLiesBetweenTwoTimesThatWereTried) {
   EXPECT_EQ(timeline.at("states").size(), timeline.at("factors").size());
 }
 
+TEST_F(Timeline, AStormFellsTheBareHillsideAndNotTheRootedOne) {
+  const auto follow = [&](const std::string& name) {
+    const std::string folder = TALUS_SOURCE_DIR "/examples/storm_over_days/";
+    std::ifstream file(folder + name);
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (std::size_t at = text.find("weather.csv"); at != std::string::npos;
+         at = text.find("weather.csv", at + folder.size() + 1))
+      text.insert(at, folder);
+    return run(text, {{"mesh.size", "1.5"},
+                      {"timeline.times", "[49, 54.4]"},
+                      {"timeline.target", "1.1"},  // circles of a coarse mesh are stronger
+                      {"lem.noncircular", "false"}})
+        .at("timeline");
+  };
+  const auto bare = follow("case.toml"), rooted = follow("rooted.toml");
+  EXPECT_EQ(bare.at("start"), "2023-03-01");
+  EXPECT_EQ(bare.at("duration"), 61 * 86400.0);
+  EXPECT_FALSE(bare.at("failure").is_null());
+  EXPECT_TRUE(rooted.at("failure").is_null());
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_GT(rooted.at("factors")[i].at("factor").get<double>(), bare.at("factors")[i].at("factor").get<double>());
+  const auto& weather = rooted.at("weather");
+  // All rain of the file on the 46 m of ground enters or runs off, but for what falls on its outermost nodes, which
+  // belong to the sides.
+  const double rain = 46 * 0.3232;
+  EXPECT_NEAR((weather.at("inflow").get<double>() + weather.at("runoff").get<double>()) / rain, 1, 0.03);
+  EXPECT_GT(weather.at("transpired"), 0.9 * weather.at("potential").get<double>());
+  EXPECT_LT(std::abs(weather.at("error").get<double>()), 1e-9);
+}
+
 TEST_F(Timeline, SamplesHaveTheLeastFactorInTime) {
   const std::string text = read_dam() + R"(
 [study]
