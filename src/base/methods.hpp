@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The four methods, and the methods of slices. Each has one word, from the case to the page.
+// The four methods, the methods of slices, and those of rapid drawdown. Each has one word, from the case to the page.
 
 #include <array>
 
@@ -46,6 +46,28 @@ constexpr const char* to_word(SliceMethod method) {
 }
 constexpr const char* get_title(SliceMethod method) {
   return slice_methods[static_cast<std::size_t>(method)].title;
+}
+
+/// Rapid drawdown of the water beside a slope: where the strength after it comes from.
+enum class DrawdownMethod {
+  corps_1970,      ///< two stages; the lower of the R envelope and the effective one
+  lowe_karafiath,  ///< two stages; between the strengths by the ratio of the principal stresses before
+  three_stage,     ///< the same, and the drained strength where it is lower (Duncan, Wright and Wong 1990)
+  b_bar            ///< effective stress; pore pressures fall by B̄ times the water that is gone
+};
+
+struct DrawdownMethodName {
+  DrawdownMethod method;
+  const char *word, *title;
+};
+inline constexpr std::array drawdown_methods{
+    DrawdownMethodName{DrawdownMethod::corps_1970, "corps_1970", "two stages, Corps of Engineers 1970"},
+    DrawdownMethodName{DrawdownMethod::lowe_karafiath, "lowe_karafiath", "two stages, Lowe and Karafiath"},
+    DrawdownMethodName{DrawdownMethod::three_stage, "three_stage", "three stages, Duncan, Wright and Wong"},
+    DrawdownMethodName{DrawdownMethod::b_bar, "b_bar", "pore pressures by B̄"},
+};
+constexpr const char* get_title(DrawdownMethod method) {
+  return drawdown_methods[static_cast<std::size_t>(method)].title;
 }
 
 /// How much of the equilibrium a method leaves out: 0, none; 1, a part that hardly matters on most slopes; 2, more. The

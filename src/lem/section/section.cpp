@@ -80,6 +80,14 @@ void check_soil(const Soil& soil, std::size_t number, Faults& faults) {
   if (!(soil.phi_b >= 0 && soil.phi_b < std::numbers::pi / 2) || !(soil.largest_suction >= 0))
     faults.push_back(
         fmt::format("{}: phi_b must be at least 0° and less than 90°, the largest suction not negative", name));
+  if (soil.envelope && !(soil.envelope->cohesion >= 0 && soil.envelope->friction_angle >= 0 &&
+                         soil.envelope->friction_angle < std::numbers::pi / 2 && soil.friction_angle > 0))
+    faults.push_back(
+        fmt::format("{}: an undrained envelope needs c_R of at least 0, φ_R from 0° to less than 90°, and a friction "
+                    "angle of its own above 0°",
+                    name));
+  if (soil.b_bar && !(*soil.b_bar >= 0 && *soil.b_bar <= 1))
+    faults.push_back(fmt::format("{}: B̄ = {:.4g} must be between 0 and 1", name, *soil.b_bar));
 }
 
 void check_grid(const PressureGrid& grid, Faults& faults) {
@@ -116,7 +124,20 @@ void check_loads(const Section& section, Faults& faults) {
                     section.crack->depth, section.crack->water));
 }
 
+void check_drawdown(const Section& section, Faults& faults) {
+  if (!section.drawdown) return;
+  const Section* before = section.drawdown->before.get();
+  if (before == nullptr || before->drawdown || before->ground != section.ground || before->base != section.base ||
+      before->soils.size() != section.soils.size() || before->regions.size() != section.regions.size())
+    faults.push_back("the section before drawdown is not the one after it with other water");
+}
+
 }  // namespace
+
+bool holds_water(const Section& section, const Soil& soil) {
+  if (!section.drawdown) return false;
+  return section.drawdown->method == DrawdownMethod::b_bar ? soil.b_bar.has_value() : soil.envelope.has_value();
+}
 
 double find_relief(const Section& section) {
   const auto [low, high] = std::minmax_element(section.ground.begin(), section.ground.end(),
@@ -130,6 +151,7 @@ std::vector<std::string> find_faults(const Section& section) {
   for (std::size_t i = 0; i < section.soils.size(); ++i) check_soil(section.soils[i], i, faults);
   check_water(section, faults);
   check_loads(section, faults);
+  check_drawdown(section, faults);
   // What follows walks along the ground, which must be whole for that.
   if (faults.empty()) find_region_faults(section, faults);
   return faults;

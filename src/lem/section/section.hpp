@@ -7,9 +7,12 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "base/methods.hpp"
 
 namespace talus::lem {
 
@@ -20,6 +23,13 @@ enum class Suction {
   ignored,     ///< nothing: u = 0 above the water table
   saturation,  ///< χ s tanφ with χ = S_w(s), Bishop's effective stress
   phi_b        ///< s tanφ_b (Fredlund et al. 1978)
+};
+
+/// The R envelope τ = c_R + σ' tanφ_R of isotropically consolidated undrained tests, in total stresses (USACE EM
+/// 1110-2-1902, 2003).
+struct UndrainedEnvelope {
+  double cohesion = 0;        ///< c_R [Pa]
+  double friction_angle = 0;  ///< φ_R [rad]
 };
 
 /// Strength τ_f = c(y) + σ'_n tanφ of a soil and its weight.
@@ -36,7 +46,9 @@ struct Soil {
   double phi_b = 0;                                                  ///< [rad]
   double largest_suction = std::numeric_limits<double>::infinity();  ///< suction is not taken above it [Pa]
   std::function<double(double)> saturation;                          ///< S_w of a suction [Pa]; for Suction::saturation
-  bool undrained = false;  ///< u plays no part in the strength (φ = 0); total stress
+  bool undrained = false;                     ///< u plays no part in the strength (φ = 0); total stress
+  std::optional<UndrainedEnvelope> envelope;  ///< for rapid drawdown by total stresses; without it the soil drains
+  std::optional<double> b_bar;  ///< B̄ for rapid drawdown by effective stresses; without it it drains [-]
 };
 
 /// A polygon of one soil. Later ones replace earlier ones where they overlap.
@@ -69,6 +81,14 @@ struct TensionCrack {
   double water = 0;  ///< height of the water in it above its bottom [m]
 };
 
+struct Section;
+
+/// The section is that after a rapid drawdown.
+struct Drawdown {
+  DrawdownMethod method = DrawdownMethod::three_stage;
+  std::shared_ptr<const Section> before;  ///< the same but for its water and the weights that follow from it
+};
+
 struct Section {
   std::vector<Point> ground;  ///< from left to right, x never decreasing; overhangs are refused
   std::vector<Soil> soils;
@@ -84,6 +104,7 @@ struct Section {
   double horizontal_acceleration = 0;  ///< k_h over g, out of the slope positive [-]
   double vertical_acceleration = 0;    ///< k_v over g, down positive [-]
   std::optional<TensionCrack> crack;
+  std::optional<Drawdown> drawdown;
 
   // Compiled once, in section.cpp: the files that hold one would each compile them again.
   Section();
@@ -93,6 +114,9 @@ struct Section {
   Section& operator=(Section&&) noexcept;
   ~Section();
 };
+
+/// Whether a soil keeps its water through the section's drawdown.
+bool holds_water(const Section& section, const Soil& soil);
 
 /// Height of the highest point of the ground above its lowest [m].
 double find_relief(const Section& section);

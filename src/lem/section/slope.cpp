@@ -18,6 +18,8 @@ Slope::Slope(Section section) : strips_(std::make_unique<Strips>()) {
     throw Error(ExitCode::wrong_input, sentences);
   }
   strips_->section = std::move(section);
+  if (strips_->section.drawdown)
+    strips_->before = std::make_unique<const Slope>(Section(*strips_->section.drawdown->before));
   build_strips(*strips_);
 }
 
@@ -26,6 +28,10 @@ Slope::Slope(Slope&&) noexcept = default;
 
 const Section& Slope::section() const {
   return strips_->section;
+}
+
+const Slope* Slope::before() const {
+  return strips_->before.get();
 }
 
 const Slope::Strips& Slope::strips() const {

@@ -28,6 +28,9 @@ class Slope {
   /// Weight of the soil between the ground and `bottom` [N/m²], and the soil at `bottom`.
   double weight_above(double x, double bottom, int& soil) const;
 
+  /// The slope before a rapid drawdown, of which this is the end; nullptr without one.
+  const Slope* before() const;
+
   struct Strips;
   const Strips& strips() const;  ///< what cut_surface() walks along
 

@@ -41,6 +41,13 @@ double average_root_cohesion(const Slope::Strips& strips, const Slice& slice) {
   return sum / places;
 }
 
+/// Bishop (1954): u = u₀ + B̄ Δσ_v, and Δσ_v is the weight of the standing water that is gone.
+double lower_pressure(const Slope::Strips& strips, const Strip& strip, double b_bar, double x, double before) {
+  const double dx = x - strip.left, ground = strip.ground.at(dx);
+  const double gone = std::max(0.0, strip.water_before.at(dx) - ground) - std::max(0.0, strip.water.at(dx) - ground);
+  return before - b_bar * strips.section.water_unit_weight * gone;
+}
+
 }  // namespace
 
 double find_root_cohesion(const Section& section, const Point& p) {
@@ -57,7 +64,7 @@ double find_root_cohesion(const Section& section, const Point& p) {
   return sum;
 }
 
-void add_strength(const Slope::Strips& strips, const Strip& strip, double weight, Slice& slice) {
+void add_strength(const Slope::Strips& strips, const Strip& strip, double weight, const Slice* before, Slice& slice) {
   const Section& section = strips.section;
   const auto number = static_cast<std::size_t>(slice.soil);
   const Soil& soil = section.soils[number];
@@ -71,7 +78,9 @@ void add_strength(const Slope::Strips& strips, const Strip& strip, double weight
   }
   if (soil.undrained) return;
   double u = 0;
-  if (soil.pore_pressure_ratio > 0) {
+  if (before != nullptr && soil.b_bar && holds_water(section, soil)) {
+    u = lower_pressure(strips, strip, *soil.b_bar, p[0], before->pore_pressure);
+  } else if (soil.pore_pressure_ratio > 0) {
     u = soil.pore_pressure_ratio * weight;
   } else {
     const auto found = strips.pressure.empty() ? std::nullopt : strips.pressure.find(p);

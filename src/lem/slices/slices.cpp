@@ -11,8 +11,10 @@ namespace talus::lem {
 
 namespace {
 
-/// Geometry, weight and loads of one slice; forces along +x as if the mass slid to the left.
-Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Point& a, const Point& b) {
+/// Geometry, weight and loads of one slice; forces along +x as if the mass slid to the left. `before`: the same before
+/// drawdown.
+Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Point& a, const Point& b,
+                 const Slice* before = nullptr) {
   const Section& section = strips.section;
   const Strip& strip = strips.strip(stretch.strip);
   const Layer& layer = strips.layer(stretch.layer);
@@ -53,8 +55,19 @@ Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Poin
       slice.thrust_level = strip.ground.at(at - strip.left);
     }
   }
-  add_strength(strips, strip, weight, slice);
+  add_strength(strips, strip, weight, before, slice);
   return slice;
+}
+
+/// The same slice of the slope before drawdown, whose breaks are all among those of the slope after it.
+Slice make_slice_before(const Slope::Strips& strips, const Stretch& stretch, const Point& a, const Point& b) {
+  const double x = 0.5 * (a[0] + b[0]), y = 0.5 * (a[1] + b[1]);
+  Stretch own = stretch;
+  own.strip = strips.find(x);
+  const Strip& strip = strips.strip(own.strip);
+  // As BaseLine::divide() does: along a boundary of layers the upper one counts.
+  own.layer = strips.find_layer(strip, x - strip.left, y + 1e-6 * (stretch.to - stretch.from));
+  return make_slice(strips, own, a, b);
 }
 
 /// Puts an end that lies on the ground up to rounding exactly there.
@@ -76,6 +89,7 @@ void fill_slices(const Slope::Strips& strips, const BaseLine& base, int count, C
   const Point first = snap_end(strips, base, front, front.from, near);
   const Point last = snap_end(strips, base, back, back.to, near);
   cut.slices.clear();
+  cut.before.clear();
   cut.area = cut.depth = 0;
   for (const Stretch& stretch : base.stretches) {
     const double length = stretch.to - stretch.from;
@@ -84,7 +98,8 @@ void fill_slices(const Slope::Strips& strips, const BaseLine& base, int count, C
     for (int k = 1; k <= parts; ++k) {
       const double x = k == parts ? stretch.to : stretch.from + length * k / parts;
       const Point b = k == parts && &stretch == &back ? last : place(stretch, x);
-      cut.slices.push_back(make_slice(strips, stretch, a, b));
+      if (strips.before) cut.before.push_back(make_slice_before(strips.before->strips(), stretch, a, b));
+      cut.slices.push_back(make_slice(strips, stretch, a, b, strips.before ? &cut.before.back() : nullptr));
       const Slice& slice = cut.slices.back();
       cut.area += 0.5 * (b[0] - a[0]) * (slice.top_left - a[1] + slice.top_right - b[1]);
       cut.depth = std::max({cut.depth, slice.top_left - a[1], slice.top_right - b[1]});

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lem/slices/drawdown.hpp"
 #include "lem/surface/mass.hpp"
 
 namespace talus::lem {
@@ -93,6 +94,8 @@ void write_forces(CutSurface& cut, const Scratch& s, bool thrust) {
   }
 }
 
+}  // namespace
+
 Refusal check_solution(const CutSurface& cut, const Solution& solution, const Checks& checks) {
   const double toe = cut.slides_left ? cut.slices.front().alpha : cut.slices.back().alpha;
   if (-toe > checks.steepest_toe) return Refusal::steep_toe;
@@ -103,8 +106,6 @@ Refusal check_solution(const CutSurface& cut, const Solution& solution, const Ch
   if (solution.thrust_outside > checks.most_thrust_outside) return Refusal::thrust;
   return Refusal::none;
 }
-
-}  // namespace
 
 Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
                     double horizontal) {
@@ -169,6 +170,7 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
 }
 
 Solution solve(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces) {
+  if (slope.before() != nullptr) return solve_drawdown(slope, cut, method, checks, keep_forces);
   return solve_with(slope, cut, method, checks, keep_forces, slope.section().horizontal_acceleration);
 }
 

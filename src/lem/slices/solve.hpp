@@ -46,7 +46,9 @@ struct Slice {
 
 struct Solution {
   Method method = Method::spencer;
-  double factor = 0;      ///< F; 0 when refused
+  double factor = 0;      ///< F; 0 when refused. After drawdown, where there is one
+  double before = 0;      ///< F before drawdown; 0 without one, or when refused
+  double undrained = 0;   ///< F of the second stage of three; 0 otherwise
   double lambda = 0;      ///< of Spencer and Morgenstern–Price [-]
   double correction = 1;  ///< Janbu's f_0
   int iterations = 0;
@@ -71,10 +73,26 @@ struct Checks {
   bool reject = true;     ///< false: only report
 };
 
+/// Rapid drawdown at the base of a slice, by total stresses.
+struct DrawnBase {
+  double normal = 0;               ///< σ'_fc, effective normal stress before drawdown [Pa]
+  double shear = 0;                ///< τ_fc, shear stress before drawdown [Pa]
+  std::optional<double> strength;  ///< undrained, of the envelope; nothing in soil that drains [Pa]
+  bool drains = true;              ///< the drained strength counts
+};
+
+/// Strength as it stands in a slice.
+struct BaseStrength {
+  double cohesion = 0, tan_friction = 0, pore_pressure = 0;
+};
+
 /// The slices of a surface, from left to right; empty with `refusal` set when it cannot be cut. Slice sides stand at
 /// least at the breaks of the ground and where the base meets another soil; about `count` in all.
 struct CutSurface {
   std::vector<Slice> slices;
+  std::vector<Slice> before;          ///< the same before drawdown; empty without one
+  std::vector<BaseStrength> drained;  ///< strengths of the slices after drawdown before any stage; likewise
+  std::vector<DrawnBase> bases;       ///< of a solution with forces; only of methods by total stresses
   Surface surface;
   bool slides_left = true;        ///< towards falling x
   Point moment_centre{};          ///< of the circle, or of that fitted to a polyline [m]
@@ -92,11 +110,12 @@ CutSurface cut_surface(const Slope& slope, const Surface& surface, int count, co
 /// The same into `cut`, whose memory is used again: for many surfaces.
 void cut_surface(const Slope& slope, const Surface& surface, int count, const Checks& checks, CutSurface& cut);
 
-/// Factor of safety; writes the forces into the slices of `cut` when `keep_forces`.
+/// Factor of safety; writes the forces into the slices of `cut` when `keep_forces`. With a drawdown by its stages:
+/// forces and strengths are then those of the last one.
 Solution solve(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces);
 
 /// k_y: horizontal acceleration over g with F = 1 on this surface, in place of the section's [-]; none when it fails
-/// without any.
+/// without any, and after a drawdown, whose strengths an earthquake does not leave as they are.
 std::optional<double> find_yield_acceleration(const Slope& slope, const CutSurface& cut, Method method,
                                               const Checks& checks);
 

@@ -18,11 +18,23 @@ int find_soil(const Section& section, const std::vector<std::vector<double>>& cr
   return -1;
 }
 
+/// Soil that holds its water through a drawdown weighs what it weighed before.
+double find_weight(const Slope::Strips& strips, const Layer& layer) {
+  const auto number = static_cast<std::size_t>(layer.soil);
+  const Soil& soil = strips.section.soils[number];
+  if (strips.before && holds_water(strips.section, soil)) {
+    const Soil& before = strips.before->section().soils[number];
+    return layer.was_wet ? before.saturated_unit_weight : before.unit_weight;
+  }
+  return layer.wet ? soil.saturated_unit_weight : soil.unit_weight;
+}
+
 }  // namespace
 
 void stack_layers(Slope::Strips& strips, Strip& strip, const std::vector<Edge>& edges, double sliver) {
   const double middle = 0.5 * (strip.left + strip.right), half = middle - strip.left;
   const double ground = strip.ground.at(half), water = strip.water.at(half), base = strips.section.base;
+  const double before = strip.water_before.at(half);
   std::vector<std::vector<double>> crossings(strips.section.regions.size());
   std::vector<StripLine> lines{strip.ground};
   const auto add = [&](const StripLine& line) {
@@ -34,6 +46,7 @@ void stack_layers(Slope::Strips& strips, Strip& strip, const std::vector<Edge>& 
     add(cut_edge(edge, strip.left));
   }
   if (water > no_water) add(strip.water);
+  if (strips.before && before > no_water) add(strip.water_before);
   lines.push_back({base, 0});
   std::sort(lines.begin(), lines.end(),
             [&](const StripLine& a, const StripLine& b) { return a.at(half) > b.at(half); });
@@ -45,14 +58,11 @@ void stack_layers(Slope::Strips& strips, Strip& strip, const std::vector<Edge>& 
       continue;
     }
     const double y = 0.5 * (top + bottom);
-    Layer layer{lines[i - 1], lines[i], {}, 0, find_soil(strips.section, crossings, y), y < water};
-    if (layer.soil >= 0) {
-      const Soil& soil = strips.section.soils[static_cast<std::size_t>(layer.soil)];
-      layer.unit_weight = layer.wet ? soil.saturated_unit_weight : soil.unit_weight;
-    }
+    Layer layer{lines[i - 1], lines[i], {}, 0, find_soil(strips.section, crossings, y), y < water, y < before};
+    if (layer.soil >= 0) layer.unit_weight = find_weight(strips, layer);
     if (static_cast<int>(strips.layers.size()) > strip.first) {
       Layer& above = strips.layers.back();
-      if (above.soil == layer.soil && above.wet == layer.wet) {
+      if (above.soil == layer.soil && above.wet == layer.wet && above.was_wet == layer.was_wet) {
         above.bottom = layer.bottom;
         continue;
       }

@@ -88,13 +88,17 @@ void build_strips(Slope::Strips& strips) {
       add_edge(edges, polygon[i], polygon[(i + 1) % polygon.size()], static_cast<int>(r));
   }
   for (std::size_t i = 1; i < section.ground.size(); ++i) add_edge(edges, section.ground[i - 1], section.ground[i], -1);
-  auto water = section.water_table;
-  if (!water.empty()) {
+  const auto add_water = [&](std::vector<Point> water) {
+    if (water.empty()) return water;
     // Level beyond its ends, also for the crossings with the other lines.
     if (water.front()[0] > left) water.insert(water.begin(), {left, water.front()[1]});
     if (water.back()[0] < right) water.push_back({right, water.back()[1]});
     for (std::size_t i = 1; i < water.size(); ++i) add_edge(edges, water[i - 1], water[i], -1);
-  }
+    return water;
+  };
+  const auto water = add_water(section.water_table);
+  // So that no slice has a break of the water before drawdown within it.
+  const auto before = strips.before ? add_water(strips.before->section().water_table) : water;
   const auto breaks = find_breaks(section, edges, left, right);
   double low = section.base, high = section.base;
   for (const Point& p : section.ground) high = std::max(high, p[1]);
@@ -104,6 +108,7 @@ void build_strips(Slope::Strips& strips) {
     strip.right = breaks[i];
     strip.ground = cut_line(section.ground, strip.left, strip.right);
     strip.water = water.empty() ? StripLine{no_water, 0} : cut_line(water, strip.left, strip.right);
+    strip.water_before = before.empty() ? StripLine{no_water, 0} : cut_line(before, strip.left, strip.right);
     strip.load = sum_loads(section, strip.left, strip.right);
     const double half = 0.5 * (strip.right - strip.left);
     strip.ponded = strip.water.at(half) > strip.ground.at(half) + 1e-9 * (high - low);

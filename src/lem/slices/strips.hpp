@@ -23,11 +23,13 @@ struct Layer {
   double unit_weight = 0;  ///< [N/m³]
   int soil = -1;           ///< -1: no region there
   bool wet = false;        ///< below the water table
+  bool was_wet = false;    ///< below that before drawdown
 };
 
 struct Strip {
   double left = 0, right = 0;  ///< [m]
   StripLine ground, water;     ///< water: -infinity without a line
+  StripLine water_before;      ///< of the section before drawdown; the same without one
   StripLine load;              ///< surcharges [Pa]
   int first = 0, last = 0;     ///< its layers, from the ground down: [first, last)
   bool ponded = false;         ///< water stands on the ground
@@ -41,7 +43,8 @@ struct Slope::Strips {
   std::vector<int> at;                          ///< strip at the left side of each of equal bins: where find() starts
   double bin = 1;                               ///< width of a bin [m]
   PressureLocator pressure;
-  double deepest_roots = 0;  ///< [m]
+  std::unique_ptr<const Slope> before;  ///< drawdown
+  double deepest_roots = 0;             ///< [m]
   bool roots = false, loads = false;
 
   /// Number of the strip over x; that to the right at a break.

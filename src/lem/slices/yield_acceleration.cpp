@@ -9,6 +9,7 @@ namespace talus::lem {
 
 std::optional<double> find_yield_acceleration(const Slope& slope, const CutSurface& cut, Method method,
                                               const Checks& checks) {
+  if (slope.before() != nullptr) return std::nullopt;
   CutSurface copy = cut;
   Checks lenient = checks;
   lenient.reject = false;

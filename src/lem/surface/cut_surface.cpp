@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lem/slices/drawdown.hpp"
 #include "lem/slices/slices.hpp"
 
 namespace talus::lem {
@@ -46,8 +47,8 @@ double sum_push(const CutSurface& cut) {
   return push;
 }
 
-void turn_slices(CutSurface& cut) {
-  for (Slice& slice : cut.slices) {
+void turn_slices(std::vector<Slice>& slices) {
+  for (Slice& slice : slices) {
     slice.alpha = -slice.alpha;
     slice.surface_thrust = -slice.surface_thrust;
   }
@@ -92,6 +93,13 @@ void warn(const Slope& slope, CutSurface& cut) {
     cut.warnings.push_back("the arc is cut at its lower end: the circle would go on below the ground");
 }
 
+/// The slices over the base, with the water on the ground's vertical steps.
+void slice_mass(const Slope& slope, const BaseLine& base, int count, CrackEnd crack, CutSurface& cut) {
+  fill_slices(slope.strips(), base, count, cut);
+  press_on_faces(slope.strips(), cut.slices, crack);
+  if (slope.before() != nullptr) press_on_faces(slope.before()->strips(), cut.before, crack);
+}
+
 Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Checks& checks, CutSurface& cut) {
   static thread_local BaseLine base;
   const auto& strips = slope.strips();
@@ -106,9 +114,8 @@ Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Ch
     return Refusal::outside;
   if (const Refusal refusal = base.divide(slope, from, to); refusal != Refusal::none) return refusal;
   cut.composite = base.composite;
-  fill_slices(strips, base, count, cut);
+  slice_mass(slope, base, count, CrackEnd::none, cut);
   if (cut.depth < checks.smallest_depth || !(cut.area > 0)) return Refusal::too_shallow;
-  press_on_faces(strips, cut.slices, CrackEnd::none);
   cut.slides_left = sum_push(cut) >= 0;
   const auto& crack = slope.section().crack;
   if (crack && crack->depth > 0) {
@@ -117,14 +124,17 @@ Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Ch
     const double kept = x ? (cut.slides_left ? *x - from : to - *x) : 0;
     if (kept < 1e-3 * (to - from)) return Refusal::too_shallow;
     base.divide(slope, cut.slides_left ? from : *x, cut.slides_left ? *x : to);
-    fill_slices(strips, base, count, cut);
-    press_on_faces(strips, cut.slices, cut.slides_left ? CrackEnd::right : CrackEnd::left);
+    slice_mass(slope, base, count, cut.slides_left ? CrackEnd::right : CrackEnd::left, cut);
     const double height = std::min(crack->water, crack->depth);
     cut.crack_thrust = 0.5 * slope.section().water_unit_weight * height * height;
     cut.crack_thrust_level = bottom + height / 3;
   }
   set_moment_centre(surface, cut);
-  if (!cut.slides_left) turn_slices(cut);
+  if (!cut.slides_left) {
+    turn_slices(cut.slices);
+    turn_slices(cut.before);
+  }
+  keep_drained_strengths(cut);
   warn(slope, cut);
   return Refusal::none;
 }
@@ -137,7 +147,10 @@ void cut_surface(const Slope& slope, const Surface& surface, int count, const Ch
   cut.composite = cut.cut_at_toe = false;
   cut.crack_thrust = cut.crack_thrust_level = 0;
   cut.refusal = cut_mass(slope, surface, count, checks, cut);
-  if (cut.refusal != Refusal::none) cut.slices.clear();
+  if (cut.refusal != Refusal::none) {
+    cut.slices.clear();
+    cut.before.clear();
+  }
 }
 
 CutSurface cut_surface(const Slope& slope, const Surface& surface, int count, const Checks& checks) {

@@ -67,7 +67,10 @@ double measure_residual(const Mass& mass, const std::vector<Forces>& forces, boo
 void find_thrust_line(const CutSurface& cut, const Mass& mass, double horizontal, const std::vector<Forces>& forces,
                       std::vector<double>& level);
 
-/// What solve() does, with the earthquake given.
+/// Why the checks refuse a solution.
+Refusal check_solution(const CutSurface& cut, const Solution& solution, const Checks& checks);
+
+/// What solve() does in one stage, with the earthquake given.
 Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces,
                     double horizontal);
 
