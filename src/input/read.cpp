@@ -156,6 +156,7 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   if (loaded.is_whole) check_methods(loaded.data, findings);
   if (loaded.is_whole) check_slices(loaded.data, findings);
   if (loaded.is_whole) check_timeline(loaded.data, findings);
+  if (loaded.is_whole) check_drawdown(loaded.data, findings);
   check_sampling(loaded.data, findings);
   check_output(loaded.data, findings);
   check_point_tests(loaded.data, findings);

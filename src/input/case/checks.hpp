@@ -39,12 +39,16 @@ void check_slip_surface(const SlipSurface& surface, const std::string& path, con
 /// Whether a list is [from, to], increasing. False for an empty list; false with a finding for any other wrong list.
 /// `what` names the numbers.
 bool check_range(const std::vector<double>& range, const std::string& path, const char* what, Findings& findings);
+/// Whether a water table has points that run from left to right; false with a finding, or where one stands already.
+bool check_water_table(const std::vector<std::array<double, 2>>& line, const std::string& path, Findings& findings);
 /// Uncertain numbers of a study and their correlations, and the key that is extrapolated.
 void check_sampling(const Case& data, Findings& findings);
 /// The pore water itself, that of the materials, and whether stages and start ask for what needs it.
 void check_water(const Case& data, Findings& findings);
 /// Hydraulic conditions and the pore pressure at the start.
 void check_hydraulics(const Case& data, Findings& findings);
+/// [lem.drawdown]: what it needs of the case, and what it cannot take.
+void check_drawdown(const Case& data, Findings& findings);
 /// [timeline]: what it needs of the case, and its times.
 void check_timeline(const Case& data, Findings& findings);
 /// Clock and sections of the output.

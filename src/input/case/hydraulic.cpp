@@ -162,16 +162,7 @@ void check_start(const Case& data, Findings& findings) {
     return;
   }
   if (start.pressure == InitialPressure::water_table) {
-    const auto& line = start.water_table;
-    if (!findings.is_sound("initial.water_table")) return;
-    if (line.empty()) return findings.add("initial.water_table", "'water_table' needs at least one point [x, y]");
-    for (std::size_t i = 1; i < line.size(); ++i)
-      if (line[i][0] <= line[i - 1][0])
-        return findings.add(
-            fmt::format("initial.water_table.{}", i),
-            fmt::format("'water_table' goes from x = {:.6g} m to x = {:.6g} m; its points must run from "
-                        "left to right, x increasing",
-                        line[i - 1][0], line[i][0]));
+    check_water_table(start.water_table, "initial.water_table", findings);
     return;
   }
   if (findings.is_sound("hydraulic") && std::none_of(data.hydraulics.begin(), data.hydraulics.end(), fixes_level))
@@ -182,6 +173,23 @@ void check_start(const Case& data, Findings& findings) {
 }
 
 }  // namespace
+
+bool check_water_table(const std::vector<std::array<double, 2>>& line, const std::string& path, Findings& findings) {
+  if (!findings.is_sound(path)) return false;
+  if (line.empty()) {
+    findings.add(path, "'water_table' needs at least one point [x, y]");
+    return false;
+  }
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (line[i][0] <= line[i - 1][0]) {
+      findings.add(fmt::format("{}.{}", path, i),
+                   fmt::format("'water_table' goes from x = {:.6g} m to x = {:.6g} m; its points must run from "
+                               "left to right, x increasing",
+                               line[i - 1][0], line[i][0]));
+      return false;
+    }
+  return true;
+}
 
 TimeTable Hydraulic::values() const {
   const auto choose = [&]() -> const TimeTable& {

@@ -12,6 +12,7 @@
 
 namespace talus::input {
 
+using talus::DrawdownMethod;
 using talus::SliceMethod;
 enum class SurfaceSearch { none, entry_exit, grid };
 
@@ -42,6 +43,12 @@ struct TensionCrack {
   double water = 0;  ///< height of water in it [m]
 };
 
+/// The water beside the slope falls faster than its soil drains.
+struct Drawdown {
+  DrawdownMethod method = DrawdownMethod::three_stage;
+  std::vector<std::array<double, 2>> water_table;  ///< after it [m]; level beyond its ends
+};
+
 struct LimitEquilibrium {
   std::vector<SliceMethod> methods{SliceMethod::bishop, SliceMethod::janbu_corrected, SliceMethod::spencer,
                                    SliceMethod::morgenstern_price};
@@ -62,6 +69,7 @@ struct LimitEquilibrium {
   bool reject = true;                                   ///< surfaces that fail these checks
   bool yield_acceleration = true;                       ///< k_y of the critical surfaces
   TensionCrack crack;
+  std::optional<Drawdown> drawdown;
   std::vector<SlipSurface> surfaces;
 };
 
@@ -82,6 +90,18 @@ inline constexpr auto choices<SurfaceSearch> = std::array{
            "circles through an entry and an exit on the ground, several deep each; [lem.entry_exit]"},
     Choice{SurfaceSearch::grid, "grid", "circles about the points of a grid, several radii each; [lem.grid]"},
     Choice{SurfaceSearch::none, "none", "the surfaces of [[lem.surface]] alone"},
+};
+
+template <>
+inline constexpr auto choices<DrawdownMethod> = std::array{
+    Choice{DrawdownMethod::corps_1970, "corps_1970",
+           "two stages: the lower of the R envelope and the effective one, at the effective normal stress before"},
+    Choice{DrawdownMethod::lowe_karafiath, "lowe_karafiath",
+           "two stages: between the undrained strengths of isotropic consolidation and of consolidation at failure"},
+    Choice{DrawdownMethod::three_stage, "three_stage",
+           "the same, and the drained strength where that is lower (Duncan, Wright and Wong)"},
+    Choice{DrawdownMethod::b_bar, "b_bar",
+           "effective stresses: pore pressures fall by B̄ times the weight of the standing water that is gone"},
 };
 
 template <class Visitor>
@@ -126,6 +146,14 @@ void describe(Visitor& v, TensionCrack& t) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Drawdown& d) {
+  v.key("method", d.method, plain().required().example(R"("three_stage")"), "Where the strength after it comes from.");
+  v.key("water_table", d.water_table, quantity("m").required().example("[[0, 7], [60, 7]]"),
+        "The water table after drawdown, from left to right, as [initial] water_table: level beyond its ends, and "
+        "standing water where it is above the ground.");
+}
+
+template <class Visitor>
 void describe(Visitor& v, LimitEquilibrium& l) {
   v.key("methods", l.methods, plain(), "Methods of slices.");
   v.key("slices", l.slices, plain().at_least(5).at_most(2000), "Slices of a surface, about.");
@@ -157,10 +185,13 @@ void describe(Visitor& v, LimitEquilibrium& l) {
         "Nor has one with a smaller λ: the upper part would hold up the lower, against the shear that a slide "
         "mobilises.");
   v.key("yield_acceleration", l.yield_acceleration, plain(),
-        "Find the horizontal acceleration with factor 1 of the critical surfaces.");
+        "Find the horizontal acceleration with factor 1 of the critical surfaces; not with [lem.drawdown].");
   v.table("entry_exit", l.entry_exit, "Where search = \"entry_exit\" looks.");
   v.table("grid", l.grid, "Where search = \"grid\" looks.");
   v.table("tension_crack", l.crack, "A crack at the crest.");
+  v.optional_table("drawdown", l.drawdown,
+                   "Rapid drawdown: the water that [initial] names falls to another level, while soils with an "
+                   "`undrained_envelope` (or a `b_bar`) do not drain. Every factor is then that after drawdown.");
   v.tables("surface", l.surfaces, 0,
            "A slip surface of your choice, by the methods of `methods`: a circle (centre and radius) or a polyline.");
 }

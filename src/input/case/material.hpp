@@ -81,6 +81,7 @@ void describe(Visitor& v, Material& m) {
         "Share of the pores in the volume, e₀/(1+e₀).");
   m.for_each_block([&]<class Block>(Block& block) { describe(v, block, material::Laws::list_users<Block>(m.model)); });
   describe_slice_soil(v, m.slices);
+  describe_slice_blocks(v, m.slices);
   v.table("water", m.water, "The pore water of this soil. Without this block the soil is dry.");
 }
 

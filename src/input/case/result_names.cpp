@@ -65,12 +65,16 @@ results::SliceResult outline_slices(const LimitEquilibrium& lem) {
     results::CriticalSurface& c = list.emplace_back();
     c.surface.method = method;
     c.surface.factor = 1;
+    if (lem.drawdown) {
+      c.drawdown.emplace().factor_before = 1;
+      if (lem.drawdown->method == DrawdownMethod::three_stage) c.drawdown->undrained_factor = 1;
+    }
     return c;
   };
   for (const SliceMethod m : lem.methods) {
     if (lem.search != SurfaceSearch::none) {
       results::CriticalSurface& critical = add(slices.critical, m);
-      if (lem.yield_acceleration) critical.yield_acceleration = 1;
+      if (lem.yield_acceleration && !lem.drawdown) critical.yield_acceleration = 1;
       if (lem.noncircular && suits_polylines(m)) add(slices.noncircular, m);
     }
   }
@@ -246,6 +250,7 @@ std::optional<NamedValue> find_possible_name(const Case& data, const std::string
   for (const auto& choice : choices<SliceMethod>) asked.lem.methods.push_back(choice.value);
   if (asked.lem.search == SurfaceSearch::none) asked.lem.search = SurfaceSearch::entry_exit;
   asked.lem.noncircular = asked.lem.yield_acceleration = true;
+  if (name.starts_with("lem.drawdown.")) asked.lem.drawdown.emplace();
   asked.fem.flow = FlowRule::both;
   if (asked.partial_factors.set == DesignApproach::none) asked.partial_factors.set = DesignApproach::by_hand;
   asked.strength_reduction.curve.enabled = asked.strength_reduction.frozen.enabled = true;

@@ -13,6 +13,12 @@ namespace talus::input {
 /// What suction adds to the strength on a slip surface.
 enum class SuctionStrength { from_water, none, saturation, phi_b };
 
+/// The R envelope of isotropically consolidated undrained tests, in total stresses.
+struct UndrainedEnvelope {
+  double cohesion = 0;        ///< c_R [Pa]
+  double friction_angle = 0;  ///< φ_R [rad]
+};
+
 /// What slices (and finite elements, where they can) need of a material beside its strength.
 struct SliceSoil {
   std::optional<double> unit_weight;            ///< γ above the water table, instead of grains and pores [N/m³]
@@ -21,6 +27,8 @@ struct SliceSoil {
   SuctionStrength suction_strength = SuctionStrength::from_water;  ///< from_water: χ = S_w where the soil has a
                                                                    ///< retention curve, else none
   double phi_b = 0;                                                ///< [rad]
+  std::optional<double> b_bar;                                     ///< B̄ of a drawdown [-]; not given: it drains
+  std::optional<UndrainedEnvelope> undrained_envelope;             ///< likewise
 };
 
 template <>
@@ -35,6 +43,12 @@ inline constexpr auto choices<SuctionStrength> = std::array{
 /// Units in which weights of soils are often given, in kN/m³.
 inline std::vector<Slip> weight_slips() {
   return {{"kg/m3", 9.80665e-3}, {"t/m3", 9.80665}, {"N/m3", 1e-3}, {"pcf", 0.1570875}};
+}
+
+template <class Visitor>
+void describe(Visitor& v, UndrainedEnvelope& e) {
+  v.key("cohesion", e.cohesion, quantity("kPa").at_least(0).required().example("57"), "c_R.");
+  v.key("friction_angle", e.friction_angle, quantity("deg").at_least(0).below(90).required().example("16"), "φ_R.");
 }
 
 /// What slices and finite elements need of a soil beside its strength; `unit_weight` stands further up.
@@ -59,6 +73,17 @@ void describe_slice_soil(Visitor& v, SliceSoil& s) {
             .needed_with("suction_strength", s.suction_strength, SuctionStrength::phi_b)
             .example("15"),
         "φᵇ of that.");
+  v.key("b_bar", s.b_bar, plain().at_least(0).at_most(1).example("1"),
+        "B̄, the change of the pore pressure over that of the vertical stress, where [lem.drawdown] has method = "
+        "\"b_bar\". Soil without it drains.");
+}
+
+/// Blocks of the same, which stand behind all keys.
+template <class Visitor>
+void describe_slice_blocks(Visitor& v, SliceSoil& s) {
+  v.optional_table("undrained_envelope", s.undrained_envelope,
+                   "The R envelope c_R + σ' tan φ_R of isotropically consolidated undrained tests, in total stresses, "
+                   "for [lem.drawdown]. Soil without it drains.");
 }
 
 }  // namespace talus::input
