@@ -265,6 +265,21 @@ ToldWater tell_water_table(const input::Case& data) {
   return told;
 }
 
+void add_lowered_state(const input::Case& data, const Polyline& table, ToldWater& told) {
+  const Polyline ground = look_for_ground(data);
+  if (ground.empty()) return;
+  if (!told.states) told.states.emplace();
+  results::WaterState& state = told.states->emplace_back();
+  state.flow = results::WaterFlow::lowered;
+  split_table(table, {}, ground, state);
+  if (!told.fields) return;
+  results::WaterField& field = told.fields->states.emplace_back();
+  field.flow = state.flow;
+  for (const results::Point& x : told.fields->nodes)
+    field.pressure.push_back(shorten(std::max(told.fields->unit_weight * (find_water_table(table, x[0]) - x[1]),
+                                              -data.initial.water.largest_suction)));
+}
+
 void give(const ToldWater& water, results::RunResult& run) {
   if (!run.seepage) run.seepage = water.seepage;
   if (!run.season) run.season = water.season;

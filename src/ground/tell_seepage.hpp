@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fem/seepage/seepage.hpp"
+#include "ground/ground_line.hpp"
 #include "ground/season.hpp"
 #include "input/case/case.hpp"
 #include "results/water.hpp"
@@ -31,6 +32,9 @@ ToldWater tell_water(const input::Case& data, const mesh::Mesh<D>& mesh,
 
 /// Of a plane case whose water stands at rest under a table; nothing for others.
 ToldWater tell_water_table(const input::Case& data);
+
+/// Adds the state after a rapid drawdown to `table`.
+void add_lowered_state(const input::Case& data, const Polyline& table, ToldWater& told);
 
 /// Gives a run what it has not got from another method.
 void give(const ToldWater& water, results::RunResult& run);

@@ -74,6 +74,13 @@ class Values {
     if (!governing) return;
     const CriticalSurface& c = *governing->found;
     add_factor("lem.factor", "factor of safety that governs, slices", c.surface.factor);
+    if (c.drawdown) {
+      add_factor("lem.drawdown.before", "factor of safety of the same slip surface before drawdown",
+                 c.drawdown->factor_before);
+      if (c.drawdown->undrained_factor)
+        add_factor("lem.drawdown.undrained", "factor of safety of the same slip surface, second stage",
+                   c.drawdown->undrained_factor);
+    }
     add({"lem.yield_acceleration",
          "yield acceleration over g of the slip surface that governs",
          "",

@@ -149,7 +149,8 @@ struct RunResult {
   std::optional<WaterBudget> water;
   std::optional<Seepage> seepage;
   std::optional<Season> season;
-  std::optional<std::vector<WaterState>> water_states;  ///< in time; the last one is that which the methods began with
+  /// In time; the last one is that which the methods began with, or that after a rapid drawdown.
+  std::optional<std::vector<WaterState>> water_states;
 
   std::optional<MethodComparison> methods;
   std::vector<NamedResult> results;

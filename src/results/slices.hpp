@@ -20,6 +20,13 @@ inline constexpr auto words<SliceMethod> = [] {
   return list;
 }();
 
+template <>
+inline constexpr auto words<DrawdownMethod> = [] {
+  std::array<Word<DrawdownMethod>, drawdown_methods.size()> list{};
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] = {drawdown_methods[i].method, drawdown_methods[i].word};
+  return list;
+}();
+
 struct Circle {
   Point centre{};     ///< [m]
   double radius = 0;  ///< [m]
@@ -103,6 +110,30 @@ void describe(V& v, R& r) {
   v.key("thrust_right", r.thrust_right, {"m", "y of the thrust on the right side"});
 }
 
+/// Which strength of a base counts after a drawdown.
+enum class Drainage { drained, undrained };
+template <>
+inline constexpr auto words<Drainage> =
+    std::array{Word{Drainage::drained, "drained"}, Word{Drainage::undrained, "undrained"}};
+
+/// A surface in the stages of a rapid drawdown. Lists: a value for each slice, of methods by total stresses.
+struct DrawnSurface {
+  std::optional<double> factor_before;          ///< of the same surface before it; nothing: none was found
+  std::optional<double> undrained_factor;       ///< of the second stage of three
+  std::vector<double> normal, shear;            ///< effective normal stress and shear stress on the base before it [Pa]
+  std::vector<std::optional<double>> strength;  ///< undrained [Pa]; nothing in soil that drains
+  std::vector<Drainage> counts;                 ///< which strength does
+};
+template <class V, As<DrawnSurface> R>
+void describe(V& v, R& r) {
+  v.key("factor_before", r.factor_before, {"", "factor of safety before drawdown"});
+  v.maybe("undrained_factor", r.undrained_factor, {"", "factor of safety of the second stage of three"});
+  v.key("normal", r.normal, {"Pa", "effective normal stress on the base before drawdown"});
+  v.key("shear", r.shear, {"Pa", "shear stress on the base before drawdown"});
+  v.key("strength", r.strength, {"Pa", "undrained strength of the base"});
+  v.key("counts", r.counts, {"", "which strength of the base counts"});
+}
+
 /// A surface with all its results.
 struct CriticalSurface {
   SlipSurface surface;
@@ -113,6 +144,7 @@ struct CriticalSurface {
   std::string volume_note = "m³ per metre of slope";
   bool slides_left = false;
   std::optional<double> yield_acceleration;  ///< k_y
+  std::optional<DrawnSurface> drawdown;      ///< where there is one: `surface.factor` is after it
   SurfaceChecks checks;
   SliceTable slices;
   std::vector<std::string> warnings;
@@ -127,6 +159,7 @@ void describe(V& v, R& r) {
   v.key("volume_note", r.volume_note, {"", "what the area stands for"});
   v.key("slides_left", r.slides_left, {"", "whether it slides towards smaller x"});
   v.key("yield_acceleration", r.yield_acceleration, {"", "yield acceleration over gravity"});
+  v.maybe("drawdown", r.drawdown, {"", "rapid drawdown; the factor is after it"});
   v.key("checks", r.checks, {"", "whether to believe it"});
   v.key("slices", r.slices, {"", "its slices"});
   v.key("warnings", r.warnings, {"", "warnings"});
@@ -207,6 +240,7 @@ struct SliceResult {
   std::vector<std::string> warnings;
   std::vector<SliceMethod> methods;
   int slices = 0;  ///< of a surface
+  std::optional<DrawdownMethod> drawdown;
   std::vector<CriticalSurface> critical, noncircular, given;
   std::map<std::string, std::vector<SlipSurface>> minima;  ///< by method
   std::optional<SliceSearch> search;
@@ -228,6 +262,7 @@ void describe(V& v, R& r) {
   if (r.error) return;
   v.key("methods", r.methods, {"", "methods of slices"});
   v.key("slices", r.slices, {"", "slices of a surface"});
+  v.maybe("drawdown", r.drawdown, {"", "method of rapid drawdown; factors are after it"});
   v.key("critical", r.critical, {"", "critical circles"});
   v.key("noncircular", r.noncircular, {"", "critical polylines"});
   v.key("given", r.given, {"", "surfaces that the case gives"});

@@ -172,12 +172,13 @@ void describe(V& v, R& r) {
   v.key("layers", r.layers, {"", "suction by depth"});
 }
 
-/// What the pore pressures of a state follow from.
-enum class WaterFlow { hydrostatic, steady, transient };
+/// What the pore pressures of a state follow from; lowered: the water table after a rapid drawdown, in soil that
+/// drains.
+enum class WaterFlow { hydrostatic, steady, transient, lowered };
 template <>
 inline constexpr auto words<WaterFlow> =
     std::array{Word{WaterFlow::hydrostatic, "hydrostatic"}, Word{WaterFlow::steady, "steady"},
-               Word{WaterFlow::transient, "transient"}};
+               Word{WaterFlow::transient, "transient"}, Word{WaterFlow::lowered, "lowered"}};
 
 /// Water that stands on a stretch of the ground.
 struct StandingWater {

@@ -34,10 +34,22 @@ std::string write_main_factor(const results::RunResult& run) {
     return fmt::format("Factor of safety {:.3f} (slices, the least in time, at {})\n", *factor,
                        results::say_moment(*run.timeline, *run.timeline->least_time));
   const bool by_slices = surface && surface->found->surface.factor == factor;
-  return fmt::format("Factor of safety {:.3f} ({})\n", *factor,
+  const bool is_drawn = by_slices && run.slices->drawdown.has_value();
+  return fmt::format("Factor of safety {}{:.3f} ({})\n", is_drawn ? "after drawdown " : "", *factor,
                      by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface))
                      : results::find_elements_factor(run) == factor ? "finite elements"
                                                                     : "material points");
+}
+
+/// Rapid drawdown: the same slip surface in the stages before the one that counts.
+std::string write_drawdown(const results::RunResult& run) {
+  const auto surface = results::find_governing_surface(run);
+  if (!surface || !surface->found->drawdown || !run.slices->drawdown) return "";
+  const results::DrawnSurface& drawn = *surface->found->drawdown;
+  std::string text = fmt::format("  {}; the same surface before drawdown: {}", get_title(*run.slices->drawdown),
+                                 drawn.factor_before ? fmt::format("{:.3f}", *drawn.factor_before) : "none");
+  if (drawn.undrained_factor) text += fmt::format(", by the second stage: {:.3f}", *drawn.undrained_factor);
+  return text + "\n";
 }
 
 /// "1.441", "1.432–1.446" of what is proven, "none".
@@ -147,7 +159,9 @@ std::string write_state(const results::WaterState& state) {
   if (!text.empty()) text = fmt::format("Water at the start ({} seepage), m³/s:{}\n", to_word(state.flow), text);
   double level = -std::numeric_limits<double>::infinity();
   for (const results::StandingWater& pond : state.ponds) level = std::max({level, pond.level_from, pond.level_to});
-  if (std::isfinite(level)) text += fmt::format("Water stands on the ground up to y = {:.4g} m\n", level);
+  if (std::isfinite(level))
+    text += fmt::format("{} stands on the ground up to y = {:.4g} m\n",
+                        state.flow == results::WaterFlow::lowered ? "After drawdown water" : "Water", level);
   return text;
 }
 
@@ -186,6 +200,7 @@ std::string write_water(const results::RunResult& run) {
 std::string write_digest(const results::RunResult& run) {
   std::string text = run.title + "\n";
   text += write_main_factor(run);
+  text += write_drawdown(run);
   if (run.timeline && run.methods) text += "At time 0:\n";
   if (run.methods) text += write_method_table(*run.methods);
   if (run.timeline) text += write_timeline(*run.timeline);

@@ -26,6 +26,12 @@ json take_number(const std::optional<double>& number) {
   return number ? json(*number) : json();
 }
 
+json list_numbers(const std::vector<std::optional<double>>& numbers) {
+  json list = json::array();
+  for (const std::optional<double>& number : numbers) list.push_back(take_number(number));
+  return list;
+}
+
 /// The columns of the slice table; older folders know fewer.
 json take_columns(const results::SliceTable& slices) {
   json columns = results::to_json(slices);
@@ -55,6 +61,12 @@ json take_surface(const results::CriticalSurface& found, const char* kind, bool 
                {"refusal", checks.refusal}}},
              {"warnings", found.warnings},
              {"governs", governs}};
+  if (const auto& drawn = found.drawdown)
+    taken["drawdown"] = {{"factor_before", take_factor(drawn->factor_before)},
+                         {"undrained_factor", take_factor(drawn->undrained_factor)},
+                         {"normal", drawn->normal},
+                         {"shear", drawn->shear},
+                         {"strength", list_numbers(drawn->strength)}};
   if (surface.circle) taken["circle"] = results::to_json(*surface.circle);
   if (found.slices.size() > 0) taken["slices"] = take_columns(found.slices);
   return taken;
@@ -146,6 +158,7 @@ json make_slices(const ResultFolder& folder, Packer& packer, json& warnings) {
   }
   json slices{{"methods", methods},   {"slice_count", lem.slices},  {"seconds", lem.seconds},
               {"surfaces", surfaces}, {"minima", list_minima(lem)}, {"maps", json::array()}};
+  if (lem.drawdown) slices["drawdown"] = get_title(*lem.drawdown);
   if (lem.error) slices["error"] = *lem.error;
   if (lem.search) slices["search"] = take_search(*lem.search);
   try {

@@ -105,6 +105,8 @@ std::string name_water_state(const results::WaterState& state, bool is_last) {
       return before.empty() ? "water at rest under the table of the case" : "water at rest, " + before;
     case WaterFlow::steady:
       return before.empty() ? "steady seepage" : "steady seepage, " + before;
+    case WaterFlow::lowered:
+      return "water table after drawdown, of soil that drains";
     case WaterFlow::transient:
       break;
   }

@@ -119,6 +119,18 @@ void say_methods(const results::RunResult& run, const std::vector<Factor>& facto
     if (!said.empty()) sentences.push_back(said);
 }
 
+/// That the factor is after a rapid drawdown, and what the same surface had before it.
+void say_drawdown(const results::RunResult& run, json& sentences) {
+  if (!run.slices || !run.slices->drawdown) return;
+  const auto surface = results::find_governing_surface(run);
+  std::string text = fmt::format("It is the factor after a rapid drawdown, by {}", get_title(*run.slices->drawdown));
+  if (surface && surface->found->drawdown && surface->found->drawdown->factor_before)
+    text += fmt::format("; before it the same surface has {:.3f}", *surface->found->drawdown->factor_before);
+  if (surface && surface->found->drawdown && surface->found->drawdown->undrained_factor)
+    text += fmt::format(", and {:.3f} with undrained strengths alone", *surface->found->drawdown->undrained_factor);
+  sentences.push_back(text + ".");
+}
+
 /// Of material points. `lone`: no other method was asked; the table of the methods has the details otherwise.
 void say_factor(const results::RunResult& run, const std::vector<Factor>& factors, bool lone, json& sentences) {
   const auto found = std::find_if(factors.begin(), factors.end(), [](const Factor& f) { return f.is_main; });
@@ -311,6 +323,7 @@ json make_answer(const ResultFolder& folder) {
   say_unrest(run, sentences);
   const bool lone = !asks_for_others(folder);
   if (!lone) say_methods(run, factors, sentences);
+  say_drawdown(run, sentences);
   say_factor(run, own, lone, sentences);
   if (run.timeline) sentences.push_back(results::say_failure(*run.timeline));
   say_runouts(run, sentences);

@@ -68,6 +68,10 @@ class Assumptions {
           "Morgenstern–Price) with the thrust outside the mass at more than {:g} % of the slices' sides are rejected "
           "and counted.",
           lem.smallest_m_alpha, 100 * lem.most_tension, 100 * lem.most_thrust_outside);
+    if (data_.lem.drawdown)
+      add("The drawdown is instantaneous: no soil that holds its water drains or swells while the level falls, and "
+          "soil "
+          "that drains does so at once.");
     if (data_.earthquake.horizontal != 0 || data_.earthquake.vertical != 0)
       add("The earthquake is a constant acceleration (pseudo-static): its duration and the pore pressures that it "
           "causes are neglected.");

@@ -63,6 +63,7 @@ void add_slice_methods(const results::RunResult& run, json& methods) {
   add("spencer", S::spencer);
   add("morgenstern_price", S::morgenstern_price, S::morgenstern_price_constant);
   if (slices.search && slices.search->tried > 0) methods.push_back("slip_search");
+  if (slices.drawdown) methods.push_back("rapid_drawdown");
   if (std::any_of(slices.critical.begin(), slices.critical.end(),
                   [](const auto& surface) { return surface.yield_acceleration.has_value(); }))
     methods.push_back("yield_acceleration");

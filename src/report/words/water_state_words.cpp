@@ -33,7 +33,7 @@ class StateWords {
         rate_(get_dimension(folder.run) == 2 ? "m³/s per metre" : "m³/s") {}
 
   std::vector<std::string> collect() {
-    if (state_.flow != WaterFlow::hydrostatic) {
+    if (state_.flow == WaterFlow::steady || state_.flow == WaterFlow::transient) {
       say_flow();
       say_closed_sides();
     }
@@ -96,7 +96,9 @@ class StateWords {
             std::find(levels.begin(), levels.end(), text) == levels.end())
           levels.push_back(text);
     if (!levels.empty())
-      sentences_.push_back(fmt::format("Water stands on the ground up to y = {}.", join_words(levels)));
+      sentences_.push_back(fmt::format("{} stands on the ground up to y = {}.",
+                                       state_.flow == WaterFlow::lowered ? "After drawdown water" : "Water",
+                                       join_words(levels)));
   }
 
   const ResultFolder& folder_;

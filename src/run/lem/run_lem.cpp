@@ -178,6 +178,7 @@ SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int
   results::SliceResult& result = outcome.result;
   result.methods = options.methods;
   result.slices = options.slices;
+  if (data.lem.drawdown) result.drawdown = data.lem.drawdown->method;
   result.warnings = prepared.notes;
   result.given = solve_given(data, slope, options);
   if (data.lem.search != input::SurfaceSearch::none) {

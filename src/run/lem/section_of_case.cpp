@@ -69,6 +69,9 @@ lem::Soil make_soil(const input::Case& data, const std::string& name, std::vecto
       notes.push_back(fmt::format("material '{}' has no retention curve: its suction adds no strength", name));
   }
   soil.phi_b = m.slices.phi_b;
+  if (const auto& e = m.slices.undrained_envelope)
+    soil.envelope = lem::UndrainedEnvelope{e->cohesion, e->friction_angle};
+  soil.b_bar = m.slices.b_bar;
   if (data.initial.water.pressure == input::InitialPressure::water_table)
     soil.largest_suction = data.initial.water.largest_suction;
   return soil;
@@ -237,6 +240,39 @@ void add_roots(const input::Case& data, lem::Section& section, std::vector<std::
   }
 }
 
+/// Pools of [[hydraulic]] and seepage give levels that the case file does not name.
+void check_standing_water(const lem::Section& before, const lem::Section& after) {
+  constexpr double noticeable = 1e-6;  // of the ground's width: a traced water table is as exact
+  const double near = noticeable * (after.ground.back()[0] - after.ground.front()[0]);
+  const auto level = [](const lem::Section& s, double x) {
+    return s.water_table.empty() ? s.base : ground::find_water_table(s.water_table, x);
+  };
+  for (std::size_t i = 1; i < after.ground.size(); ++i) {
+    // Banks of pools are steps at corners of the ground.
+    const lem::Point &a = after.ground[i - 1], &b = after.ground[i];
+    const double x = 0.5 * (a[0] + b[0]), ground = 0.5 * (a[1] + b[1]);
+    const double from = std::max(ground, level(before, x)), to = std::max(ground, level(after, x));
+    if (to > from + near)
+      throw Error(
+          ExitCode::wrong_input,
+          fmt::format("after drawdown water stands at y = {:.6g} m over x = {:.6g} m, where before it the level "
+                      "is y = {:.6g} m: [lem.drawdown] water_table lowers the water",
+                      to, x, from));
+  }
+}
+
+/// The section after a rapid drawdown, whose other soils have the water table after it.
+lem::Section draw_down(const input::Case& data, const input::Drawdown& drawdown, lem::Section before) {
+  lem::Section after = before;
+  for (lem::Soil& soil : after.soils) soil.unit_weight = soil.saturated_unit_weight;  // until the water is known
+  after.pressure_grid.reset();
+  after.water_table = drawdown.water_table;
+  weigh_moist_soil(data, nullptr, after);
+  check_standing_water(before, after);
+  after.drawdown = lem::Drawdown{drawdown.method, std::make_shared<const lem::Section>(std::move(before))};
+  return after;
+}
+
 }  // namespace
 
 void set_pressures(const input::Case& data, const mesh::Mesh<2>& mesh, const std::vector<double>& pressure, double time,
@@ -271,6 +307,10 @@ SectionOfCase make_section(const input::Case& data) {
   section.horizontal_acceleration = data.earthquake.horizontal;
   section.vertical_acceleration = data.earthquake.vertical;
   if (data.lem.crack.depth > 0) section.crack = lem::TensionCrack{data.lem.crack.depth, data.lem.crack.water};
+  if (data.lem.drawdown) {
+    section = draw_down(data, *data.lem.drawdown, std::move(section));
+    ground::add_lowered_state(data, data.lem.drawdown->water_table, result.water);
+  }
   return result;
 }
 

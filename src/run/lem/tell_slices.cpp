@@ -39,6 +39,19 @@ results::SliceTable tell_table(const lem::Slope& slope, const lem::CutSurface& c
   return t;
 }
 
+results::DrawnSurface tell_drawdown(const lem::Critical& c) {
+  results::DrawnSurface told;
+  if (c.solution.before > 0) told.factor_before = c.solution.before;
+  if (c.solution.undrained > 0) told.undrained_factor = c.solution.undrained;
+  for (const lem::DrawnBase& base : c.cut.bases) {
+    told.normal.push_back(base.normal);
+    told.shear.push_back(base.shear);
+    told.strength.push_back(base.strength);
+    told.counts.push_back(base.drains ? results::Drainage::drained : results::Drainage::undrained);
+  }
+  return told;
+}
+
 }  // namespace
 
 std::vector<lem::Point> list_points(const lem::CutSurface& cut) {
@@ -71,6 +84,7 @@ results::CriticalSurface tell_critical(const lem::Slope& slope, const lem::Criti
   told.depth = c.cut.depth;
   told.slides_left = c.cut.slides_left;
   told.yield_acceleration = c.yield_acceleration;
+  if (slope.before() != nullptr) told.drawdown = tell_drawdown(c);
   const lem::Refusal refusal = c.cut.refusal != lem::Refusal::none ? c.cut.refusal : c.solution.refusal;
   told.checks = {c.solution.smallest_m_alpha, c.solution.tensile_share, c.solution.thrust_outside, c.solution.residual,
                  refusal == lem::Refusal::none ? "" : lem::name_refusal(refusal)};

@@ -93,6 +93,7 @@ export type Method =
   | "held_pressures"
   | "limit_equilibrium"
   | "slip_search"
+  | "rapid_drawdown"
   | "fellenius"
   | "bishop"
   | "janbu"

@@ -8,6 +8,8 @@ export interface Slices {
   error?: string;
   methods: { name: SliceMethod; title: string }[];
   slice_count: number;
+  /** Method of rapid drawdown, for people; absent without one. Factors are those after it. */
+  drawdown?: string;
   seconds: number;
   surfaces: SlicedSurface[];
   minima: LocalMinimum[];
@@ -43,12 +45,27 @@ export interface SlicedSurface {
   depth: number;
   /** k_y [-]; null where it was not asked for, or the slope fails without any. */
   yield_acceleration: number | null;
+  /** Absent without a rapid drawdown: `factor` is after it. */
+  drawdown?: DrawnSurface;
   checks: { smallest_m_alpha: number | null; tensile_share: number; thrust_outside: number; refusal: string };
   /** From left to right; absent where the surface could not be cut. */
   slices?: SliceColumns;
   warnings: string[];
   /** Its factor is that of the slices. */
   governs: boolean;
+}
+
+/** The stages of a rapid drawdown on one surface. */
+export interface DrawnSurface {
+  /** null: none was found. */
+  factor_before: number | null;
+  /** Of the second stage of three; null by other methods. */
+  undrained_factor: number | null;
+  /** Of each slice's base before drawdown, effective normal stress and shear stress [Pa]; empty by effective stresses. */
+  normal: number[];
+  shear: number[];
+  /** Undrained [Pa]; null in soil that drains. */
+  strength: (number | null)[];
 }
 
 /** Lists of one length; SI, forces per metre of thickness; null where a method has no such quantity. */

@@ -113,7 +113,7 @@ export interface WaterBudget {
 
 /** Where the water stood at one time before the first stage or trial, and what passed each side then. */
 export interface WaterState {
-  flow: "hydrostatic" | "steady" | "transient";
+  flow: "hydrostatic" | "steady" | "transient" | "lowered";
   /** "steady seepage", "1.5 days before the start", "start, after 3 days of transient seepage". */
   title: string;
   /** The methods begin at 0 [s]. */

@@ -10,7 +10,10 @@ import "./answer.css";
 
 /** Partial factors make it one of design values, and failure a matter of verification. */
 const hasDesignValues = () => report.value.method_table?.partial_factors !== undefined;
-const nameFactor = () => (hasDesignValues() ? "Factor of safety with design values" : "Factor of safety");
+const nameFactor = () =>
+  hasDesignValues() ? "Factor of safety with design values"
+  : report.value.slices?.drawdown ? "Factor of safety after drawdown"
+  : "Factor of safety";
 const sayFailure = () =>
   hasDesignValues() ? "the slope is not verified"
   : report.value.timeline ? "the slope fails in this time"

@@ -22,11 +22,31 @@ export function SurfaceTable({ slices, selected, select }: Props) {
   const has = {
     lambda: surfaces.some((s) => s.lambda !== null),
     correction: surfaces.some((s) => s.correction !== 1),
+    before: surfaces.some((s) => s.drawdown),
+    undrained: surfaces.some((s) => typeof s.drawdown?.undrained_factor === "number"),
     acceleration: surfaces.some((s) => s.yield_acceleration !== null),
   };
   const columns = () => [
     { name: "surface", values: surfaces.map(nameSurface) },
     { name: "factor of safety", unit: "-", values: surfaces.map((s) => s.factor) },
+    ...(has.before
+      ? [
+          {
+            name: "factor of safety before drawdown",
+            unit: "-",
+            values: surfaces.map((s) => s.drawdown?.factor_before ?? null),
+          },
+        ]
+      : []),
+    ...(has.undrained
+      ? [
+          {
+            name: "factor of safety, second stage",
+            unit: "-",
+            values: surfaces.map((s) => s.drawdown?.undrained_factor ?? null),
+          },
+        ]
+      : []),
     { name: "lambda", unit: "-", values: surfaces.map((s) => s.lambda) },
     { name: "correction f0", unit: "-", values: surfaces.map((s) => s.correction) },
     { name: "yield acceleration", unit: "g", values: surfaces.map((s) => s.yield_acceleration) },
@@ -60,6 +80,8 @@ export function SurfaceTable({ slices, selected, select }: Props) {
           "Surface",
           ...numbers(
             "F",
+            has.before && "F before drawdown",
+            has.undrained && "F, second stage",
             has.lambda && "λ",
             has.correction && "f₀",
             has.acceleration && (
@@ -88,6 +110,8 @@ export function SurfaceTable({ slices, selected, select }: Props) {
               </button>
             </th>
             <td class="number">{formatFactor(s.factor, "none")}</td>
+            {has.before && <td class="number">{formatFactor(s.drawdown?.factor_before ?? null, "none")}</td>}
+            {has.undrained && <td class="number">{formatFactor(s.drawdown?.undrained_factor ?? null, "none")}</td>}
             {has.lambda && <td class="number">{formatNumber(s.lambda, 3)}</td>}
             {has.correction && <td class="number">{s.correction === 1 ? "–" : formatNumber(s.correction, 4)}</td>}
             {has.acceleration && <td class="number">{formatNumber(s.yield_acceleration, 3)}</td>}
@@ -108,6 +132,12 @@ export function SurfaceTable({ slices, selected, select }: Props) {
           </tr>
         ))}
       </ChartTable>
+      {slices.drawdown && (
+        <p class="chart-note">
+          F is the factor of safety after a rapid drawdown, by {slices.drawdown}; the other factors are of the same
+          surface.
+        </p>
+      )}
       {has.acceleration && (
         <p class="chart-note">
           k<sub>y</sub> is the horizontal acceleration, over that of gravity, with which the factor of this surface is

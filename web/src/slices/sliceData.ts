@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Slices as the figures and tables need them: titles, columns with their units, colours of the trials. */
-import type { SlicedSurface, Slices } from "../contract";
+import type { DrawnSurface, SlicedSurface, Slices } from "../contract";
 import { report } from "../state";
 import { tabulateColours } from "../viewer/colours";
 
@@ -27,6 +27,23 @@ export interface SliceColumn {
 
 const degrees = 180 / Math.PI;
 
+type MakeColumn = (
+  name: string,
+  title: string,
+  symbol: string,
+  unit: { name: string; si: number },
+  values: (number | null)[],
+  always?: boolean,
+  digits?: number,
+) => SliceColumn[];
+
+/** What the strength after a rapid drawdown comes from. */
+const makeDrawdownColumns = (drawn: DrawnSurface, column: MakeColumn, stress: { name: string; si: number }) => [
+  ...column("normal_before", "Effective normal stress before drawdown", "σ′_fc", stress, drawn.normal, false),
+  ...column("shear_before", "Shear stress before drawdown", "τ_fc", stress, drawn.shear, false),
+  ...column("undrained_strength", "Undrained strength after drawdown", "s_u", stress, drawn.strength, false),
+];
+
 /** The slice table; quantities that are zero everywhere are left out, but for those of every slice table. */
 export function makeSliceTable(surface: SlicedSurface): SliceColumn[] {
   const s = surface.slices;
@@ -34,15 +51,7 @@ export function makeSliceTable(surface: SlicedSurface): SliceColumn[] {
   const { length, stress, line_force: force } = report.value.units;
   const count = s.left.length;
   const effective = s.normal.map((n, i) => (n === null ? null : n - Math.max(0, s.pore_pressure[i]!) * s.length[i]!));
-  const column = (
-    name: string,
-    title: string,
-    symbol: string,
-    unit: { name: string; si: number },
-    values: (number | null)[],
-    always = true,
-    digits = 4,
-  ): SliceColumn[] =>
+  const column: MakeColumn = (name, title, symbol, unit, values, always = true, digits = 4) =>
     !always && values.every((v) => !v)
       ? []
       : [
@@ -104,6 +113,7 @@ export function makeSliceTable(surface: SlicedSurface): SliceColumn[] {
     ...column("normal_right", "Force between slices on the right side, horizontal", "E", force, s.normal_right, false),
     ...column("shear_right", "Force between slices on the right side, vertical", "X", force, s.shear_right, false),
     ...column("thrust_right", "Elevation of E on the right side", "y_E", length, s.thrust_right, false),
+    ...(surface.drawdown ? makeDrawdownColumns(surface.drawdown, column, stress) : []),
     ...column("m_alpha", "Denominator of the normal force", "m_α", plain, s.m_alpha, false, 3),
   ];
 }

@@ -26,6 +26,7 @@ import {
   writeSpencer,
   writeYieldAcceleration,
 } from "./slices";
+import { writeRapidDrawdown } from "./drawdown";
 import {
   writeHeldPressures,
   writeHydraulicConditions,
@@ -47,6 +48,7 @@ const writers: { method: Method; title: string; write: Writer }[] = [
   { method: "spencer", title: "Spencer", write: writeSpencer },
   { method: "morgenstern_price", title: "Morgenstern–Price", write: writeMorgensternPrice },
   { method: "slip_search", title: "Search for the critical surface", write: writeSlipSearch },
+  { method: "rapid_drawdown", title: "Rapid drawdown", write: writeRapidDrawdown },
   { method: "yield_acceleration", title: "Yield acceleration", write: writeYieldAcceleration },
   { method: "finite_elements", title: "Finite elements", write: writeFiniteElements },
   { method: "finite_element_reduction", title: "Strength reduction by finite elements", write: writeElementReduction },

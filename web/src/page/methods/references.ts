@@ -5,6 +5,13 @@ export const references = {
     "Aldakhil, S. K. (2026). Application of the Material Point Method to the Stability and Runout Analysis of " +
     "Vegetated Slopes. Dissertation, University of California, Los Angeles. “The source” of the Talus manual: formulation in chapter 2, strength reduction " +
     "in chapter 3, rooted soil in chapter 4.",
+  bishop1954:
+    "Bishop, A. W. (1954). The use of pore-pressure coefficients in practice. Géotechnique 4 (4), 148–152.",
+  duncan1990:
+    "Duncan, J. M., Wright, S. G., Wong, K. S. (1990). Slope stability during rapid drawdown. Proceedings of the " +
+    "H. Bolton Seed Memorial Symposium 2, 253–272.",
+  usace2003:
+    "US Army Corps of Engineers (2003). Slope stability. Engineer Manual EM 1110-2-1902, appendix G.",
   drucker1952:
     "Drucker, D. C., Prager, W., Greenberg, H. J. (1952). Extended limit design theorems for continuous media. " +
     "Quarterly of Applied Mathematics 9, 381–389.",
