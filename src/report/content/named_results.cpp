@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "report/content/named_results.hpp"
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "report/words/numbers.hpp"
 #include "results/named.hpp"
 
 namespace talus::report {
@@ -15,6 +17,12 @@ namespace {
 /// Whether all points left the grid.
 bool has_lost_all(const results::RunResult& run) {
   return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
+}
+
+/// Long times of a timeline are told in hours or days.
+ShownUnit choose_unit(const results::NamedResult& result) {
+  if (result.unit.name == "s") return choose_time_unit(std::abs(result.value));
+  return {result.unit.name, result.unit.si};
 }
 
 }  // namespace
@@ -32,7 +40,7 @@ json list_named_results(const ResultFolder& folder) {
     list.push_back({{"name", result.name},
                     {"title", result.title},
                     {"value", result.value},
-                    {"unit", {{"name", result.unit.name}, {"si", result.unit.si}}},
+                    {"unit", to_json(choose_unit(result))},
                     {"kind", results::to_word(about.kind)},
                     {"quantity", about.quantity},
                     {"by", about.by ? to_word(*about.by) : ""}});

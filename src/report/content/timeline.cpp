@@ -17,14 +17,6 @@ using nlohmann::json;
 
 namespace {
 
-/// The largest unit that the duration has two of.
-ShownUnit choose_time_unit(double duration) {
-  constexpr double minute = 60, hour = 3600, day = 86400;
-  if (duration >= 2 * day) return {"days", day};
-  if (duration >= 2 * hour) return {"h", hour};
-  return duration >= 2 * minute ? ShownUnit{"min", minute} : ShownUnit{"s", 1};
-}
-
 json write(const std::optional<double>& value) {
   return value ? json(*value) : json();
 }

@@ -61,6 +61,13 @@ std::string show(double si, const ShownUnit& unit, int digits) {
   return show_number(si / unit.si, digits) + " " + unit.name;
 }
 
+ShownUnit choose_time_unit(double duration) {
+  constexpr double minute = 60, hour = 3600, day = 86400;
+  if (duration >= 2 * day) return {"days", day};
+  if (duration >= 2 * hour) return {"h", hour};
+  return duration >= 2 * minute ? ShownUnit{"min", minute} : ShownUnit{"s", 1};
+}
+
 double keep_finite(double value) {
   return std::isfinite(value) ? value : 0;
 }
