@@ -16,13 +16,17 @@ constexpr const char* get_title(Method method) {
 }
 
 enum class SliceMethod {
-  fellenius,                  ///< ordinary method; with water N' = W cosα - u l (the classical form)
-  bishop,                     ///< simplified; polylines: moments about the centre of the fitted circle, with a warning
-  janbu,                      ///< simplified, f_0 = 1
-  janbu_corrected,            ///< simplified times f_0
-  spencer,                    ///< parallel interslice forces
-  morgenstern_price,          ///< half-sine interslice function
-  morgenstern_price_constant  ///< constant interslice function: Spencer's forces by the other formulation
+  fellenius,                   ///< ordinary method; with water N' = W cosα - u l (the classical form)
+  bishop,                      ///< simplified; polylines: moments about the centre of the fitted circle, with a warning
+  janbu,                       ///< simplified, f_0 = 1
+  janbu_corrected,             ///< simplified times f_0
+  spencer,                     ///< parallel interslice forces
+  morgenstern_price,           ///< half-sine interslice function
+  morgenstern_price_constant,  ///< constant interslice function: Spencer's forces by the other formulation
+  corps_1,                     ///< force equilibrium; interslice forces parallel to the line between the ends
+  corps_2,                     ///< the same; parallel to the ground above them
+  lowe_karafiath,              ///< the same; inclined as the mean of ground and base
+  modified_swedish             ///< the same; parallel to the face, from the lower end to the crest of the mass
 };
 
 /// A method of slices as files and as people call it.
@@ -39,6 +43,10 @@ inline constexpr std::array slice_methods{
     SliceMethodName{SliceMethod::morgenstern_price, "morgenstern_price", "Morgenstern–Price"},
     SliceMethodName{SliceMethod::morgenstern_price_constant, "morgenstern_price_constant",
                     "Morgenstern–Price, constant function"},
+    SliceMethodName{SliceMethod::corps_1, "corps_1", "Corps of Engineers #1"},
+    SliceMethodName{SliceMethod::corps_2, "corps_2", "Corps of Engineers #2"},
+    SliceMethodName{SliceMethod::lowe_karafiath, "lowe_karafiath", "Lowe–Karafiath"},
+    SliceMethodName{SliceMethod::modified_swedish, "modified_swedish", "Modified Swedish"},
 };
 
 constexpr const char* to_word(SliceMethod method) {
@@ -88,6 +96,12 @@ constexpr int rank_equilibrium(SliceMethod method) {
 /// Whether it satisfies all equilibrium of forces and moments.
 constexpr bool is_rigorous(SliceMethod method) {
   return rank_equilibrium(method) == 0;
+}
+
+/// Whether it satisfies equilibrium of forces alone, with interslice forces of given inclinations.
+constexpr bool has_given_inclinations(SliceMethod method) {
+  return method == SliceMethod::corps_1 || method == SliceMethod::corps_2 || method == SliceMethod::lowe_karafiath ||
+         method == SliceMethod::modified_swedish;
 }
 
 /// Whether it takes non-circular surfaces.

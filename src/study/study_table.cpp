@@ -184,6 +184,10 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
            {"lem.spencer", "Spencer"},
            {"lem.morgenstern_price", "Morgenstern–Price"},
            {"lem.morgenstern_price_constant", "Morgenstern–Price, constant"},
+           {"lem.corps_1", "Corps of Engineers #1"},
+           {"lem.corps_2", "Corps of Engineers #2"},
+           {"lem.lowe_karafiath", "Lowe–Karafiath"},
+           {"lem.modified_swedish", "Modified Swedish"},
            {"lem.noncircular.spencer", "Spencer, non-circular"},
            {"lem.noncircular.morgenstern_price", "Morgenstern–Price, non-circular"}})
     columns.add_factor(title, name, ColumnKind::other);

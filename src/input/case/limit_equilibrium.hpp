@@ -83,6 +83,11 @@ inline constexpr auto choices<SliceMethod> = std::array{
     Choice{SliceMethod::morgenstern_price, "morgenstern_price",
            "forces and moments; their inclination follows half a sine wave"},
     Choice{SliceMethod::morgenstern_price_constant, "morgenstern_price_constant", "the same with a constant function"},
+    Choice{SliceMethod::corps_1, "corps_1", "forces; interslice forces parallel to the line between the ends"},
+    Choice{SliceMethod::corps_2, "corps_2", "forces; interslice forces parallel to the ground above them"},
+    Choice{SliceMethod::lowe_karafiath, "lowe_karafiath", "forces; inclined as the mean of ground and base"},
+    Choice{SliceMethod::modified_swedish, "modified_swedish",
+           "forces; interslice forces parallel to the face, from the lower end to the crest of the mass"},
 };
 template <>
 inline constexpr auto choices<SurfaceSearch> = std::array{

@@ -240,7 +240,7 @@ double Candidates::find_quick(const Kept& kept, const std::vector<Soil>& soils, 
   const double start = sums.driving > 0 && sums.resisting > 0 ? sums.resisting / sums.driving : 0;
   if (method_ == Method::fellenius) return start;
   int iterations = 0;
-  const bool forces = method_ == Method::janbu || method_ == Method::janbu_corrected;
+  const bool forces = method_ == Method::janbu || method_ == Method::janbu_corrected || has_given_inclinations(method_);
   return solve_simplified(mass, method_ == Method::bishop || (circular && !forces), start, iterations);
 }
 

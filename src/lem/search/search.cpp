@@ -93,8 +93,9 @@ std::vector<std::vector<OptimisedSurface>> find_minima(const Slope& slope, const
     const auto regions = arcs.regions().size();
     if (!options.optimise_circle || regions < 2) return;
     Evaluator evaluate(slope, options.methods[m], options.checks, options.slices, options.ends_at_signal);
-    Evaluator quick(slope, is_rigorous(options.methods[m]) ? Method::bishop : options.methods[m], options.checks,
-                    options.slices, options.ends_at_signal);
+    const bool is_quick = !is_rigorous(options.methods[m]) && !has_given_inclinations(options.methods[m]);
+    Evaluator quick(slope, is_quick ? options.methods[m] : Method::bishop, options.checks, options.slices,
+                    options.ends_at_signal);
     const int most = std::max(50, static_cast<int>(3000 / regions));
     for (const Surface& s : find_touching_circles(evaluate, quick, arcs, circles, most)) own_starts[m].push_back(s);
   });

@@ -95,6 +95,20 @@ Try close_bracket(const Mass& mass, Try a, Try b, int& iterations) {
 
 }  // namespace
 
+Complete solve_forces(const Mass& mass, double start) {
+  Complete found;
+  Balance end;
+  double q = start > 0 ? 1 / start : 1;
+  // From horizontal forces to the given ones: far from the root the forces have others.
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    q = close_forces(mass, share, q, end, found.iterations);
+    if (!(q > 0)) return found;
+  }
+  found.factor = 1 / q;
+  found.lambda = 1;
+  return found;
+}
+
 Complete solve_newton(const Mass& mass, double start) {
   double q = start > 0 ? 1 / start : 1, lambda = 0.2;
   Balance now = balance(mass, q, lambda);

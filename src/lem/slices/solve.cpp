@@ -124,6 +124,12 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
   const double start = sums.resisting / sums.driving;
   if (method == Method::fellenius) {
     solution.factor = start;
+  } else if (has_given_inclinations(method)) {
+    s.mass.set_inclinations(method, cut);
+    const Complete found = solve_forces(s.mass, solve_simplified(s.mass, false, start, solution.iterations));
+    solution.factor = found.factor;
+    solution.lambda = found.lambda;
+    solution.iterations += found.iterations;
   } else if (!complete) {
     solution.factor = solve_simplified(s.mass, method == Method::bishop, start, solution.iterations);
   } else {
@@ -161,7 +167,7 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
   if (keep_forces) write_forces(cut, s, complete);
   if (keep_forces && method == Method::bishop && !circular) warn_of_centre(cut);
   // No choice of the user makes forces that no soil bears a factor of safety.
-  if (!checks.has_sensible_lambda(solution.lambda)) solution.refusal = Refusal::lambda;
+  if (complete && !checks.has_sensible_lambda(solution.lambda)) solution.refusal = Refusal::lambda;
   if (!(solution.residual <= largest_residual)) solution.refusal = Refusal::not_converged;
   if (checks.reject && solution.refusal == Refusal::none) solution.refusal = check_solution(cut, solution, checks);
   if (method == Method::janbu_corrected) solution.correction = correct_janbu(cut);

@@ -48,4 +48,54 @@ void Mass::set_interslice_function(bool half_sine, const CutSurface& cut) {
   }
 }
 
+namespace {
+
+/// Of the ground over a slice, positive where it falls in the direction of sliding.
+double find_ground_slope(const CutSurface& cut, const Slice& slice) {
+  const double way = cut.slides_left ? 1 : -1;
+  return way * (slice.top_right - slice.top_left) / (slice.right - slice.left);
+}
+
+/// Of the line from the lower end to the upper one, on the ground.
+double find_chord_slope(const CutSurface& cut) {
+  const Slice &first = cut.slices.front(), &last = cut.slices.back();
+  const double way = cut.slides_left ? 1 : -1;
+  return way * (last.top_right - first.top_left) / (last.right - first.left);
+}
+
+/// Of the line from the lower end to where the ground of the mass is first as high as it gets.
+double find_face_slope(const CutSurface& cut) {
+  const auto size = cut.slices.size();
+  const Slice& toe = cut.slides_left ? cut.slices.front() : cut.slices.back();
+  const double x = cut.slides_left ? toe.left : toe.right, y = cut.slides_left ? toe.top_left : toe.top_right;
+  double highest = y, at = x;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Slice& slice = cut.slices[cut.slides_left ? i : size - 1 - i];
+    const double level = cut.slides_left ? slice.top_right : slice.top_left;
+    if (level <= highest + 1e-9 * std::abs(highest - y)) continue;
+    highest = level;
+    at = cut.slides_left ? slice.right : slice.left;
+  }
+  return at == x ? 0 : (highest - y) / std::abs(at - x);
+}
+
+}  // namespace
+
+void Mass::set_inclinations(SliceMethod method, const CutSurface& cut) {
+  const auto size = wedges.size();
+  const double constant = method == SliceMethod::corps_1            ? find_chord_slope(cut)
+                          : method == SliceMethod::modified_swedish ? find_face_slope(cut)
+                                                                    : 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    wedges[i].ratio = constant;
+    if (method != SliceMethod::corps_2 && method != SliceMethod::lowe_karafiath) continue;
+    // The side towards the lower end, between this slice and the next; the last side bears nothing.
+    const auto number = [&](std::size_t k) { return cut.slides_left ? size - 1 - k : k; };
+    const Slice &here = cut.slices[number(i)], &below = cut.slices[number(std::min(i + 1, size - 1))];
+    const double ground = 0.5 * (std::atan(find_ground_slope(cut, here)) + std::atan(find_ground_slope(cut, below)));
+    const double base = 0.5 * (here.alpha + below.alpha);
+    wedges[i].ratio = std::tan(method == SliceMethod::corps_2 ? ground : 0.5 * (ground + base));
+  }
+}
+
 }  // namespace talus::lem

@@ -18,7 +18,7 @@ struct Wedge {
   double down = 0;                       ///< P: weight and loads
   double push = 0;                       ///< B: earthquake less thrust of ponded water, with the sliding positive
   double arm_shear = 0, arm_normal = 0;  ///< of T (resisting) and N (driving) about the centre [m]
-  double ratio = 0;                      ///< interslice function f at the side towards the lower end
+  double ratio = 0;  ///< interslice function f at the side towards the lower end; or X over E where that is given
 };
 
 struct Mass {
@@ -31,6 +31,8 @@ struct Mass {
   /// From a cut surface; the earthquake is `horizontal` times the weight.
   void set(const Slope& slope, const CutSurface& cut, double horizontal);
   void set_interslice_function(bool half_sine, const CutSurface& cut);
+  /// X/E of a method with given inclinations, so that λ is 1.
+  void set_inclinations(SliceMethod method, const CutSurface& cut);
 };
 
 /// Resisting and driving moments about a circle's centre, or forces along the bases, with Fellenius' normal forces.
@@ -48,6 +50,8 @@ struct Complete {
   double factor = 0, lambda = 0;
   int iterations = 0;
 };
+/// The factor that closes the forces alone, with λ = 1, from Janbu's factor; factor 0 when there is none.
+Complete solve_forces(const Mass& mass, double start);
 /// Newton's method in (1/F, λ) from Bishop's or Janbu's factor.
 Complete solve_newton(const Mass& mass, double start);
 /// The crossing of the two curves F_f(λ) and F_m(λ) (GLE), along the branch that begins with Janbu's factor.

@@ -62,6 +62,7 @@ void add_slice_methods(const results::RunResult& run, json& methods) {
   add("janbu", S::janbu, S::janbu_corrected);
   add("spencer", S::spencer);
   add("morgenstern_price", S::morgenstern_price, S::morgenstern_price_constant);
+  add("force_equilibrium", S::corps_1, S::corps_2, S::lowe_karafiath, S::modified_swedish);
   if (slices.search && slices.search->tried > 0) methods.push_back("slip_search");
   if (slices.drawdown) methods.push_back("rapid_drawdown");
   if (std::any_of(slices.critical.begin(), slices.critical.end(),

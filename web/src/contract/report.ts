@@ -99,6 +99,7 @@ export type Method =
   | "janbu"
   | "spencer"
   | "morgenstern_price"
+  | "force_equilibrium"
   | "yield_acceleration"
   | "finite_elements"
   | "finite_element_reduction"

@@ -11,7 +11,11 @@ export type SliceMethod =
   | "janbu_corrected"
   | "spencer"
   | "morgenstern_price"
-  | "morgenstern_price_constant";
+  | "morgenstern_price_constant"
+  | "corps_1"
+  | "corps_2"
+  | "lowe_karafiath"
+  | "modified_swedish";
 
 /** The flow rule of finite elements. */
 export type Flow = "as_given" | "associated";

@@ -18,6 +18,7 @@ import {
 import {
   writeBishop,
   writeFellenius,
+  writeForceEquilibrium,
   writeJanbu,
   writeLimitEquilibrium,
   writeMorgensternPrice,
@@ -47,6 +48,7 @@ const writers: { method: Method; title: string; write: Writer }[] = [
   { method: "janbu", title: "Janbu", write: writeJanbu },
   { method: "spencer", title: "Spencer", write: writeSpencer },
   { method: "morgenstern_price", title: "Morgenstern–Price", write: writeMorgensternPrice },
+  { method: "force_equilibrium", title: "Equilibrium of forces", write: writeForceEquilibrium },
   { method: "slip_search", title: "Search for the critical surface", write: writeSlipSearch },
   { method: "rapid_drawdown", title: "Rapid drawdown", write: writeRapidDrawdown },
   { method: "yield_acceleration", title: "Yield acceleration", write: writeYieldAcceleration },

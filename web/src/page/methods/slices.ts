@@ -64,6 +64,21 @@ export const writeJanbu: Writer = () => [
   { text: "where $f_0$, by the depth of the surface over its length and the kind of soil, is 1 without correction." },
 ];
 
+const inclinations: { [name: string]: string } = {
+  corps_1: "Corps of Engineers #1: parallel to the line between the ends of the surface",
+  corps_2: "Corps of Engineers #2: parallel to the ground above them",
+  lowe_karafiath: "Lowe and Karafiath: at the mean of the angles of ground and base",
+  modified_swedish: "Modified Swedish: parallel to the face, from the lower end to the crest of the mass",
+};
+
+export const writeForceEquilibrium: Writer = ({ slices }) => [
+  {
+    text:
+      "The forces between slices have given inclinations, and $F$ closes the forces of the last slice; moments are not " +
+      `in balance. ${(slices?.methods ?? []).flatMap((m) => inclinations[m.name] ?? []).join(". ")}.`,
+  },
+];
+
 export const writeSpencer: Writer = () => [
   {
     text:
