@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ground/known_water.hpp"
 #include "ground/nearest_side.hpp"
 #include "ground/plane_water.hpp"
 #include "ground/pore_water.hpp"
 #include "ground/water_sides.hpp"
+#include "input/case/soil_water_law.hpp"
 
 namespace talus::ground {
 namespace {
@@ -42,6 +44,20 @@ void set_from_seepage(const input::Case& data, const mesh::Mesh<D>& mesh, const 
     for (int node : mesh.elements[e]) water.pressure[e] += seepage.pressure[node] / (D + 1);
     const double content = find_soil(data, mesh, e)->porosity * seepage.saturation[e];
     for (std::size_t d = 0; d < D; ++d) water.velocity[e][d] = seepage.velocity[e][d] / content;
+  }
+}
+
+/// The pressure in the middle of wet elements, and the velocity that belongs to it.
+void set_from_known(const input::Case& data, const mesh::Mesh<2>& mesh, InitialWater<2>& water) {
+  MappedWater mapped = map_water(*data.initial.water.known, mesh);
+  water.nodal = std::move(mapped.pressure);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (!is_wet(data, mesh, e)) continue;
+    const auto i = static_cast<std::size_t>(e);
+    for (const int node : mesh.elements[i]) water.pressure[i] += water.nodal[static_cast<std::size_t>(node)] / 3;
+    const input::Material& soil = *find_soil(data, mesh, e);
+    const double content = soil.porosity * material::saturation(input::make_retention(soil.water), water.pressure[i]);
+    for (std::size_t d = 0; d < 2; ++d) water.velocity[i][d] = mapped.seepage[i][d] / content;
   }
 }
 
@@ -107,6 +123,12 @@ InitialWater<D> find_initial_water(const input::Case& data, const mesh::Mesh<D>&
   water.pressure.assign(mesh.elements.size(), 0.0);
   water.velocity.assign(mesh.elements.size(), {});
   if (!has_water(data)) return water;
+  if constexpr (D == 2) {
+    if (data.initial.water.known) {
+      set_from_known(data, mesh, water);
+      return water;
+    }
+  }
   // A state from another result already contains its weather.
   const bool has_season = data.initial.water.season > 0 && data.initial.result.empty();
   const bool seeps = data.initial.water.pressure == input::InitialPressure::seepage;

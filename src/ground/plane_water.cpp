@@ -105,7 +105,7 @@ std::optional<double> find_standing_level(const std::vector<Pond>& ponds, const 
 
 bool needs_seepage(const input::Case& data) {
   return has_water(data) && (data.initial.water.pressure == input::InitialPressure::seepage ||
-                             data.initial.water.season > 0 || data.timeline);
+                             data.initial.water.season > 0 || data.initial.water.known || data.timeline);
 }
 
 bool takes_water(const input::Case& data, const input::Material& soil) {

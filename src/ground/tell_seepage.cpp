@@ -229,6 +229,7 @@ template <int D>
 ToldWater tell_water(const input::Case& data, const mesh::Mesh<D>& mesh,
                      const std::optional<fem::SeepageResult<D>>& steady, const std::optional<SeasonRecord>& season) {
   ToldWater told;
+  if (data.initial.water.known) return told;  // who found it has told of it
   if (!steady && !season) return tell_water_table(data);
   const double start = season ? season->rows.front().time : 0;
   std::vector<results::WaterState>& states = told.states.emplace();

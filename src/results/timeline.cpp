@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/dates.hpp"
 #include "base/units.hpp"
 
@@ -48,6 +50,22 @@ std::string say_failure(const Timeline& t) {
                         f.latest ? fmt::format("between {} and {}", say_moment(t, f.earliest), say_moment(t, *f.latest))
                                  : fmt::format("after {}, or not at all", say_moment(t, f.earliest)));
   return text + least;
+}
+
+std::string say_releases(const Timeline& t) {
+  if (t.releases.empty()) return "";
+  const auto say = [](const Release& r) {
+    if (r.error) return fmt::format("did not end: {}", *r.error);
+    return fmt::format("moves {:.3g} m at most{}", r.largest_displacement,
+                       r.front_advance > 0 ? fmt::format(", its front {:.3g} m", r.front_advance) : "");
+  };
+  const Release& first = t.releases.front();
+  std::string text = fmt::format("Material points take over at {}: the soil {}{}.", say_moment(t, first.time),
+                                 first.rests ? "comes to rest, is let go and " : "", say(first));
+  for (std::size_t i = 1; i < t.releases.size(); ++i)
+    text += fmt::format(" Let go {} {}, it {}.", units::say_time(std::abs(t.releases[i].time - first.time)),
+                        t.releases[i].time < first.time ? "earlier" : "later", say(t.releases[i]));
+  return text;
 }
 
 }  // namespace talus::results

@@ -50,6 +50,28 @@ void describe(V& v, R& r) {
   v.key("latest", r.latest, {"s", "first time at which it is below the target by as much"});
 }
 
+/// Material points that took over at one time.
+struct Release {
+  double time = 0;               ///< [s]
+  std::optional<double> factor;  ///< of the slices at that time
+  std::string folder;            ///< of its results, inside that of the run; empty: the run itself
+  bool rests = false;            ///< the soil came to rest before it was let go
+  std::optional<std::string> error;
+  double largest_displacement = 0, moved_volume = 0, front_advance = 0, toe_distance = 0;  ///< as of Runout
+};
+template <class V, As<Release> R>
+void describe(V& v, R& r) {
+  v.key("time", r.time, {"s", "when material points took over"});
+  v.key("factor", r.factor, {"", "factor of safety at that time, by slices"});
+  v.key("folder", r.folder, {"", "folder of its results; empty: the run itself"});
+  v.key("rests", r.rests, {"", "whether the soil came to rest before it was let go"});
+  v.key("error", r.error, {"", "why it did not end"});
+  v.key("largest_displacement", r.largest_displacement, {"m", "largest displacement"});
+  v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
+  v.key("front_advance", r.front_advance, {"m", "advance of the front"});
+  v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
+}
+
 /// "timeline" of summary.json.
 struct Timeline {
   double duration = 0;               ///< [s]
@@ -64,6 +86,7 @@ struct Timeline {
   std::optional<double>
       distance;  ///< largest estimate of what a straight line between two times is off, over the factor
   std::vector<WaterState> states;  ///< where the water stood at the times of the factors
+  std::vector<Release> releases;   ///< the first is that of the run
   std::vector<std::string> notes;
   Season weather;
   double seepage_seconds = 0, search_seconds = 0;
@@ -81,6 +104,7 @@ void describe(V& v, R& r) {
   v.key("chosen", r.chosen, {"", "whether the times were chosen"});
   v.key("distance", r.distance, {"", "what straight lines between the times are off at most, over the factor"});
   v.key("states", r.states, {"", "where the water stood at the times of the factors"});
+  v.key("releases", r.releases, {"", "material points that took over, the run itself first"});
   v.key("notes", r.notes, {"", "what must be known of it"});
   v.key("weather", r.weather, {"", "water that came, went and is stored"});
   v.key("seepage_seconds", r.seepage_seconds, {"s", "seconds of the seepage"});
@@ -95,5 +119,8 @@ std::string say_moment(const Timeline& timeline, double time);
 
 /// "The factor of safety falls below 1 between 3.38 and 3.94 h (1.000 and 0.999); it is least at 72 h, 0.941."
 std::string say_failure(const Timeline& timeline);
+
+/// What moved after the releases, and how much of it hangs on their time; empty where there are none.
+std::string say_releases(const Timeline& timeline);
 
 }  // namespace talus::results

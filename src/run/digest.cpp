@@ -173,6 +173,7 @@ std::string write_timeline(const results::Timeline& t) {
                                     f.refusal.empty() ? "" : " (" + f.refusal + ")")
                       : std::string("  none\n"));
   text += results::say_failure(t) + "\n";
+  if (const std::string releases = results::say_releases(t); !releases.empty()) text += releases + "\n";
   return text;
 }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "run/run_case.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/folder_lock.hpp"
+#include "base/hash.hpp"
 #include "ground/design_values.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/plane_water.hpp"
@@ -15,6 +19,7 @@
 #include "results/governing.hpp"
 #include "results/json.hpp"
 #include "results/named.hpp"
+#include "run/attempt.hpp"
 #include "run/bounds/bounds_run.hpp"
 #include "run/compare/compare.hpp"
 #include "run/fem/element_run.hpp"
@@ -82,7 +87,10 @@ class CaseRun {
     if (has_points && has_bounds) check_bounds(data);
     if (input::uses(data, Method::lem)) slices_.emplace(data, alone, options_, hash_);
     run_ = begin_result(loaded_, hash_, options_.threads);
-    if (has_points) {
+    releases_ = has_points && data.timeline && data.timeline->release;
+    if (releases_) {
+      check_points(data);
+    } else if (has_points) {
       points_.emplace(loaded_, data, options_, hash_);
       points_->prepare(run_);
     } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
@@ -93,6 +101,14 @@ class CaseRun {
     if (data.timeline) timeline_.emplace(data, options_);
   }
 
+  /// Points that are let go later are prepared then; what can be wrong with them is found here, at time 0.
+  void check_points(const input::Case& data) const {
+    RunOptions fresh = options_;
+    fresh.resume = false;
+    results::RunResult none;
+    PointRun<D>(loaded_, data, fresh, hash_).prepare(none);
+  }
+
   void calculate() {
     if (slices_ && !points_) slices_->calculate();  // alone they may find no surface: then nothing is written
     open();
@@ -101,9 +117,55 @@ class CaseRun {
       slices_->keep();
     }
     if (timeline_) timeline_->calculate(slices_->prepared(), slices_->result());
+    if (releases_) release();
     if (elements_) elements_->calculate();
     if (bounds_) bounds_->calculate(find_start());
     if (points_) points_->calculate(run_);
+    for (ReleaseCase& other : beside_) run_beside(other);
+  }
+
+  /// Material points of the time at which they take over.
+  void release() {
+    beside_ = timeline_->list_releases();
+    if (beside_.empty()) return;
+    released_ = std::make_unique<const ReleaseCase>(std::move(beside_.front()));
+    beside_.erase(beside_.begin());
+    points_.emplace(loaded_, released_->data, options_, hash_);
+    points_->prepare(run_);
+    points_->open();
+  }
+
+  /// The same at another time, in a folder of its own.
+  void run_beside(ReleaseCase& other) {
+    RunOptions options = options_;
+    options.folder /= other.told.folder;
+    const std::string hash = hash_text(fmt::format("{}{:a}", hash_, other.told.time));
+    const auto why = attempt(options, false, [&] {
+      auto finished = load_finished(options, hash);
+      if (!finished) {
+        finished = begin_result(loaded_, hash, options.threads);
+        use_folder(options.folder, [&] { std::filesystem::create_directories(options.folder); });
+        PointRun<D> points(loaded_, other.data, options, hash);
+        points.prepare(*finished);
+        points.open();
+        points.calculate(*finished);
+        points.finish(*finished);
+        finished->status = results::Status::finished;
+        results::write_file(options.folder / summary_file, *finished);
+        points.forget();
+      }
+      tell_release(*finished, other.told);
+    });
+    other.told.error = why;
+  }
+
+  static void tell_release(const results::RunResult& run, results::Release& told) {
+    if (run.stages && run.stages->size() > 1) told.rests = run.stages->front().end == results::StageEnd::rest;
+    if (!run.runout) return;
+    told.largest_displacement = run.runout->largest_displacement;
+    told.moved_volume = run.runout->moved_volume;
+    told.front_advance = run.runout->front_advance;
+    told.toe_distance = run.runout->toe_distance;
   }
 
   /// A factor for the bounds to begin with; they do not depend on it.
@@ -137,7 +199,7 @@ class CaseRun {
     if (slices_) slices_->tell(run_);
     if (elements_) elements_->tell(run_);
     if (bounds_) bounds_->tell(run_);
-    if (timeline_) timeline_->tell(run_);
+    tell_timeline();
     if (!points_) timing.parts = list_parts();
     keep_water();
     compare();
@@ -145,6 +207,18 @@ class CaseRun {
     run_.comparisons = compare_results(loaded_.data, run_);
     results::write_file(options_.folder / summary_file, run_);
     if (points_ && run_.status == results::Status::finished) points_->forget();
+  }
+
+  void tell_timeline() {
+    if (!timeline_) return;
+    if (released_) {
+      results::Release told = released_->told;
+      tell_release(run_, told);
+      told.error = run_.error;
+      timeline_->add_release(std::move(told));
+    }
+    for (const ReleaseCase& other : beside_) timeline_->add_release(other.told);
+    timeline_->tell(run_);
   }
 
   /// water.json: the fields of the water that the methods began with; timeline_water.json: those in time.
@@ -190,6 +264,9 @@ class CaseRun {
   std::optional<ElementRun<D>> elements_;
   std::optional<BoundsRun> bounds_;
   std::optional<TimelineRun> timeline_;
+  bool releases_ = false;  ///< material points take over from the timeline
+  std::unique_ptr<const ReleaseCase> released_;
+  std::vector<ReleaseCase> beside_;
   std::optional<PointRun<D>> points_;
   results::RunResult run_;
 };

@@ -20,11 +20,12 @@ namespace {
 
 /// Everything that a run may leave in its folder; --overwrite removes these and nothing else.
 const char* const own_files[] = {
-    "results.vtkhdf", "results.xdmf", "mesh.vtkhdf",  "mesh.xdmf",     "frames",
-    "history.csv",    "monitors.csv", "summary.json", "checkpoint.h5", "stages.json",
-    "curve.csv",      "profile.csv",  "trials",       "frozen",        "mesh.h5",
-    "report.html",    "season.csv",   "sections",     end_state_file,  "lem.json",
-    "fem.json",       "fem.vtu",      "water.json",   "bounds.json",   "timeline_water.json"};
+    "results.vtkhdf",   "results.xdmf",  "mesh.vtkhdf",  "mesh.xdmf",     "frames",
+    "history.csv",      "monitors.csv",  "summary.json", "checkpoint.h5", "stages.json",
+    "curve.csv",        "profile.csv",   "trials",       "frozen",        "mesh.h5",
+    "report.html",      "season.csv",    "sections",     end_state_file,  "lem.json",
+    "fem.json",         "fem.vtu",       "water.json",   "bounds.json",   "timeline_water.json",
+    "released_earlier", "released_later"};
 
 /// Whether a run wrote a picture of that name: curve, section, or one that ends with four digits.
 bool is_picture(const fs::path& file) {

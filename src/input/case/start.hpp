@@ -5,12 +5,14 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "input/language/forms.hpp"
 #include "input/language/spec.hpp"
+#include "mesh/mesh.hpp"
 
 namespace talus::input {
 
@@ -21,6 +23,13 @@ struct Gravity {
 
 enum class InitialPressure { zero, water_table, seepage };
 
+/// Pore water in a plane section that was found before.
+struct KnownWater {
+  mesh::Mesh<2> mesh;                          ///< finished
+  std::vector<double> pressure;                ///< at its nodes, positive in tension [Pa]
+  std::vector<std::array<double, 2>> seepage;  ///< by element, Darcy's, of the whole area [m/s]
+};
+
 /// Pore pressure at the start; part of [initial].
 struct InitialWater {
   InitialPressure pressure = InitialPressure::zero;
@@ -29,6 +38,7 @@ struct InitialWater {
   /// Weather before the run [s]: transient seepage in soil at rest from time -season, where `pressure` holds, to time
   /// 0.
   double season = 0;
+  std::shared_ptr<const KnownWater> known{};  ///< of a moment of a timeline, in place of all the others; not a key
 };
 
 enum class InitialStress { none, k0 };

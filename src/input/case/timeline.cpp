@@ -10,6 +10,29 @@
 
 namespace talus::input {
 
+namespace {
+
+void check_release(const Case& data, Findings& findings) {
+  const Timeline& timeline = *data.timeline;
+  if (!timeline.release) return;
+  if (!uses(data, Method::mpm))
+    findings.add("timeline.release", "material points take over from the timeline: add \"mpm\" to [analysis] methods");
+  else if (data.analysis != AnalysisKind::run)
+    findings.add(
+        "timeline.release",
+        "the points follow the slide from there: that is [analysis] kind = \"run\", not a reduction of strength");
+  if (!timeline.release->time || !findings.is_sound("timeline.release.time")) return;
+  const double at = *timeline.release->time;
+  if (at > timeline.duration * (1 + 1e-12))
+    findings.add("timeline.release.time",
+                 fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s", at, timeline.duration));
+  else if (!timeline.times.empty() && at > 0 &&
+           std::find(timeline.times.begin(), timeline.times.end(), at) == timeline.times.end())
+    findings.add("timeline.release.time", fmt::format("{:g} s is not one of [timeline] times", at));
+}
+
+}  // namespace
+
 void check_timeline(const Case& data, Findings& findings) {
   if (!data.timeline) return;
   const Timeline& timeline = *data.timeline;
@@ -23,6 +46,7 @@ void check_timeline(const Case& data, Findings& findings) {
                  "without pore water nothing changes in time: a soil with [materials.NAME.water] is missing");
   if (!data.initial.result.empty())
     findings.add("timeline", "not with [initial] result: a timeline begins with the water that [initial] names");
+  if (findings.is_sound("timeline.duration")) check_release(data, findings);
   if (!findings.is_sound("timeline.times") || !findings.is_sound("timeline.duration")) return;
   const std::vector<double>& times = timeline.times;
   if (!std::is_sorted(times.begin(), times.end(), std::less_equal<>()))

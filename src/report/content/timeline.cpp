@@ -71,6 +71,16 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
                {"transpired", timeline.weather.transpired},
                {"growth", timeline.weather.growth},
                {"error", timeline.weather.error}}}};
+  for (const results::Release& r : timeline.releases)
+    block["releases"].push_back({{"time", r.time},
+                                 {"title", results::say_moment(timeline, r.time)},
+                                 {"factor", write(r.factor)},
+                                 {"folder", r.folder},
+                                 {"rests", r.rests},
+                                 {"error", r.error ? json(*r.error) : json()},
+                                 {"largest_displacement", r.largest_displacement},
+                                 {"moved_volume", r.moved_volume},
+                                 {"front_advance", r.front_advance}});
   if (timeline.failure) {
     const results::FailureTime& f = *timeline.failure;
     block["failure"] = {{"from", f.from}, {"to", f.to}, {"earliest", f.earliest}, {"latest", write(f.latest)}};

@@ -325,7 +325,11 @@ json make_answer(const ResultFolder& folder) {
   if (!lone) say_methods(run, factors, sentences);
   say_drawdown(run, sentences);
   say_factor(run, own, lone, sentences);
-  if (run.timeline) sentences.push_back(results::say_failure(*run.timeline));
+  if (run.timeline) {
+    sentences.push_back(results::say_failure(*run.timeline));
+    if (std::string releases = results::say_releases(*run.timeline); !releases.empty())
+      sentences.push_back(std::move(releases));
+  }
   say_runouts(run, sentences);
   if (run.motion && !run.motion->sentence.empty()) sentences.push_back(run.motion->sentence);
   for (const std::string& sentence : tell_water(folder)) sentences.push_back(sentence);

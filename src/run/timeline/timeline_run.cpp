@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "base/dates.hpp"
@@ -18,6 +19,7 @@
 #include "mesh/generate.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/section_of_case.hpp"
+#include "run/timeline/begin_later.hpp"
 #include "run/timeline/moment.hpp"
 #include "run/timeline/times.hpp"
 
@@ -34,13 +36,14 @@ double count_seconds(Clock::time_point since) {
 
 struct TimelineRun::Parts {
   Parts(const input::Case& d, const RunOptions& o)
-      : data(ground::close_sides(d)), options(o), search(make_search_options(data.lem, 1)) {
+      : given(d), data(ground::close_sides(d)), options(o), search(make_search_options(data.lem, 1)) {
     mesh = mesh::generate<2>(data.mesh);
     model = ground::make_seepage_model<2>(data, mesh, wet_mesh);
     fem::check_storage(model);
   }
 
-  input::Case data;
+  const input::Case& given;
+  input::Case data;  ///< with its sides closed, for the seepage
   const RunOptions& options;
   lem::SearchOptions search;  ///< of one time: many times are searched side by side
   mesh::Mesh<2> mesh, wet_mesh;
@@ -168,6 +171,53 @@ struct TimelineRun::Parts {
     keep_water();
   }
 
+  /// The number of the time at which material points take over.
+  std::optional<std::size_t> find_release() const {
+    const input::Release& asked = *data.timeline->release;
+    std::optional<double> time = asked.time;
+    if (!time && told.fails_from_start) time = 0;
+    if (!time && told.failure) time = told.failure->to;
+    if (!time) return std::nullopt;
+    const auto nearer = [&](double a, double b) { return std::abs(a - *time) < std::abs(b - *time); };
+    return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+  }
+
+  /// The kept times nearest to `apart` before and after; the next ones where nothing is given.
+  std::vector<std::size_t> find_beside(std::size_t at) const {
+    const std::optional<double> apart = data.timeline->release->apart;
+    std::vector<std::size_t> beside;
+    if (apart == 0.0) return beside;
+    const auto is_nearer = [&](std::size_t a, std::size_t b) {
+      const auto miss = [&](std::size_t i) { return std::abs(std::abs(times[i] - times[at]) - apart.value_or(0)); };
+      return miss(a) < miss(b);
+    };
+    std::vector<std::size_t> numbers = list_all();
+    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(at);
+    if (middle != numbers.begin()) beside.push_back(*std::min_element(numbers.begin(), middle, is_nearer));
+    if (middle + 1 != numbers.end()) beside.push_back(*std::min_element(middle + 1, numbers.end(), is_nearer));
+    return beside;
+  }
+
+  std::optional<double> find_factor(std::size_t number) const {
+    for (const results::TimedFactor& f : told.factors)
+      if (f.time == times[number]) return f.factor;
+    return number < guide.size() ? guide[number] : std::nullopt;
+  }
+
+  ReleaseCase make_release(std::size_t number) const {
+    ReleaseCase release;
+    release.told.time = times[number];
+    release.told.factor = find_factor(number);
+    release.data = number == 0 ? given : begin_later(given, times[number], keep_state(number));
+    release.data.timeline.reset();
+    return release;
+  }
+
+  std::shared_ptr<const input::KnownWater> keep_state(std::size_t number) const {
+    const fem::SeepageResult<2>& state = flow.history.states[number - 1];
+    return std::make_shared<const input::KnownWater>(input::KnownWater{mesh, state.pressure, state.velocity});
+  }
+
   /// Surfaces with lower factors that the checks refuse: the curve may be too high there.
   void note_refusals() {
     constexpr double noticeable = 0.99;
@@ -229,6 +279,27 @@ void TimelineRun::calculate(const PreparedSlope& prepared, const results::SliceR
 
 const results::WaterFields* TimelineRun::water_fields() const {
   return parts_->fields ? &*parts_->fields : nullptr;
+}
+
+std::vector<ReleaseCase> TimelineRun::list_releases() {
+  const auto at = parts_->find_release();
+  if (!at) {
+    parts_->told.notes.push_back(fmt::format(
+        "material points do not take over: the factor is not below {:g} at any time that was tried; [timeline.release] "
+        "time lets them go all the same",
+        parts_->told.target));
+    return {};
+  }
+  std::vector<ReleaseCase> releases{parts_->make_release(*at)};
+  for (const std::size_t beside : parts_->find_beside(*at)) {
+    releases.push_back(parts_->make_release(beside));
+    releases.back().told.folder = beside < *at ? "released_earlier" : "released_later";
+  }
+  return releases;
+}
+
+void TimelineRun::add_release(results::Release release) {
+  parts_->told.releases.push_back(std::move(release));
 }
 
 void TimelineRun::tell(results::RunResult& run) const {

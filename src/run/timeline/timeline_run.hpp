@@ -5,12 +5,19 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "results/run.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/options.hpp"
 
 namespace talus::run {
+
+/// A case that begins with the pore water of one time, and whose series go on from there.
+struct ReleaseCase {
+  results::Release told;  ///< time, factor and folder
+  input::Case data;
+};
 
 class TimelineRun {
  public:
@@ -21,6 +28,10 @@ class TimelineRun {
   /// `prepared`, `first`: the slope at time 0, and what slices found there. Throws what seepage in time throws, and
   /// Error (interrupted).
   void calculate(const PreparedSlope& prepared, const results::SliceResult& first);
+  /// What material points take over, as [timeline.release] asks: the time itself, then the earlier and the later one.
+  /// Empty where the factor does not fall below the target; a note says so.
+  std::vector<ReleaseCase> list_releases();
+  void add_release(results::Release release);
   void tell(results::RunResult& run) const;
   /// Fields of the water at the times of the factors; nullptr where they are more than a report draws.
   const results::WaterFields* water_fields() const;

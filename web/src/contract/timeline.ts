@@ -34,6 +34,29 @@ export interface Timeline {
   water: { inflow: number; outflow: number; runoff: number; transpired: number; growth: number; error: number };
   seepage_seconds: number;
   search_seconds: number;
+  /** Material points that took over, those of the report itself first. */
+  releases?: Release[];
+}
+
+export interface Release {
+  /** [s] */
+  time: number;
+  /** "6 h". */
+  title: string;
+  /** Of slices at that time. */
+  factor: number | null;
+  /** Of the results, inside the folder of the run; empty: the run itself. */
+  folder: string;
+  /** Whether the soil came to rest before it was let go. */
+  rests: boolean;
+  /** Why it did not end. */
+  error: string | null;
+  /** [m] */
+  largest_displacement: number;
+  /** [m³], in 2D per metre. */
+  moved_volume: number;
+  /** [m] */
+  front_advance: number;
 }
 
 export interface TimedFactor {

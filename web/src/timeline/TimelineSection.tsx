@@ -2,10 +2,42 @@
 /** What is behind the factor of safety in time: the balance of the water, and every time that was tried. */
 import { formatNumber } from "../charts/base/numbers";
 import { ChartTable, numbers } from "../page/DataTable";
-import { formatFactor } from "../page/format";
+import type { Release } from "../contract/timeline";
+import { formatFactor, formatQuantity } from "../page/format";
 import { report } from "../state";
 import { chooseMoment, chosenMoment } from "./chosen";
 import "./timeline.css";
+
+/** What moved after each hand-over: how much of it hangs on its time. */
+function Releases({ releases }: { releases: Release[] }) {
+  const { units } = report.value;
+  const length = (x: number) => formatQuantity(x, units.displacement);
+  return (
+    <ChartTable
+      label="Material points take over"
+      class="timeline-releases"
+      head={["Material points take over", ...numbers("F"), "Before", ...numbers("Largest displacement", "Front", "Moved"), "Results"]}
+    >
+      {releases.map((r) => (
+        <tr key={r.time}>
+          <th scope="row">{r.title}</th>
+          <td class="number">{formatFactor(r.factor, "none")}</td>
+          <td>{r.rests ? "came to rest" : "did not rest"}</td>
+          {r.error === null ? (
+            <>
+              <td class="number">{length(r.largest_displacement)}</td>
+              <td class="number">{length(r.front_advance)}</td>
+              <td class="number">{formatNumber(r.moved_volume, 3)} m³</td>
+            </>
+          ) : (
+            <td colSpan={3}>{r.error}</td>
+          )}
+          <td>{r.folder || "this report"}</td>
+        </tr>
+      ))}
+    </ChartTable>
+  );
+}
 
 export function TimelineSection() {
   const { timeline } = report.value;
@@ -23,6 +55,7 @@ export function TimelineSection() {
         {timeline.distance !== null &&
           ` Between the times a straight line is off by ${formatNumber(100 * timeline.distance, 2)} % of the factor, as far as the bends of the curve tell.`}
       </p>
+      {timeline.releases && <Releases releases={timeline.releases} />}
       <ChartTable
         label="Factors of safety in time"
         class="timeline-factors"

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "ground/known_water.hpp"
+
+#include <algorithm>
+
+#include "mesh/locate.hpp"
+
+namespace talus::ground {
+namespace {
+
+/// The element that holds `x`, or whose least shape function there is the greatest of all.
+int find_nearest_element(const mesh::Mesh<2>& mesh, const Vec<2>& x, int start) {
+  const int found = mesh::find_element(mesh, x, start);
+  if (found >= 0) return found;
+  int nearest = 0;
+  double greatest = -1e300;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const auto xi = mesh::to_local(mesh, e, x);
+    const double least = std::min({xi[0], xi[1], 1 - xi[0] - xi[1]});
+    if (least > greatest) greatest = least, nearest = e;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+MappedWater map_water(const input::KnownWater& known, const mesh::Mesh<2>& mesh) {
+  if (mesh.nodes == known.mesh.nodes && mesh.elements == known.mesh.elements) return {known.pressure, known.seepage};
+  MappedWater water;
+  int e = 0;
+  for (const Vec<2>& x : mesh.nodes) {
+    e = find_nearest_element(known.mesh, x, e);
+    const auto xi = mesh::to_local(known.mesh, e, x);
+    const auto& corners = known.mesh.elements[static_cast<std::size_t>(e)];
+    const auto at = [&](std::size_t c) { return known.pressure[static_cast<std::size_t>(corners[c])]; };
+    water.pressure.push_back((1 - xi[0] - xi[1]) * at(0) + xi[0] * at(1) + xi[1] * at(2));
+  }
+  for (int i = 0; i < mesh.element_count(); ++i) {
+    e = find_nearest_element(known.mesh, mesh::to_global(mesh, i, Vec<2>{1.0 / 3, 1.0 / 3}), e);
+    water.seepage.push_back(known.seepage[static_cast<std::size_t>(e)]);
+  }
+  return water;
+}
+
+}  // namespace talus::ground

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Material points that take over from a timeline: the water of the time, nothing that moves where the slope stands, the
+// same factor, and what is said where there is nothing to let go.
+
+#include "cases/methods_slope.hpp"
+#include "mesh/generate.hpp"
+
+namespace talus {
+namespace {
+
+/// A bank of silt over its water table, in a day of rain.
+const char* const bank = R"(
+title = "Bank in the rain"
+[geometry]
+box = [[0, 0], [14, 6]]
+[[geometry.polygon]]
+name = "soil"
+points = [[0, 0], [14, 0], [14, 1.5], [9, 1.5], [5, 5], [0, 5]]
+[[geometry.line]]
+name = "ground"
+points = [[0, 5], [5, 5], [9, 1.5], [14, 1.5]]
+[mesh]
+size = 0.7
+[materials.silt]
+model = "mohr_coulomb"
+grain_density = 2650
+porosity = 0.42
+young_modulus = "15 MPa"
+poisson_ratio = 0.3
+cohesion = "3 kPa"
+friction_angle = 32
+dilatancy_angle = 0
+tensile_strength = 1
+[materials.silt.water]
+conductivity = "5e-6 m/s"
+retention = "van_genuchten"
+reference_pressure = "8 kPa"
+lambda = 0.4
+relative_conductivity = "mualem"
+air_entry = "0.5 kPa"
+[regions]
+soil = "silt"
+[[boundary]]
+on = "bottom"
+fix = "full"
+[[boundary]]
+on = "left"
+fix = "normal"
+[[boundary]]
+on = "right"
+fix = "normal"
+[[hydraulic]]
+on = "ground"
+condition = "rain"
+rate = [[0, "6 mm/h"], ["1 day", "6 mm/h"]]
+[initial]
+stress = "k0"
+pore_pressure = "water_table"
+water_table = [[0, 2], [14, 1]]
+largest_suction = 15
+[[stage]]
+name = "hold"
+duration = 20
+until = "rest"
+water = "held"
+geometry = "frozen"
+damping = 0.75
+[[stage]]
+name = "let go"
+duration = 1
+reset_displacement = true
+[lem]
+methods = ["spencer"]
+noncircular = false
+minima = 1
+[lem.entry_exit]
+exits = 12
+entries = 12
+depths = 8
+[analysis]
+methods = ["lem", "mpm"]
+)";
+
+std::string write_bank(const std::string& timeline) {
+  return std::string(bank) + timeline;
+}
+
+class Release : public MethodsTest {};
+
+TEST_F(Release, NothingMovesOnASlopeThatStands) {
+  const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"));
+  const auto& releases = summary.at("timeline").at("releases");
+  ASSERT_EQ(releases.size(), 3u);
+  EXPECT_EQ(releases[0].at("time"), 43200);
+  EXPECT_LT(releases[1].at("time"), 43200);
+  EXPECT_GT(releases[2].at("time"), 43200);
+  for (const auto& release : releases) {
+    EXPECT_TRUE(release.at("rests"));
+    EXPECT_LT(release.at("largest_displacement").get<double>(), 1e-3);
+    EXPECT_EQ(release.at("moved_volume"), 0);
+    EXPECT_GT(release.at("factor").get<double>(), 1);
+  }
+  EXPECT_EQ(summary.at("runout").at("largest_displacement"), releases[0].at("largest_displacement"));
+  for (const auto& release : {releases[1], releases[2]})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / release.at("folder").get<std::string>() / "summary.json"));
+  // The rain has gone into the soil before the points begin, and goes on.
+  const auto start = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0\napart = 0\n"));
+  EXPECT_EQ(start.at("timeline").at("releases").size(), 1u);
+  EXPECT_GT(summary.at("water").at("initial").get<double>(), 1.02 * start.at("water").at("initial").get<double>());
+}
+
+// A season is the same weather before the run, solved on the mesh of the points.
+TEST_F(Release, BeginsWithTheWaterThatASeasonLeaves) {
+  const auto released = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\napart = 0\n"));
+  const auto season = run(bank, {{"initial.season", "'12 h'"},
+                                 {"hydraulic.0.rate", "[[\"-12 h\", \"6 mm/h\"], [\"12 h\", \"6 mm/h\"]]"},
+                                 {"analysis.methods", "['mpm']"}});
+  const double stored = season.at("water").at("initial");
+  EXPECT_NEAR(released.at("water").at("initial").get<double>(), stored, 1e-4 * stored);
+  for (const char* key : {"stored", "entered"}) {
+    const double flow = season.at("water").at(key);
+    EXPECT_NEAR(released.at("water").at(key).get<double>(), flow, 0.02 * std::abs(flow) + 1e-3) << key;
+  }
+}
+
+// Water under a table that was found on another mesh is the water under the table: finite elements and points find the
+// factors that they find without it.
+TEST_F(Release, HasTheFactorOfTheSameWater) {
+  const std::vector<input::Override> changes{{"analysis.methods", "['fem', 'mpm']"},
+                                             {"analysis.kind", "'strength_reduction'"},
+                                             {"fem.meshes", "1"},
+                                             {"fem.flow", "'as_given'"},
+                                             {"strength_reduction.frozen.meshes", "1"},
+                                             {"strength_reduction.curve.enabled", "false"},
+                                             {"strength_reduction.frozen.resolution", "0.01"}};
+  input::LoadedCase loaded = input::read_case_text(bank, "bank.toml", changes);
+  loaded.data.stages.resize(1);
+  const auto direct = [&] {
+    run::RunOptions options;
+    options.folder = folder_;
+    options.overwrite = true;
+    return support::run_case(loaded, options);
+  };
+  const auto before = direct();
+  auto known = std::make_shared<input::KnownWater>();
+  mesh::Plan finer = loaded.data.mesh;
+  finer.size = 0.3;
+  known->mesh = mesh::generate<2>(finer);
+  for (const auto& x : known->mesh.nodes) known->pressure.push_back(std::min(9810.0 * (x[1] - (2 - x[0] / 14)), 15e3));
+  known->seepage.assign(known->mesh.elements.size(), {});
+  loaded.data.initial.water.known = known;
+  loaded.data.initial.water.pressure = input::InitialPressure::zero;
+  const auto after = direct();
+  EXPECT_NEAR(after.at("factor_of_safety").at("value").get<double>(),
+              before.at("factor_of_safety").at("value").get<double>(), 0.011);
+  EXPECT_NEAR(after.at("fem").at("runs")[0].at("factor").get<double>(),
+              before.at("fem").at("runs")[0].at("factor").get<double>(), 0.011);
+}
+
+TEST_F(Release, ASlopeThatDoesNotFailIsNotLetGo) {
+  const auto summary = run(write_bank("[timeline]\nduration = 0.25\n[timeline.release]\n"));
+  EXPECT_TRUE(summary.at("timeline").at("releases").empty());
+  EXPECT_NE(summary.at("timeline").at("notes").dump().find("material points do not take over"), std::string::npos);
+  EXPECT_FALSE(summary.contains("runout"));
+}
+
+TEST_F(Release, TheTimeOfFailureIsTheFirstBelowTheTarget) {
+  const auto summary = run(write_bank("[timeline]\nduration = 1\ntarget = 1.6\n[timeline.release]\napart = \"1 h\"\n"),
+                           {{"lem.entry_exit.exits", "8"}, {"lem.entry_exit.entries", "8"}});
+  const auto& timeline = summary.at("timeline");
+  ASSERT_FALSE(timeline.at("failure").is_null());
+  const auto& releases = timeline.at("releases");
+  EXPECT_EQ(releases[0].at("time"), timeline.at("failure").at("to"));
+  for (std::size_t i = 1; i < releases.size(); ++i)
+    EXPECT_NEAR(std::abs(releases[i].at("time").get<double>() - releases[0].at("time").get<double>()), 3600, 1800);
+}
+
+TEST_F(Release, SaysWhatACaseLacks) {
+  const auto has = [&](const std::string& timeline, const std::vector<input::Override>& changes, const char* sentence) {
+    const std::string fault = find_fault(write_bank("[timeline]\nduration = 1\n" + timeline), changes);
+    EXPECT_NE(fault.find(sentence), std::string::npos) << fault;
+  };
+  has("[timeline.release]\n", {{"analysis.methods", "['lem']"}}, "add \"mpm\" to [analysis] methods");
+  has("[timeline.release]\n", {{"analysis.kind", "'strength_reduction'"}}, "not a reduction of strength");
+  has("[timeline.release]\ntime = 2\n", {}, "outside the timeline");
+  has("times = [0.5]\n[timeline.release]\ntime = 0.2\n", {}, "is not one of [timeline] times");
+  EXPECT_FALSE(std::filesystem::exists(folder_));
+}
+
+}  // namespace
+}  // namespace talus
