@@ -76,7 +76,10 @@ std::optional<double> find_main_factor(const RunResult& run) {
   if (const auto governing = find_governing_surface(run)) take(governing->found->surface.factor);
   take(find_elements_factor(run));
   take(find_points_factor(run));
-  if (run.timeline) take(run.timeline->least);
+  if (run.timeline) {
+    take(run.timeline->least);
+    if (const TimedReduction* elements = find_least_reduction(*run.timeline)) take(elements->runs.front().factor);
+  }
   if (!run.bounds || run.bounds->is_davis) return least;
   // What is proven is no estimate: an upper bound lowers what others found, and bounds alone answer with the lower one.
   take(least ? run.bounds->upper : run.bounds->lower);

@@ -127,6 +127,9 @@ class Values {
          "failure_time",
          {}},
         timeline.failure ? std::optional(timeline.failure->to) : std::nullopt);
+    if (const TimedReduction* elements = find_least_reduction(timeline))
+      add_factor("timeline.elements", "least factor of safety of finite elements at later times",
+                 elements->runs.front().factor);
     if (timeline.chosen) return;
     for (const TimedFactor& f : timeline.factors)
       add_factor(fmt::format("timeline.factor[{:g}]", f.time),

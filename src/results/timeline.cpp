@@ -10,6 +10,13 @@
 
 namespace talus::results {
 
+const TimedReduction* find_least_reduction(const Timeline& t) {
+  const TimedReduction* least = nullptr;
+  for (const TimedReduction& r : t.elements)
+    if (!r.runs.empty() && (least == nullptr || r.runs.front().factor < least->runs.front().factor)) least = &r;
+  return least;
+}
+
 void find_failure(Timeline& t) {
   const TimedFactor* last = nullptr;
   double above = 0;  // the last time at which the factor was clearly above the target; else the start

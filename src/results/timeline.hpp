@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "results/elements.hpp"
 #include "results/slices.hpp"
 #include "results/water.hpp"
 
@@ -72,6 +73,21 @@ void describe(V& v, R& r) {
   v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
 }
 
+/// Finite elements at one time.
+struct TimedReduction {
+  double time = 0;               ///< [s]
+  std::string folder;            ///< of its results, inside that of the run
+  std::vector<ElementRun> runs;  ///< by flow rule
+  std::optional<std::string> error;
+};
+template <class V, As<TimedReduction> R>
+void describe(V& v, R& r) {
+  v.key("time", r.time, {"s", "when"});
+  v.key("folder", r.folder, {"", "folder of its results"});
+  v.key("runs", r.runs, {"", "strength reductions by flow rule"});
+  v.key("error", r.error, {"", "why there is no answer"});
+}
+
 /// "timeline" of summary.json.
 struct Timeline {
   double duration = 0;               ///< [s]
@@ -85,8 +101,9 @@ struct Timeline {
   bool chosen = false;  ///< times were chosen, not given
   std::optional<double>
       distance;  ///< largest estimate of what a straight line between two times is off, over the factor
-  std::vector<WaterState> states;  ///< where the water stood at the times of the factors
-  std::vector<Release> releases;   ///< the first is that of the run
+  std::vector<WaterState> states;        ///< where the water stood at the times of the factors
+  std::vector<TimedReduction> elements;  ///< in time
+  std::vector<Release> releases;         ///< the first is that of the run
   std::vector<std::string> notes;
   Season weather;
   double seepage_seconds = 0, search_seconds = 0;
@@ -104,12 +121,16 @@ void describe(V& v, R& r) {
   v.key("chosen", r.chosen, {"", "whether the times were chosen"});
   v.key("distance", r.distance, {"", "what straight lines between the times are off at most, over the factor"});
   v.key("states", r.states, {"", "where the water stood at the times of the factors"});
+  v.key("elements", r.elements, {"", "factors of safety of finite elements in time"});
   v.key("releases", r.releases, {"", "material points that took over, the run itself first"});
   v.key("notes", r.notes, {"", "what must be known of it"});
   v.key("weather", r.weather, {"", "water that came, went and is stored"});
   v.key("seepage_seconds", r.seepage_seconds, {"s", "seconds of the seepage"});
   v.key("search_seconds", r.search_seconds, {"s", "seconds of the searches"});
 }
+
+/// Finite elements at the time at which their factor is least, by the first flow rule; nullptr: they have none in time.
+const TimedReduction* find_least_reduction(const Timeline& timeline);
 
 /// Sets the least factor and the time of failure from the factors in time.
 void find_failure(Timeline& timeline);

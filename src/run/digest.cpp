@@ -33,6 +33,10 @@ std::string write_main_factor(const results::RunResult& run) {
   if (run.timeline && run.timeline->least == factor)
     return fmt::format("Factor of safety {:.3f} (slices, the least in time, at {})\n", *factor,
                        results::say_moment(*run.timeline, *run.timeline->least_time));
+  const results::TimedReduction* later = run.timeline ? results::find_least_reduction(*run.timeline) : nullptr;
+  if (later != nullptr && later->runs.front().factor == factor)
+    return fmt::format("Factor of safety {:.3f} (finite elements, at {})\n", *factor,
+                       results::say_moment(*run.timeline, later->time));
   const bool by_slices = surface && surface->found->surface.factor == factor;
   const bool is_drawn = by_slices && run.slices->drawdown.has_value();
   return fmt::format("Factor of safety {}{:.3f} ({})\n", is_drawn ? "after drawdown " : "", *factor,
@@ -172,6 +176,11 @@ std::string write_timeline(const results::Timeline& t) {
             (f.factor ? fmt::format("{:6.3f}   {}, {}{}\n", *f.factor, f.surface.title, f.source,
                                     f.refusal.empty() ? "" : " (" + f.refusal + ")")
                       : std::string("  none\n"));
+  for (const results::TimedReduction& e : t.elements)
+    for (const results::ElementRun& r : e.runs)
+      text += "  " + pad(results::say_moment(t, e.time), t.start ? 30 : 15) +
+              fmt::format("{:6.3f}   finite elements, {}\n", r.factor,
+                          r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given");
   text += results::say_failure(t) + "\n";
   if (const std::string releases = results::say_releases(t); !releases.empty()) text += releases + "\n";
   return text;

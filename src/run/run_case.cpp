@@ -117,11 +117,32 @@ class CaseRun {
       slices_->keep();
     }
     if (timeline_) timeline_->calculate(slices_->prepared(), slices_->result());
+    if (timeline_ && elements_) reduce_in_time();
     if (releases_) release();
     if (elements_) elements_->calculate();
     if (bounds_) bounds_->calculate(find_start());
     if (points_) points_->calculate(run_);
     for (ReleaseCase& other : beside_) run_beside(other);
+  }
+
+  /// Finite elements at times of the timeline, each in a folder of its own.
+  void reduce_in_time() {
+    for (ReductionCase& reduction : timeline_->list_reductions()) {
+      RunOptions options = options_;
+      options.folder /= reduction.told.folder;
+      use_folder(options.folder, [&] { std::filesystem::create_directories(options.folder); });
+      results::RunResult found;
+      ElementRun<D> elements(reduction.data, false, options,
+                             hash_text(fmt::format("{}{:a}", hash_, reduction.told.time)));
+      elements.prepare();
+      elements.calculate();
+      elements.tell(found);
+      if (found.elements) {
+        reduction.told.error = found.elements->error;
+        reduction.told.runs = std::move(found.elements->runs);
+      }
+      timeline_->add_reduction(std::move(reduction.told));
+    }
   }
 
   /// Material points of the time at which they take over.

@@ -27,6 +27,14 @@ const char* const own_files[] = {
     "fem.json",         "fem.vtu",       "water.json",   "bounds.json",   "timeline_water.json",
     "released_earlier", "released_later"};
 
+/// Folders of finite elements in time: elements_1 and so on.
+bool is_reduction(const fs::path& folder) {
+  const std::string name = folder.filename().string(), begin = "elements_";
+  return name.size() > begin.size() && name.starts_with(begin) &&
+         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(begin.size()), name.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
 /// Whether a run wrote a picture of that name: curve, section, or one that ends with four digits.
 bool is_picture(const fs::path& file) {
   const std::string end = file.extension().string(), stem = file.stem().string();
@@ -61,6 +69,7 @@ void clear(const RunOptions& options) {
   // Pictures of the old results would be taken for those of the new ones.
   for (const auto& entry : fs::directory_iterator(options.folder)) {
     if (is_picture(entry.path())) fs::remove(entry.path());
+    if (is_reduction(entry.path())) fs::remove_all(entry.path());
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Material points that take over from a timeline: the water of the time, nothing that moves where the slope stands, the
-// same factor, and what is said where there is nothing to let go.
+// Finite elements and material points on the water of a time of a timeline: factors beside slices, nothing that moves
+// where the slope stands, and what is said where there is nothing to let go.
 
 #include "cases/methods_slope.hpp"
 #include "mesh/generate.hpp"
@@ -155,6 +155,25 @@ TEST_F(Release, HasTheFactorOfTheSameWater) {
               before.at("factor_of_safety").at("value").get<double>(), 0.011);
   EXPECT_NEAR(after.at("fem").at("runs")[0].at("factor").get<double>(),
               before.at("fem").at("runs")[0].at("factor").get<double>(), 0.011);
+}
+
+// Slices and finite elements on the water of the same times.
+TEST_F(Release, FiniteElementsReduceStrengthAtTimesOfTheTimeline) {
+  const auto summary =
+      run(write_bank("[timeline]\nduration = 1\ntimes = [0.5, 1]\nelement_times = [0.5, 1]\n"),
+          {{"analysis.methods", "['lem', 'fem']"}, {"fem.flow", "'as_given'"}, {"fem.resolution", "0.01"}});
+  const auto& timeline = summary.at("timeline");
+  const auto& elements = timeline.at("elements");
+  ASSERT_EQ(elements.size(), 2u);
+  double before = summary.at("fem").at("runs")[0].at("factor");
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double slices = timeline.at("factors")[i + 1].at("factor"), factor = elements[i].at("runs")[0].at("factor");
+    EXPECT_NEAR(factor / slices, 1, 0.05) << elements[i].at("time");
+    EXPECT_LT(factor, before);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / elements[i].at("folder").get<std::string>() / "fem.vtu"));
+    before = factor;
+  }
+  EXPECT_EQ(summary.at("main_factor").get<double>(), std::min(before, timeline.at("least").get<double>()));
 }
 
 TEST_F(Release, ASlopeThatDoesNotFailIsNotLetGo) {

@@ -178,6 +178,11 @@ TEST_F(Timeline, SaysWhatACaseLacks) {
   };
   has({{"timeline.times", "['40 day']"}}, "outside the timeline");
   has({{"timeline.times", "['2 day', '1 day']"}}, "must increase");
+  has({{"timeline.element_times", "['2 day']"}}, "add \"fem\" to [analysis] methods");
+  has({{"timeline.element_times", "['2 day']"},
+       {"timeline.times", "['1 day']"},
+       {"analysis.methods", "['lem', 'fem']"}},
+      "is not one of [timeline] times");
   has({{"timeline.duration", "'-1 day'"}}, "above 0");
   has({{"analysis.methods", "['fem']"}}, "add \"lem\" to [analysis] methods");
   has({{"lem.search", "'none'"}}, "[[lem.surface]]");

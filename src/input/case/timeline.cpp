@@ -31,6 +31,24 @@ void check_release(const Case& data, Findings& findings) {
     findings.add("timeline.release.time", fmt::format("{:g} s is not one of [timeline] times", at));
 }
 
+void check_element_times(const Case& data, Findings& findings) {
+  const Timeline& timeline = *data.timeline;
+  if (!timeline.element_times || !findings.is_sound("timeline.element_times")) return;
+  if (!uses(data, Method::fem))
+    findings.add("timeline.element_times", "finite elements reduce strength: add \"fem\" to [analysis] methods");
+  if (!std::is_sorted(timeline.element_times->begin(), timeline.element_times->end(), std::less_equal<>()))
+    findings.add("timeline.element_times", "the times must increase");
+  for (const double t : *timeline.element_times) {
+    if (!(t > 0) || t > timeline.duration * (1 + 1e-12))
+      findings.add("timeline.element_times",
+                   fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s; time 0 is always there",
+                               t, timeline.duration));
+    else if (!timeline.times.empty() &&
+             std::find(timeline.times.begin(), timeline.times.end(), t) == timeline.times.end())
+      findings.add("timeline.element_times", fmt::format("{:g} s is not one of [timeline] times", t));
+  }
+}
+
 }  // namespace
 
 void check_timeline(const Case& data, Findings& findings) {
@@ -51,6 +69,7 @@ void check_timeline(const Case& data, Findings& findings) {
   const std::vector<double>& times = timeline.times;
   if (!std::is_sorted(times.begin(), times.end(), std::less_equal<>()))
     findings.add("timeline.times", "the times must increase");
+  check_element_times(data, findings);
   for (const double t : times)
     if (!(t > 0) || t > timeline.duration * (1 + 1e-12))
       findings.add("timeline.times", fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s; time 0 "

@@ -23,6 +23,7 @@ struct Timeline {
   double target = 1;          ///< a factor below it is failure [-]
   double tolerance = 0.003;   ///< of the factor between the times that are chosen, over it [-]
   int most_times = 40;        ///< that are chosen
+  std::optional<std::vector<double>> element_times;  ///< of finite elements [s]; nothing: the time of the least factor
   std::optional<Release> release;
 };
 
@@ -50,6 +51,9 @@ void describe(Visitor& v, Timeline& t) {
   v.key("tolerance", t.tolerance, plain().above(0).below(0.5),
         "Times are chosen until the straight lines between them are this near to the factor, over the factor.");
   v.key("most_times", t.most_times, plain().at_least(3).at_most(1000), "Most times that are chosen.");
+  v.key("element_times", t.element_times, quantity("day").example(R"(["1 day", 3])"),
+        "When finite elements reduce the strength as well, beside time 0, where they are among the methods. If not "
+        "given, at the time at which slices find the least factor.");
   v.optional_table("release", t.release,
                    "Material points take over at a time: the stages of the case, which begin with the pore water of "
                    "that time and go on with the rain and the pools that follow. Let the first of them hold the slope "

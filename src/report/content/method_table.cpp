@@ -210,6 +210,17 @@ void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& 
     if (factor.method == Method::lem) factor.is_main = false;
     factor.title += ", at time 0";
   }
+  if (const results::TimedReduction* elements = results::find_least_reduction(timeline)) {
+    Factor later;
+    later.method = Method::fem;
+    later.name = "timeline.elements";
+    later.title = fmt::format("at {}", results::say_moment(timeline, elements->time));
+    later.value = elements->runs.front().factor;
+    later.flow = elements->runs.front().flow;
+    later.measure = FactorMeasure::equilibrium;
+    later.is_main = true;
+    factors.insert(factors.begin(), std::move(later));
+  }
   if (!timeline.least) return;
   const auto at = std::find_if(timeline.factors.begin(), timeline.factors.end(),
                                [&](const results::TimedFactor& f) { return f.time == timeline.least_time; });

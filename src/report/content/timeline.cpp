@@ -71,6 +71,16 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
                {"transpired", timeline.weather.transpired},
                {"growth", timeline.weather.growth},
                {"error", timeline.weather.error}}}};
+  for (const results::TimedReduction& e : timeline.elements) {
+    json runs = json::array();
+    for (const results::ElementRun& r : e.runs)
+      runs.push_back({{"flow", results::to_word(r.flow)}, {"factor", r.factor}, {"slip_line", r.slip_line}});
+    block["elements"].push_back({{"time", e.time},
+                                 {"title", results::say_moment(timeline, e.time)},
+                                 {"folder", e.folder},
+                                 {"runs", std::move(runs)},
+                                 {"error", e.error ? json(*e.error) : json()}});
+  }
   for (const results::Release& r : timeline.releases)
     block["releases"].push_back({{"time", r.time},
                                  {"title", results::say_moment(timeline, r.time)},

@@ -171,15 +171,18 @@ struct TimelineRun::Parts {
     keep_water();
   }
 
+  std::size_t find_nearest(double time) const {
+    const auto nearer = [&](double a, double b) { return std::abs(a - time) < std::abs(b - time); };
+    return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+  }
+
   /// The number of the time at which material points take over.
   std::optional<std::size_t> find_release() const {
     const input::Release& asked = *data.timeline->release;
     std::optional<double> time = asked.time;
     if (!time && told.fails_from_start) time = 0;
     if (!time && told.failure) time = told.failure->to;
-    if (!time) return std::nullopt;
-    const auto nearer = [&](double a, double b) { return std::abs(a - *time) < std::abs(b - *time); };
-    return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+    return time ? std::optional(find_nearest(*time)) : std::nullopt;
   }
 
   /// The kept times nearest to `apart` before and after; the next ones where nothing is given.
@@ -208,9 +211,15 @@ struct TimelineRun::Parts {
     ReleaseCase release;
     release.told.time = times[number];
     release.told.factor = find_factor(number);
-    release.data = number == 0 ? given : begin_later(given, times[number], keep_state(number));
-    release.data.timeline.reset();
+    release.data = begin_at(number);
     return release;
+  }
+
+  input::Case begin_at(std::size_t number) const {
+    if (number > 0) return begin_later(given, times[number], keep_state(number));
+    input::Case first = given;
+    first.timeline.reset();
+    return first;
   }
 
   std::shared_ptr<const input::KnownWater> keep_state(std::size_t number) const {
@@ -296,6 +305,28 @@ std::vector<ReleaseCase> TimelineRun::list_releases() {
     releases.back().told.folder = beside < *at ? "released_earlier" : "released_later";
   }
   return releases;
+}
+
+std::vector<ReductionCase> TimelineRun::list_reductions() const {
+  std::vector<double> times;
+  if (const auto& asked = parts_->data.timeline->element_times)
+    times = *asked;
+  else if (parts_->told.least_time)
+    times = {*parts_->told.least_time};
+  std::vector<ReductionCase> reductions;
+  for (const double time : times) {
+    const std::size_t number = parts_->find_nearest(time);
+    if (number == 0) continue;  // the run itself
+    ReductionCase& reduction = reductions.emplace_back();
+    reduction.told.time = parts_->times[number];
+    reduction.told.folder = fmt::format("elements_{}", reductions.size());
+    reduction.data = parts_->begin_at(number);
+  }
+  return reductions;
+}
+
+void TimelineRun::add_reduction(results::TimedReduction reduction) {
+  parts_->told.elements.push_back(std::move(reduction));
 }
 
 void TimelineRun::add_release(results::Release release) {

@@ -19,6 +19,11 @@ struct ReleaseCase {
   input::Case data;
 };
 
+struct ReductionCase {
+  results::TimedReduction told;  ///< time and folder
+  input::Case data;
+};
+
 class TimelineRun {
  public:
   /// Throws Error (wrong_input) where the soil stores no water.
@@ -31,6 +36,9 @@ class TimelineRun {
   /// What material points take over, as [timeline.release] asks: the time itself, then the earlier and the later one.
   /// Empty where the factor does not fall below the target; a note says so.
   std::vector<ReleaseCase> list_releases();
+  /// Where finite elements reduce the strength, as `element_times` asks.
+  std::vector<ReductionCase> list_reductions() const;
+  void add_reduction(results::TimedReduction reduction);
   void add_release(results::Release release);
   void tell(results::RunResult& run) const;
   /// Fields of the water at the times of the factors; nullptr where they are more than a report draws.

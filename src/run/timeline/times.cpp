@@ -36,6 +36,7 @@ std::vector<double> list_times(const input::Case& data) {
   if (!timeline.times.empty()) return timeline.times;
   const std::set<double> corners = list_corners(data);
   std::set<double> all = corners;
+  if (timeline.element_times) all.insert(timeline.element_times->begin(), timeline.element_times->end());
   if (timeline.release && timeline.release->time) all.insert(*timeline.release->time);
   for (int i = 1; i < least_times; ++i) all.insert(timeline.duration * i / least_times);
   if (corners.size() <= many_corners) {

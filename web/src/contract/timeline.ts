@@ -34,8 +34,23 @@ export interface Timeline {
   water: { inflow: number; outflow: number; runoff: number; transpired: number; growth: number; error: number };
   seepage_seconds: number;
   search_seconds: number;
+  /** Finite elements at later times. */
+  elements?: TimedReduction[];
   /** Material points that took over, those of the report itself first. */
   releases?: Release[];
+}
+
+export interface TimedReduction {
+  /** [s] */
+  time: number;
+  /** "6 h". */
+  title: string;
+  /** Of the results, inside the folder of the run. */
+  folder: string;
+  /** By flow rule; empty where there is no answer. `slip_line` [m]. */
+  runs: { flow: "as_given" | "associated"; factor: number; slip_line: number[][] }[];
+  /** Why there is no answer. */
+  error: string | null;
 }
 
 export interface Release {

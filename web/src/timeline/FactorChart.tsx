@@ -31,7 +31,8 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
     from: bar.from / unit.si,
     to: bar.to / unit.si,
   }));
-  const factors = points.map((p) => p.factor!);
+  const elements = (timeline.elements ?? []).flatMap((e) => e.runs.map((r) => ({ t: e.time / unit.si, factor: r.factor })));
+  const factors = [...points.map((p) => p.factor!), ...elements.map((e) => e.factor)];
   const [low, high] = [Math.min(target, ...factors), Math.max(target, ...factors)];
   const margin = 0.06 * Math.max(high - low, 0.02);
   const most = Math.max(0, ...rain.map((bar) => bar.rate));
@@ -66,6 +67,7 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
       Plot.ruleY([target], { stroke: "#c2185b", strokeDasharray: "4 3" }),
       Plot.line(points, { x: "t", y: "factor", stroke: colour, strokeWidth: 1.8 }),
       Plot.dot(points, { x: "t", y: "factor", r: 3, fill: colour }),
+      Plot.dot(elements, { x: "t", y: "factor", r: 5, symbol: "diamond", stroke: styleOf(1).colour, strokeWidth: 2 }),
     ],
   });
   return (
@@ -91,6 +93,7 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
         The factor was found at every dot. Dashed: {formatFactor(target)}, below which the slope fails.
         {failure &&
           " The line is the first time below it; the band holds the time of failure with what searches scatter."}
+        {elements.length > 0 && " Diamonds: finite elements."}
         {most > 0 && " Bars from above: rain, to the scale of the strongest."}
       </p>
     </figure>

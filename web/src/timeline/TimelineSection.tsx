@@ -72,6 +72,17 @@ export function TimelineSection() {
             <td>{f.factor !== null && `${f.method}, ${f.source}${f.refusal && ` (${f.refusal})`}`}</td>
           </tr>
         ))}
+        {timeline.elements?.map((e) => (
+          <tr key={`elements ${e.time}`}>
+            <th scope="row">{e.title}</th>
+            <td class="number">{e.runs.length > 0 ? e.runs.map((r) => formatFactor(r.factor)).join("; ") : "none"}</td>
+            <td>
+              Finite elements
+              {e.runs.length > 0 && `, ${e.runs.map((r) => (r.flow === "associated" ? "ψ = φ" : "ψ as given")).join("; ")}`}
+              {e.error && `: ${e.error}`} ({e.folder})
+            </td>
+          </tr>
+        ))}
       </ChartTable>
     </>
   );
