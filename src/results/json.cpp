@@ -62,6 +62,7 @@ void write_file(const std::filesystem::path& path, const T& result, int indent, 
   template void write_file<T>(const std::filesystem::path&, const T&, int, const std::string&);
 TALUS_JSON(RunResult)
 TALUS_JSON(SliceFile)
+TALUS_JSON(TimelineFile)
 TALUS_JSON(ElementFile)
 TALUS_JSON(BoundsFile)
 TALUS_JSON(WaterFields)

@@ -129,6 +129,32 @@ void describe(V& v, R& r) {
   v.key("search_seconds", r.search_seconds, {"s", "seconds of the searches"});
 }
 
+/// The surfaces that were found at one time, with their methods.
+struct SearchedMoment {
+  double time = 0;  ///< [s]
+  std::vector<SlipSurface> circular, noncircular, given;
+  std::string error;  ///< why there is none
+};
+template <class V, As<SearchedMoment> R>
+void describe(V& v, R& r) {
+  v.key("time", r.time, {"s", "when"});
+  v.key("circular", r.circular, {"", "critical circles"});
+  v.key("noncircular", r.noncircular, {"", "critical polylines"});
+  v.key("given", r.given, {"", "surfaces that the case gives"});
+  v.key("error", r.error, {"", "why there is none"});
+}
+
+/// timeline.json: what an interrupted run has found.
+struct TimelineFile {
+  std::string input_hash;
+  std::vector<SearchedMoment> moments;
+};
+template <class V, As<TimelineFile> R>
+void describe(V& v, R& r) {
+  v.key("input_hash", r.input_hash, {"", "hash of the input"});
+  v.key("moments", r.moments, {"", "times that are searched"});
+}
+
 /// Finite elements at the time at which their factor is least, by the first flow rule; nullptr: they have none in time.
 const TimedReduction* find_least_reduction(const Timeline& timeline);
 

@@ -98,7 +98,7 @@ class CaseRun {
     }
     if (has_elements) elements_.emplace(data, alone, options_, hash_).prepare();
     if (has_bounds) bounds_.emplace(data, alone, options_, hash_).prepare();
-    if (data.timeline) timeline_.emplace(data, options_);
+    if (data.timeline) timeline_.emplace(data, options_, hash_);
   }
 
   /// Points that are let go later are prepared then; what can be wrong with them is found here, at time 0.
@@ -227,7 +227,9 @@ class CaseRun {
     run_.results = list_results(loaded_.data, run_);
     run_.comparisons = compare_results(loaded_.data, run_);
     results::write_file(options_.folder / summary_file, run_);
-    if (points_ && run_.status == results::Status::finished) points_->forget();
+    if (run_.status != results::Status::finished) return;
+    if (points_) points_->forget();
+    if (timeline_) timeline_->forget();
   }
 
   void tell_timeline() {

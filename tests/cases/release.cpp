@@ -2,6 +2,7 @@
 // Finite elements and material points on the water of a time of a timeline: factors beside slices, nothing that moves
 // where the slope stands, and what is said where there is nothing to let go.
 
+#include "base/interrupt.hpp"
 #include "cases/methods_slope.hpp"
 #include "mesh/generate.hpp"
 
@@ -174,6 +175,40 @@ TEST_F(Release, FiniteElementsReduceStrengthAtTimesOfTheTimeline) {
     before = factor;
   }
   EXPECT_EQ(summary.at("main_factor").get<double>(), std::min(before, timeline.at("least").get<double>()));
+}
+
+// Interrupted when several times are searched; what is found until then is not searched again.
+TEST_F(Release, AnInterruptedTimelineGoesOn) {
+  const std::string text = write_bank("[timeline]\nduration = 1\ntolerance = 0.001\n");
+  const std::vector<input::Override> changes{{"analysis.methods", "['lem']"}};
+  const auto whole = run(text, changes).at("timeline");
+  Progress interrupting([rounds = 0](const ProgressReport& report) mutable {
+    if (report.line.find("searches") != std::string::npos && ++rounds == 3) request_interrupt();
+  });
+  run::RunOptions options;
+  options.folder = folder_;
+  options.overwrite = true;
+  options.progress = &interrupting;
+  const input::LoadedCase loaded = input::read_case_text(text, "slope.toml", changes);
+  EXPECT_THROW(support::run_case(loaded, options), Error);
+  request_interrupt(false);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "timeline.json"));
+  std::string most;  // searches
+  Progress counting([&](const ProgressReport& report) {
+    if (report.line.find("searches") != std::string::npos && most.empty()) most = report.line;
+  });
+  options.overwrite = false;
+  options.resume = true;
+  options.progress = &counting;
+  const auto resumed = support::run_case(loaded, options).at("timeline");
+  EXPECT_NE(most, "timeline: 2 searches") << "the first one after time 0 is known";
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "timeline.json"));
+  ASSERT_EQ(resumed.at("factors").size(), whole.at("factors").size());
+  for (std::size_t i = 0; i < whole.at("factors").size(); ++i) {
+    const auto &a = resumed.at("factors")[i], &b = whole.at("factors")[i];
+    EXPECT_EQ(a.at("time"), b.at("time"));
+    EXPECT_NEAR(a.at("factor").get<double>(), b.at("factor").get<double>(), 1e-5);
+  }
 }
 
 TEST_F(Release, ASlopeThatDoesNotFailIsNotLetGo) {

@@ -79,13 +79,38 @@ bool take_over(const std::vector<Moment>& others, const lem::SearchOptions& opti
 }  // namespace
 
 void take_known(const results::SliceResult& found, const lem::SearchOptions& options, Moment& moment) {
-  const auto take = [&](const std::vector<results::CriticalSurface>& from, std::vector<lem::Critical>& to) {
-    for (const results::CriticalSurface& c : from)
-      to.push_back(solve_surface(*moment.slope, take_surface(c.surface, options.vertices), c.surface.method, options));
+  results::SearchedMoment kept;
+  const auto keep = [](const std::vector<results::CriticalSurface>& from, std::vector<results::SlipSurface>& to) {
+    for (const results::CriticalSurface& c : from) to.push_back(c.surface);
   };
-  take(found.critical, moment.circular);
-  take(found.noncircular, moment.noncircular);
-  take(found.given, moment.given);
+  keep(found.critical, kept.circular);
+  keep(found.noncircular, kept.noncircular);
+  keep(found.given, kept.given);
+  take_kept(kept, options, moment);
+}
+
+void take_kept(const results::SearchedMoment& kept, const lem::SearchOptions& options, Moment& moment) {
+  const auto take = [&](const std::vector<results::SlipSurface>& from, std::vector<lem::Critical>& to) {
+    for (const results::SlipSurface& s : from)
+      to.push_back(solve_surface(*moment.slope, take_surface(s, options.vertices), s.method, options));
+  };
+  take(kept.circular, moment.circular);
+  take(kept.noncircular, moment.noncircular);
+  take(kept.given, moment.given);
+  moment.error = kept.error;
+}
+
+results::SearchedMoment keep_moment(const Moment& moment) {
+  results::SearchedMoment kept;
+  kept.time = moment.time;
+  kept.error = moment.error;
+  const auto keep = [&](const std::vector<lem::Critical>& from, std::vector<results::SlipSurface>& to) {
+    for (const lem::Critical& c : from) to.push_back(tell_critical(*moment.slope, c).surface);
+  };
+  keep(moment.circular, kept.circular);
+  keep(moment.noncircular, kept.noncircular);
+  keep(moment.given, kept.given);
+  return kept;
 }
 
 void search_moment(const input::Case& data, lem::SearchOptions options, const std::vector<Moment>& others,

@@ -27,6 +27,10 @@ struct Moment {
 /// What a search of the run has found at the time of `moment`.
 void take_known(const results::SliceResult& found, const lem::SearchOptions& options, Moment& moment);
 
+/// The surfaces of a time, and a time that has these.
+results::SearchedMoment keep_moment(const Moment& moment);
+void take_kept(const results::SearchedMoment& kept, const lem::SearchOptions& options, Moment& moment);
+
 /// Search, or the surfaces of the case; polylines begin with those of `others`.
 void search_moment(const input::Case& data, lem::SearchOptions options, const std::vector<Moment>& others,
                    Moment& moment);

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <mutex>
 
 #include "base/dates.hpp"
+#include "base/interrupt.hpp"
 #include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "fem/seepage/check.hpp"
@@ -17,6 +20,7 @@
 #include "ground/pore_water.hpp"
 #include "ground/season.hpp"
 #include "mesh/generate.hpp"
+#include "results/json.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/section_of_case.hpp"
 #include "run/timeline/begin_later.hpp"
@@ -25,6 +29,8 @@
 
 namespace talus::run {
 namespace {
+
+constexpr const char* kept_file = "timeline.json";
 
 using Clock = std::chrono::steady_clock;
 
@@ -35,8 +41,12 @@ double count_seconds(Clock::time_point since) {
 }  // namespace
 
 struct TimelineRun::Parts {
-  Parts(const input::Case& d, const RunOptions& o)
-      : given(d), data(ground::close_sides(d)), options(o), search(make_search_options(data.lem, 1)) {
+  Parts(const input::Case& d, const RunOptions& o, std::string h)
+      : given(d),
+        data(ground::close_sides(d)),
+        options(o),
+        hash(std::move(h)),
+        search(make_search_options(data.lem, 1)) {
     mesh = mesh::generate<2>(data.mesh);
     model = ground::make_seepage_model<2>(data, mesh, wet_mesh);
     fem::check_storage(model);
@@ -45,6 +55,7 @@ struct TimelineRun::Parts {
   const input::Case& given;
   input::Case data;  ///< with its sides closed, for the seepage
   const RunOptions& options;
+  const std::string hash;
   lem::SearchOptions search;  ///< of one time: many times are searched side by side
   mesh::Mesh<2> mesh, wet_mesh;
   fem::SeepageModel<2> model;
@@ -101,24 +112,42 @@ struct TimelineRun::Parts {
     std::vector<std::size_t> numbers;
     std::size_t guided = 0;  // moments whose surfaces the guide has
     guide.assign(times.size(), std::nullopt);
+    // What is found is kept at once: an interrupted run goes on from there.
+    results::TimelineFile kept{hash, {}};
+    std::mutex keeping;
+    const auto keep = [&](const Moment& moment) {
+      const std::lock_guard lock(keeping);
+      kept.moments.push_back(keep_moment(moment));
+      results::write_file(options.folder / kept_file, kept, -1);
+    };
     const auto search_all = [&](const std::vector<std::size_t>& next) {
       if (options.progress) options.progress->show(fmt::format("timeline: {} searches", moments.size() + next.size()));
       std::vector<Moment> found(next.size());
       numbers.insert(numbers.end(), next.begin(), next.end());
       parallel_tasks(static_cast<int>(next.size()), options.threads, [&](int i) {
         Moment& moment = found[static_cast<std::size_t>(i)] = make_moment(next[static_cast<std::size_t>(i)]);
+        throw_if_interrupted();
         search_moment(data, search, moments, moment);
+        keep(moment);
       });
       std::move(found.begin(), found.end(), std::back_inserter(moments));
     };
     moments.push_back(make_moment(0));
     take_known(first, search, moments.back());
     numbers.push_back(0);
-    search_all({times.size() - 1});  // the others begin with what these two know
+    for (const results::SearchedMoment& known : load_kept(kept)) {
+      numbers.push_back(find_nearest(known.time));
+      moments.push_back(make_moment(numbers.back()));
+      take_kept(known, search, moments.back());
+    }
+    const auto drop_known = [&](std::vector<std::size_t> next) {
+      std::erase_if(next, [&](std::size_t n) { return std::find(numbers.begin(), numbers.end(), n) != numbers.end(); });
+      return next;
+    };
+    search_all(drop_known({times.size() - 1}));  // the others begin with what these two know
     for (std::vector<std::size_t> next = told.chosen ? choice.next() : list_all(); !next.empty();
          next = choice.next()) {
-      std::erase_if(next, [&](std::size_t n) { return std::find(numbers.begin(), numbers.end(), n) != numbers.end(); });
-      search_all(next);
+      search_all(drop_known(next));
       if (data.lem.search != input::SurfaceSearch::none) share_surfaces(search, options.threads, moments);
       std::vector<results::TimedFactor> fresh;
       for (std::size_t i = 0; i < moments.size(); ++i) {
@@ -134,6 +163,14 @@ struct TimelineRun::Parts {
     std::sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time < b.time; });
     if (told.chosen) told.distance = choice.find_distance();
     told.search_seconds = count_seconds(start);
+  }
+
+  /// What an interrupted run has found at times after 0.
+  std::vector<results::SearchedMoment> load_kept(results::TimelineFile& kept) const {
+    if (!options.resume) return {};
+    auto known = results::find_file<results::TimelineFile>(options.folder / kept_file);
+    if (known && known->input_hash == hash) kept = std::move(*known);
+    return kept.moments;
   }
 
   /// Tries the surfaces that govern at some times at all times: what searches there would find at most.
@@ -275,8 +312,8 @@ struct TimelineRun::Parts {
   }
 };
 
-TimelineRun::TimelineRun(const input::Case& data, const RunOptions& options)
-    : parts_(std::make_unique<Parts>(data, options)) {}
+TimelineRun::TimelineRun(const input::Case& data, const RunOptions& options, std::string input_hash)
+    : parts_(std::make_unique<Parts>(data, options, std::move(input_hash))) {}
 TimelineRun::~TimelineRun() = default;
 
 void TimelineRun::calculate(const PreparedSlope& prepared, const results::SliceResult& first) {
@@ -331,6 +368,10 @@ void TimelineRun::add_reduction(results::TimedReduction reduction) {
 
 void TimelineRun::add_release(results::Release release) {
   parts_->told.releases.push_back(std::move(release));
+}
+
+void TimelineRun::forget() const {
+  std::filesystem::remove(parts_->options.folder / kept_file);
 }
 
 void TimelineRun::tell(results::RunResult& run) const {

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "results/run.hpp"
@@ -27,7 +28,7 @@ struct ReductionCase {
 class TimelineRun {
  public:
   /// Throws Error (wrong_input) where the soil stores no water.
-  TimelineRun(const input::Case& data, const RunOptions& options);
+  TimelineRun(const input::Case& data, const RunOptions& options, std::string input_hash);
   ~TimelineRun();
 
   /// `prepared`, `first`: the slope at time 0, and what slices found there. Throws what seepage in time throws, and
@@ -41,6 +42,8 @@ class TimelineRun {
   void add_reduction(results::TimedReduction reduction);
   void add_release(results::Release release);
   void tell(results::RunResult& run) const;
+  /// Removes what an interrupted run would go on from.
+  void forget() const;
   /// Fields of the water at the times of the factors; nullptr where they are more than a report draws.
   const results::WaterFields* water_fields() const;
 
