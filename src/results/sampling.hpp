@@ -293,6 +293,7 @@ struct Sampling {
   int surfaces = 0;  ///< that every sample was evaluated on; 0: each sample was searched
   std::optional<SurfaceCheck> check;
   std::optional<SampledRunout> runout;
+  std::optional<SampledValues> failure_time;  ///< of the samples that fail within the timeline [day]
   std::vector<std::string> notes;
   std::string samples_file;
 
@@ -325,6 +326,7 @@ void describe(V& v, R& r) {
   v.key("surfaces", r.surfaces, {"", "surfaces that every sample was evaluated on"});
   v.key("check", r.check, {"", "quick factors against searches"});
   v.key("runout", r.runout, {"", "distribution of the runout"});
+  v.key("failure_time", r.failure_time, {"day", "time of failure of the samples that fail within the timeline"});
   v.key("notes", r.notes, {"", "notes"});
   v.key("samples_file", r.samples_file, {"", "file of the samples"});
 }

@@ -19,8 +19,9 @@ struct SampleSet {
   SampledNumbers sampled;
   ScorePlan plan;
   std::vector<std::vector<double>> scores, values;  ///< [number][sample]
-  std::vector<double> factor;  ///< per sample; NaN where there is none; empty where none is asked for
-  std::vector<double> runout;  ///< per sample [m], NaN where there is none; empty without material points
+  std::vector<double> factor;        ///< per sample; NaN where there is none; empty where none is asked for
+  std::vector<double> runout;        ///< per sample [m], NaN where there is none; empty without material points
+  std::vector<double> failure_time;  ///< per sample [s], NaN where it does not fail; empty without a timeline
   results::Sampling told;
 
   std::size_t size() const { return values.empty() ? 0 : values[0].size(); }

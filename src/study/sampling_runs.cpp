@@ -72,6 +72,20 @@ std::vector<double> take(const std::vector<StudyRow>& rows, const std::string& n
   return values;
 }
 
+/// When the factor of each sample is first found below the target [s].
+std::vector<double> take_failure_times(const std::vector<StudyRow>& rows) {
+  std::vector<double> times;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    times.push_back(none);
+    if (rows[i].told.status != results::VariantStatus::finished || !rows[i].result || !rows[i].result->timeline)
+      continue;
+    const results::Timeline& timeline = *rows[i].result->timeline;
+    if (timeline.fails_from_start) times.back() = 0;
+    if (timeline.failure) times.back() = timeline.failure->to;
+  }
+  return times;
+}
+
 }  // namespace
 
 results::StudyResult calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
@@ -83,6 +97,7 @@ results::StudyResult calculate_runs(const input::LoadedCase& base, const std::ve
   const Method method = set.told.method;
   const std::string factor = find_name(rows, list_factors(method));
   if (!factor.empty()) set.factor = take(rows, factor);
+  if (method == Method::lem) set.failure_time = take_failure_times(rows);
   if (method == Method::mpm) {
     std::vector<std::string> names{"runout.toe_distance"};
     for (const double f : base.data.strength_reduction.curve.runout)

@@ -13,6 +13,7 @@
 namespace talus::study {
 namespace {
 
+constexpr double seconds_of_day = 86400;
 /// How often the estimate is told as the samples grow.
 constexpr std::size_t steps_of_growth = 40;
 constexpr std::size_t distances_of_curve = 60;
@@ -150,6 +151,11 @@ void tell_runout(const input::Sampling& asked, const SampleSet& set, results::Sa
 void tell_samples(const input::Sampling& asked, SampleSet& set) {
   results::Sampling& told = set.told;
   told.correlations = describe_correlations(set);
+  if (std::any_of(set.failure_time.begin(), set.failure_time.end(), [](double t) { return std::isfinite(t); })) {
+    std::vector<double> days = set.failure_time;
+    for (double& time : days) time /= seconds_of_day;
+    told.failure_time = describe_values(days);
+  }
   if (told.runout) tell_runout(asked, set, *told.runout);
   told.samples_file = "samples.csv";
   if (set.factor.empty()) return;

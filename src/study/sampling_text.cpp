@@ -80,6 +80,9 @@ std::string write_sampling_markdown(const std::string& title, const results::Sam
       text += fmt::format("| {:.3g} m | {} | {} | {} |\n", e.distance, show_probability(e.share.probability),
                           show_probability(e.share.lower), show_probability(e.share.upper));
   }
+  if (const auto& t = sampling.failure_time; t && t->count > 0)
+    text += fmt::format("\nTime of failure of the {} samples that fail: mean {:.3g} days, {:.3g} to {:.3g} days.\n",
+                        t->count, t->mean, t->smallest, t->largest);
   std::string notes;
   for (const std::string& note : sampling.notes) notes += "- " + note + "\n";
   return text + (notes.empty() ? "" : "\n" + notes);
@@ -90,6 +93,7 @@ std::string write_samples(const SampleSet& set) {
   for (const results::UncertainNumber& n : set.told.numbers) text += "," + output::make_label(n.key, n.unit);
   if (!set.factor.empty()) text += ",factor of safety";
   if (!set.runout.empty()) text += ",runout beyond the toe [m]";
+  if (!set.failure_time.empty()) text += ",time of failure [s]";
   text += '\n';
   const auto write = [](double x) { return std::isfinite(x) ? output::to_shortest(x) : std::string(); };
   for (std::size_t i = 0; i < set.size(); ++i) {
@@ -97,6 +101,7 @@ std::string write_samples(const SampleSet& set) {
     for (const auto& column : set.values) text += "," + write(column[i]);
     if (!set.factor.empty()) text += "," + write(set.factor[i]);
     if (!set.runout.empty()) text += "," + write(set.runout[i]);
+    if (!set.failure_time.empty()) text += "," + write(set.failure_time[i]);
     text += '\n';
   }
   return text;

@@ -169,6 +169,10 @@ deviation = 1
   EXPECT_EQ(found.study.variants.size(), 5u);  // the means first
   EXPECT_LT(found.study.sampling->factor->largest, 1.3) << "at time 0 it is above 1.4 for each of them";
   EXPECT_GT(found.study.sampling->factor->smallest, 0.7);
+  const auto& time = found.study.sampling->failure_time;
+  EXPECT_EQ(time ? time->count : 0, found.study.sampling->failure->share.count)
+      << "a sample fails when its least factor is below 1";
+  EXPECT_EQ(time ? time->count + time->none : 4, 4);
 }
 
 TEST_F(Timeline, SaysWhatACaseLacks) {

@@ -44,6 +44,9 @@ void say_sampling(const results::Sampling& sampling, std::vector<std::string>& s
       sentences.push_back(fmt::format("The soil comes farther than {} m with a probability of {} ({} to {}).",
                                       show_number(e.distance), show_share(e.share.probability),
                                       show_share(e.share.lower), show_share(e.share.upper)));
+  if (const auto& t = sampling.failure_time; t && t->count > 0)
+    sentences.push_back(fmt::format("The {} samples that fail do so after {} to {} days, {} in the mean.", t->count,
+                                    show_number(t->smallest), show_number(t->largest), show_number(t->mean)));
   if (sampling.tornado && !sampling.tornado->empty()) {
     std::string name = sampling.tornado->front().name;
     std::replace(name.begin(), name.end(), '_', ' ');

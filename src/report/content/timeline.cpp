@@ -63,6 +63,8 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
              {"least_time", write(timeline.least_time)},
              {"distance", write(timeline.distance)},
              {"seepage_seconds", timeline.seepage_seconds},
+             {"steps", timeline.weather.steps},
+             {"step_error", timeline.step_error},
              {"search_seconds", timeline.search_seconds},
              {"water",
               {{"inflow", timeline.weather.inflow},

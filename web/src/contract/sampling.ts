@@ -53,6 +53,8 @@ export interface Sampling {
   /** Quick factors against searches: by how much they lie above, relative. */
   check: { samples: number; largest: number | null; mean: number | null } | null;
   runout: Runout | null;
+  /** Of the samples that fail within a timeline [days]. */
+  failure_time: SampledValues | null;
   notes: string[];
   samples_file: string;
 }

@@ -66,7 +66,7 @@ function Estimates({ sampling }: { sampling: Sampling }) {
 export function SamplingSection() {
   const sampling = report.value.study?.sampling;
   if (!sampling) return null;
-  const { factor, failure, runout } = sampling;
+  const { factor, failure, runout, failure_time } = sampling;
   const plan =
     sampling.plan === "random"
       ? "drawn at random"
@@ -94,6 +94,16 @@ export function SamplingSection() {
         )}
         {sampling.tornado && sampling.tornado.length > 0 && <TornadoChart sampling={sampling} />}
         {failure && failure.growth.length > 1 && <GrowthChart failure={failure} />}
+        {failure_time && failure_time.histogram.counts.length > 0 && (
+          <HistogramChart
+            values={failure_time}
+            title="Time of failure"
+            unit="days"
+            limit={null}
+            probability={null}
+            part="failure-time-histogram"
+          />
+        )}
         {runout && <RunoutChart runout={runout} />}
         {runout && runout.histogram.counts.length > 0 && (
           <HistogramChart
