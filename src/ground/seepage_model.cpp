@@ -121,6 +121,8 @@ fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mes
                              ? fem::FluxMeasure::vertical
                              : fem::FluxMeasure::normal;
       boundary.suction_limit = h.suction_limit;
+      boundary.standing_depth = h.standing_depth;
+      boundary.runs_on = h.runs_on;
     }
     if (boundary.kind == fem::HydraulicKind::no_flow) continue;
     for (const WaterSide<D>& s : sides.open) {

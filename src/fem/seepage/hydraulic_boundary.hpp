@@ -42,6 +42,11 @@ struct HydraulicBoundary {
   FluxMeasure measure = FluxMeasure::normal;
   double suction_limit = std::numeric_limits<double>::infinity();  ///< where evaporation stops [Pa]
 
+  /// Of rain, in time: what does not enter stands on the ground up to this depth [m], and runs on from there to where
+  /// it can enter, or else is gone.
+  double standing_depth = 0;
+  bool runs_on = false;
+
   double value_at(double time) const;
 };
 

@@ -19,7 +19,7 @@ template <int D>
 void add_discharges(const SeepageSystem<D>& system, const NodalSums& sums, const std::vector<NodeCondition>& conditions,
                     double time, SeepageResult<D>& result, const std::vector<FaceState>& face) {
   const auto& boundaries = system.model.boundaries;
-  for (const auto& b : boundaries) result.discharges.push_back({b.name, 0, 0, 0});
+  for (const auto& b : boundaries) result.discharges.emplace_back().name = b.name;
   const auto book = [&](std::size_t b, double into) {
     (into > 0 ? result.discharges[b].inflow : result.discharges[b].outflow) += std::abs(into);
   };
@@ -47,6 +47,15 @@ void add_discharges(const SeepageSystem<D>& system, const NodalSums& sums, const
       book(b, own);
       if (flux > 0) result.discharges[b].runoff += flux - own;
     }
+  }
+  for (std::size_t u = 0; u < conditions.size(); ++u) {
+    const NodeCondition& c = conditions[u];
+    if (c.carried == 0 || c.owner < 0 || c.fixed) continue;
+    const double enters = face[u] == FaceState::open ? c.offered : sums.outflow[u] - c.given;
+    if (!(enters * c.offered > 0)) continue;
+    const double own = c.carried * enters / c.offered;
+    book(static_cast<std::size_t>(c.owner), own);
+    result.discharges[static_cast<std::size_t>(c.owner)].runoff -= own;
   }
   for (std::size_t u = 0; u < conditions.size(); ++u) {
     const NodeCondition& c = conditions[u];

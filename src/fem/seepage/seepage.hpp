@@ -56,7 +56,8 @@ struct Discharge {
   std::string name;
   double inflow = 0;
   double outflow = 0;
-  double runoff = 0;  ///< rain that did not enter
+  double runoff = 0;    ///< rain that did not enter, here or where it ran to
+  double standing = 0;  ///< growth of the water that stands on the ground
 };
 
 /// Where a face is wet, in 2D and 3D.

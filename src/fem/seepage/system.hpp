@@ -24,6 +24,7 @@ struct NodeCondition {
   double given = 0;  ///< flux whatever the pressure [m³/s]
   bool face = false;
   double offered = 0;                                              ///< rain [m³/s]; negative: evaporation
+  double carried = 0;                                              ///< its part that ran on or stood [m³/s]
   double suction_limit = std::numeric_limits<double>::infinity();  ///< [Pa]
 };
 

@@ -10,10 +10,14 @@
 #include "base/error.hpp"
 #include "fem/seepage/check.hpp"
 #include "fem/seepage/results.hpp"
+#include "fem/seepage/runoff.hpp"
 
 namespace talus::fem {
 
 namespace {
+
+/// Solutions of a step until what runs on is known; then a smaller step is tried.
+constexpr int most_routes = 60;
 
 /// Times that a step must not pass: outputs and the corners of the tables of boundaries and sinks.
 template <int D>
@@ -54,6 +58,7 @@ void add_volumes(std::vector<Discharge>& volumes, const std::vector<Discharge>& 
     volumes[b].inflow += rates[b].inflow * dt;
     volumes[b].outflow += rates[b].outflow * dt;
     volumes[b].runoff += rates[b].runoff * dt;
+    volumes[b].standing += rates[b].standing * dt;
   }
 }
 
@@ -75,6 +80,21 @@ double find_error(const SeepageState& after, const SeepageState& before, const s
   return error;
 }
 
+/// One step, with what runs on found on the way: water that reaches a node may saturate it, and go on from there.
+template <int D>
+bool solve_step(SeepageNewton<D>& newton, Runoff<D>& runoff, const StepInput& input,
+                std::vector<NodeCondition>& conditions, SeepageState& trial) {
+  if (!runoff.is_used()) return newton.solve(trial, conditions, input);
+  const std::vector<NodeCondition> rain = std::move(conditions);
+  for (int i = 0; i < most_routes; ++i) {
+    conditions = rain;
+    runoff.offer(input.dt, conditions);
+    if (!newton.solve(trial, conditions, input)) return false;
+    if (runoff.route(input.dt, conditions, trial, newton.sums())) return true;
+  }
+  return false;
+}
+
 double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
@@ -88,6 +108,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
   check_storage(model);
   check_schedule(schedule);
   SeepageNewton<D> newton(system, options);
+  Runoff<D> runoff(system);
   const double whole = schedule.outputs.back() - schedule.start;
   const double smallest = schedule.smallest_step > 0 ? schedule.smallest_step : 1e-9 * whole;
   const double first_step =
@@ -113,10 +134,10 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     input.old_contents = &contents;
     // A table that jumps at a stop holds its old value up to there.
     const double at = lands ? then - 1e-9 * step : then;
-    const auto conditions = system.find_conditions(at);
+    auto conditions = system.find_conditions(at);
     input.sink_rates = find_sink_rates(model, at);
     SeepageState trial = state;
-    const bool solved = newton.solve(trial, conditions, input);
+    const bool solved = solve_step(newton, runoff, input, conditions, trial);
     const double error = solved ? find_error(trial, state, rate, step, last_dt) : 0;
     if (!solved || (error > 2 * schedule.head_tolerance && step > 4 * smallest)) {
       ++history.rejected;
@@ -131,6 +152,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     for (std::size_t u = 0; u < rate.size(); ++u) rate[u] = (trial.head[u] - state.head[u]) / step;
     auto result = make_result(system, trial, newton.sums(), conditions, at, input);
     result.time = then;
+    runoff.end_step(step, conditions, result);
     add_volumes(volumes, result.discharges, step);
     add_uptakes(drawn, result.uptakes, step);
     state = std::move(trial);

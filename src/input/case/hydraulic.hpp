@@ -25,6 +25,8 @@ struct Hydraulic {
   SeriesShape series = SeriesShape::linear;
   RainDirection rain = RainDirection::vertical;
   double suction_limit = std::numeric_limits<double>::infinity();  ///< where evaporation stops [Pa]
+  double standing_depth = 0;  ///< of rain that waits on the ground, in a season or a timeline [m]
+  bool runs_on = false;       ///< rain that cannot enter runs down the ground to where it can, likewise
 
   /// The series of the condition in force, steps written out as jumps (two rows at one time); zero for conditions
   /// without a value.
@@ -77,6 +79,12 @@ void describe(Visitor& v, Hydraulic& h) {
   v.key("suction_limit", h.suction_limit,
         quantity("kPa").above(0).or_infinite().allowed_with("condition", h.condition, C::rain),
         "Suction at the surface where evaporation ends.");
+  v.key("standing_depth", h.standing_depth,
+        quantity("mm").at_least(0).allowed_with("condition", h.condition, C::rain).example("5"),
+        "Rain that cannot enter stands on the ground up to this depth, and enters later. In a season and a timeline.");
+  v.key("runs_on", h.runs_on, plain().allowed_with("condition", h.condition, C::rain),
+        "Rain that cannot enter, and does not stand, runs down the ground to where it can, or to the pool, or off the "
+        "section; water that comes out of the ground too. Without it such rain is gone. In a season and a timeline.");
 }
 
 }  // namespace talus::input

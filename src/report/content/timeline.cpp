@@ -70,6 +70,7 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
               {{"inflow", timeline.weather.inflow},
                {"outflow", timeline.weather.outflow},
                {"runoff", timeline.weather.runoff},
+               {"standing", timeline.weather.standing},
                {"transpired", timeline.weather.transpired},
                {"growth", timeline.weather.growth},
                {"error", timeline.weather.error}}}};

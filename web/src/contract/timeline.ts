@@ -31,7 +31,7 @@ export interface Timeline {
    */
   failure?: { from: number; to: number; earliest: number; latest: number | null };
   /** Volumes over the whole time [m³], in 2D per metre. */
-  water: { inflow: number; outflow: number; runoff: number; transpired: number; growth: number; error: number };
+  water: { inflow: number; outflow: number; runoff: number; standing: number; transpired: number; growth: number; error: number };
   /** Of the seepage. */
   steps: number;
   /** The most by which one of them may be off, as a head [m]. */
