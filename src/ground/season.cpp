@@ -200,7 +200,8 @@ results::Season tell_season(const SeasonRecord& r) {
   told.steps = r.steps;
   told.rejected = r.rejected;
   told.iterations = r.iterations;
-  for (const fem::Discharge& d : r.discharges) told.standing += d.standing;
+  for (const fem::Discharge& d : r.discharges)
+    if (d.standing != 0) told.standing = told.standing.value_or(0) + d.standing;
   for (const fem::Discharge& d : r.discharges) told.surfaces.push_back({d.name, d.inflow, d.outflow, d.runoff});
   for (const fem::Uptake& u : r.uptakes) told.plants.push_back({u.name, u.potential, u.actual});
   for (std::size_t i = 0; i < r.depths.size(); ++i) {

@@ -146,8 +146,9 @@ void describe(V& v, R& r) {
 /// Rain and transpiration before the run [m³; per metre in plane strain].
 struct Season {
   double duration = 0;  ///< [s]
-  double initial = 0, growth = 0, inflow = 0, outflow = 0, runoff = 0, standing = 0, potential = 0, transpired = 0;
-  double error = 0;  ///< of the budget, relative
+  double initial = 0, growth = 0, inflow = 0, outflow = 0, runoff = 0, potential = 0, transpired = 0;
+  std::optional<double> standing;  ///< nothing: no rain may stand
+  double error = 0;                ///< of the budget, relative
   int steps = 0, rejected = 0, iterations = 0;
   std::vector<Discharge> surfaces;
   std::vector<PlantWater> plants;
@@ -161,7 +162,7 @@ void describe(V& v, R& r) {
   v.key("inflow", r.inflow, {"m3", "water that came in"});
   v.key("outflow", r.outflow, {"m3", "water that left"});
   v.key("runoff", r.runoff, {"m3", "rain that ran off"});
-  v.key("standing", r.standing, {"m3", "rain that stands on the ground at the end"});
+  v.maybe("standing", r.standing, {"m3", "rain that stands on the ground at the end"});
   v.key("potential", r.potential, {"m3", "potential transpiration"});
   v.key("transpired", r.transpired, {"m3", "transpiration"});
   v.key("error", r.error, {"", "error of the budget"});

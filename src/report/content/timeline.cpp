@@ -70,7 +70,7 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
               {{"inflow", timeline.weather.inflow},
                {"outflow", timeline.weather.outflow},
                {"runoff", timeline.weather.runoff},
-               {"standing", timeline.weather.standing},
+               {"standing", timeline.weather.standing.value_or(0)},
                {"transpired", timeline.weather.transpired},
                {"growth", timeline.weather.growth},
                {"error", timeline.weather.error}}}};
