@@ -106,7 +106,7 @@ struct Timeline {
   std::vector<Release> releases;         ///< the first is that of the run
   std::vector<std::string> notes;
   Season weather;
-  double step_error = 0;  ///< the most by which a step of the seepage may be off, by its prediction [m of water]
+  double step_error = 0;  ///< the largest of a step of the seepage, by its prediction [m of water]
   double seepage_seconds = 0, search_seconds = 0;
 };
 template <class V, As<Timeline> R>
@@ -126,7 +126,7 @@ void describe(V& v, R& r) {
   v.key("releases", r.releases, {"", "material points that took over, the run itself first"});
   v.key("notes", r.notes, {"", "what must be known of it"});
   v.key("weather", r.weather, {"", "water that came, went and is stored"});
-  v.key("step_error", r.step_error, {"m", "the most by which a step of the seepage may be off, as a head"});
+  v.key("step_error", r.step_error, {"m", "the largest error of a step of the seepage, by its prediction"});
   v.key("seepage_seconds", r.seepage_seconds, {"s", "seconds of the seepage"});
   v.key("search_seconds", r.search_seconds, {"s", "seconds of the searches"});
 }

@@ -109,6 +109,7 @@ struct SeepageHistory {
   std::vector<std::vector<Discharge>> volumes;  ///< through each boundary from the start to each output [m³]
   std::vector<std::vector<Uptake>> uptakes;     ///< drawn by each sink from the start to each output [m³]
   std::vector<double> stored;                   ///< growth of the stored water since the start [m³]
+  double largest_error = 0;                     ///< of a step, by its prediction; the first after a corner has none [m]
   int steps = 0, rejected = 0, iterations = 0;
 };
 

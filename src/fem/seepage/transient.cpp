@@ -160,6 +160,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     last_dt = step;
     time = then;
     ++history.steps;
+    history.largest_error = std::max(history.largest_error, error);
     const double growth = error > 0 ? std::clamp(0.9 * std::sqrt(schedule.head_tolerance / error), 0.3, 2.0) : 1.5;
     dt = lands ? std::max(dt, step * growth) : step * growth;
     if (!lands) continue;

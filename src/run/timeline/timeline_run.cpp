@@ -86,7 +86,7 @@ struct TimelineRun::Parts {
     times = {0};
     times.insert(times.end(), schedule.outputs.begin(), schedule.outputs.end());
     told.weather = ground::tell_season(flow.record);
-    told.step_error = schedule.head_tolerance;
+    told.step_error = flow.history.largest_error;
     told.seepage_seconds = count_seconds(start);
   }
 

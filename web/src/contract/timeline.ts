@@ -34,7 +34,7 @@ export interface Timeline {
   water: { inflow: number; outflow: number; runoff: number; standing: number; transpired: number; growth: number; error: number };
   /** Of the seepage. */
   steps: number;
-  /** The most by which one of them may be off, as a head [m]. */
+  /** The largest error of one of them, by its prediction, as a head [m]. */
   step_error: number;
   seepage_seconds: number;
   search_seconds: number;

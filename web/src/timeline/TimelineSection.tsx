@@ -52,7 +52,7 @@ export function TimelineSection() {
         Water over the whole time, per metre: {volume(water.inflow)} came in, {volume(water.outflow)} left
         {water.transpired > 0 && `, ${volume(water.transpired)} were drawn by roots`}, {volume(Math.abs(water.growth))} {water.growth < 0 ? "less" : "more"} are in
         the soil, {volume(water.runoff)} of the rain ran off{water.standing > 0 && `, ${volume(water.standing)} stand on the ground`}; it closes to {water.error === 0 ? "0" : Math.abs(water.error).toExponential(0)}. {timeline.steps}{" "}
-        steps, whose prediction is each within {formatNumber(timeline.step_error, 2)} m of head.
+        steps; the largest error of one, by its prediction, is {formatNumber(timeline.step_error, 2)} m of head.
         {timeline.distance !== null &&
           ` Between the times a straight line is off by ${formatNumber(100 * timeline.distance, 2)} % of the factor, as far as the bends of the curve tell.`}
       </p>
