@@ -5,6 +5,7 @@
 #include "base/interrupt.hpp"
 #include "cases/methods_slope.hpp"
 #include "mesh/generate.hpp"
+#include "run/timeline/begin_later.hpp"
 
 namespace talus {
 namespace {
@@ -175,6 +176,42 @@ TEST_F(Release, FiniteElementsReduceStrengthAtTimesOfTheTimeline) {
     before = factor;
   }
   EXPECT_EQ(summary.at("main_factor").get<double>(), std::min(before, timeline.at("least").get<double>()));
+}
+
+// The state at a jump of a series is that before it, with the pool and the rain that go with it.
+TEST_F(Release, ATimeAtWhichAPoolJumpsIsBeforeTheJump) {
+  const std::vector<input::Override> changes{
+      {"analysis.methods", "['lem', 'fem']"},
+      {"fem.flow", "'as_given'"},
+      {"fem.resolution", "0.01"},
+      {"initial.water_table", "[[0, 4], [14, 4]]"},
+      {"hydraulic",
+       "[{ on = 'ground', condition = 'total_head', head = [[0, 4], [\"0.5 day\", 4], [\"0.5 day\", 1.5], "
+       "[\"1 day\", 1.5]] }, { on = 'left', condition = 'no_flow' }]"}};
+  const auto summary = run(write_bank("[timeline]\nduration = 1\ntimes = [0.5, 1]\nelement_times = [0.5]\n"), changes);
+  const double first = summary.at("fem").at("runs")[0].at("factor");
+  const auto& timeline = summary.at("timeline");
+  EXPECT_NEAR(timeline.at("elements")[0].at("runs")[0].at("factor").get<double>(), first, 0.011);
+  EXPECT_NEAR(timeline.at("factors")[1].at("factor").get<double>(),
+              timeline.at("factors")[0].at("factor").get<double>(), 0.002);
+  EXPECT_LT(timeline.at("factors")[2].at("factor").get<double>(),
+            0.9 * timeline.at("factors")[0].at("factor").get<double>())
+      << "the jump does nothing";
+}
+
+TEST(BeginLater, ASeriesThatJumpsThereHasItsOldValueFirst) {
+  const auto loaded = input::read_case_text(
+      write_bank("[timeline]\nduration = 1\n"), "bank.toml",
+      {{"hydraulic.0.rate", "[[0, \"6 mm/h\"], [\"12 h\", \"6 mm/h\"], [\"12 h\", 0], [\"1 day\", 0]]"}});
+  const auto water = std::make_shared<const input::KnownWater>();
+  const input::Case later = run::begin_later(loaded.data, 43200, water);
+  const double rain = 6e-3 / 3600;
+  EXPECT_NEAR(later.hydraulics[0].rate.at(0), rain, 1e-12 * rain);
+  EXPECT_EQ(later.hydraulics[0].rate.at(1e-8 * 86400), 0);
+  EXPECT_EQ(later.initial.water.known, water);
+  EXPECT_FALSE(later.timeline);
+  const input::Case first = run::begin_later(loaded.data, 0, nullptr);
+  EXPECT_EQ(first.initial.water.pressure, loaded.data.initial.water.pressure);
 }
 
 // Interrupted when several times are searched; what is found until then is not searched again.

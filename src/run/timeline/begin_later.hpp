@@ -8,8 +8,9 @@
 
 namespace talus::run {
 
-/// The case without its timeline, whose time 0 is at `time` [s]: it begins with `water`, and its series of
-/// [[hydraulic]] and of transpiration go on from there.
+/// The case without its timeline, whose time 0 is just before `time` [s]: it begins with `water` (none: as [initial]
+/// says), and its series of [[hydraulic]] and of transpiration go on from there. A series that jumps at `time` jumps
+/// after the beginning.
 input::Case begin_later(input::Case data, double time, std::shared_ptr<const input::KnownWater> water);
 
 }  // namespace talus::run

@@ -254,10 +254,7 @@ struct TimelineRun::Parts {
   }
 
   input::Case begin_at(std::size_t number) const {
-    if (number > 0) return begin_later(given, times[number], keep_state(number));
-    input::Case first = given;
-    first.timeline.reset();
-    return first;
+    return begin_later(given, times[number], number == 0 ? nullptr : keep_state(number));
   }
 
   std::shared_ptr<const input::KnownWater> keep_state(std::size_t number) const {
