@@ -64,6 +64,8 @@ struct TimelineRun::Parts {
   ground::FlowInTime<2> flow;
   std::vector<double> times;  ///< with 0
   std::vector<Moment> moments;
+  std::vector<std::size_t> searched;  ///< of the times of the moments
+  results::TimelineFile kept{hash, {}};
   std::vector<std::optional<double>> guide;  ///< least factor of the surfaces that govern at some times, at all times
   ground::ToldWater water;
   results::Timeline told;
@@ -107,53 +109,31 @@ struct TimelineRun::Parts {
   void search_times(const results::SliceResult& first) {
     const Clock::time_point start = Clock::now();
     const input::Timeline& asked = *data.timeline;
+    told.duration = asked.duration;
+    if (data.initial.date) told.start = say_date(data.initial.date->seconds);
+    told.target = asked.target;
     told.chosen = asked.times.empty();
     const int most = told.chosen ? asked.most_times : static_cast<int>(times.size());
     TimeChoice choice(times, asked.target, asked.tolerance, most);
-    std::vector<std::size_t> numbers;
     std::size_t guided = 0;  // moments whose surfaces the guide has
     guide.assign(times.size(), std::nullopt);
-    // What is found is kept at once: an interrupted run goes on from there.
-    results::TimelineFile kept{hash, {}};
-    std::mutex keeping;
-    const auto keep = [&](const Moment& moment) {
-      const std::lock_guard lock(keeping);
-      kept.moments.push_back(keep_moment(moment));
-      results::write_file(options.folder / kept_file, kept, -1);
-    };
-    const auto search_all = [&](const std::vector<std::size_t>& next) {
-      if (options.progress) options.progress->show(fmt::format("timeline: {} searches", moments.size() + next.size()));
-      std::vector<Moment> found(next.size());
-      numbers.insert(numbers.end(), next.begin(), next.end());
-      parallel_tasks(static_cast<int>(next.size()), options.threads, [&](int i) {
-        Moment& moment = found[static_cast<std::size_t>(i)] = make_moment(next[static_cast<std::size_t>(i)]);
-        throw_if_interrupted();
-        search_moment(data, search, moments, moment);
-        keep(moment);
-      });
-      std::move(found.begin(), found.end(), std::back_inserter(moments));
-    };
     moments.push_back(make_moment(0));
     take_known(first, search, moments.back());
-    numbers.push_back(0);
-    for (const results::SearchedMoment& known : load_kept(kept)) {
-      numbers.push_back(find_nearest(known.time));
-      moments.push_back(make_moment(numbers.back()));
+    searched.push_back(0);
+    for (const results::SearchedMoment& known : load_kept()) {
+      searched.push_back(find_nearest(known.time));
+      moments.push_back(make_moment(searched.back()));
       take_kept(known, search, moments.back());
     }
-    const auto drop_known = [&](std::vector<std::size_t> next) {
-      std::erase_if(next, [&](std::size_t n) { return std::find(numbers.begin(), numbers.end(), n) != numbers.end(); });
-      return next;
-    };
-    search_all(drop_known({times.size() - 1}));  // the others begin with what these two know
+    search_more({times.size() - 1});  // the others begin with what these two know
     for (std::vector<std::size_t> next = told.chosen ? choice.next() : list_all(); !next.empty();
          next = choice.next()) {
-      search_all(drop_known(next));
-      if (data.lem.search != input::SurfaceSearch::none) share_surfaces(search, options.threads, moments);
+      search_more(next);
+      share();
       std::vector<results::TimedFactor> fresh;
       for (std::size_t i = 0; i < moments.size(); ++i) {
         results::TimedFactor factor = tell_moment(search, moments[i]);
-        choice.set(numbers[i], factor.factor);
+        choice.set(searched[i], factor.factor);
         if (i >= guided) fresh.push_back(std::move(factor));
       }
       if (!told.chosen) break;
@@ -161,13 +141,63 @@ struct TimelineRun::Parts {
       extend_guide(fresh);
       choice.set_guide(guide);
     }
-    std::sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time < b.time; });
     if (told.chosen) told.distance = choice.find_distance();
+    tell_factors();
+    if (asked.release) search_releases();
     told.search_seconds = count_seconds(start);
   }
 
+  /// Searches at those of the times that were not tried yet. What is found is kept at once: an interrupted run goes on
+  /// from there. Returns whether there was one.
+  bool search_more(std::vector<std::size_t> next) {
+    std::erase_if(next,
+                  [&](std::size_t n) { return std::find(searched.begin(), searched.end(), n) != searched.end(); });
+    if (next.empty()) return false;
+    if (options.progress) options.progress->show(fmt::format("timeline: {} searches", moments.size() + next.size()));
+    std::vector<Moment> found(next.size());
+    std::mutex keeping;
+    parallel_tasks(static_cast<int>(next.size()), options.threads, [&](int i) {
+      Moment& moment = found[static_cast<std::size_t>(i)] = make_moment(next[static_cast<std::size_t>(i)]);
+      throw_if_interrupted();
+      search_moment(data, search, moments, moment);
+      const std::lock_guard lock(keeping);
+      kept.moments.push_back(keep_moment(moment));
+      results::write_file(options.folder / kept_file, kept, -1);
+    });
+    searched.insert(searched.end(), next.begin(), next.end());
+    std::move(found.begin(), found.end(), std::back_inserter(moments));
+    return true;
+  }
+
+  void share() {
+    if (data.lem.search != input::SurfaceSearch::none) share_surfaces(search, options.threads, moments);
+  }
+
+  /// The factors of all times that were tried, in time, and when they pass the target.
+  void tell_factors() {
+    told.factors.clear();
+    told.fails_from_start = false;
+    told.failure.reset();
+    told.least.reset();
+    for (const Moment& moment : moments) told.factors.push_back(tell_moment(search, moment));
+    std::sort(told.factors.begin(), told.factors.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    results::find_failure(told);
+  }
+
+  /// The times at which points take over are searched as well: a search there may find an earlier failure, whose times
+  /// are searched then.
+  void search_releases() {
+    for (auto at = find_release(); at; at = find_release()) {
+      std::vector<std::size_t> next = find_beside(*at);
+      next.push_back(*at);
+      if (!search_more(next)) return;
+      share();
+      tell_factors();
+    }
+  }
+
   /// What an interrupted run has found at times after 0.
-  std::vector<results::SearchedMoment> load_kept(results::TimelineFile& kept) const {
+  std::vector<results::SearchedMoment> load_kept() {
     if (!options.resume) return {};
     auto known = results::find_file<results::TimelineFile>(options.folder / kept_file);
     if (known && known->input_hash == hash) kept = std::move(*known);
@@ -191,21 +221,16 @@ struct TimelineRun::Parts {
 
   void conclude() {
     const input::Timeline& asked = *data.timeline;
-    told.duration = asked.duration;
-    if (data.initial.date) told.start = say_date(data.initial.date->seconds);
-    told.target = asked.target;
-    for (const Moment& moment : moments) {
-      told.factors.push_back(tell_moment(search, moment));
-      if (!told.factors.back().factor && !moment.error.empty())
-        told.notes.push_back(fmt::format("no factor at {:g} s: {}", moment.time, moment.error));
-    }
+    std::sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time < b.time; });
+    for (std::size_t i = 0; i < moments.size(); ++i)
+      if (!told.factors[i].factor && !moments[i].error.empty())
+        told.notes.push_back(fmt::format("no factor at {:g} s: {}", moments[i].time, moments[i].error));
     note_refusals();
     if (told.distance && *told.distance > asked.tolerance)
       told.notes.push_back(
           fmt::format("after {} times straight lines between them may still be off by {:.2g} % of the "
                       "factor; a larger most_times or times of your own tell more",
                       moments.size(), 100 * *told.distance));
-    results::find_failure(told);
     keep_water();
   }
 
@@ -242,7 +267,7 @@ struct TimelineRun::Parts {
   std::optional<double> find_factor(std::size_t number) const {
     for (const results::TimedFactor& f : told.factors)
       if (f.time == times[number]) return f.factor;
-    return number < guide.size() ? guide[number] : std::nullopt;
+    return std::nullopt;
   }
 
   ReleaseCase make_release(std::size_t number) const {
