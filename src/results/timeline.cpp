@@ -61,17 +61,17 @@ std::string say_failure(const Timeline& t) {
 
 std::string say_releases(const Timeline& t) {
   if (t.releases.empty()) return "";
-  const auto say = [](const Release& r) {
-    if (r.error) return fmt::format("did not end: {}", *r.error);
-    return fmt::format("moves {:.3g} m at most{}", r.largest_displacement,
+  const auto say = [](const Release& r, const char* before) {
+    if (r.error) return fmt::format("their run did not end: {}", *r.error);
+    return fmt::format("the soil {}moves {:.3g} m at most{}.", before, r.largest_displacement,
                        r.front_advance > 0 ? fmt::format(", its front {:.3g} m", r.front_advance) : "");
   };
   const Release& first = t.releases.front();
-  std::string text = fmt::format("Material points take over at {}: the soil {}{}.", say_moment(t, first.time),
-                                 first.rests ? "comes to rest, is let go and " : "", say(first));
+  std::string text = fmt::format("Material points take over at {}: {}", say_moment(t, first.time),
+                                 say(first, first.rests ? "comes to rest, is let go and " : ""));
   for (std::size_t i = 1; i < t.releases.size(); ++i)
-    text += fmt::format(" Let go {} {}, it {}.", units::say_time(std::abs(t.releases[i].time - first.time)),
-                        t.releases[i].time < first.time ? "earlier" : "later", say(t.releases[i]));
+    text += fmt::format(" When they do so {} {}, {}", units::say_time(std::abs(t.releases[i].time - first.time)),
+                        t.releases[i].time < first.time ? "earlier" : "later", say(t.releases[i], ""));
   return text;
 }
 

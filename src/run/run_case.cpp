@@ -121,7 +121,10 @@ class CaseRun {
     if (releases_) release();
     if (elements_) elements_->calculate();
     if (bounds_) bounds_->calculate(find_start());
-    if (points_) points_->calculate(run_);
+    if (points_) {
+      points_->calculate(run_);
+      is_followed_ = true;
+    }
     for (ReleaseCase& other : beside_) run_beside(other);
   }
 
@@ -178,6 +181,7 @@ class CaseRun {
       tell_release(*finished, other.told);
     });
     other.told.error = why;
+    told_beside_.push_back(other.told);
   }
 
   static void tell_release(const results::RunResult& run, results::Release& told) {
@@ -237,10 +241,10 @@ class CaseRun {
     if (released_) {
       results::Release told = released_->told;
       tell_release(run_, told);
-      told.error = run_.error;
+      if (!is_followed_) told.error = run_.error;
       timeline_->add_release(std::move(told));
     }
-    for (const ReleaseCase& other : beside_) timeline_->add_release(other.told);
+    for (const results::Release& other : told_beside_) timeline_->add_release(other);
     timeline_->tell(run_);
   }
 
@@ -290,6 +294,8 @@ class CaseRun {
   bool releases_ = false;  ///< material points take over from the timeline
   std::unique_ptr<const ReleaseCase> released_;
   std::vector<ReleaseCase> beside_;
+  std::vector<results::Release> told_beside_;  ///< of those that ran
+  bool is_followed_ = false;                   ///< the material points of the run itself came to their end
   std::optional<PointRun<D>> points_;
   results::RunResult run_;
 };

@@ -73,7 +73,9 @@ class Comparison {
     if (run_.slices) add_slices(*run_.slices);
     if (run_.elements) add_elements(*run_.elements);
     if (run_.bounds) add_bounds(*run_.bounds);
-    if (input::uses(data_, Method::mpm)) add_points();
+    // Points that take over later have another time's water than the slices and elements of this table.
+    const bool later = data_.timeline && data_.timeline->release;
+    if (input::uses(data_, Method::mpm) && !later) add_points();
     if (slope_ != nullptr) hand_over();
     told_.warnings = warn_of_disagreement(data_, run_, told_);
     told_.remarks = read_differences(data_, run_, told_);
