@@ -147,7 +147,7 @@ void describe(V& v, R& r) {
 struct Season {
   double duration = 0;  ///< [s]
   double initial = 0, growth = 0, inflow = 0, outflow = 0, runoff = 0, potential = 0, transpired = 0;
-  std::optional<double> standing;  ///< nothing: no rain may stand
+  std::optional<double> standing;  ///< nothing: none stands at the end
   double error = 0;                ///< of the budget, relative
   int steps = 0, rejected = 0, iterations = 0;
   std::vector<Discharge> surfaces;

@@ -276,6 +276,12 @@ TEST_F(Release, SaysWhatACaseLacks) {
   has("[timeline.release]\ntime = 2\n", {}, "outside the timeline");
   has("times = [0.5]\n[timeline.release]\ntime = 0.2\n", {}, "is not one of [timeline] times");
   EXPECT_FALSE(std::filesystem::exists(folder_));
+  // Samples are taken by slices alone: what else the case asks of its timeline does not stand in their way.
+  EXPECT_EQ(find_fault(write_bank("[timeline]\nduration = 1\nelement_times = [0.5]\n[timeline.release]\n"),
+                       {{"analysis.methods", "['lem']"},
+                        {"study.mode", "'sample'"},
+                        {"study.random", "[{ key = 'materials.silt.friction_angle', deviation = 2 }]"}}),
+            "");
 }
 
 }  // namespace

@@ -84,7 +84,9 @@ void describe(Visitor& v, Hydraulic& h) {
         "Rain that cannot enter stands on the ground up to this depth, and enters later. In a season and a timeline.");
   v.key("runs_on", h.runs_on, plain().allowed_with("condition", h.condition, C::rain),
         "Rain that cannot enter, and does not stand, runs down the ground to where it can, or to the pool, or off the "
-        "section; water that comes out of the ground too. Without it such rain is gone. In a season and a timeline.");
+        "section; water that comes out of the ground too. Its way ends where the ground has no condition or `no_flow`. "
+        "It "
+        "holds for all of the ground once one rain has it. Without it such rain is gone. In a season and a timeline.");
 }
 
 }  // namespace talus::input

@@ -171,8 +171,10 @@ void outline_points(const Case& data, results::RunResult& run) {
   run.motion = outline_motion(data);
 }
 
-results::Timeline outline_timeline(const Timeline& asked) {
+results::Timeline outline_timeline(const Case& data) {
+  const Timeline& asked = *data.timeline;
   results::Timeline timeline;
+  if (uses(data, Method::fem)) timeline.elements.emplace_back().runs = outline_elements(data.fem.flow).runs;
   timeline.least = timeline.least_time = 1;
   timeline.failure.emplace().to = 1;
   timeline.chosen = asked.times.empty();
@@ -191,7 +193,7 @@ results::RunResult outline_results(const Case& data) {
   if (uses(data, Method::lem)) run.slices = outline_slices(data.lem);
   if (uses(data, Method::fem)) run.elements = outline_elements(data.fem.flow);
   if (uses(data, Method::bounds)) run.bounds.emplace().lower = run.bounds->upper = 1;
-  if (data.timeline) run.timeline = outline_timeline(*data.timeline);
+  if (data.timeline) run.timeline = outline_timeline(data);
   run.methods = outline_methods(data);
   if (uses(data, Method::mpm)) outline_points(data, run);
   if (is_wet(data) && data.initial.water.pressure == InitialPressure::seepage) {

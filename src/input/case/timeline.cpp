@@ -15,9 +15,10 @@ namespace {
 void check_release(const Case& data, Findings& findings) {
   const Timeline& timeline = *data.timeline;
   if (!timeline.release) return;
-  if (!uses(data, Method::mpm))
+  // Samples are taken by slices alone.
+  if (!uses(data, Method::mpm) && data.study.mode != StudyMode::sample)
     findings.add("timeline.release", "material points take over from the timeline: add \"mpm\" to [analysis] methods");
-  else if (data.analysis != AnalysisKind::run)
+  else if (uses(data, Method::mpm) && data.analysis != AnalysisKind::run)
     findings.add(
         "timeline.release",
         "the points follow the slide from there: that is [analysis] kind = \"run\", not a reduction of strength");
@@ -34,7 +35,7 @@ void check_release(const Case& data, Findings& findings) {
 void check_element_times(const Case& data, Findings& findings) {
   const Timeline& timeline = *data.timeline;
   if (!timeline.element_times || !findings.is_sound("timeline.element_times")) return;
-  if (!uses(data, Method::fem))
+  if (!uses(data, Method::fem) && data.study.mode != StudyMode::sample)
     findings.add("timeline.element_times", "finite elements reduce strength: add \"fem\" to [analysis] methods");
   if (!std::is_sorted(timeline.element_times->begin(), timeline.element_times->end(), std::less_equal<>()))
     findings.add("timeline.element_times", "the times must increase");

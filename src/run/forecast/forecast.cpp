@@ -104,7 +104,11 @@ void add_time(const input::Case& data, const Pace& pace, MethodForecast& f, doub
           points);
     }
   }
-  f.seconds = point_steps / pace.point_steps + element_seconds[get_rank(f.dimension)] * f.elements;
+  // Points that take over from a timeline do so a little earlier and later as well.
+  const auto* release = data.timeline && data.timeline->release ? &*data.timeline->release : nullptr;
+  const double runs = release != nullptr && release->apart != 0.0 ? 3 : 1;
+  f.steps *= runs;
+  f.seconds = runs * (point_steps / pace.point_steps + element_seconds[get_rank(f.dimension)] * f.elements);
 }
 
 MethodForecast forecast_points(const input::Case& data, bool with_time) {
