@@ -16,6 +16,7 @@ const manual = [
       "docs/manual/how-to/soil-water-curves.md",
       "docs/manual/how-to/rain-on-a-slope.md",
       "docs/manual/how-to/factor-in-time.md",
+      "docs/manual/how-to/lower-a-reservoir.md",
       "docs/manual/how-to/rapid-drawdown.md",
       "docs/manual/how-to/season.md",
       "docs/manual/how-to/roots.md",

@@ -18,10 +18,12 @@ constexpr int columns = 400;
 /// Of the length of what begins at a time: a series that jumps there has its first value still.
 constexpr double just_before = 1e-9;
 
-const mesh::Line* find_line(const mesh::Plan& plan, const std::string& name) {
+/// The line of that name, or the top of the box, where soil may reach up to it. Nothing lies on its other sides.
+std::optional<mesh::Line> find_line(const mesh::Plan& plan, const std::string& name) {
   for (const mesh::Line& line : plan.lines)
-    if (line.name == name) return &line;
-  return nullptr;
+    if (line.name == name) return line;
+  if (name != "top") return std::nullopt;
+  return mesh::Line{.name = name, .points = {{plan.box_min[0], plan.box_max[1]}, plan.box_max}};
 }
 
 double find_width(const Polyline& ground) {
@@ -45,8 +47,8 @@ std::vector<Pond> find_ponds(const input::Case& data, const Polyline& ground, do
   for (const input::Hydraulic& h : data.hydraulics) {
     const bool is_head = h.condition == input::WaterCondition::total_head;
     if (!is_head && h.condition != input::WaterCondition::pressure) continue;
-    const mesh::Line* line = find_line(data.mesh, h.on);
-    if (line == nullptr) continue;  // a side of the box: nothing lies on it
+    const std::optional<mesh::Line> line = find_line(data.mesh, h.on);
+    if (!line) continue;
     const double value = h.values().at(time);
     for (std::size_t i = 1; i < line->points.size(); ++i) {
       Point a = line->points[i - 1], b = line->points[i];

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ground/initial_water.hpp"
+#include "ground/pool_weight.hpp"
 #include "ground/pore_water.hpp"
 #include "ground/side_normals.hpp"
 #include "ground/water_sides.hpp"
@@ -133,6 +134,8 @@ fem::SeepageModel<D> make_seepage_model(const input::Case& data, const mesh::Mes
     for (std::size_t i = 0; i < values.time.size(); ++i) boundary.history.push_back({values.time[i], values.value[i]});
     model.boundaries.push_back(std::move(boundary));
   }
+  if constexpr (D == 2)
+    if (data.timeline && data.timeline->pool_loading) model.pool_weight = make_pool_weight(data, mesh);
   return model;
 }
 

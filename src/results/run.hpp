@@ -117,6 +117,19 @@ void describe(V& v, R& r) {
   v.key("time", r.time, {"s", "time at its end"});
 }
 
+/// Finite elements in equilibrium whose stress material points began with.
+struct StressStart {
+  double factor = 1;          ///< what the strength was divided by: 1, or less where the soil does not stand with it
+  double force_residual = 0;  ///< unbalanced force over the loads [-]
+  int elements = 0;
+};
+template <class V, As<StressStart> R>
+void describe(V& v, R& r) {
+  v.key("factor", r.factor, {"", "what the strength was divided by; below 1 where the soil does not stand"});
+  v.key("force_residual", r.force_residual, {"", "unbalanced force over the loads"});
+  v.key("elements", r.elements, {"", "finite elements"});
+}
+
 struct RunResult {
   std::string title;
   Project project;
@@ -137,6 +150,7 @@ struct RunResult {
   std::optional<Mesh> mesh;
   std::optional<std::vector<Stage>> stages;
   std::optional<Origin> start;
+  std::optional<StressStart> stress_start;
   std::optional<PointFactors> factor_of_safety;
   std::optional<DisplacementCurve> curve;
   std::optional<std::vector<RunoutTrial>> runouts;
@@ -190,6 +204,7 @@ void describe(V& v, R& r) {
   v.maybe("mesh", r.mesh, {"", "mesh and material points"});
   v.maybe("stages", r.stages, {"", "stages"});
   v.maybe("start", r.start, {"", "result that it started from"});
+  v.maybe("stress_start", r.stress_start, {"", "finite elements whose stress material points began with"});
   v.maybe("factor_of_safety", r.factor_of_safety, {"", "factors of safety of the material points"});
   v.maybe("curve", r.curve, {"", "displacement over the strength reduction factor"});
   v.maybe("runouts", r.runouts, {"", "trials that went on until rest"});

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/dates.hpp"
@@ -59,6 +60,35 @@ std::string say_failure(const Timeline& t) {
   return text + least;
 }
 
+namespace {
+
+/// When finite elements lose equilibrium, with a space behind it; empty where nobody asked.
+std::string say_loss(const Timeline& t) {
+  if (!t.equilibrium || !t.equilibrium->to) return "";
+  const EquilibriumLoss& loss = *t.equilibrium;
+  if (!loss.from)
+    return fmt::format("Finite elements with the strength as given find no equilibrium at {}. ",
+                       say_moment(t, *loss.to));
+  return fmt::format("Finite elements with the strength as given find equilibrium at {} and none at {}. ",
+                     say_moment(t, *loss.from), say_moment(t, *loss.to));
+}
+
+/// What the points began with, behind a space; empty where not with finite elements.
+std::string say_start(const std::vector<Release>& releases) {
+  double most = 1;
+  bool any = false;
+  for (const Release& r : releases)
+    if (r.start_factor) any = true, most = std::max(most, 1 / *r.start_factor);
+  if (!any) return "";
+  if (most == 1) return " The points begin with the stress of finite elements in equilibrium.";
+  return fmt::format(
+      " The points begin with the stress of finite elements in equilibrium, which need up to {:.3g} times the strength "
+      "for it.",
+      most);
+}
+
+}  // namespace
+
 std::string say_releases(const Timeline& t) {
   if (t.releases.empty()) return "";
   const auto say = [](const Release& r, const char* before) {
@@ -67,11 +97,13 @@ std::string say_releases(const Timeline& t) {
                        r.front_advance > 0 ? fmt::format(", its front {:.3g} m", r.front_advance) : "");
   };
   const Release& first = t.releases.front();
-  std::string text = fmt::format("Material points take over at {}: {}", say_moment(t, first.time),
-                                 say(first, first.rests ? "comes to rest, is let go and " : ""));
+  std::string text = say_loss(t);
+  text += fmt::format("Material points take over at {}: {}", say_moment(t, first.time),
+                      say(first, first.rests ? "comes to rest, is let go and " : ""));
   for (std::size_t i = 1; i < t.releases.size(); ++i)
     text += fmt::format(" When they do so {} {}, {}", units::say_time(std::abs(t.releases[i].time - first.time)),
                         t.releases[i].time < first.time ? "earlier" : "later", say(t.releases[i], ""));
+  text += say_start(t.releases);
   return text;
 }
 

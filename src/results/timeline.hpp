@@ -57,6 +57,8 @@ struct Release {
   std::optional<double> factor;  ///< of the slices at that time
   std::string folder;            ///< of its results, inside that of the run; empty: the run itself
   bool rests = false;            ///< the soil came to rest before it was let go
+  /// Strength factor of the equilibrium of finite elements whose stress the points began with; nothing: of none.
+  std::optional<double> start_factor;
   std::optional<std::string> error;
   double largest_displacement = 0, moved_volume = 0, front_advance = 0, toe_distance = 0;  ///< as of Runout
 };
@@ -66,6 +68,8 @@ void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "factor of safety at that time, by slices"});
   v.key("folder", r.folder, {"", "folder of its results; empty: the run itself"});
   v.key("rests", r.rests, {"", "whether the soil came to rest before it was let go"});
+  v.key("start_factor", r.start_factor,
+        {"", "what finite elements divided the strength by for the equilibrium that the points began with"});
   v.key("error", r.error, {"", "why it did not end"});
   v.key("largest_displacement", r.largest_displacement, {"m", "largest displacement"});
   v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
@@ -88,6 +92,19 @@ void describe(V& v, R& r) {
   v.key("error", r.error, {"", "why there is no answer"});
 }
 
+/// Between two times finite elements with the strength as given lose their equilibrium; both were tried.
+struct EquilibriumLoss {
+  std::optional<double> from;  ///< [s]; nothing: there was none at time 0 either
+  std::optional<double> to;    ///< [s]; nothing: it was never lost
+  int trials = 0;              ///< equilibria that were looked for
+};
+template <class V, As<EquilibriumLoss> R>
+void describe(V& v, R& r) {
+  v.key("from", r.from, {"s", "the last time with equilibrium"});
+  v.key("to", r.to, {"s", "the first time without"});
+  v.key("trials", r.trials, {"", "equilibria that were looked for"});
+}
+
 /// "timeline" of summary.json.
 struct Timeline {
   double duration = 0;               ///< [s]
@@ -101,9 +118,11 @@ struct Timeline {
   bool chosen = false;  ///< times were chosen, not given
   std::optional<double>
       distance;  ///< largest estimate of what a straight line between two times is off, over the factor
-  std::vector<WaterState> states;        ///< where the water stood at the times of the factors
-  std::vector<TimedReduction> elements;  ///< in time
-  std::vector<Release> releases;         ///< the first is that of the run
+  std::vector<WaterState> states;              ///< where the water stood at the times of the factors
+  std::vector<TimedReduction> elements;        ///< in time
+  std::optional<EquilibriumLoss> equilibrium;  ///< where it is the criterion of the release
+  bool pool_loading = false;                   ///< pools load saturated soil
+  std::vector<Release> releases;               ///< the first is that of the run
   std::vector<std::string> notes;
   Season weather;
   double step_error = 0;  ///< the largest of a step of the seepage, by its prediction [m of water]
@@ -123,6 +142,8 @@ void describe(V& v, R& r) {
   v.key("distance", r.distance, {"", "what straight lines between the times are off at most, over the factor"});
   v.key("states", r.states, {"", "where the water stood at the times of the factors"});
   v.key("elements", r.elements, {"", "factors of safety of finite elements in time"});
+  v.key("equilibrium", r.equilibrium, {"", "when finite elements lose their equilibrium"});
+  v.key("pool_loading", r.pool_loading, {"", "whether the weight of pools compresses saturated soil"});
   v.key("releases", r.releases, {"", "material points that took over, the run itself first"});
   v.key("notes", r.notes, {"", "what must be known of it"});
   v.key("weather", r.weather, {"", "water that came, went and is stored"});

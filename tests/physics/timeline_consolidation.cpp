@@ -25,7 +25,8 @@ struct Soil {
 };
 
 /// `upper` above `level` [m], `lower` below. The pool stands 10 m above the ground and falls to it at time 0.
-std::string write_column(const Soil& upper, const Soil& lower, double level, const std::vector<double>& times) {
+std::string write_column(const Soil& upper, const Soil& lower, double level, const std::vector<double>& times,
+                         bool pool_loading = false) {
   std::string text = fmt::format(R"(
 geometry.box = [[0, 0], [0.5, {0}]]
 geometry.polygon = [{{ name = "lower", points = [[0, 0], [0.5, 0], [0.5, {1}], [0, {1}]] }},
@@ -36,13 +37,16 @@ initial.pore_pressure = "seepage"
 hydraulic = [{{ on = "top", condition = "total_head", head = [[0, {2}], [0, {0}]] }}]
 timeline.duration = "{3} s"
 timeline.times = [{4}]
+timeline.pool_loading = {5}
 analysis.methods = ["lem"]
 )",
-                                 height, level, height + fall, times.back(), [&] {
+                                 height, level, height + fall, times.back(),
+                                 [&] {
                                    std::string list;
                                    for (const double t : times) list += fmt::format("\"{} s\", ", t);
                                    return list;
-                                 }());
+                                 }(),
+                                 pool_loading);
   for (const auto& [name, soil] : {std::pair("lower", lower), std::pair("upper", upper)})
     text += fmt::format(R"(
 [materials.{0}]
@@ -143,6 +147,21 @@ TEST(TimelineConsolidation, AColumnIsTerzaghis) {
       water, times, [&](double z, double t) { return find_terzaghi(z, t * soil.c_v() / (height * height)); });
   RecordProperty("error", fmt::format("{:.5f}", error));
   EXPECT_LT(error, band);
+}
+
+// The pool takes its weight with it: B = m_v / (m_v + n / K_w) of the pressure goes at once, and the rest drains.
+TEST(TimelineConsolidation, APoolThatLoadsTheSoilLeavesWhatTheWaterBears) {
+  for (const double m_v : {1e-7, 1e-10}) {
+    const Soil soil{1e-8, m_v};
+    const double share = 1 - m_v / soil.storage();
+    std::vector<double> times;
+    for (const double t : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) times.push_back(t * height * height / soil.c_v());
+    const support::WaterInTime water(write_column(soil, soil, 4, times, true));
+    const double error = find_error(
+        water, times, [&](double z, double t) { return share * find_terzaghi(z, t * soil.c_v() / (height * height)); });
+    RecordProperty(fmt::format("error_{}", m_v), fmt::format("{:.5f}, share {:.4f}", error, share));
+    EXPECT_LT(error, band);
+  }
 }
 
 TEST(TimelineConsolidation, TwoLayersDrainByTheirEigenfunctions) {

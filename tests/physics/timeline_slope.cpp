@@ -160,7 +160,8 @@ struct Bank {
   double size = 0.5;                    // of the elements at the face, and of all others 0.5 [m]
   double xc = 6, yc = 20, radius = 21;  // the only surface, a circle from the foot to the crest
 
-  std::string write(const std::string& head, const std::string& duration, const std::string& compressibility) const {
+  std::string write(const std::string& head, const std::string& duration, const std::string& compressibility,
+                    bool pool_loading = false) const {
     return fmt::format(R"(
 geometry.box = [[-15, -4], [40, 10.5]]
 geometry.polygon = [{{ name = "bank", points = [[-15, -4], [40, -4], [40, 10], [20, 10], [0, 0], [-15, 0]] }}]
@@ -169,7 +170,7 @@ mesh = {{ size = 0.5, refine = [{{ near = [[-15, 0], [0, 0], [20, 10]], size = {
 regions.bank = "silt"
 initial.pore_pressure = "seepage"
 hydraulic = [{{ on = "face", condition = "total_head", head = {0} }}]
-timeline = {{ duration = "{1}", times = ["{1}"] }}
+timeline = {{ duration = "{1}", times = ["{1}"], pool_loading = {7} }}
 analysis.methods = ["lem"]
 [lem]
 methods = ["bishop"]
@@ -198,13 +199,13 @@ measure = "effective"
 conductivity = "1e-7 m/s"
 compressibility = "{5}"
 )",
-                       head, duration, xc, yc, radius, compressibility, size);
+                       head, duration, xc, yc, radius, compressibility, size, pool_loading);
   }
 
   /// Bishop's factor by hand, with hydrostatic pressures under `inside` and the pool at `outside` [m]. The water of the
   /// pool, at rest in the soil as well, would lift what lies under its level: about the centre of the circle the pool
-  /// turns the mass by that much.
-  double find_factor(double inside, double outside) const {
+  /// turns the mass by that much. `loads`: with the pool the pressures under it have fallen by its weight.
+  double find_factor(double inside, double outside, bool loads = false) const {
     const auto ground = [](double x) { return std::clamp(x / 2, 0.0, 10.0); };
     const double from = xc - std::sqrt(radius * radius - yc * yc);
     const double to = xc + std::sqrt(radius * radius - std::pow(yc - 10, 2));
@@ -218,7 +219,8 @@ compressibility = "{5}"
         const double y = yc - radius * cosine, top = ground(x);
         const double weight = unit_weight * (top - y) * b, pool = gamma_w * std::max(0.0, outside - top) * b;
         const double lift = gamma_w * std::clamp(outside - y, 0.0, top - y) * b;
-        const double u = gamma_w * std::max(0.0, inside - y);
+        const double gone = loads ? std::max(0.0, inside - top) - std::max(0.0, outside - top) : 0;
+        const double u = gamma_w * std::max(0.0, inside - y - gone);
         driving += (weight - lift) * sine;
         resisting += (cohesion * b + (weight + pool - u * b) * t) / (cosine + sine * t / factor);
       }
@@ -251,6 +253,26 @@ TEST_F(TimelineSlope, APoolThatFallsInfinitelyFastLeavesItsPressures) {
     EXPECT_LT(error, last);
     last = error;
   }
+}
+
+// The undrained answer of soil that is softer than its water: pressures fall by the weight that is taken off them.
+TEST_F(TimelineSlope, APoolThatFallsInfinitelyFastUnloadsTheSoilUnderIt) {
+  const Bank bank;
+  const std::string text = bank.write("[[0, 8], [0, 4]]", "1 s", "1 kPa-1", true);
+  const support::WaterInTime water(text);
+  for (const double x : {1.0, 6.0, 12.0, 18.0}) {
+    const double top = x / 2, gone = std::max(0.0, bank.before - top) - std::max(0.0, bank.after - top);
+    for (const double y : {-3.0, -1.0, std::min(top, 8.0) - 1})
+      EXPECT_NEAR(water.find(1, {x, y}), gamma_w * (bank.before - y - gone), band * gamma_w * bank.before)
+          << x << ", " << y;
+  }
+  const auto factors = find_factors(text);
+  const double before = bank.find_factor(bank.before, bank.before),
+               after = bank.find_factor(bank.before, bank.after, true);
+  RecordProperty("before", fmt::format("{:.4f} of {:.4f}", factors.at(0), before));
+  RecordProperty("after", fmt::format("{:.4f} of {:.4f}", factors.at(1), after));
+  EXPECT_NEAR(factors.at(0) / before, 1, band);
+  EXPECT_NEAR(factors.at(1) / after, 1, band);
 }
 
 TEST_F(TimelineSlope, APoolThatFallsInfinitelySlowlyLeavesWaterAtRest) {

@@ -5,6 +5,7 @@
 //
 // Unknown: the total head H = y - p/γ_w [m] at the nodes; pore pressure p, positive in tension, is the suction.
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct SeepageModel {
   double unit_weight = 9810;      ///< γ_w [N/m³]
   int up = 1;                     ///< the axis against gravity
   std::vector<RootSink> sinks{};  ///< water that plants draw, in steady flow too
+  /// Weight of the pools over every node at a time [Pa]; what changes of it compresses saturated soil. Empty: none
+  /// does.
+  std::function<std::vector<double>(double time)> pool_weight{};
 };
 
 struct SeepageOptions {

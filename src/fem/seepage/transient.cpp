@@ -95,8 +95,60 @@ bool solve_step(SeepageNewton<D>& newton, Runoff<D>& runoff, const StepInput& in
   return false;
 }
 
+/// Weight of pools that comes or goes: by vertical compression alone the pores of saturated soil give way by m_v of it,
+/// and take as much water less. Soil that is unsaturated when a step begins does not take part in it.
+template <int D>
+class PoolLoading {
+ public:
+  PoolLoading(const SeepageSystem<D>& system, double start) : system_(system) {
+    if (system.model.pool_weight) weight_ = system.model.pool_weight(start);
+  }
+
+  /// What the stores would hold at the heads before the step under the weight of its end [m³]; `contents`: under that
+  /// of the last one.
+  std::vector<double> load(std::vector<double> contents, const SeepageState& before, double time) {
+    if (weight_.empty()) return contents;
+    next_ = system_.model.pool_weight(time);
+    given_ = 0;
+    for (std::size_t k = 0; k < contents.size(); ++k) {
+      const auto& store = system_.stores[k];
+      const auto u = static_cast<std::size_t>(store.unknown);
+      if (system_.suction(u, before.head[u]) > 0) continue;
+      const auto node = static_cast<std::size_t>(system_.node_of_unknown[u]);
+      const double given = store.volume *
+                           system_.model.soils[static_cast<std::size_t>(store.soil)].skeleton_compressibility *
+                           (next_[node] - weight_[node]);
+      contents[k] += given;
+      given_ += given;
+    }
+    return contents;
+  }
+  void end_step() {
+    if (weight_.empty()) return;
+    std::swap(weight_, next_);
+    all_given_ += given_;
+  }
+  /// Water that pores have no longer room for, since the start [m³].
+  double given() const { return all_given_; }
+
+ private:
+  const SeepageSystem<D>& system_;
+  std::vector<double> weight_, next_;
+  double given_ = 0, all_given_ = 0;
+};
+
 double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+template <int D>
+void keep_output(const SeepageNewton<D>& newton, SeepageResult<D> result, const std::vector<Discharge>& volumes,
+                 const std::vector<Uptake>& drawn, SeepageHistory<D>& history) {
+  result.iterations = newton.solves();
+  result.undecided = newton.undecided();
+  history.states.push_back(std::move(result));
+  history.volumes.push_back(volumes);
+  history.uptakes.push_back(drawn);
 }
 
 }  // namespace
@@ -109,6 +161,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
   check_schedule(schedule);
   SeepageNewton<D> newton(system, options);
   Runoff<D> runoff(system);
+  PoolLoading<D> pools(system, schedule.start);
   const double whole = schedule.outputs.back() - schedule.start;
   const double smallest = schedule.smallest_step > 0 ? schedule.smallest_step : 1e-9 * whole;
   const double first_step =
@@ -129,11 +182,12 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     const bool lands = dt >= left * (1 - 1e-9);
     const double step = lands ? left : dt > 0.5 * left ? 0.5 * left : dt;
     const double then = lands ? stops[stop] : time + step;
-    StepInput input;
-    input.dt = step;
-    input.old_contents = &contents;
     // A table that jumps at a stop holds its old value up to there.
     const double at = lands ? then - 1e-9 * step : then;
+    const std::vector<double> loaded = pools.load(contents, state, at);
+    StepInput input;
+    input.dt = step;
+    input.old_contents = &loaded;
     auto conditions = system.find_conditions(at);
     input.sink_rates = find_sink_rates(model, at);
     SeepageState trial = state;
@@ -153,6 +207,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     auto result = make_result(system, trial, newton.sums(), conditions, at, input);
     result.time = then;
     runoff.end_step(step, conditions, result);
+    pools.end_step();
     add_volumes(volumes, result.discharges, step);
     add_uptakes(drawn, result.uptakes, step);
     state = std::move(trial);
@@ -165,12 +220,8 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     dt = lands ? std::max(dt, step * growth) : step * growth;
     if (!lands) continue;
     if (output < schedule.outputs.size() && stops[stop] == schedule.outputs[output]) {
-      result.iterations = newton.solves();
-      result.undecided = newton.undecided();
-      history.states.push_back(std::move(result));
-      history.volumes.push_back(volumes);
-      history.uptakes.push_back(drawn);
-      history.stored.push_back(sum(contents) - stored_at_start);
+      keep_output(newton, std::move(result), volumes, drawn, history);
+      history.stored.push_back(sum(contents) - stored_at_start - pools.given());
       ++output;
     }
     if (is_corner(model, then)) {  // the rates before a corner of a table predict nothing

@@ -142,6 +142,28 @@ void check_span(const Case& data, const Wanted& wanted, const std::string& file,
                  fmt::format("'{}' ends at {}, before {}, where the timeline ends", file, say(last), say(to)));
 }
 
+/// Moments that are given as dates, as times since time 0.
+void find_moments(Case& data, Findings& findings) {
+  if (!findings.is_sound("initial.date")) return;
+  Timeline& timeline = *data.timeline;
+  const auto is_dated = [&](const std::string& path, const char* what) {
+    if (!data.initial.date) findings.add(path, fmt::format("{} needs [initial] date, the date of time 0", what));
+    return data.initial.date.has_value();
+  };
+  const auto since_start = [&](const Date& date) { return date.seconds - data.initial.date->seconds; };
+  if (!timeline.dates.empty() && is_dated("timeline.dates", "a list of dates"))
+    for (const Date& date : timeline.dates) timeline.times.push_back(since_start(date));
+  if (timeline.element_dates && is_dated("timeline.element_dates", "a list of dates")) {
+    timeline.element_times.emplace();
+    for (const Date& date : *timeline.element_dates) timeline.element_times->push_back(since_start(date));
+  }
+  if (timeline.release && timeline.release->date && is_dated("timeline.release.date", "a date"))
+    timeline.release->time = since_start(*timeline.release->date);
+  timeline.dates.clear();
+  timeline.element_dates.reset();
+  if (timeline.release) timeline.release->date.reset();
+}
+
 void find_duration(Case& data, Findings& findings) {
   if (!data.timeline || !data.timeline->until || !findings.is_sound("timeline.until") ||
       !findings.is_sound("initial.date"))
@@ -161,6 +183,7 @@ void find_duration(Case& data, Findings& findings) {
 
 void load_series(Case& data, const std::string& file, Findings& findings) {
   find_duration(data, findings);
+  if (data.timeline) find_moments(data, findings);
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   for (const Wanted& wanted : list_series(data)) {
     const std::string table = wanted.table.source->file;

@@ -12,6 +12,12 @@ namespace talus::input {
 
 namespace {
 
+/// The key that gave some times: they may be given as dates.
+std::string find_path(const Findings& findings, const char* times, const char* dates) {
+  const std::string table = "timeline.";
+  return table + (findings.places.is_given(table + dates) ? dates : times);
+}
+
 void check_release(const Case& data, Findings& findings) {
   const Timeline& timeline = *data.timeline;
   if (!timeline.release) return;
@@ -22,31 +28,37 @@ void check_release(const Case& data, Findings& findings) {
     findings.add(
         "timeline.release",
         "the points follow the slide from there: that is [analysis] kind = \"run\", not a reduction of strength");
-  if (!timeline.release->time || !findings.is_sound("timeline.release.time")) return;
+  const std::string path = find_path(findings, "release.time", "release.date");
+  if (!timeline.release->time || !findings.is_sound(path)) return;
+  if (findings.places.is_given("timeline.release.criterion") &&
+      timeline.release->criterion == ReleaseCriterion::equilibrium)
+    findings.add("timeline.release.criterion",
+                 "the time of the release is given, so no criterion finds it; take one of the two out");
   const double at = *timeline.release->time;
-  if (at > timeline.duration * (1 + 1e-12))
-    findings.add("timeline.release.time",
+  if (at < 0 || at > timeline.duration * (1 + 1e-12))
+    findings.add(path,
                  fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s", at, timeline.duration));
   else if (!timeline.times.empty() && at > 0 &&
            std::find(timeline.times.begin(), timeline.times.end(), at) == timeline.times.end())
-    findings.add("timeline.release.time", fmt::format("{:g} s is not one of [timeline] times", at));
+    findings.add(path, fmt::format("{:g} s is not one of [timeline] times", at));
 }
 
 void check_element_times(const Case& data, Findings& findings) {
   const Timeline& timeline = *data.timeline;
-  if (!timeline.element_times || !findings.is_sound("timeline.element_times")) return;
+  const std::string path = find_path(findings, "element_times", "element_dates");
+  if (!timeline.element_times || !findings.is_sound(path)) return;
   if (!uses(data, Method::fem) && data.study.mode != StudyMode::sample)
-    findings.add("timeline.element_times", "finite elements reduce strength: add \"fem\" to [analysis] methods");
+    findings.add(path, "finite elements reduce strength: add \"fem\" to [analysis] methods");
   if (!std::is_sorted(timeline.element_times->begin(), timeline.element_times->end(), std::less_equal<>()))
-    findings.add("timeline.element_times", "the times must increase");
+    findings.add(path, "the times must increase");
   for (const double t : *timeline.element_times) {
     if (!(t > 0) || t > timeline.duration * (1 + 1e-12))
-      findings.add("timeline.element_times",
-                   fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s; time 0 is always there",
-                               t, timeline.duration));
+      findings.add(
+          path, fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s; time 0 is always there", t,
+                            timeline.duration));
     else if (!timeline.times.empty() &&
              std::find(timeline.times.begin(), timeline.times.end(), t) == timeline.times.end())
-      findings.add("timeline.element_times", fmt::format("{:g} s is not one of [timeline] times", t));
+      findings.add(path, fmt::format("{:g} s is not one of [timeline] times", t));
   }
 }
 
@@ -66,16 +78,16 @@ void check_timeline(const Case& data, Findings& findings) {
   if (!data.initial.result.empty())
     findings.add("timeline", "not with [initial] result: a timeline begins with the water that [initial] names");
   if (findings.is_sound("timeline.duration")) check_release(data, findings);
-  if (!findings.is_sound("timeline.times") || !findings.is_sound("timeline.duration")) return;
+  const std::string path = find_path(findings, "times", "dates");
+  if (!findings.is_sound(path) || !findings.is_sound("timeline.duration")) return;
   const std::vector<double>& times = timeline.times;
-  if (!std::is_sorted(times.begin(), times.end(), std::less_equal<>()))
-    findings.add("timeline.times", "the times must increase");
+  if (!std::is_sorted(times.begin(), times.end(), std::less_equal<>())) findings.add(path, "the times must increase");
   check_element_times(data, findings);
   for (const double t : times)
     if (!(t > 0) || t > timeline.duration * (1 + 1e-12))
-      findings.add("timeline.times", fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s; time 0 "
-                                                 "is always there",
-                                                 t, timeline.duration));
+      findings.add(
+          path, fmt::format("{:g} s is outside the timeline, which lasts from 0 to {:g} s; time 0 is always there", t,
+                            timeline.duration));
 }
 
 }  // namespace talus::input

@@ -10,9 +10,21 @@
 
 namespace talus::input {
 
+/// What ends the slope at rest, and lets material points take over.
+enum class ReleaseCriterion { target, equilibrium };
+
+template <>
+inline constexpr auto choices<ReleaseCriterion> = std::array{
+    Choice{ReleaseCriterion::target, "target", "the factor of the slices is below `target`"},
+    Choice{ReleaseCriterion::equilibrium, "equilibrium",
+           "finite elements with the strength as given find no equilibrium"},
+};
+
 /// [timeline.release]: material points take over.
 struct Release {
-  std::optional<double> time;   ///< when [s]; nothing: where the factor is first below the target
+  ReleaseCriterion criterion = ReleaseCriterion::target;
+  std::optional<double> time;   ///< when [s]; nothing: at the first time at which the criterion holds
+  std::optional<Date> date;     ///< the same, where it is given instead; nothing once `time` is known
   std::optional<double> apart;  ///< about how much earlier and later as well [s]; nothing: the next times
 };
 
@@ -20,17 +32,23 @@ struct Timeline {
   double duration = 0;        ///< from time 0 on [s]
   std::optional<Date> until;  ///< its end, where it is given instead; nothing once `duration` is known
   std::vector<double> times;  ///< when factors are found [s]; empty: chosen
+  std::vector<Date> dates;    ///< the same, where they are given instead; empty once `times` are known
   double target = 1;          ///< a factor below it is failure [-]
   double tolerance = 0.003;   ///< of the factor between the times that are chosen, over it [-]
   int most_times = 40;        ///< that are chosen
   std::optional<std::vector<double>> element_times;  ///< of finite elements [s]; nothing: the time of the least factor
+  std::optional<std::vector<Date>> element_dates;    ///< the same, where they are given instead
+  bool pool_loading = false;  ///< saturated soil is compressed by the weight of pools that rise or fall
   std::optional<Release> release;
 };
 
 template <class Visitor>
 void describe(Visitor& v, Release& r) {
+  v.key("criterion", r.criterion, plain(), "What lets material points take over, where no time is given.");
   v.key("time", r.time, quantity("day").at_least(0).example(R"("17 h")"),
-        "When material points take over; if not given, at the first time that is found below the target.");
+        "When material points take over; if not given, at the first time at which the criterion holds.");
+  v.key("date", r.date, plain().allowed_without("time", r.time.has_value()).example("2023-07-14"),
+        "The same as a date, in place of `time`; [initial] date says when time 0 is.");
   v.key("apart", r.apart, quantity("day").at_least(0).example(R"("30 min")"),
         "How much earlier and later the points are released as well, to show what the runout owes to the moment: the "
         "nearest times at which the water is kept. If not given, the next ones; 0: neither.");
@@ -47,6 +65,8 @@ void describe(Visitor& v, Timeline& t) {
   v.key("times", t.times, quantity("day").example(R"(["6 h", 0.5, 1, 3])"),
         "When the factor of safety is found, beside time 0. If not given, times are chosen where the factor bends, "
         "passes the target or is least.");
+  v.key("dates", t.dates, plain().allowed_without("times", !t.times.empty()).example("[2023-07-04, 2023-07-09]"),
+        "The same as dates, in place of `times`; [initial] date says when time 0 is.");
   v.key("target", t.target, plain().above(0), "The slope fails where its factor falls below this.");
   v.key("tolerance", t.tolerance, plain().above(0).below(0.5),
         "Times are chosen until the straight lines between them are this near to the factor, over the factor.");
@@ -54,6 +74,15 @@ void describe(Visitor& v, Timeline& t) {
   v.key("element_times", t.element_times, quantity("day").example(R"(["1 day", 3])"),
         "When finite elements reduce the strength as well, beside time 0, where they are among the methods. If not "
         "given, at the time at which slices find the least factor.");
+  v.key("element_dates", t.element_dates,
+        plain().allowed_without("element_times", t.element_times.has_value()).example("[2023-07-04]"),
+        "The same as dates, in place of `element_times`.");
+  v.key(
+      "pool_loading", t.pool_loading, plain(),
+      "The weight of pools that rise or fall compresses the saturated soil under them, so that its pore pressure "
+      "follows "
+      "at once (vertical compression; B̄ = m_v / (m_v + n / K_w)). Without it the total stress is taken as constant, as "
+      "seepage programs do.");
   v.optional_table("release", t.release,
                    "Material points take over at a time: the stages of the case, which begin with the pore water of "
                    "that time and go on with the rain and the pools that follow. Let the first of them hold the slope "

@@ -34,10 +34,6 @@ std::string name_type(const toml::node& node) {
   }
 }
 
-std::string write_item_path(const std::string& path, std::size_t i) {
-  return path + "." + std::to_string(i);
-}
-
 std::string join(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -74,6 +70,10 @@ bool decode_point(const Decoding& in, const toml::node& node, const std::string&
 }
 
 }  // namespace
+
+std::string write_item_path(const std::string& path, std::size_t i) {
+  return path + "." + std::to_string(i);
+}
 
 bool Decoding::fail(const toml::node& node, const std::string& path, const std::string& sentence) const {
   const toml::source_position at = node.source().begin;

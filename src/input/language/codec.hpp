@@ -38,6 +38,8 @@ std::string write_toml(const nlohmann::json& value);
 /// The TOML text of a TOML node.
 std::string write_toml(const toml::node& node);
 
+/// The path of the i-th item of a list.
+std::string write_item_path(const std::string& path, std::size_t i);
 bool decode_number(const Decoding& in, const toml::node& node, const std::string& path, double& out);
 bool decode_numbers(const Decoding& in, const toml::node& node, const std::string& path, std::size_t least,
                     std::size_t most, const std::string& wanted, std::vector<double>& out);

@@ -141,6 +141,29 @@ json Codec<Date>::schema(const Spec&) {
   return {{"type", "string"}};
 }
 
+bool Codec<std::vector<Date>>::decode(const Decoding& in, const toml::node& node, const std::string& path,
+                                      std::vector<Date>& out) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr) return in.fail_type(node, path, "a list of dates");
+  in.record(node, path);
+  out.assign(list->size(), {});
+  bool is_good = true;
+  for (std::size_t i = 0; i < list->size(); ++i)
+    is_good = Codec<Date>::decode(in, *list->get(i), write_item_path(path, i), out[i]) && is_good;
+  return is_good;
+}
+
+json Codec<std::vector<Date>>::encode(const std::vector<Date>& value, const Spec& spec) {
+  if (value.empty()) return {};
+  json list = json::array();
+  for (const Date& date : value) list.push_back(Codec<Date>::encode(date, spec));
+  return list;
+}
+
+json Codec<std::vector<Date>>::schema(const Spec& spec) {
+  return write_array_schema(Codec<Date>::schema(spec), 0, -1);
+}
+
 bool Codec<SuctionCurve>::decode(const Decoding& in, const toml::node& node, const std::string& path,
                                  SuctionCurve& out) {
   return decode_pairs(in, node, path, in.spec, share, "rows [suction, value]", out.pairs);

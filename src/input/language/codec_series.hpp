@@ -28,6 +28,14 @@ struct Codec<Date> {
 };
 
 template <>
+struct Codec<std::vector<Date>> {
+  static bool decode(const Decoding& in, const toml::node& node, const std::string& path, std::vector<Date>& out);
+  static nlohmann::json encode(const std::vector<Date>& value, const Spec& spec);
+  static std::string name(const Spec&) { return "list of dates"; }
+  static nlohmann::json schema(const Spec& spec);
+};
+
+template <>
 struct Codec<SuctionCurve> {
   static bool decode(const Decoding& in, const toml::node& node, const std::string& path, SuctionCurve& out);
   static nlohmann::json encode(const SuctionCurve& value, const Spec& spec);
