@@ -152,6 +152,7 @@ std::optional<LoadedCase> read_once(toml::table root, const std::string& name, c
   check_water(loaded.data, findings);
   check_hydraulics(loaded.data, findings);
   check_result(loaded.data, findings);
+  check_start_stress(loaded.data, findings);
   if (loaded.is_whole) check_analysis(loaded.data, findings);
   if (loaded.is_whole) check_methods(loaded.data, findings);
   if (loaded.is_whole) check_slices(loaded.data, findings);

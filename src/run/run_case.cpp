@@ -24,6 +24,7 @@
 #include "run/compare/compare.hpp"
 #include "run/fem/element_run.hpp"
 #include "run/fem/solid_of_case.hpp"
+#include "run/fem/start_stress.hpp"
 #include "run/forecast/forecast.hpp"
 #include "run/head.hpp"
 #include "run/lem/slice_run.hpp"
@@ -38,6 +39,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* summary_file = "summary.json";
+
+/// Whether material points need finite elements, for their first stress or the time at which they take over.
+bool asks_for_elements(const input::Case& data) {
+  if (!input::uses(data, Method::mpm)) return false;
+  return data.initial.stress == input::InitialStress::elements ||
+         (data.timeline && data.timeline->release &&
+          data.timeline->release->criterion == input::ReleaseCriterion::equilibrium);
+}
 
 /// One case in D dimensions.
 template <int D>
@@ -83,7 +92,7 @@ class CaseRun {
     const bool has_points = input::uses(data, Method::mpm), has_elements = input::uses(data, Method::fem),
                has_bounds = input::uses(data, Method::bounds);
     // A fault of the finite elements is reported before the hours that material points may take.
-    if (has_points && has_elements) check_solid(data);
+    if (has_points && (has_elements || asks_for_elements(data))) check_solid(data);
     if (has_points && has_bounds) check_bounds(data);
     if (input::uses(data, Method::lem)) slices_.emplace(data, alone, options_, hash_);
     run_ = begin_result(loaded_, hash_, options_.threads);
@@ -91,7 +100,8 @@ class CaseRun {
     if (releases_) {
       check_points(data);
     } else if (has_points) {
-      points_.emplace(loaded_, data, options_, hash_);
+      point_case_ = begin_with_stress(data, run_);
+      points_.emplace(loaded_, point_case_ ? *point_case_ : data, options_, hash_);
       points_->prepare(run_);
     } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
       run_.slope_height = ground::find_slope_height(data.mesh, ground::find_ground(data.mesh));
@@ -99,6 +109,18 @@ class CaseRun {
     if (has_elements) elements_.emplace(data, alone, options_, hash_).prepare();
     if (has_bounds) bounds_.emplace(data, alone, options_, hash_).prepare();
     if (data.timeline) timeline_.emplace(data, options_, hash_);
+  }
+
+  /// The case with the stress of finite elements that its points begin with; nullptr where they begin without.
+  std::unique_ptr<const input::Case> begin_with_stress(const input::Case& data, results::RunResult& run) const {
+    if constexpr (D == 2) {
+      if (data.initial.stress != input::InitialStress::elements) return nullptr;
+      if (options_.progress) options_.progress->show("finite elements: stress at the start");
+      auto start = std::make_unique<input::Case>(data);
+      start->initial.known_stress = find_start_stress(data, options_.threads, run.stress_start.emplace());
+      return start;
+    }
+    return nullptr;
   }
 
   /// Points that are let go later are prepared then; what can be wrong with them is found here, at time 0.
@@ -154,7 +176,8 @@ class CaseRun {
     if (beside_.empty()) return;
     released_ = std::make_unique<const ReleaseCase>(std::move(beside_.front()));
     beside_.erase(beside_.begin());
-    points_.emplace(loaded_, released_->data, options_, hash_);
+    point_case_ = begin_with_stress(released_->data, run_);
+    points_.emplace(loaded_, point_case_ ? *point_case_ : released_->data, options_, hash_);
     points_->prepare(run_);
     points_->open();
   }
@@ -169,7 +192,8 @@ class CaseRun {
       if (!finished) {
         finished = begin_result(loaded_, hash, options.threads);
         use_folder(options.folder, [&] { std::filesystem::create_directories(options.folder); });
-        PointRun<D> points(loaded_, other.data, options, hash);
+        const auto start = begin_with_stress(other.data, *finished);
+        PointRun<D> points(loaded_, start ? *start : other.data, options, hash);
         points.prepare(*finished);
         points.open();
         points.calculate(*finished);
@@ -185,6 +209,7 @@ class CaseRun {
   }
 
   static void tell_release(const results::RunResult& run, results::Release& told) {
+    if (run.stress_start) told.start_factor = run.stress_start->factor;
     if (run.stages && run.stages->size() > 1) told.rests = run.stages->front().end == results::StageEnd::rest;
     if (!run.runout) return;
     told.largest_displacement = run.runout->largest_displacement;
@@ -296,6 +321,8 @@ class CaseRun {
   std::vector<ReleaseCase> beside_;
   std::vector<results::Release> told_beside_;  ///< of those that ran
   bool is_followed_ = false;                   ///< the material points of the run itself came to their end
+  std::unique_ptr<const input::Case>
+      point_case_;  ///< of the points, where they begin with a stress that was calculated
   std::optional<PointRun<D>> points_;
   results::RunResult run_;
 };
@@ -327,7 +354,7 @@ std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {
 
 void check_methods(const input::Case& data) {
   if (input::uses(data, Method::lem) && !ground::needs_seepage(data)) prepare_slope(data);
-  if (input::uses(data, Method::fem)) check_solid(data);
+  if (input::uses(data, Method::fem) || asks_for_elements(data)) check_solid(data);
   if (!input::uses(data, Method::bounds)) return;
   check_bounds(data);
   if (!ground::needs_seepage(data)) make_bounds_problem(data);  // a coarse mesh, and what lies on it

@@ -2,6 +2,8 @@
 // Finite elements and material points on the water of a time of a timeline: factors beside slices, nothing that moves
 // where the slope stands, and what is said where there is nothing to let go.
 
+#include <fmt/format.h>
+
 #include "base/interrupt.hpp"
 #include "cases/methods_slope.hpp"
 #include "mesh/generate.hpp"
@@ -266,6 +268,54 @@ TEST_F(Release, TheTimeOfFailureIsTheFirstBelowTheTarget) {
     EXPECT_NEAR(std::abs(releases[i].at("time").get<double>() - releases[0].at("time").get<double>()), 3600, 1800);
 }
 
+// Points take over with the stress and the water of finite elements, and nothing holds them.
+TEST_F(Release, NothingMovesWhereElementsHandOverTheirStress) {
+  const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ntime = 0.5\n"),
+                           {{"initial.stress", "'elements'"},
+                            {"stage", "[{ name = 'let go', duration = 1 }, { name = 'go on', duration = 1 }]"}});
+  const auto& releases = summary.at("timeline").at("releases");
+  ASSERT_EQ(releases.size(), 3u);
+  for (const auto& release : releases) {
+    EXPECT_EQ(release.at("start_factor"), 1);
+    EXPECT_LT(release.at("largest_displacement").get<double>(), 1e-3);
+    EXPECT_EQ(release.at("moved_volume"), 0);
+  }
+}
+
+// Finite elements lose their equilibrium where their factor passes 1.
+TEST_F(Release, EquilibriumIsLostWhereTheFactorOfElementsPassesOne) {
+  const std::vector<input::Override> weak{{"materials.silt.cohesion", "0.4"},
+                                          {"materials.silt.friction_angle", "27"},
+                                          {"materials.silt.tensile_strength", "0.2"},
+                                          {"fem.flow", "'as_given'"},
+                                          {"fem.resolution", "0.005"},
+                                          {"mesh.size", "1"},
+                                          {"initial.stress", "'elements'"}};
+  const auto summary = run(write_bank("[timeline]\nduration = 1\n[timeline.release]\ncriterion = \"equilibrium\"\n"
+                                      "apart = 0\n"),
+                           weak);
+  const auto& timeline = summary.at("timeline");
+  const auto& loss = timeline.at("equilibrium");
+  ASSERT_FALSE(loss.at("from").is_null()) << loss;
+  ASSERT_FALSE(loss.at("to").is_null()) << loss;
+  ASSERT_EQ(timeline.at("releases").size(), 1u);
+  EXPECT_EQ(timeline.at("releases")[0].at("time"), loss.at("to"));
+  EXPECT_LT(timeline.at("releases")[0].at("start_factor").get<double>(), 1);
+  // The same times with strength reduction.
+  const double from = loss.at("from").get<double>() / 86400, to = loss.at("to").get<double>() / 86400;
+  std::vector<input::Override> reduced = weak;
+  reduced.push_back({"analysis.methods", "['lem', 'fem']"});
+  const auto elements =
+      run(write_bank(fmt::format("[timeline]\nduration = 1\nelement_times = [{}, {}]\n", from, to)), reduced)
+          .at("timeline")
+          .at("elements");
+  ASSERT_EQ(elements.size(), 2u);
+  // Loads that come on at full strength and strength that is divided afterwards are two ways to one answer.
+  constexpr double resolution = 0.005;
+  EXPECT_GE(elements[0].at("runs")[0].at("stable").get<double>(), 1 - resolution);
+  EXPECT_LE(elements[1].at("runs")[0].at("failed").get<double>(), 1 + resolution);
+}
+
 TEST_F(Release, SaysWhatACaseLacks) {
   const auto has = [&](const std::string& timeline, const std::vector<input::Override>& changes, const char* sentence) {
     const std::string fault = find_fault(write_bank("[timeline]\nduration = 1\n" + timeline), changes);
@@ -275,6 +325,7 @@ TEST_F(Release, SaysWhatACaseLacks) {
   has("[timeline.release]\n", {{"analysis.kind", "'strength_reduction'"}}, "not a reduction of strength");
   has("[timeline.release]\ntime = 2\n", {}, "outside the timeline");
   has("times = [0.5]\n[timeline.release]\ntime = 0.2\n", {}, "is not one of [timeline] times");
+  has("[timeline.release]\ntime = 0.5\ncriterion = \"equilibrium\"\n", {}, "no criterion finds it");
   EXPECT_FALSE(std::filesystem::exists(folder_));
   // Samples are taken by slices alone: what else the case asks of its timeline does not stand in their way.
   EXPECT_EQ(find_fault(write_bank("[timeline]\nduration = 1\nelement_times = [0.5]\n[timeline.release]\n"),

@@ -26,6 +26,8 @@ void check_roots(const Case& data, Findings& findings);
 void check_conditions(const Case& data, Findings& findings);
 /// The result that the case starts from, and what has no meaning with one.
 void check_result(const Case& data, Findings& findings);
+/// Reports a stress at the start that the case cannot begin with.
+void check_start_stress(const Case& data, Findings& findings);
 /// Stages, strength reduction and names of monitors.
 void check_analysis(const Case& data, Findings& findings);
 /// The methods of [analysis]: what each of them needs of the case, and what it cannot take.

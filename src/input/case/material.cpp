@@ -45,12 +45,12 @@ void check_materials(const Case& data, Findings& findings) {
     if (!findings.is_sound("materials." + name + ".model")) continue;
     material::check_soil(material.model, material,
                          {name, material.porosity, material.given_void_ratio.has_value(), findings});
-    if (data.initial.stress == InitialStress::k0 && !data.initial.k0 && findings.is_sound("initial") &&
+    if (data.initial.stress != InitialStress::none && !data.initial.k0 && findings.is_sound("initial") &&
         !material::needs<material::PoissonInput>(material.model))
       findings.add("initial.stress",
-                   fmt::format("stress = \"k0\" needs 'k0' in [initial]: an {} model has no Poisson's ratio that it "
+                   fmt::format("stress = \"{}\" needs 'k0' in [initial]: an {} model has no Poisson's ratio that it "
                                "would follow from",
-                               material.traits().title));
+                               get_word(data.initial.stress), material.traits().title));
   }
   if (materials.empty() && findings.is_sound("materials"))
     findings.add("materials", "there is no material: add a table [materials.NAME]");

@@ -158,6 +158,12 @@ void check_result(const Case& data, Findings& findings) {
                                      data.strength_reduction.frozen.meshes));
 }
 
+void check_start_stress(const Case& data, Findings& findings) {
+  if (data.initial.stress != InitialStress::elements || !findings.is_sound("initial.stress")) return;
+  if (data.mesh.dimension != 2)
+    findings.add("initial.stress", "the stress of finite elements is there for plane sections only; write \"k0\"");
+}
+
 void check_against_result(const LoadedCase& loaded, const JsonTree& echo) {
   const json& input = echo.get();
   Places places = loaded.places;

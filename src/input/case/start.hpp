@@ -41,12 +41,24 @@ struct InitialWater {
   std::shared_ptr<const KnownWater> known{};  ///< of a moment of a timeline, in place of all the others; not a key
 };
 
-enum class InitialStress { none, k0 };
+enum class InitialStress { none, k0, elements };
+
+/// Effective stress in a plane section that finite elements found, at the integration points of its triangles.
+struct KnownStress {
+  static constexpr std::size_t points = 3;  ///< of a triangle, each nearest to the corner with its number
+  mesh::Mesh<2> mesh;                       ///< finished
+  struct Element {
+    std::array<std::array<double, 6>, points> stress{};  ///< positive in tension [Pa]
+    std::array<double, points> plastic_strain{};         ///< accumulated, deviatoric [-]
+  };
+  std::vector<Element> elements;  ///< by number in the mesh
+};
 
 struct Initial {
   std::optional<Date> date;  ///< of time 0
   InitialStress stress = InitialStress::none;
   std::optional<double> k0;                               ///< K0 [-]; by default ν/(1-ν) of each material
+  std::shared_ptr<const KnownStress> known_stress{};      ///< for `elements`, once they are calculated; not a key
   std::map<std::string, std::array<double, 3>> velocity;  ///< by region [m/s]
   InitialWater water;
   std::string equilibrium;    ///< stage at whose end preconsolidation_ratio is applied; empty: the first
@@ -65,6 +77,8 @@ template <>
 inline constexpr auto choices<InitialStress> = std::array{
     Choice{InitialStress::none, "none", "no stress: the first stage brings the weight on"},
     Choice{InitialStress::k0, "k0", "the weight of the column above, and K0 times it to the sides"},
+    Choice{InitialStress::elements, "elements",
+           "that of finite elements in equilibrium, which begin with the stress of \"k0\""},
 };
 
 template <class Visitor>
@@ -81,8 +95,10 @@ void describe(Visitor& v, Initial& i) {
         "budgets begin anew.");
   const bool has_result = !i.result.empty();
   v.key("stress", i.stress, plain().allowed_without("result", has_result), "Stress at the start.");
-  v.key("k0", i.k0, plain().at_least(0).allowed_with("stress", i.stress, InitialStress::k0).example("0.5"),
-        "Ratio of horizontal to vertical stress; if not given, ν/(1-ν) of each material.");
+  v.key(
+      "k0", i.k0,
+      plain().at_least(0).allowed_with("stress", i.stress, {InitialStress::k0, InitialStress::elements}).example("0.5"),
+      "Ratio of horizontal to vertical stress; if not given, ν/(1-ν) of each material.");
   v.key("pore_pressure", i.water.pressure, plain().allowed_without("result", has_result),
         "Pore pressure at the start.");
   v.key("water_table", i.water.water_table,

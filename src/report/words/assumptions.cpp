@@ -117,7 +117,11 @@ class Assumptions {
     const input::Initial& initial = data_.initial;
     if (!initial.result.empty())
       add("The initial state is the end of the results in '{}'.", initial.result);
-    else if (initial.stress != input::InitialStress::k0)
+    else if (initial.stress == input::InitialStress::elements)
+      add("The initial stress is that of finite elements in equilibrium with weight, water and loads; they begin with "
+          "K0 = {}.",
+          initial.k0 ? show_number(*initial.k0) : "ν/(1−ν) of each soil");
+    else if (initial.stress == input::InitialStress::none)
       add("There is no initial stress: the first stage brings the weight on, and the horizontal stress of the settled "
           "ground is about ν/(1−ν) times the vertical one, a matter of Poisson's ratio.");
     else if (initial.k0)

@@ -13,6 +13,7 @@
 #include "results/json.hpp"
 #include "run/attempt.hpp"
 #include "run/fem/fields_vtu.hpp"
+#include "run/fem/start_stress.hpp"
 #include "run/fem/tell_elements.hpp"
 
 namespace talus::run {
@@ -36,11 +37,7 @@ fem::ReductionOptions make_options(const input::FiniteElements& settings, int th
   options.from = settings.from;
   options.to = settings.to;
   options.resolution = settings.resolution;
-  options.solid.force_tolerance = settings.force_tolerance;
-  options.solid.displacement_tolerance = settings.displacement_tolerance;
-  options.solid.most_iterations = settings.iterations;
-  options.solid.load_steps = settings.load_steps;
-  options.solid.threads = threads;
+  options.solid = make_solid_options(settings, threads);
   return options;
 }
 

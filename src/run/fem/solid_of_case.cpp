@@ -97,7 +97,7 @@ class SolidBuilder {
     set_water();
     add_earthquake();
     model.loads = ground::make_surface_loads<D>(data_, mesh_, ponds_, table_, ground_);
-    if (data_.initial.stress == input::InitialStress::k0) set_k0_stress();
+    if (data_.initial.stress != input::InitialStress::none) set_k0_stress();
     set_start();
   }
 
@@ -231,8 +231,13 @@ void check_solid(const input::Case& data) {
 
 template <int D>
 SolidOfCase<D> make_solid(const input::Case& data, double share) {
+  return make_solid_on<D>(data, std::make_shared<const mesh::Mesh<D>>(mesh::generate<D>(make_fem_plan(data, share))));
+}
+
+template <int D>
+SolidOfCase<D> make_solid_on(const input::Case& data, std::shared_ptr<const mesh::Mesh<D>> mesh) {
   SolidOfCase<D> solid;
-  solid.mesh = std::make_shared<const mesh::Mesh<D>>(mesh::generate<D>(make_fem_plan(data, share)));
+  solid.mesh = std::move(mesh);
   set_laws<D>(data, solid, false);
   SolidBuilder<D>(data, solid).build();
   return solid;
@@ -243,8 +248,9 @@ void set_associated_flow(const input::Case& data, SolidOfCase<D>& solid) {
   set_laws<D>(data, solid, true);
 }
 
-#define TALUS_INSTANTIATE(D)                                         \
-  template SolidOfCase<D> make_solid<D>(const input::Case&, double); \
+#define TALUS_INSTANTIATE(D)                                                                          \
+  template SolidOfCase<D> make_solid<D>(const input::Case&, double);                                  \
+  template SolidOfCase<D> make_solid_on<D>(const input::Case&, std::shared_ptr<const mesh::Mesh<D>>); \
   template void set_associated_flow<D>(const input::Case&, SolidOfCase<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -26,6 +26,10 @@ struct SolidOfCase {
 template <int D>
 SolidOfCase<D> make_solid(const input::Case& data, double share = 1);
 
+/// The same on a mesh that is there.
+template <int D>
+SolidOfCase<D> make_solid_on(const input::Case& data, std::shared_ptr<const mesh::Mesh<D>> mesh);
+
 /// The laws of the case with ψ = φ instead of ψ as given.
 template <int D>
 void set_associated_flow(const input::Case& data, SolidOfCase<D>& solid);

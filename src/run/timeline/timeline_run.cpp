@@ -21,6 +21,7 @@
 #include "ground/season.hpp"
 #include "mesh/generate.hpp"
 #include "results/json.hpp"
+#include "run/fem/start_stress.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/section_of_case.hpp"
 #include "run/timeline/begin_later.hpp"
@@ -49,6 +50,7 @@ struct TimelineRun::Parts {
         search(make_search_options(data.lem, 1)) {
     mesh = mesh::generate<2>(data.mesh);
     model = ground::make_seepage_model<2>(data, mesh, wet_mesh);
+    told.pool_loading = data.timeline->pool_loading;
     fem::check_storage(model);
   }
 
@@ -143,6 +145,7 @@ struct TimelineRun::Parts {
     }
     if (told.chosen) told.distance = choice.find_distance();
     tell_factors();
+    if (asked.release && asked.release->criterion == input::ReleaseCriterion::equilibrium) find_loss();
     if (asked.release) search_releases();
     told.search_seconds = count_seconds(start);
   }
@@ -196,6 +199,28 @@ struct TimelineRun::Parts {
     }
   }
 
+  /// When finite elements lose their equilibrium: between two kept times that follow each other. The times of the
+  /// searches are tried first, one after the other, and then those between.
+  void find_loss() {
+    results::EquilibriumLoss& loss = told.equilibrium.emplace();
+    const auto is_balanced = [&](std::size_t number) {
+      if (options.progress)
+        options.progress->show(fmt::format("timeline: equilibrium at {}", units::say_time(times[number])));
+      ++loss.trials;
+      const bool found = stands(begin_at(number), options.threads);
+      (found ? loss.from : loss.to) = times[number];
+      return found;
+    };
+    std::vector<std::size_t> tried = searched;
+    std::sort(tried.begin(), tried.end());
+    auto fails = std::find_if_not(tried.begin(), tried.end(), is_balanced);
+    if (fails == tried.end() || fails == tried.begin()) return;
+    for (std::size_t low = *(fails - 1), high = *fails; high - low > 1;) {
+      const std::size_t middle = low + (high - low) / 2;
+      (is_balanced(middle) ? low : high) = middle;
+    }
+  }
+
   /// What an interrupted run has found at times after 0.
   std::vector<results::SearchedMoment> load_kept() {
     if (!options.resume) return {};
@@ -213,6 +238,8 @@ struct TimelineRun::Parts {
     });
   }
 
+  const input::Timeline& asked() const { return *data.timeline; }
+
   std::vector<std::size_t> list_all() const {
     std::vector<std::size_t> all(times.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
@@ -226,6 +253,7 @@ struct TimelineRun::Parts {
       if (!told.factors[i].factor && !moments[i].error.empty())
         told.notes.push_back(fmt::format("no factor at {:g} s: {}", moments[i].time, moments[i].error));
     note_refusals();
+    note_sudden_pools();
     if (told.distance && *told.distance > asked.tolerance)
       told.notes.push_back(
           fmt::format("after {} times straight lines between them may still be off by {:.2g} % of the "
@@ -243,8 +271,12 @@ struct TimelineRun::Parts {
   std::optional<std::size_t> find_release() const {
     const input::Release& asked = *data.timeline->release;
     std::optional<double> time = asked.time;
-    if (!time && told.fails_from_start) time = 0;
-    if (!time && told.failure) time = told.failure->to;
+    if (asked.criterion == input::ReleaseCriterion::equilibrium) {
+      time = told.equilibrium->to;
+    } else {
+      if (!time && told.fails_from_start) time = 0;
+      if (!time && told.failure) time = told.failure->to;
+    }
     return time ? std::optional(find_nearest(*time)) : std::nullopt;
   }
 
@@ -306,6 +338,27 @@ struct TimelineRun::Parts {
         when.size(), moments.size(), units::say_time(when.front()), units::say_time(when.back()), least, why));
   }
 
+  /// The weight of water that comes or goes at once is what the pressures right after hang on.
+  void note_sudden_pools() {
+    const bool gives_way = std::any_of(data.materials.begin(), data.materials.end(),
+                                       [](const auto& m) { return m.second.water.compressibility > 0; });
+    if (asked().pool_loading || !gives_way) return;
+    for (const input::Hydraulic& h : data.hydraulics) {
+      if (h.condition != input::WaterCondition::total_head) continue;
+      for (std::size_t i = 1; i < h.head.time.size(); ++i) {
+        const double at = h.head.time[i];
+        if (at != h.head.time[i - 1] || at < 0 || at >= told.duration || h.head.value[i] == h.head.value[i - 1])
+          continue;
+        const bool falls = h.head.value[i] < h.head.value[i - 1];
+        told.notes.push_back(fmt::format(
+            "the pool on '{}' {} at once at {}, and total stress is taken as constant: right after, pore pressures are "
+            "too "
+            "{} and factors too {}; pool_loading = true lets its weight count",
+            h.on, falls ? "falls" : "rises", units::say_time(at), falls ? "high" : "low", falls ? "low" : "high"));
+      }
+    }
+  }
+
   /// The field of time 0: that of the methods, where it is on this mesh.
   results::WaterField make_first_field() const {
     if (water.fields && water.fields->nodes.size() == mesh.nodes.size() && !water.fields->states.empty())
@@ -353,10 +406,11 @@ const results::WaterFields* TimelineRun::water_fields() const {
 std::vector<ReleaseCase> TimelineRun::list_releases() {
   const auto at = parts_->find_release();
   if (!at) {
-    parts_->told.notes.push_back(fmt::format(
-        "material points do not take over: the factor is not below {:g} at any time that was tried; [timeline.release] "
-        "time lets them go all the same",
-        parts_->told.target));
+    parts_->told.notes.push_back(
+        fmt::format("material points do not take over: {}; [timeline.release] time lets them go all the same",
+                    parts_->told.equilibrium
+                        ? "finite elements find equilibrium at every time that was tried"
+                        : fmt::format("the factor is not below {:g} at any time that was tried", parts_->told.target)));
     return {};
   }
   std::vector<ReleaseCase> releases{parts_->make_release(*at)};

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/initial_water.hpp"
+#include "ground/known_stress.hpp"
 #include "ground/pore_water.hpp"
 #include "ground/root_sink.hpp"
 #include "mesh/column.hpp"
@@ -109,6 +110,19 @@ void set_k0_stress(const input::Case& data, const mesh::Mesh<D>& mesh, const std
   }
 }
 
+/// Stress and plastic strain of finite elements at the points; empty where none were calculated.
+template <int D>
+std::vector<ground::StressAt> find_known_stress(const input::Initial& initial, const mesh::Mesh<D>& mesh,
+                                                const std::vector<mpm::InitialPoint<D>>& points) {
+  std::vector<ground::StressAt> known;
+  if constexpr (D == 2) {
+    if (!initial.known_stress) return known;
+    ground::StressReader reader(*initial.known_stress, mesh);
+    for (const mpm::InitialPoint<D>& p : points) known.push_back(reader.read(p.element, p.xi));
+  }
+  return known;
+}
+
 /// A body whose soil is where the mesh says.
 template <int D>
 mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_per_element, int chunks,
@@ -146,12 +160,16 @@ mpm::Body<D> fill_mesh(const input::Case& data, mesh::Mesh<D> mesh, int points_p
   }
   if (points.empty())
     throw Error(ExitCode::wrong_input, "no element of the mesh holds soil; check the polygons and the mesh size");
-  if (data.initial.stress == input::InitialStress::k0)
+  if (data.initial.stress != input::InitialStress::none)
     set_k0_stress<D>(data, mesh, names, water_laws, water, held, points);
+  const std::vector<ground::StressAt> known = find_known_stress<D>(data.initial, mesh, points);
+  for (std::size_t i = 0; i < known.size(); ++i)
+    std::copy_n(known[i].stress.begin(), points[i].stress.size(), points[i].stress.begin());
 
   std::vector<material::Law> laws;
   for (const std::string& name : names) laws.push_back(make_point_law(data.materials.at(name), {}, 1));
   set_initial_state<D>(data, mesh, laws, names, water_laws, points);
+  for (std::size_t i = 0; i < known.size(); ++i) points[i].state[0] = known[i].plastic_strain;
   auto layout = mpm::make_layout<D>(std::move(mesh), in_element, chunks);
   mpm::Body<D> body = mpm::make_body<D>(std::move(layout), std::move(laws), names, points, water_laws);
   resolve_conditions(body, data);

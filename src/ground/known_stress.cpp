@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "ground/known_stress.hpp"
+
+#include <algorithm>
+
+#include "mesh/locate.hpp"
+
+namespace talus::ground {
+
+StressReader::StressReader(const input::KnownStress& known, const mesh::Mesh<2>& mesh)
+    : known_(known), mesh_(mesh), same_mesh_(mesh.nodes == known.mesh.nodes && mesh.elements == known.mesh.elements) {}
+
+/// The nearest triangle with soil: near the ground a place of one mesh may lie in the air of another.
+int StressReader::find_soil(const Vec<2>& x) const {
+  const mesh::Mesh<2>& mesh = known_.mesh;
+  const int found = mesh::find_element(mesh, x, last_);
+  if (found >= 0 && mesh.element_region[static_cast<std::size_t>(found)] != mesh::empty_region) return found;
+  int nearest = 0;
+  double greatest = -1e300;
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (mesh.element_region[static_cast<std::size_t>(e)] == mesh::empty_region) continue;
+    const auto xi = mesh::to_local(mesh, e, x);
+    const double least = std::min({xi[0], xi[1], 1 - xi[0] - xi[1]});
+    if (least > greatest) greatest = least, nearest = e;
+  }
+  return nearest;
+}
+
+StressAt StressReader::read(int e, const Vec<2>& xi) {
+  Vec<2> at = xi;
+  if (!same_mesh_) {
+    const Vec<2> x = mesh::to_global(mesh_, e, xi);
+    e = last_ = find_soil(x);
+    at = mesh::to_local(known_.mesh, e, x);
+  }
+  const std::array<double, 3> corner{1 - at[0] - at[1], at[0], at[1]};
+  const auto& element = known_.elements[static_cast<std::size_t>(e)];
+  StressAt here;
+  // The linear field that has its values where one of the coordinates is 2/3 and the others are 1/6.
+  for (std::size_t q = 0; q < corner.size(); ++q)
+    for (std::size_t k = 0; k < here.stress.size(); ++k)
+      here.stress[k] += (2 * corner[q] - 1.0 / 3) * element.stress[q][k];
+  const auto nearest = std::max_element(corner.begin(), corner.end()) - corner.begin();
+  here.plastic_strain = element.plastic_strain[static_cast<std::size_t>(nearest)];
+  return here;
+}
+
+}  // namespace talus::ground

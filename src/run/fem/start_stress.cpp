@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "run/fem/start_stress.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "mesh/generate.hpp"
+#include "run/fem/solid_of_case.hpp"
+
+namespace talus::run {
+namespace {
+
+/// How near the strength comes to the least that has equilibrium, and where the search for one ends.
+constexpr double resolution = 0.01, smallest_factor = 1.0 / 32;
+
+SolidOfCase<2> make_start_solid(const input::Case& data) {
+  return make_solid_on<2>(data, std::make_shared<const mesh::Mesh<2>>(mesh::generate<2>(data.mesh)));
+}
+
+fem::SolidResult<2> balance(const SolidOfCase<2>& solid, const fem::SolidOptions& options, double factor) {
+  throw_if_interrupted();
+  return fem::find_equilibrium<2>(solid.model, options, factor);
+}
+
+/// The equilibrium with the least strength that has one, which is divided by `factor`.
+fem::SolidResult<2> find_weakest(const SolidOfCase<2>& solid, const fem::SolidOptions& options, double& factor) {
+  double fails = 1;
+  for (factor = 1; factor >= smallest_factor; factor /= 2) {
+    fem::SolidResult<2> found = balance(solid, options, factor);
+    if (!found.converged) {
+      fails = factor;
+      continue;
+    }
+    while (factor < 1 && fails - factor > resolution) {
+      const double middle = 0.5 * (factor + fails);
+      fem::SolidResult<2> weaker = balance(solid, options, middle);
+      if (weaker.converged)
+        found = std::move(weaker), factor = middle;
+      else
+        fails = middle;
+    }
+    return found;
+  }
+  throw Error(ExitCode::wrong_input,
+              fmt::format("[initial] stress = \"elements\": finite elements find no equilibrium even with the strength "
+                          "multiplied by {:g}; check weights, supports and pore pressures",
+                          1 / smallest_factor));
+}
+
+}  // namespace
+
+fem::SolidOptions make_solid_options(const input::FiniteElements& settings, int threads) {
+  fem::SolidOptions options;
+  options.force_tolerance = settings.force_tolerance;
+  options.displacement_tolerance = settings.displacement_tolerance;
+  options.most_iterations = settings.iterations;
+  options.load_steps = settings.load_steps;
+  options.threads = threads;
+  return options;
+}
+
+bool stands(const input::Case& data, int threads) {
+  return balance(make_start_solid(data), make_solid_options(data.fem, threads), 1).converged;
+}
+
+std::shared_ptr<const input::KnownStress> find_start_stress(const input::Case& data, int threads,
+                                                            results::StressStart& told) {
+  const SolidOfCase<2> solid = make_start_solid(data);
+  const fem::SolidResult<2> found = find_weakest(solid, make_solid_options(data.fem, threads), told.factor);
+  const fem::QuadraticMesh<2> mesh = fem::make_quadratic<2>(*solid.mesh);
+  auto known = std::make_shared<input::KnownStress>();
+  known->mesh = *solid.mesh;
+  known->elements.resize(known->mesh.elements.size());
+  const std::size_t points = input::KnownStress::points, states = found.at.state.size() / mesh.points.size();
+  for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+    auto& element = known->elements[static_cast<std::size_t>(mesh.linear_element[k])];
+    for (std::size_t q = 0; q < points; ++q) {
+      element.stress[q] = found.at.stress[k * points + q];
+      element.plastic_strain[q] = found.at.state[(k * points + q) * states];
+    }
+  }
+  told.force_residual = found.force_residual;
+  told.elements = static_cast<int>(mesh.elements.size());
+  return known;
+}
+
+}  // namespace talus::run
