@@ -4,7 +4,7 @@
 #   make test    install what is missing, build everything, run every test
 #   make package  Debian packages for every x86-64 processor with SSE 4.2, in build/package/packages
 #   make build bench format lint docs
-# DEMO_ARGS adds arguments to the demo's run, DEMO_OUT is its result folder; SETUP=true skips the installation.
+# DEMO_ARGS adds arguments to the demo's run, CMAKE_ARGS to the configuration (-DTALUS_MPI=ON), DEMO_OUT is its result folder; SETUP=true skips the installation.
 
 PRESET    ?= release
 BUILD     := build/$(PRESET)
@@ -13,6 +13,7 @@ TALUS     := $(BUILD)/bin/talus
 DEMO_CASE ?= examples/dry_slope/case.toml
 DEMO_OUT  ?= results/dry_slope
 DEMO_ARGS ?=
+CMAKE_ARGS ?=
 
 .PHONY: demo test build program package bench format lint docs setup setup-dev
 
@@ -24,7 +25,7 @@ setup-dev: setup
 
 # Ninja configures again by itself when a CMake file changes.
 $(BUILD)/build.ninja: | setup
-	@cmake --preset $(PRESET)
+	@cmake --preset $(PRESET) $(CMAKE_ARGS)
 
 program: $(BUILD)/build.ninja | setup
 	@cmake --build --preset $(PRESET) --target everyday

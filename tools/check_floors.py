@@ -14,6 +14,7 @@ from pathlib import Path
 # is refused: the engines do not know each other, output knows no engine, results know nobody.
 ALLOWED = {
     "base": [],
+    "ranks": ["base"],
     "material": ["base", "input/language"],
     "mesh": ["base"],
     "results": ["base"],

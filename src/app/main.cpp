@@ -9,10 +9,12 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <limits>
 
 #include "app/command_line.hpp"
 #include "app/wait_policy.hpp"
 #include "base/error.hpp"
+#include "base/ranks.hpp"
 
 namespace {
 
@@ -27,10 +29,17 @@ bool has_place(const std::exception_ptr& thrown) {
   }
 }
 
+/// Seconds in which the other ranks meet the same end, or do not.
+constexpr double patience = 10;
+
 int report(const std::exception_ptr& thrown) {
   const talus::Failure failure = talus::explain_failure(thrown);
+  talus::Ranks& ranks = talus::get_ranks();
+  const bool is_common = ranks.meet(patience);
+  if (is_common && ranks.rank() > 0) return static_cast<int>(failure.code);
   const std::string sentence = fmt::format("{}{}\n", has_place(thrown) ? "" : "talus: error: ", failure.sentence);
   std::fputs(sentence.c_str(), stderr);
+  if (!is_common) ranks.abort(static_cast<int>(failure.code));
   return static_cast<int>(failure.code);
 }
 
@@ -39,6 +48,7 @@ int run(int argc, char** argv) try {
   // What was printed may still wait in memory.
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw talus::Error(talus::ExitCode::cannot_write, fmt::format("cannot print: {}", std::strerror(errno)));
+  talus::get_ranks().meet(std::numeric_limits<double>::infinity());
   return code;
 } catch (...) {
   return report(std::current_exception());
@@ -50,5 +60,7 @@ int main(int argc, char** argv) {
   talus::app::let_waiting_threads_sleep(argv);
   // A file that may grow no further is a sentence, as a full disk is.
   std::signal(SIGXFSZ, SIG_IGN);
-  return run(argc, argv);
+  const int code = run(argc, argv);
+  talus::leave_ranks();
+  return code;
 }

@@ -2,6 +2,7 @@
 // `talus run CASE`: calculates a case into its folder.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
@@ -12,8 +13,10 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "base/ranks.hpp"
 #include "run/digest.hpp"
 #include "run/run_case.hpp"
+#include "run/run_folder.hpp"
 
 namespace talus::app {
 namespace {
@@ -34,7 +37,34 @@ void refuse_restless(const results::RunResult& result) {
                                                   stage.name));
 }
 
-void run(const RunCommand& command) {
+/// Ranks beside the first calculate what it does, and keep their results in a folder that goes with them.
+class OwnFolder {
+ public:
+  explicit OwnFolder(run::RunOptions& options) {
+    if (get_ranks().rank() == 0) return;
+    folder_ = std::filesystem::temp_directory_path() / fmt::format("talus_rank_{}_{}", get_ranks().rank(), getpid());
+    // An interrupted run goes on from what it has left.
+    if (options.resume && std::filesystem::exists(options.folder))
+      std::filesystem::copy(options.folder, folder_, std::filesystem::copy_options::recursive);
+    options.folder = folder_;
+  }
+  ~OwnFolder() {
+    std::error_code ignored;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
+  }
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+void run(RunCommand command) {
+  join_ranks(std::filesystem::read_symlink("/proc/self/exe").parent_path().string());
+  const Ranks& ranks = get_ranks();
+  if (ranks.size() > 1 && command.threads > 1)
+    throw Error(ExitCode::wrong_input, "each of several ranks has one thread: leave --threads out");
+  if (ranks.rank() > 0) command.quiet = command.no_report = true;
   const input::LoadedCase loaded = input::read_case(command.input.file, command.input.parse_overrides());
   if (!command.quiet)
     for (const std::string& warning : run::list_warnings(loaded)) fmt::print(stderr, "{}\n", warning);
@@ -43,10 +73,12 @@ void run(const RunCommand& command) {
   run::RunOptions options;
   options.folder =
       command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_results" : command.folder;
-  options.threads = command.threads > 0 ? command.threads : default_threads();
+  options.threads = command.threads > 0 ? command.threads : ranks.size() > 1 ? 1 : default_threads();
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;
+  lead_ranks([&] { run::check_folder(loaded.data.initial, options); });
+  const OwnFolder own(options);
   results::RunResult result;
   do_and_report(options.folder, !command.no_report, [&] { result = run::run_case(loaded, options); });
   if (!command.quiet)

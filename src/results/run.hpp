@@ -130,6 +130,19 @@ void describe(V& v, R& r) {
   v.key("elements", r.elements, {"", "finite elements"});
 }
 
+/// Processes that calculated the case together.
+struct RankWork {
+  int ranks = 1;
+  double bytes = 0;    ///< that the first of them has sent
+  double seconds = 0;  ///< that it spent with it, waiting for others too [s]
+};
+template <class V, As<RankWork> R>
+void describe(V& v, R& r) {
+  v.key("ranks", r.ranks, {"", "ranks"});
+  v.key("bytes", r.bytes, {"", "bytes that the first rank has sent"});
+  v.key("seconds", r.seconds, {"s", "seconds that it spent with it, waiting for others too"});
+}
+
 struct RunResult {
   std::string title;
   Project project;
@@ -170,6 +183,7 @@ struct RunResult {
   std::vector<NamedResult> results;
   std::vector<Comparison> comparisons;
   std::optional<Timing> timing;
+  std::optional<RankWork> ranks;
 
   // Compiled once, in special_members.cpp: the files that hold one would each compile them again.
   RunResult();
@@ -223,6 +237,7 @@ void describe(V& v, R& r) {
   v.key("results", r.results, {"", "results by name"});
   v.key("comparisons", r.comparisons, {"", "results beside what the case expects"});
   v.maybe("timing", r.timing, {"", "seconds"});
+  v.maybe("ranks", r.ranks, {"", "processes that calculated together"});
 }
 
 }  // namespace talus::results

@@ -39,6 +39,9 @@ struct Layout {
   int blocks = 0, chunks = 0, rows = 0;
   std::vector<int> chunk_start;           ///< first block of each chunk, [chunks + 1]
   AlignedVector<int> connectivity;        ///< [block][D+1][lane] node row
+  std::vector<int> chunk_row;             ///< first row of each chunk, [chunks + 1]
+  std::vector<int> node_start;            ///< first node whose first row is the chunk's or a later one's, [chunks + 1]
+  bool is_ordered = true;                 ///< nodes stand in the order of the chunks of their first rows
   std::vector<int> row_start, node_rows;  ///< rows of node i: node_rows[row_start[i] … row_start[i+1])
   AlignedVector<double> gradients;        ///< [block][D*D][lane] ∂ξ_k/∂x_d [1/m]
   AlignedVector<double> volumes;          ///< [block][lane] V_e [m³, or m² per metre]
@@ -146,6 +149,8 @@ struct Lost {
 };
 
 struct SofteningReach;  // step/softening.hpp
+template <int D>
+struct Share;  // share.hpp
 
 template <int D>
 struct Body {
@@ -154,6 +159,7 @@ struct Body {
   std::vector<std::string> material_names;
   Conditions<D> conditions;
   Points<D> points;
+  std::shared_ptr<const Share<D>> share;                  ///< null: all of it is calculated here
   std::shared_ptr<const SofteningReach> softening_reach;  ///< null: soil softens element by element
   Elements<D> elements;
   Nodes<D> nodes;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mpm/body/share.hpp"
 #include "mpm/body/slots.hpp"
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/kernels.hpp"
@@ -39,8 +40,10 @@ void number_rows(Layout<D>& layout) {
   const int elements = mesh.element_count(), nodes = mesh.node_count();
   std::vector<std::vector<int>> rows(static_cast<std::size_t>(nodes));
   std::vector<int> seen(static_cast<std::size_t>(nodes), -1);
+  std::vector<int> first_chunk(static_cast<std::size_t>(nodes), layout.chunks - 1);
   layout.connectivity.assign(static_cast<std::size_t>(layout.blocks) * (D + 1) * lane_width, 0);
   for (int c = 0; c < layout.chunks; ++c) {
+    layout.chunk_row.push_back(layout.rows);
     const int begin = layout.chunk_start[c] * lane_width,
               end = std::min(elements, layout.chunk_start[c + 1] * lane_width);
     std::vector<int> mine;
@@ -53,7 +56,10 @@ void number_rows(Layout<D>& layout) {
       }
     }
     std::sort(mine.begin(), mine.end());
-    for (int i : mine) rows[i].push_back(layout.rows++);
+    for (int i : mine) {
+      if (rows[i].empty()) first_chunk[i] = c;
+      rows[i].push_back(layout.rows++);
+    }
     for (int e = begin; e < layout.chunk_start[c + 1] * lane_width; ++e) {
       for (int k = 0; k <= D; ++k) {
         // Lanes behind the last element point at some row of the chunk and add zero to it.
@@ -64,6 +70,13 @@ void number_rows(Layout<D>& layout) {
       }
     }
   }
+  layout.chunk_row.push_back(layout.rows);
+  layout.is_ordered = std::is_sorted(first_chunk.begin(), first_chunk.end());
+  for (int c = 0; c <= layout.chunks; ++c)
+    layout.node_start.push_back(
+        layout.is_ordered
+            ? static_cast<int>(std::lower_bound(first_chunk.begin(), first_chunk.end(), c) - first_chunk.begin())
+            : static_cast<int>(static_cast<std::int64_t>(nodes) * c / layout.chunks));
   layout.row_start.assign(1, 0);
   for (std::vector<int>& r : rows) {
     if (r.empty()) r.push_back(layout.rows++);  // a node of no element: its row stays zero
@@ -218,11 +231,12 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
   P& points = body.points;
   std::fill(body.nodes.sums.begin(), body.nodes.sums.end(), 0.0);
   std::fill(body.elements.moments.begin(), body.elements.moments.end(), 0.0);
-  const int elements = body.mesh().element_count();
+  const auto [begin, end] = own_elements(body);
   const bool mixture = body.water.is_wet() && o.mixture;
-  for (int e = 0; e < elements; ++e) update_fill_limit(body, e);
-  for (int e = 0; e < elements; ++e) note_gaps(body, o, e);
-  for (int e = 0; e < elements; ++e) {
+  update_counts(body);
+  for (int e = begin; e < end; ++e) update_fill_limit(body, e);
+  for (int e = begin; e < end; ++e) note_gaps(body, o, e);
+  for (int e = begin; e < end; ++e) {
     const int b = e / lane_width, lane = e % lane_width;
     for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {
       double* p = points.slot(points.block_start[b] + k) + lane;
@@ -246,7 +260,7 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
     body.water.mixture.own.clear();
     body.water.mixture.change.clear();
     find_held_axes(body);
-    for (int e = 0; e < elements; ++e) {
+    for (int e = begin; e < end; ++e) {
       share_wet_element(body, e, o);
       if (points.count[e] > 0) add_wet_element(body, e, o, 1);
     }

@@ -2,7 +2,6 @@
 #pragma once
 // Nodal averages of element values (2.94). Rows hold pairs: Σ value·weight, and Σ weight.
 
-#include "base/parallel.hpp"
 #include "mpm/body/node_rows.hpp"
 
 namespace talus::mpm {
@@ -11,7 +10,7 @@ namespace talus::mpm {
 template <int D, class Work>
 void for_blocks(const Body<D>& body, int threads, Work&& work) {
   const Layout<D>& layout = *body.layout;
-  parallel_for(layout.chunks, threads, [&](int c) {
+  for_chunks(body, threads, [&](int c) {
     for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
       if (body.points.block_used[b] > 0)
         work(b, &layout.connectivity[static_cast<std::size_t>(b) * lane_width * (D + 1)]);
@@ -60,8 +59,8 @@ TALUS_KERNEL void add_average(AlignedVector<double>& average, const int* rows, c
 template <int Columns, int Stride, int D>
 void divide_averages(const Body<D>& body, int threads, AlignedVector<double>& average, double* smoothed) {
   const Layout<D>& layout = *body.layout;
-  parallel_for(layout.chunks, threads, [&](int c) {
-    const int begin = first_node(body, c), end = first_node(body, c + 1);
+  update_rows(body, average, Columns);
+  for_node_pieces(body, threads, [&](int begin, int end, int) {
     for (int i = begin; i < end; ++i) {
       double sum[Columns] = {};
       for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) {

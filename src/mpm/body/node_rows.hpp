@@ -4,16 +4,9 @@
 
 #include <algorithm>
 
-#include "base/parallel.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/body/share.hpp"
 
 namespace talus::mpm {
-
-/// First node of piece `c`; there are as many pieces as chunks.
-template <int D>
-int first_node(const Body<D>& body, int c) {
-  return static_cast<int>(static_cast<std::int64_t>(body.mesh().node_count()) * c / body.layout->chunks);
-}
 
 /// The first N sums of a node, over the chunks that hold a row of it. Rows are Stride doubles long.
 template <int N, int Stride>
@@ -82,11 +75,12 @@ template <int D, class Solve>
 void solve_pieces(Body<D>& body, int threads, bool monitor, Solve&& solve) {
   body.conditions.pressed.resize(body.conditions.constraints.size());
   std::vector<PieceSums> pieces(static_cast<std::size_t>(body.layout->chunks));
-  parallel_for(body.layout->chunks, threads, [&](int c) {
+  for_node_pieces(body, threads, [&](int begin, int end, int c) {
     PieceSums mine;  // on the stack: neighbouring pieces must not share a cache line
-    solve(first_node(body, c), first_node(body, c + 1), mine);
-    pieces[static_cast<std::size_t>(c)] = mine;
+    solve(begin, end, mine);
+    if (c >= 0) pieces[static_cast<std::size_t>(c)] = mine;
   });
+  complete_chunks(body, pieces);
   PieceSums all;
   for (const PieceSums& s : pieces) {
     body.work.damped += s.damped;

@@ -7,7 +7,6 @@
 
 #include <optional>
 
-#include "base/parallel.hpp"
 #include "mpm/body/node_average.hpp"
 #include "mpm/body/rows.hpp"
 #include "mpm/step/full_element.hpp"
@@ -366,16 +365,20 @@ template <class Pass, int D>
 MoverLists advance_blocks(Body<D>& body, const StepOptions<D>& options) {
   if (body.softening_reach) lend_softening(body, options.threads);
   std::vector<std::optional<Pass>> passes(static_cast<std::size_t>(body.layout->chunks));
-  parallel_for(body.layout->chunks, options.threads, [&](int c) {
+  for_chunks(body, options.threads, [&](int c) {
     Pass pass(body, options);  // on the stack: neighbouring chunks must not share a cache line
     advance_chunk(pass, c);
     passes[static_cast<std::size_t>(c)].emplace(std::move(pass));
   });
-  MoverLists movers;
-  for (std::optional<Pass>& pass : passes) {
-    body.work.dissipated += sum_lanes(pass->dissipated);
-    movers.push_back(std::move(pass->movers));
+  MoverLists movers(passes.size());
+  std::vector<double> dissipated(passes.size(), 0);
+  for (std::size_t c = 0; c < passes.size(); ++c) {
+    if (!passes[c]) continue;  // of another rank
+    dissipated[c] = sum_lanes(passes[c]->dissipated);
+    movers[c] = std::move(passes[c]->movers);
   }
+  complete_chunks(body, dissipated);
+  for (const double work : dissipated) body.work.dissipated += work;
   Pass::collect(body, passes);
   return movers;
 }

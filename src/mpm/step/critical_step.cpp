@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mpm/body/point_state.hpp"
+#include "mpm/body/share.hpp"
 #include "mpm/coupled/kernels.hpp"
 #include "mpm/coupled/pore_state.hpp"
 
@@ -68,7 +69,8 @@ CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
   // Squared wave speed of each element, from its points; a point may enter a neighbour before the next look.
   CriticalStep critical;
   double smallest = 0;
-  for (int e = 0; e < mesh.element_count(); ++e) {
+  const auto [begin, end] = own_elements(body);
+  for (int e = begin; e < end; ++e) {
     const int b = e / lane_width, lane = e % lane_width;
     double speed2 = 0;
     for (int k = 0; k < static_cast<int>(body.points.count[e]); ++k) {
@@ -92,7 +94,10 @@ CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
     }
   }
   critical.dt = std::sqrt(smallest * mass_scaling);
-  return critical;
+  CriticalStep of_all;
+  for (const CriticalStep& of_rank : join_lists(body, std::vector{critical}))
+    if (of_rank.element >= 0 && (of_all.element < 0 || of_rank.dt < of_all.dt)) of_all = of_rank;
+  return of_all;
 }
 
 template <int D>

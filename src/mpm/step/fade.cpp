@@ -35,10 +35,11 @@ constexpr int row_stride = 8;  ///< of a node row of this file
 
 /// Calls work(node, sum) with the node's momentum-sized sum over the columns from First on of its rows.
 template <int Count, int Stride, int First, int D, class Work>
-void for_nodes(const Body<D>& body, int threads, const AlignedVector<double>& rows, Work&& work) {
+void for_nodes(const Body<D>& body, int threads, AlignedVector<double>& rows, Work&& work) {
   const Layout<D>& layout = *body.layout;
-  parallel_for(layout.chunks, threads, [&](int c) {
-    for (int i = first_node(body, c); i < first_node(body, c + 1); ++i) {
+  update_rows(body, rows, Stride);
+  for_node_pieces(body, threads, [&](int begin, int end, int) {
+    for (int i = begin; i < end; ++i) {
       double sum[Count] = {};
       for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) {
         const double* row = &rows[static_cast<std::size_t>(layout.node_rows[r]) * Stride + First];
@@ -115,7 +116,7 @@ void fade_phase(Body<D>& body, const StepOptions<D>& o, const P& phase) {
   std::vector<double> lost(static_cast<std::size_t>(layout.chunks), 0);
   for (std::size_t row = 0; row < static_cast<std::size_t>(layout.rows); ++row)
     std::fill_n(&phase.sums[row * P::sums_stride + P::momentum_column], D, 0.0);
-  parallel_for(layout.chunks, o.threads, [&](int c) {
+  for_chunks(body, o.threads, [&](int c) {
     Pack kinetic(0.0);
     for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
       if (body.points.block_used[b] == 0) continue;
@@ -143,6 +144,7 @@ void fade_phase(Body<D>& body, const StepOptions<D>& o, const P& phase) {
     }
     for (int l = 0; l < lane_width; ++l) lost[static_cast<std::size_t>(c)] += kinetic.value[l];
   });
+  complete_chunks(body, lost);
   for (double e : lost) body.work.mapping += e;
 }
 

@@ -141,6 +141,7 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
 
 template <int D>
 void solve_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
+  update_rows(body, body.nodes.sums, sums_stride);
   solve_pieces(body, o.threads, o.monitor,
                [&](int begin, int end, PieceSums& sums) { solve_nodes(body, o, begin, end, sums); });
 }
@@ -149,7 +150,7 @@ template <int D>
 void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
   const Layout<D>& layout = *body.layout;
   const bool far = body.points.size() > 50000;  // beyond the second-level cache
-  parallel_for(layout.chunks, o.threads, [&](int c) {
+  for_chunks(body, o.threads, [&](int c) {
     for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
       if (body.points.block_used[b] == 0) continue;
       const int* rows = &layout.connectivity[static_cast<std::size_t>(b) * (D + 1) * lane_width];
@@ -176,9 +177,9 @@ void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
   });
   const double cutoff = 1e-12 * body.smallest_mass;
   const bool loaded = !body.nodes.load.empty();
-  std::vector<double> external(static_cast<std::size_t>(layout.chunks), 0), mapping = external;
-  parallel_for(layout.chunks, o.threads, [&](int c) {
-    const int begin = first_node(body, c), end = first_node(body, c + 1);
+  std::vector<std::array<double, 2>> works(static_cast<std::size_t>(layout.chunks));  // external, lost in the mapping
+  update_rows(body, body.nodes.sums, sums_stride);
+  for_node_pieces(body, o.threads, [&](int begin, int end, int c) {
     double work = 0, lost = 0;
     for (int i = begin; i < end; ++i) {
       const int* node_rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
@@ -210,11 +211,14 @@ void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
         for (int d = 0; d < D; ++d) body.nodes.displacement[i][d] += o.dt * v[d];
       }
     }
-    external[static_cast<std::size_t>(c)] = o.dt * work;
-    mapping[static_cast<std::size_t>(c)] = o.dt * (0.5 * lost + work);
+    if (c < 0) return;
+    works[static_cast<std::size_t>(c)] = {o.dt * work, o.dt * (0.5 * lost + work)};
   });
-  for (double work : external) body.work.external += work;
-  for (double lost : mapping) body.work.mapping += lost;
+  complete_chunks(body, works);
+  for (const auto& work : works) {
+    body.work.external += work[0];
+    body.work.mapping += work[1];
+  }
   body.nodes.motion_step = o.dt;
 }
 

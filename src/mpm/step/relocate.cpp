@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mpm/body/share.hpp"
 #include "mpm/body/slots.hpp"
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/kernels.hpp"
@@ -74,17 +75,85 @@ void record_loss(Body<D>& body, const Record<D>& r) {
   body.points.place[r.id] = -1;
 }
 
-/// What a point carries from element to element beside its own fields: strain is summed in the elements.
+/// A point on its way, with what it carries beside its own fields: strain is summed in the elements.
 template <int D>
-void hand_over(Body<D>& body, Record<D>& r, int from) {
-  constexpr int NS = Points<D>::stress_size;
-  const auto at = [](int e, int i) {
-    return (static_cast<std::size_t>(e / lane_width) * NS + static_cast<std::size_t>(i)) * lane_width +
-           static_cast<std::size_t>(e % lane_width);
-  };
-  for (int i = 0; i < NS; ++i) {
-    body.points.strain_offset[r.id][i] += body.elements.strain[at(from, i)] - body.elements.strain[at(r.element, i)];
+struct Traveller {
+  using Strain = std::array<double, Points<D>::stress_size>;
+  Record<D> record;
+  Strain from{};  ///< strain of the element that it left
+  Strain offset{};
+};
+
+template <int D>
+typename Traveller<D>::Strain read_strain(const Body<D>& body, int e) {
+  typename Traveller<D>::Strain strain;
+  for (std::size_t i = 0; i < strain.size(); ++i)
+    strain[i] = body.elements.strain[(static_cast<std::size_t>(e / lane_width) * strain.size() + i) * lane_width +
+                                     static_cast<std::size_t>(e % lane_width)];
+  return strain;
+}
+
+template <int D>
+void hand_over(Body<D>& body, const Traveller<D>& point) {
+  const auto to = read_strain(body, point.record.element);
+  auto& offset = body.points.strain_offset[point.record.id];
+  for (std::size_t i = 0; i < to.size(); ++i) offset[i] = point.offset[i] + (point.from[i] - to[i]);
+}
+
+/// The points that come to the elements of this rank: its own, and those of others, in the order of the ranks. Points
+/// that leave are no longer here.
+template <int D>
+std::vector<Traveller<D>> exchange_points(Body<D>& body, std::vector<Traveller<D>> points) {
+  if (!body.share) return points;
+  const Share<D>& share = *body.share;
+  std::vector<Message> to(static_cast<std::size_t>(share.ranks->size()));
+  const auto fields = static_cast<std::size_t>(body.points.fields);
+  for (const Traveller<D>& p : points) {
+    const int b = p.record.element / lane_width;
+    const auto& starts = body.layout->chunk_start;
+    const int chunk = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), b) - starts.begin()) - 1;
+    const auto after = std::upper_bound(share.chunk_of_rank.begin(), share.chunk_of_rank.end(), chunk);
+    const auto rank = static_cast<std::size_t>(after - share.chunk_of_rank.begin()) - 1;
+    if (static_cast<int>(rank) != share.ranks->rank())
+      body.points.element[p.record.id] = -1, body.points.place[p.record.id] = -1;
+    to[rank].put(p.record.id);
+    to[rank].put(p.record.element);
+    to[rank].put(p.record.fields, fields);
+    to[rank].put(p.from);
+    to[rank].put(p.offset);
   }
+  std::vector<Bytes> sent;
+  for (const Message& m : to) sent.push_back(m.bytes());
+  std::vector<Traveller<D>> coming;
+  for (Bytes& bytes : share.ranks->exchange(sent)) {
+    Message m(std::move(bytes));
+    while (!m.is_read()) {
+      Traveller<D>& p = coming.emplace_back();
+      p.record.id = m.get<int>();
+      p.record.element = m.get<int>();
+      m.get(p.record.fields, fields);
+      p.from = m.get<typename Traveller<D>::Strain>();
+      p.offset = m.get<typename Traveller<D>::Strain>();
+    }
+  }
+  return coming;
+}
+
+/// Adds the points that other ranks have lost as well, in the order of the ranks. Returns whether any rank has a point
+/// that left its element.
+template <int D>
+bool join_losses(Body<D>& body, std::size_t before, bool moves) {
+  if (!body.share) return moves;
+  Message mine;
+  mine.put(moves);
+  mine.put_list(std::vector<Lost<D>>(body.lost.begin() + static_cast<std::ptrdiff_t>(before), body.lost.end()));
+  body.lost.resize(before);
+  for (Bytes& bytes : body.share->ranks->gather(mine.bytes(), true)) {
+    Message message(std::move(bytes));
+    moves = message.get<bool>() || moves;
+    for (const Lost<D>& lost : message.get_list<Lost<D>>()) body.lost.push_back(lost);
+  }
+  return moves;
 }
 
 template <int D>
@@ -136,13 +205,15 @@ std::vector<int> find_changed_elements(const Body<D>& body, const std::vector<Re
   // Elements that lost their last point or receive their first one change the surface of their neighbours.
   std::vector<int> changed = candidates;
   changed.insert(changed.end(), sources.begin(), sources.end());
-  for (int e : changed) {
-    if (body.points.count[e] > 0) continue;
+  std::erase_if(changed, [&](int e) { return body.points.count[e] > 0; });
+  const auto [begin, end] = own_elements(body);
+  for (int e : join_lists(body, std::move(changed))) {
     candidates.push_back(e);
     for (int n : mesh.neighbours[e]) {
       if (n >= 0) candidates.push_back(n);
     }
   }
+  std::erase_if(candidates, [from = begin, to = end](int e) { return e < from || e >= to; });
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   return candidates;
@@ -160,11 +231,14 @@ void insert_with_mixed_forces(Body<D>& body, const StepOptions<D>& o, const std:
     insert_point(body.points, r);
     add_point_mass(body, r.element, weigh(body, r).fields);
   }
+  update_counts(body);
   for (int e : candidates) update_fill_limit(body, e);
+  std::vector<double> losses;
   for (int e : candidates) {
     add_internal_force(body, e, true, 1);
-    body.work.mapping += find_sharing_loss(body, o, e);
+    losses.push_back(find_sharing_loss(body, o, e));
   }
+  for (const double loss : join_lists(body, std::move(losses))) body.work.mapping += loss;
 }
 
 /// The same with pore water, where an element's sums are no sums over its points: they share their pressure. Elements
@@ -216,16 +290,21 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
     }
   }
   const bool wet = body.water.is_wet() && !o.mixture;
-  if (records.empty() && !(wet && !body.water.newly_full.empty())) return;
-  std::vector<Record<D>> staying;
+  std::vector<Traveller<D>> travellers;
+  const std::size_t lost_before = body.lost.size();
   for (Record<D>& r : records) {
     const int from = r.element;
     if (!find_new_element(body.mesh(), r)) {
       record_loss(body, r);
       continue;
     }
-    hand_over(body, r, from);
-    staying.push_back(r);
+    travellers.push_back({r, read_strain(body, from), body.points.strain_offset[r.id]});
+  }
+  if (!join_losses(body, lost_before, !records.empty()) && !(wet && !body.water.newly_full.empty())) return;
+  std::vector<Record<D>> staying;
+  for (const Traveller<D>& t : exchange_points(body, std::move(travellers))) {
+    hand_over(body, t);
+    staying.push_back(t.record);
   }
   if (wet) {
     insert_wet_points(body, o, staying, sources);

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "base/ranks.hpp"
 #include "ground/root_content.hpp"
 #include "ground/tell_seepage.hpp"
 #include "mesh/generate.hpp"
@@ -18,6 +19,7 @@
 #include "results/json.hpp"
 #include "run/mpm/moving_soil.hpp"
 #include "run/mpm/narrow_band.hpp"
+#include "run/mpm/ranks_stage.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "run/mpm/record/onset.hpp"
@@ -76,6 +78,7 @@ PointRun<D>::PointRun(const input::LoadedCase& loaded, const input::Case& data, 
 template <int D>
 void PointRun<D>::prepare(results::RunResult& run) {
   const auto start = Clock::now();
+  check_ranks(data_);
   open_origin();
   if (options_.resume) checkpoint_ = open_checkpoint(options_.folder / "checkpoint.h5", checkpoint_hash_);
   mesh::Mesh<D> mesh = checkpoint_ ? get_mesh<D>(*checkpoint_)
@@ -144,6 +147,8 @@ void PointRun<D>::finish(results::RunResult& run) {
         body_.lost.size(), mass, body_.lost.front().time));
   }
   run.stages = stages_;
+  if (const Ranks& ranks = get_ranks(); ranks.size() > 1)
+    run.ranks = {ranks.size(), ranks.traffic().bytes, ranks.traffic().seconds};
   try {
     read_output(run, data_, options_.folder);
   } catch (const Error& error) {

@@ -10,7 +10,9 @@
 
 #include "base/error.hpp"
 #include "mpm/body/observe.hpp"
+#include "mpm/body/share.hpp"
 #include "run/mpm/moving_soil.hpp"
+#include "run/mpm/ranks_stage.hpp"
 #include "run/mpm/setback.hpp"
 #include "run/mpm/start/drained.hpp"
 #include "run/mpm/start/even_inertia.hpp"
@@ -24,6 +26,13 @@ namespace {
 constexpr int looks_per_copy = 32;
 /// What is faster than this many wave speeds is not soil any more.
 constexpr double unstable_speed_ratio = 2;
+
+/// The largest of a number that each rank has.
+template <int D>
+double find_largest(const mpm::Body<D>& body, double here) {
+  const std::vector<double> all = mpm::join_lists(body, std::vector{here});
+  return *std::max_element(all.begin(), all.end());
+}
 
 /// A bound of the speed of compression waves √(E_c/ρ) [m/s]; with pore water that flows of those without drag, in
 /// saturated soil; with water that seeps of those in drained soil, which bound the step.
@@ -44,7 +53,7 @@ double find_wave_speed(const mpm::Body<D>& body, const StagePlan<D>& plan) {
     }
     square = std::max(square, sum);
   }
-  return std::sqrt(square);
+  return std::sqrt(find_largest(body, square));
 }
 
 /// The step can fall to that of the mesh's smallest element, and below it only when soil swells. Points that separate
@@ -261,6 +270,7 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     plan.evens_inertia = false;
     return run_stand_in(even, body, plan, state, hooks);
   }
+  if (get_ranks().size() > 1 && !body.share) return run_on_ranks(body, wanted, state, hooks);
   StagePlan<D> plan = calm_down(wanted, state.setbacks.size(), body.water.is_wet());
   mpm::StepOptions<D> options = make_options(plan);
   if (!state.started) {
@@ -302,8 +312,9 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     }
     if (state.steps % look_interval == 0) {
       if (state.steps % (look_interval * looks_per_copy) == 0) good.keep(body, state);
-      if (hooks.look) hooks.look(body, state);
-      if (watches_displacement && mpm::find_largest_displacement(body).value > plan.failed_displacement)
+      if (hooks.look && (!hooks.look_is_due || hooks.look_is_due())) hooks.look(body, state);
+      if (watches_displacement &&
+          find_largest(body, mpm::find_largest_displacement(body).value) > plan.failed_displacement)
         return results::StageEnd::failed;
     }
     if (hooks.output && body.time >= state.next_output) hooks.output(body, state);

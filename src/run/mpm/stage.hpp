@@ -56,8 +56,10 @@ template <int D>
 struct StageHooks {
   /// Called when body.time reaches state.next_output, which it must advance.
   std::function<void(const mpm::Body<D>&, StageState&)> output;
-  /// Called every look_interval steps: progress, checkpoints. May throw to end the run.
+  /// Called every look_interval steps where look_is_due, or where that is empty: progress, checkpoints. May throw to
+  /// end the run.
   std::function<void(const mpm::Body<D>&, const StageState&)> look;
+  std::function<bool()> look_is_due;
   /// Called with the last good body before an unstable run is given up; returns where it was saved, for the message.
   std::function<std::string(const mpm::Body<D>&, const StageState&)> save_last_good;
   /// Called when the body is kept as one to which an unstable run may return.

@@ -185,6 +185,7 @@ StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const 
                                       std::chrono::duration<double>(settings_.data->output.checkpoint_interval));
   StageHooks<D> hooks;
   hooks.output = [this](const mpm::Body<D>& b, StageState& s) { on_output(b, s); };
+  hooks.look_is_due = [this] { return is_look_due(); };
   hooks.look = [this](const mpm::Body<D>& b, const StageState& s) { on_look(b, s); };
   hooks.mark = [this] { return mark(); };
   hooks.save_last_good = [this](const mpm::Body<D>& b, const StageState& s) {
@@ -334,6 +335,12 @@ void Recorder<D>::on_output(const mpm::Body<D>& body, StageState& state) {
     if (next_frame_ <= body.time) next_frame_ = body.time + settings_.frame_interval;
   }
   state.next_output = std::min(history_ ? next_row_ : never, frames ? next_frame_ : never);
+}
+
+template <int D>
+bool Recorder<D>::is_look_due() const {
+  return is_interrupted() || std::chrono::steady_clock::now() >= next_checkpoint_ ||
+         (settings_.progress && settings_.progress->is_due());
 }
 
 template <int D>

@@ -56,6 +56,7 @@ class Recorder {
   void write_frame(const mpm::Body<D>& body);
   void write_checkpoint(const mpm::Body<D>& body, const StageState& state, int leg, const std::string& name) const;
   void on_output(const mpm::Body<D>& body, StageState& state);
+  bool is_look_due() const;
   void on_look(const mpm::Body<D>& body, const StageState& state);
   GoBack<D> mark();
   void show_progress(const mpm::Body<D>& body, const StageState& state);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "base/ranks.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "base/error.hpp"
+
+namespace talus {
+namespace {
+
+/// A process alone.
+class OneRank : public Ranks {
+ public:
+  int rank() const override { return 0; }
+  int size() const override { return 1; }
+  std::vector<Bytes> gather(const Bytes& mine, bool) override { return {mine}; }
+  std::vector<Bytes> exchange(const std::vector<Bytes>& to) override { return to; }
+  void broadcast(Bytes&) override {}
+  std::unique_ptr<Halo> make_halo(int, const std::vector<Guest>&) override {
+    struct None : Halo {
+      void update(double*, int) override {}
+    };
+    return std::make_unique<None>();
+  }
+  Traffic traffic() const override { return {}; }
+  bool meet(double) override { return true; }
+  [[noreturn]] void abort(int code) override { std::_Exit(code); }
+};
+
+std::unique_ptr<Ranks>& current() {
+  static std::unique_ptr<Ranks> ranks = std::make_unique<OneRank>();
+  return ranks;
+}
+
+/// How many processes were started together, as those that start them tell.
+int count_started() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_SIZE", "SLURM_STEP_NUM_TASKS"})
+    if (const char* text = std::getenv(name)) return std::atoi(text);
+  return 1;
+}
+
+}  // namespace
+
+Ranks& get_ranks() {
+  return *current();
+}
+
+void join_ranks(const std::string& program_folder) {
+  const int count = count_started();
+  if (count <= 1) return;
+  // Symbols of MPI are looked up by plugins that it loads itself.
+  void* library = nullptr;
+  for (const char* folder : {"", "/../lib/talus"})
+    if (library == nullptr)
+      library = dlopen((program_folder + folder + "/libtalus_ranks.so").c_str(), RTLD_NOW | RTLD_GLOBAL);
+  if (library == nullptr)
+    throw Error(ExitCode::wrong_input,
+                fmt::format("this run was started on {} ranks, and this program was built without MPI: build it with "
+                            "-DTALUS_MPI=ON, or start it alone ({})",
+                            count, dlerror()));
+  using Make = Ranks* (*)();
+  const auto make = reinterpret_cast<Make>(dlsym(library, "talus_make_ranks"));
+  if (make == nullptr) throw Error(ExitCode::wrong_input, "libtalus_ranks.so is of another version");
+  current().reset(make());
+}
+
+void lead_ranks(const std::function<void()>& work) {
+  Ranks& ranks = get_ranks();
+  if (ranks.size() == 1) return work();
+  Message outcome;
+  if (ranks.rank() == 0) {
+    Failure failure{ExitCode::success, ""};
+    try {
+      work();
+    } catch (...) {
+      failure = explain_failure(std::current_exception());
+    }
+    outcome.put(failure.code);
+    outcome.put_list(std::vector<char>(failure.sentence.begin(), failure.sentence.end()));
+  }
+  Bytes bytes = outcome.bytes();
+  ranks.broadcast(bytes);
+  Message told(std::move(bytes));
+  const auto code = told.get<ExitCode>();
+  const std::vector<char> sentence = told.get_list<char>();
+  if (code != ExitCode::success) throw Error(code, std::string(sentence.begin(), sentence.end()));
+}
+
+void leave_ranks() {
+  current() = std::make_unique<OneRank>();
+}
+
+}  // namespace talus

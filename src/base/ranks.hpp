@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Processes that calculate one case together, started by mpiexec. The program itself knows no MPI: what sends and
+// receives is a module of its own (src/ranks/), which is loaded where a run has more than one rank.
+
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace talus {
+
+using Bytes = std::vector<std::byte>;
+
+/// Items of an array that other ranks own, brought up to date by theirs.
+class Halo {
+ public:
+  virtual ~Halo() = default;
+  /// `data`: [item][stride].
+  virtual void update(double* data, int stride) = 0;
+};
+
+/// An item that another rank owns, under the number that it has on all ranks.
+struct Guest {
+  int item = 0;
+  int rank = 0;
+};
+
+/// What a rank has sent, and the time that it spent with it.
+struct Traffic {
+  double bytes = 0;
+  double seconds = 0;  ///< waiting for the others too
+};
+
+/// All calls but rank() and size() are made by all ranks in the same order.
+class Ranks {
+ public:
+  virtual ~Ranks() = default;
+  virtual int rank() const = 0;
+  virtual int size() const = 0;
+  /// The bytes of each rank: on all ranks, or on rank 0 alone (elsewhere empty).
+  virtual std::vector<Bytes> gather(const Bytes& mine, bool to_all) = 0;
+  /// to[r] goes to rank r; returns what each has sent here.
+  virtual std::vector<Bytes> exchange(const std::vector<Bytes>& to) = 0;
+  /// Those of rank 0, on all ranks.
+  virtual void broadcast(Bytes& bytes) = 0;
+  /// `guests`: the items of an array of `items` that are needed here and belong to others.
+  virtual std::unique_ptr<Halo> make_halo(int items, const std::vector<Guest>& guests) = 0;
+  virtual Traffic traffic() const = 0;
+  /// Waits for the others. False where not all came in `seconds`.
+  virtual bool meet(double seconds) = 0;
+  /// Ends all ranks at once.
+  [[noreturn]] virtual void abort(int code) = 0;
+};
+
+/// The ranks of this process; one of its own where nobody started more.
+Ranks& get_ranks();
+
+/// To be called first: finds out whether mpiexec, or srun, started this process beside others, and joins them. Throws
+/// Error (wrong_input) where it did and this program was built without MPI. The module stands beside the program, or in
+/// ../lib/talus from there.
+void join_ranks(const std::string& program_folder);
+/// Leaves the others; nothing is sent any more.
+void leave_ranks();
+
+/// What a message is put together of, and taken apart into in the same order.
+class Message {
+ public:
+  Message() = default;
+  explicit Message(Bytes bytes) : bytes_(std::move(bytes)) {}
+
+  template <class T>
+  void put(const T* values, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto* from = reinterpret_cast<const std::byte*>(values);
+    bytes_.insert(bytes_.end(), from, from + count * sizeof(T));
+  }
+  template <class T>
+  void put(const T& value) {
+    put(&value, 1);
+  }
+  template <class T>
+  void put_list(const std::vector<T>& values) {
+    put(values.size());
+    put(values.data(), values.size());
+  }
+  template <class T>
+  void get(T* values, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::memcpy(values, bytes_.data() + read_, count * sizeof(T));
+    read_ += count * sizeof(T);
+  }
+  template <class T>
+  T get() {
+    T value;
+    get(&value, 1);
+    return value;
+  }
+  template <class T>
+  std::vector<T> get_list() {
+    std::vector<T> values(get<std::size_t>());
+    get(values.data(), values.size());
+    return values;
+  }
+  bool is_read() const { return read_ == bytes_.size(); }
+  const Bytes& bytes() const { return bytes_; }
+
+ private:
+  Bytes bytes_;
+  std::size_t read_ = 0;
+};
+
+/// The value of rank 0, on all ranks.
+template <class T>
+void broadcast(T& value) {
+  Message message;
+  message.put(value);
+  Bytes bytes = message.bytes();
+  get_ranks().broadcast(bytes);
+  value = Message(std::move(bytes)).get<T>();
+}
+
+/// Runs `work` on rank 0. The others wait until it is done, and throw an Error with the words of what it threw.
+void lead_ranks(const std::function<void()>& work);
+
+}  // namespace talus

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "mpm/body/share.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "mpm/body/slots.hpp"
+
+namespace talus::mpm {
+namespace {
+
+/// Consecutive chunks for every rank, with about as many points.
+template <int D>
+std::vector<int> divide_chunks(const Body<D>& body, int ranks) {
+  const Layout<D>& layout = *body.layout;
+  std::vector<double> before{0};  // points before each chunk; elements without count a little
+  for (int c = 0; c < layout.chunks; ++c) {
+    double sum = before.back();
+    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b)
+      for (int l = 0; l < lane_width; ++l)
+        sum += 0.1 + body.points.count[static_cast<std::size_t>(b) * lane_width + static_cast<std::size_t>(l)];
+    before.push_back(sum);
+  }
+  std::vector<int> start;
+  for (int r = 0; r <= ranks; ++r) {
+    const double wanted = before.back() * r / ranks;
+    const auto nearest = std::min_element(
+        before.begin(), before.end(), [&](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
+    start.push_back(static_cast<int>(nearest - before.begin()));
+  }
+  return start;
+}
+
+template <int D>
+std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks) {
+  const Layout<D>& layout = *body.layout;
+  auto share = std::make_shared<Share<D>>();
+  share->ranks = &ranks;
+  share->chunk_of_rank = divide_chunks(body, ranks.size());
+  std::vector<int> rank_of_chunk;
+  for (int r = 0; r < ranks.size(); ++r)
+    for (int c = share->chunk_of_rank[r]; c < share->chunk_of_rank[r + 1]; ++c) rank_of_chunk.push_back(r);
+  const auto find_chunk = [](const std::vector<int>& starts, int item) {
+    return static_cast<int>(std::upper_bound(starts.begin(), starts.end(), item) - starts.begin()) - 1;
+  };
+  const int first = share->first_chunk(), last = share->last_chunk();
+  std::vector<Guest> rows, elements;
+  for (int i = 0; i < body.mesh().node_count(); ++i) {
+    const auto begin = layout.node_rows.begin() + layout.row_start[i],
+               end = layout.node_rows.begin() + layout.row_start[i + 1];
+    const auto is_own = [&](int row) {
+      const int c = find_chunk(layout.chunk_row, row);
+      return c >= first && c < last;
+    };
+    if (std::none_of(begin, end, is_own)) continue;
+    for (auto row = begin; row != end; ++row)
+      if (!is_own(*row)) rows.push_back({*row, rank_of_chunk[find_chunk(layout.chunk_row, *row)]});
+    const int piece = find_chunk(layout.node_start, i);
+    if (piece >= first && piece < last) continue;
+    if (!share->guests.empty() && share->guests.back()[1] == i)
+      ++share->guests.back()[1];
+    else
+      share->guests.push_back({i, i + 1});
+  }
+  for (int c = first; c < last; ++c)
+    for (int e = layout.chunk_start[c] * lane_width;
+         e < std::min(layout.chunk_start[c + 1] * lane_width, body.mesh().element_count()); ++e)
+      for (const int n : body.mesh().neighbours[e]) {
+        if (n < 0) continue;
+        const int chunk = find_chunk(layout.chunk_start, n / lane_width);
+        if (chunk < first || chunk >= last) elements.push_back({n, rank_of_chunk[chunk]});
+      }
+  const auto less = [](const Guest& a, const Guest& b) { return a.item < b.item; };
+  std::sort(elements.begin(), elements.end(), less);
+  elements.erase(
+      std::unique(elements.begin(), elements.end(), [](const Guest& a, const Guest& b) { return a.item == b.item; }),
+      elements.end());
+  share->rows = ranks.make_halo(layout.rows, rows);
+  share->elements = ranks.make_halo(layout.blocks * lane_width, elements);
+  return share;
+}
+
+/// Calls visit(array, first, count) for what a rank owns of the arrays of a body: by element, by row, by node.
+template <int D, class B, class Visit>
+void visit_own(B& body, int first_chunk, int last_chunk, Visit&& visit) {
+  const Layout<D>& layout = *body.layout;
+  const auto by_block = [&](auto& array, int size) {
+    if (array.empty()) return;
+    const std::size_t width = static_cast<std::size_t>(size) * lane_width,
+                      from = static_cast<std::size_t>(layout.chunk_start[first_chunk]) * width,
+                      to = static_cast<std::size_t>(layout.chunk_start[last_chunk]) * width;
+    visit(array.data() + from, to - from);
+  };
+  const auto by_row = [&](auto& array, int stride) {
+    const std::size_t from = static_cast<std::size_t>(layout.chunk_row[first_chunk]),
+                      to = static_cast<std::size_t>(layout.chunk_row[last_chunk]);
+    visit(array.data() + from * static_cast<std::size_t>(stride), (to - from) * static_cast<std::size_t>(stride));
+  };
+  by_block(body.elements.moments, moment_size<D>);
+  by_block(body.elements.strain, Points<D>::stress_size);
+  for (auto* field :
+       {&body.elements.fill_limit, &body.elements.apart, &body.elements.rough, &body.elements.plastic_dilation})
+    by_block(*field, 1);
+  by_row(body.nodes.sums, sums_stride);
+  by_row(body.nodes.motion, motion_stride<D>);
+  const auto node = static_cast<std::size_t>(layout.node_start[first_chunk]),
+             end = static_cast<std::size_t>(layout.node_start[last_chunk]);
+  visit(body.nodes.displacement.data() + node, end - node);
+  const auto block = static_cast<std::size_t>(layout.chunk_start[first_chunk]),
+             last = static_cast<std::size_t>(layout.chunk_start[last_chunk]);
+  visit(body.points.block_materials.data() + block, last - block);
+}
+
+/// The points of the elements that are worked on here: their numbers and fields, element by element.
+template <int D>
+void put_points(const Body<D>& body, Message& message) {
+  const Points<D>& points = body.points;
+  const auto [first, last] = own_elements(body);
+  std::vector<int> counts;
+  for (int e = first; e < last; ++e) counts.push_back(static_cast<int>(points.count[static_cast<std::size_t>(e)]));
+  message.put_list(counts);
+  for (int e = first; e < last; ++e)
+    for (int k = 0; k < counts[static_cast<std::size_t>(e - first)]; ++k) {
+      const Record<D> r = read_point(points, (points.block_start[e / lane_width] + k) * lane_width + e % lane_width, e);
+      message.put(r.id);
+      message.put(r.fields, static_cast<std::size_t>(points.fields));
+      message.put(points.strain_offset[r.id]);
+    }
+}
+
+template <int D>
+void get_points(Message& message, int first_element, const std::vector<int>& counts, Points<D>& points) {
+  Record<D> r;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    for (int k = 0; k < counts[i]; ++k) {
+      r.element = first_element + static_cast<int>(i);
+      r.id = message.get<int>();
+      message.get(r.fields, static_cast<std::size_t>(points.fields));
+      message.get(&points.strain_offset[r.id], 1);
+      insert_point(points, r);
+    }
+}
+
+}  // namespace
+
+template <int D>
+Body<D> take_share(const Body<D>& whole, Ranks& ranks) {
+  if (!whole.layout->is_ordered)
+    throw Error(ExitCode::wrong_input,
+                "the nodes of the mesh are not in the order of its elements, which several ranks need: run it on one");
+  Body<D> body = whole;
+  body.share = make_share(whole, ranks);
+  const auto [first, last] = own_elements(body);
+  Points<D>& points = body.points;
+  for (int id = 0; id < points.size(); ++id)
+    if (points.element[id] < first || points.element[id] >= last) points.element[id] = -1, points.place[id] = -1;
+  const auto [from, to] = own_chunks(body);
+  for (int b = 0; b < body.layout->blocks; ++b) {
+    if (b >= body.layout->chunk_start[from] && b < body.layout->chunk_start[to]) continue;
+    points.block_used[b] = 0;
+    std::fill_n(points.count.begin() + static_cast<std::int64_t>(b) * lane_width, lane_width, 0.0);
+    for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.block_capacity[b]) * lane_width; ++i)
+      points.id[static_cast<std::size_t>(points.block_start[b] * lane_width + i)] = -1;
+  }
+  update_counts(body);
+  return body;
+}
+
+template <int D>
+void collect(const Body<D>& share, bool to_all, Body<D>& whole) {
+  const auto [first, last] = own_chunks(share);
+  Message mine;
+  visit_own<D>(share, first, last, [&](const auto* values, std::size_t count) { mine.put(values, count); });
+  put_points(share, mine);
+  std::vector<Bytes> all = share.share->ranks->gather(mine.bytes(), to_all);
+  whole.lost = share.lost;
+  whole.work = share.work;
+  whole.monitor = share.monitor;
+  whole.timing = share.timing;
+  whole.time = share.time;
+  whole.step_count = share.step_count;
+  whole.nodes.motion_step = share.nodes.motion_step;
+  if (all.empty()) return;
+  const Layout<D>& layout = *whole.layout;
+  const std::vector<int>& chunks = share.share->chunk_of_rank;
+  std::vector<Message> messages;
+  std::vector<std::vector<int>> counts;
+  std::vector<int> used(static_cast<std::size_t>(layout.blocks), 0), starts;
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    Message& message = messages.emplace_back(std::move(all[r]));
+    visit_own<D>(whole, chunks[r], chunks[r + 1], [&](auto* values, std::size_t count) { message.get(values, count); });
+    counts.push_back(message.get_list<int>());
+    starts.push_back(std::min(layout.chunk_start[chunks[r]] * lane_width, whole.mesh().element_count()));
+    for (std::size_t i = 0; i < counts.back().size(); ++i) {
+      int& most = used[(static_cast<std::size_t>(starts.back()) + i) / lane_width];
+      most = std::max(most, counts.back()[i]);
+    }
+  }
+  std::vector<std::uint32_t> materials = whole.points.block_materials;
+  allocate_slots(whole.points, used);
+  std::fill(whole.points.element.begin(), whole.points.element.end(), -1);
+  std::fill(whole.points.place.begin(), whole.points.place.end(), -1);
+  for (std::size_t r = 0; r < messages.size(); ++r) get_points(messages[r], starts[r], counts[r], whole.points);
+  whole.points.block_materials = std::move(materials);
+}
+
+#define TALUS_INSTANTIATE(D)                              \
+  template Body<D> take_share<D>(const Body<D>&, Ranks&); \
+  template void collect<D>(const Body<D>&, bool, Body<D>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::mpm

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Ranks by MPI, and their halos by PETSc's star forests (PetscSF): the module libtalus_ranks.so.
+
+#include <petscsf.h>
+#include <petscsys.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+#include "base/ranks.hpp"
+
+namespace talus {
+namespace {
+
+void check(PetscErrorCode code, const char* what) {
+  if (code != 0) throw std::runtime_error(std::string("PETSc could not ") + what);
+}
+
+/// Counts the bytes that are sent, and the seconds until it goes.
+class Watch {
+ public:
+  Watch(Traffic& traffic, double bytes) : traffic_(traffic) { traffic.bytes += bytes; }
+  ~Watch() { traffic_.seconds += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Traffic& traffic_;
+  const Clock::time_point start_ = Clock::now();
+};
+
+class PetscHalo : public Halo {
+ public:
+  PetscHalo(int items, const std::vector<Guest>& guests, Traffic& traffic)
+      : traffic_(traffic), guests_(static_cast<double>(guests.size())) {
+    check(PetscSFCreate(PETSC_COMM_WORLD, &forest_), "make a star forest");
+    std::vector<PetscInt> leaves;
+    std::vector<PetscSFNode> roots;
+    for (const Guest& g : guests) {
+      leaves.push_back(g.item);
+      roots.push_back({g.rank, g.item});
+    }
+    check(PetscSFSetGraph(forest_, items, static_cast<PetscInt>(leaves.size()), leaves.data(), PETSC_COPY_VALUES,
+                          roots.data(), PETSC_COPY_VALUES),
+          "set a star forest's graph");
+    check(PetscSFSetUp(forest_), "set a star forest up");
+  }
+  ~PetscHalo() override {
+    for (auto& [stride, type] : types_) MPI_Type_free(&type);
+    PetscSFDestroy(&forest_);
+  }
+  PetscHalo(const PetscHalo&) = delete;
+  PetscHalo& operator=(const PetscHalo&) = delete;
+
+  void update(double* data, int stride) override {
+    const Watch watch(traffic_, guests_ * stride * sizeof(double));  // as much as comes goes, over all ranks
+    MPI_Datatype& type = types_[stride];
+    if (type == MPI_Datatype()) {
+      MPI_Type_contiguous(stride, MPI_DOUBLE, &type);
+      MPI_Type_commit(&type);
+    }
+    // Roots and leaves stand in one array and have no item in common.
+    check(PetscSFBcastBegin(forest_, type, data, data, MPI_REPLACE), "begin an exchange");
+    check(PetscSFBcastEnd(forest_, type, data, data, MPI_REPLACE), "end an exchange");
+  }
+
+ private:
+  Traffic& traffic_;
+  double guests_;
+  PetscSF forest_ = nullptr;
+  std::map<int, MPI_Datatype> types_;
+};
+
+class PetscRanks : public Ranks {
+ public:
+  PetscRanks() {
+    // Signals are the program's own: Ctrl-C saves a checkpoint.
+    check(PetscInitializeNoArguments(), "start");
+    check(PetscPopSignalHandler(), "leave signals alone");
+    MPI_Comm_rank(PETSC_COMM_WORLD, &rank_);
+    MPI_Comm_size(PETSC_COMM_WORLD, &size_);
+  }
+  ~PetscRanks() override { PetscFinalize(); }
+  PetscRanks(const PetscRanks&) = delete;
+  PetscRanks& operator=(const PetscRanks&) = delete;
+
+  int rank() const override { return rank_; }
+  int size() const override { return size_; }
+
+  /// Short lists, which most are, take one message with their lengths.
+  std::vector<Bytes> gather(const Bytes& mine, bool to_all) override {
+    const Watch watch(traffic_, static_cast<double>(mine.size()));
+    const auto count = static_cast<int>(mine.size());
+    std::vector<int> counts(static_cast<std::size_t>(size_)), starts(counts.size(), 0);
+    Envelope own{count, {}};
+    if (count <= Envelope::room) std::copy(mine.begin(), mine.end(), own.bytes.begin());
+    std::vector<Envelope> envelopes(counts.size());
+    MPI_Allgather(&own, sizeof(Envelope), MPI_BYTE, envelopes.data(), sizeof(Envelope), MPI_BYTE, PETSC_COMM_WORLD);
+    std::transform(envelopes.begin(), envelopes.end(), counts.begin(), [](const Envelope& e) { return e.count; });
+    if (*std::max_element(counts.begin(), counts.end()) <= Envelope::room) {
+      std::vector<Bytes> parts;
+      for (const Envelope& e : envelopes) parts.emplace_back(e.bytes.begin(), e.bytes.begin() + e.count);
+      return to_all || rank_ == 0 ? parts : std::vector<Bytes>();
+    }
+    for (std::size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
+    const bool receives = to_all || rank_ == 0;
+    Bytes all(receives ? static_cast<std::size_t>(starts.back() + counts.back()) : 0);
+    if (to_all)
+      MPI_Allgatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE,
+                     PETSC_COMM_WORLD);
+    else
+      MPI_Gatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0,
+                  PETSC_COMM_WORLD);
+    return receives ? cut(all, counts) : std::vector<Bytes>();
+  }
+
+  std::vector<Bytes> exchange(const std::vector<Bytes>& to) override {
+    const std::size_t n = to.size();
+    std::vector<int> sends(n), send_starts(n, 0), receives(n), receive_starts(n, 0);
+    Bytes out;
+    for (std::size_t r = 0; r < n; ++r) {
+      sends[r] = static_cast<int>(to[r].size());
+      send_starts[r] = static_cast<int>(out.size());
+      out.insert(out.end(), to[r].begin(), to[r].end());
+    }
+    const Watch watch(traffic_, static_cast<double>(out.size()));
+    MPI_Alltoall(sends.data(), 1, MPI_INT, receives.data(), 1, MPI_INT, PETSC_COMM_WORLD);
+    for (std::size_t r = 1; r < n; ++r) receive_starts[r] = receive_starts[r - 1] + receives[r - 1];
+    Bytes in(static_cast<std::size_t>(receive_starts.back() + receives.back()));
+    MPI_Alltoallv(out.data(), sends.data(), send_starts.data(), MPI_BYTE, in.data(), receives.data(),
+                  receive_starts.data(), MPI_BYTE, PETSC_COMM_WORLD);
+    return cut(in, receives);
+  }
+
+  void broadcast(Bytes& bytes) override {
+    auto count = static_cast<int>(bytes.size());
+    MPI_Bcast(&count, 1, MPI_INT, 0, PETSC_COMM_WORLD);
+    bytes.resize(static_cast<std::size_t>(count));
+    MPI_Bcast(bytes.data(), count, MPI_BYTE, 0, PETSC_COMM_WORLD);
+  }
+
+  std::unique_ptr<Halo> make_halo(int items, const std::vector<Guest>& guests) override {
+    return std::make_unique<PetscHalo>(items, guests, traffic_);
+  }
+  Traffic traffic() const override { return traffic_; }
+
+  bool meet(double seconds) override {
+    MPI_Request request;
+    MPI_Ibarrier(PETSC_COMM_WORLD, &request);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    for (int done = 0; done == 0;) {
+      MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+      if (done != 0) return true;
+      if (std::chrono::steady_clock::now() > end) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+  [[noreturn]] void abort(int code) override {
+    MPI_Abort(PETSC_COMM_WORLD, code);
+    std::abort();
+  }
+
+ private:
+  static std::vector<Bytes> cut(const Bytes& all, const std::vector<int>& counts) {
+    std::vector<Bytes> parts;
+    auto at = all.begin();
+    for (const int count : counts) {
+      parts.emplace_back(at, at + count);
+      at += count;
+    }
+    return parts;
+  }
+
+  struct Envelope {
+    static constexpr int room = 508;
+    int count;
+    std::array<std::byte, room> bytes;
+  };
+  int rank_ = 0, size_ = 1;
+  Traffic traffic_;
+};
+
+}  // namespace
+}  // namespace talus
+
+extern "C" talus::Ranks* talus_make_ranks() {
+  return new talus::PetscRanks;
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "run/mpm/ranks_stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/ranks.hpp"
+#include "mpm/body/share.hpp"
+
+namespace talus::run {
+template <int D>
+results::StageEnd run_on_ranks(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
+                               const StageHooks<D>& hooks) {
+  using Body = mpm::Body<D>;
+  Ranks& ranks = get_ranks();
+  Body share = mpm::take_share(body, ranks);
+  StageHooks<D> shared;
+  if (hooks.output)
+    shared.output = [&](const Body& b, StageState& s) {
+      mpm::collect(b, false, body);
+      lead_ranks([&] { hooks.output(body, s); });
+      for (double* told : {&s.next_output, &s.soft_band, &s.soft_size}) broadcast(*told);
+    };
+  if (hooks.look) {
+    shared.look_is_due = [&] {
+      bool due = !hooks.look_is_due || hooks.look_is_due();
+      broadcast(due);
+      return due;
+    };
+    shared.look = [&](const Body& b, const StageState& s) {
+      mpm::collect(b, false, body);
+      lead_ranks([&] { hooks.look(body, s); });
+    };
+  }
+  if (hooks.save_last_good)
+    shared.save_last_good = [&](const Body& b, const StageState& s) {
+      mpm::collect(b, false, body);
+      std::string saved;
+      lead_ranks([&] { saved = hooks.save_last_good(body, s); });
+      return saved;
+    };
+  if (hooks.mark)
+    shared.mark = [&]() -> GoBack<D> {
+      GoBack<D> inner;
+      lead_ranks([&] { inner = hooks.mark(); });
+      return [&body, inner](const Body& b, const StageState& s, const StagePlan<D>& p) {
+        mpm::collect(b, false, body);
+        lead_ranks([&] { inner(body, s, p); });
+      };
+    };
+  const results::StageEnd end = run_stage(share, plan, state, shared);
+  mpm::collect(share, true, body);
+  body.nodes.load.clear();
+  mpm::gather_loads(body);
+  return end;
+}
+
+void check_ranks(const input::Case& data) {
+  if (get_ranks().size() == 1) return;
+  for (const input::Stage& stage : data.stages) {
+    const bool is_wet = std::any_of(data.materials.begin(), data.materials.end(),
+                                    [](const auto& m) { return m.second.water.is_wet(); });
+    if (is_wet && stage.step.water != input::WaterMotion::held)
+      throw Error(
+          ExitCode::wrong_input,
+          fmt::format("stage '{}' moves pore water, which several ranks do not calculate: run the case on one, or "
+                      "hold the water (water = \"held\")",
+                      stage.name));
+  }
+  if (data.softening_length)
+    throw Error(ExitCode::wrong_input,
+                "[mesh] softening_length joins elements of several ranks, which they do not calculate: run the case on "
+                "one");
+}
+
+template results::StageEnd run_on_ranks<2>(mpm::Body<2>&, const StagePlan<2>&, StageState&, const StageHooks<2>&);
+template results::StageEnd run_on_ranks<3>(mpm::Body<3>&, const StagePlan<3>&, StageState&, const StageHooks<3>&);
+
+}  // namespace talus::run

@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""A case has the same bits on one, two and four ranks, and a checkpoint of four ranks goes on on one and on two.
+
+Usage: same_bits.py PROGRAM
+
+Ends with 77 where there is no mpiexec, or no module of ranks beside the program. Compares histories, frames and the end of every run, byte by byte where
+nothing but numbers stands in them.
+"""
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+CASES = pathlib.Path(__file__).resolve().parent
+# What hangs on the clock, the machine or the way that memory is cut up.
+OTHER = ("timing", "provenance", "input", "ranks")
+faults = []
+
+
+def start(program, ranks, case, folder, *more):
+    line = [program, "run", str(case), "-o", str(folder), "-q", "--no-report", *more]
+    if ranks > 1:
+        line = ["mpiexec", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), *line]
+    else:
+        line += ["--threads", "1"]
+    return subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                            env={**os.environ, "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_mpi_yield_when_idle": "1"})
+
+
+def run(*arguments):
+    process = start(*arguments)
+    out = process.communicate()[0]
+    if process.returncode != 0:
+        sys.exit(f"the run ended with {process.returncode}: {out}")
+
+
+def kill_rank(starter, rank):
+    """Ends one of the processes that mpiexec has started, which ends the others."""
+    for entry in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            parent = int((entry / "stat").read_text().rsplit(")", 1)[1].split()[1])
+            environment = (entry / "environ").read_bytes().split(b"\0")
+        except (OSError, ValueError):
+            continue
+        if parent == starter.pid and f"OMPI_COMM_WORLD_RANK={rank}".encode() in environment:
+            os.kill(int(entry.name), signal.SIGKILL)
+
+
+def read_end(folder):
+    """Fields of the points by their numbers, at the end and in every frame."""
+    arrays = {}
+    for path in sorted(folder.glob("*.vtkhdf")):
+        with h5py.File(path) as file:
+            file.visititems(lambda name, item: arrays.__setitem__(f"{path.name}/{name}", item[()]) if isinstance(item, h5py.Dataset) else None)
+    return arrays
+
+
+def clean(value):
+    if isinstance(value, dict):
+        return {k: clean(v) for k, v in value.items() if k not in OTHER and k != "wall"}
+    return [clean(v) for v in value] if isinstance(value, list) else value
+
+
+def compare(name, one, other):
+    for table in ("history.csv", "monitors.csv", "profile.csv"):
+        if (one / table).exists() and (one / table).read_bytes() != (other / table).read_bytes():
+            faults.append(f"{name}: {table} differs")
+    a, b = (clean(json.loads((f / "summary.json").read_text())) for f in (one, other))
+    for key in a:
+        if a[key] != b.get(key):
+            faults.append(f"{name}: '{key}' of summary.json differs: {a[key]} and {b.get(key)}")
+    a, b = read_end(one), read_end(other)
+    if a.keys() != b.keys() or not a:
+        faults.append(f"{name}: the frames hold other fields, or none")
+    for key in a.keys() & b.keys():
+        if not numpy.array_equal(a[key], b[key], equal_nan=a[key].dtype.kind == "f"):
+            faults.append(f"{name}: {key} differs")
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    if shutil.which("mpiexec") is None or not (pathlib.Path(program).parent / "libtalus_ranks.so").exists():
+        print("SKIP: there is no mpiexec, or no module of ranks (-DTALUS_MPI=ON): one case on several ranks was NOT tried")
+        return 77
+    with tempfile.TemporaryDirectory() as scratch:
+        here = pathlib.Path(scratch)
+        for case in ("slide", "block_3d"):
+            path = CASES / f"{case}.toml"
+            run(program, 1, path, here / f"{case}_1")
+            for ranks in (2, 4):
+                run(program, ranks, path, here / f"{case}_{ranks}")
+                compare(f"{case} on {ranks} ranks", here / f"{case}_1", here / f"{case}_{ranks}")
+        # A checkpoint is written at every look: a rank is killed as soon as there is one.
+        path, often = CASES / "slide.toml", ("--set", "output.checkpoint_interval=1e-6")
+        for ranks in (1, 2):
+            folder = here / f"resumed_on_{ranks}"
+            process = start(program, 4, path, folder, *often)
+            while process.poll() is None and not (folder / "checkpoint.h5").exists():
+                try:
+                    process.wait(timeout=0.01)
+                except subprocess.TimeoutExpired:
+                    pass
+            kill_rank(process, 1)
+            process.communicate()
+            if (folder / "checkpoint.h5").exists():
+                run(program, ranks, path, folder, *often, "--resume")
+                compare(f"four ranks, one of them killed, go on on {ranks}", here / "slide_1", folder)
+            else:
+                print(f"SKIP: the run ended before it was stopped: going on on {ranks} was NOT tried")
+    print("\n".join(faults) if faults else "ranks: the same bits on 1, 2 and 4 ranks, and after a stop")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

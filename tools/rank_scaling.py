@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What several ranks cost: a bank in 3D with as many points for each rank, and one of a fixed size, on 1, 2 and 4 ranks.
+
+Usage: tools/rank_scaling.py PROGRAM [--points N] [--ranks R …]
+
+PROGRAM is a build with -DTALUS_MPI=ON. Prints tables in Markdown: time of a step, share of it that rank 0 spends with messages (waiting for others too), bytes that it
+sends in a step. More ranks than cores share these: their times are sums, not speeds. Five minutes on two cores.
+"""
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+
+BANK = pathlib.Path(__file__).resolve().parent.parent / "tests" / "ranks" / "block_3d.toml"
+POINTS_OF_CASE = 41000 / 3  # for each metre of its thickness, in elements of 0.35 m
+STEPS = ["--set", "stage=[{ name = 'let go', duration = 0.06, damping = 0.05 }]", "--set", "output.history_interval=1", "--set", "output.frame_interval=0"]
+
+
+def run(program, ranks, thickness, scratch):
+    folder = pathlib.Path(scratch) / f"{ranks}_{thickness:.3g}"
+    line = [program, "run", str(BANK), "-o", str(folder), "-q", "--no-report", "--overwrite", "--set", f"geometry.thickness={thickness}", *STEPS]
+    if ranks > 1:
+        line = ["mpiexec", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), *line]
+    else:
+        line += ["--threads", "1"]
+    subprocess.run(line, check=True, env={**os.environ, "OMPI_MCA_mpi_yield_when_idle": "1"})
+    summary = json.loads((folder / "summary.json").read_text())
+    stage, work = summary["stages"][0], summary.get("ranks", {"bytes": 0, "seconds": 0})
+    return summary["mesh"]["points"], stage["steps"], stage["wall"], work["seconds"], work["bytes"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--points", type=float, default=250000, help="points for each rank")
+    parser.add_argument("--ranks", nargs="+", type=int, default=[1, 2, 4])
+    options = parser.parse_args()
+    program = os.path.abspath(options.program)
+    print(f"{os.cpu_count()} cores")
+    with tempfile.TemporaryDirectory() as scratch:
+        for title, share in (("as many points for each rank", True), ("the points of one rank", False)):
+            print(f"\n{title}\n\n| ranks | points | steps | ms a step | of these with messages | kB sent a step |\n|--:|--:|--:|--:|--:|--:|")
+            for ranks in options.ranks:
+                thickness = options.points / POINTS_OF_CASE * (ranks if share else 1)
+                points, steps, wall, seconds, sent = run(program, ranks, thickness, scratch)
+                print(f"| {ranks} | {points} | {steps} | {1e3 * wall / steps:.1f} | {1e3 * seconds / steps:.1f} | {sent / steps / 1e3:.1f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
