@@ -8,7 +8,7 @@
 #include "bind.hpp"
 #include "drive.hpp"
 #include "run/run_case.hpp"
-#include "study/study.hpp"
+#include "study/whole_study.hpp"
 
 namespace talus::python {
 namespace {
@@ -40,9 +40,8 @@ py::object study(const input::LoadedCase& base, const std::filesystem::path& fol
   auto options = make_options<study::StudyOptions>(folder, threads, resume, overwrite);
   std::optional<Error> failure;
   const auto work = [&](Progress& progress) {
-    const study::StudyPlan plan = study::plan_study(base, {});
     options.progress = &progress;
-    failure = study::find_failure(study::run_study(plan, options));
+    failure = study::calculate_study(base, {}, options).failure;
     if (failure && failure->code() == ExitCode::interrupted) throw *failure;
   };
   drive(work, callback, Calls::always);

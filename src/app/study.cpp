@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `talus study CASE`: calculates a case for every value that its [study] lists.
 
-#include "study/study.hpp"
+#include "study/whole_study.hpp"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,6 @@
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
-#include "study/sampling.hpp"
-#include "study/study_table.hpp"
 
 namespace talus::app {
 namespace {
@@ -29,9 +27,6 @@ struct StudyCommand {
 void run_study(const StudyCommand& command) {
   const std::vector<input::Override> overrides = command.input.parse_overrides();
   const input::LoadedCase base = input::read_case(command.input.file, overrides);
-  const bool samples = base.data.study.mode == input::StudyMode::sample;
-  study::StudyPlan plan;
-  if (!samples) plan = study::plan_study(base, overrides);
   catch_interrupts();
   Progress progress(!command.quiet);
   study::StudyOptions options;
@@ -41,23 +36,13 @@ void run_study(const StudyCommand& command) {
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;
-  std::string tables;
-  std::optional<Error> failure;
-  do_and_report(options.folder, !command.no_report, [&] {
-    if (samples) {
-      study::SamplingResult result = study::run_sampling(base, overrides, options);
-      tables = std::move(result.markdown);
-      failure = std::move(result.failure);
-    } else {
-      const std::vector<study::StudyRow> rows = study::run_study(plan, options);
-      tables = study::write_study_markdown(plan, rows, study::describe_study(plan, rows));
-      failure = study::find_failure(rows);
-    }
-  });
+  study::StudyOutcome outcome;
+  do_and_report(options.folder, !command.no_report,
+                [&] { outcome = study::calculate_study(base, overrides, options); });
   if (!command.quiet)
-    fmt::print("{}\nTables and results are in {}{}\n", tables, options.folder.string(),
+    fmt::print("{}\nTables and results are in {}{}\n", outcome.tables, options.folder.string(),
                command.no_report ? "" : "; open report.html there in a browser");
-  if (failure) throw Error(*failure);
+  if (outcome.failure) throw Error(*outcome.failure);
 }
 
 }  // namespace
