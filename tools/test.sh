@@ -25,12 +25,13 @@ fi
 ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)" ${names:+-R "$names"}
 status=$?
 
-# GoogleTest prints "file:line: Skipped" and the reason on the next line; ctest keeps it in its log.
+# GoogleTest prints "file:line: Skipped" and the reason on the next line, pytest "SKIPPED [1] file:line: reason"; ctest keeps it in its log.
 awk '
   /^[0-9]+\/[0-9]+ Test: / { name = $0; sub(/^[0-9]+\/[0-9]+ Test: /, "", name) }
   reason_follows { print "SKIP " name ": " $0; reason_follows = 0; next }
   /^SKIP: / { print "SKIP " name ": " substr($0, 7) }
   /: Skipped$/ { reason_follows = 1 }
+  /^SKIPPED \[[0-9]+\] / { reason = $0; sub(/^SKIPPED [^ ]+ [^ ]+ /, "", reason); print "SKIP " name ": " reason }
 ' "build/$preset/Testing/Temporary/LastTest.log" 2>/dev/null
 
 # "12/1041 Test  #7: unit.Name ....   Passed    0.05 sec" stands in the log of the run as "Test time =   0.05 sec".

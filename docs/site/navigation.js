@@ -26,6 +26,7 @@ const manual = [
       "docs/manual/how-to/follow-points.md",
       "docs/manual/how-to/study-a-parameter.md",
       "docs/manual/how-to/probability.md",
+      "docs/manual/how-to/larger-than-one-machine.md",
       "docs/manual/how-to/eurocode-7.md",
       "docs/manual/how-to/compare-plantings.md",
       "docs/manual/how-to/mesh-and-speed.md",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs and studies for Python.
 
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <optional>
@@ -8,7 +9,9 @@
 #include "bind.hpp"
 #include "drive.hpp"
 #include "run/run_case.hpp"
-#include "study/study.hpp"
+#include "study/job_folder.hpp"
+#include "study/jobs.hpp"
+#include "study/whole_study.hpp"
 
 namespace talus::python {
 namespace {
@@ -40,12 +43,48 @@ py::object study(const input::LoadedCase& base, const std::filesystem::path& fol
   auto options = make_options<study::StudyOptions>(folder, threads, resume, overwrite);
   std::optional<Error> failure;
   const auto work = [&](Progress& progress) {
-    const study::StudyPlan plan = study::plan_study(base, {});
     options.progress = &progress;
-    failure = study::find_failure(study::run_study(plan, options));
+    failure = study::calculate_study(base, {}, options).failure;
     if (failure && failure->code() == ExitCode::interrupted) throw *failure;
   };
   drive(work, callback, Calls::always);
+  return failure ? make_exception(*failure) : py::none();
+}
+
+/// Writes the jobs of a study into `folder`; 0 jobs: as many as it is worth.
+void prepare_jobs(const input::LoadedCase& base, const std::filesystem::path& folder, int threads, bool resume,
+                  bool overwrite, int jobs) {
+  study::JobOptions options{make_options<study::StudyOptions>(folder, threads, resume, overwrite), jobs};
+  const auto work = [&](Progress& progress) {
+    options.study.progress = &progress;
+    study::prepare_jobs(base, {}, options);
+  };
+  drive(work, py::none(), Calls::with_news);
+}
+
+/// How many jobs there are, the numbers of the missing ones, and of those with failures.
+py::tuple list_jobs(const std::filesystem::path& folder) {
+  const study::JobStates states = study::list_jobs(folder);
+  return py::make_tuple(states.count, py::cast(states.missing), py::cast(states.failed));
+}
+
+/// Returns the error of a job with failures, or None.
+py::object calculate_job(const std::filesystem::path& folder, int job, int threads) {
+  std::optional<Error> failure;
+  const auto work = [&](Progress& progress) { failure = study::calculate_job(folder, job, threads, &progress); };
+  drive(work, py::none(), Calls::with_news);
+  return failure ? make_exception(*failure) : py::none();
+}
+
+/// Returns the error of jobs that are missing or have failures, or None.
+py::object collect_jobs(const std::filesystem::path& folder, int threads) {
+  auto options = make_options<study::StudyOptions>(folder, threads, false, false);
+  std::optional<Error> failure;
+  const auto work = [&](Progress& progress) {
+    options.progress = &progress;
+    failure = study::collect_jobs(options).failure;
+  };
+  drive(work, py::none(), Calls::with_news);
   return failure ? make_exception(*failure) : py::none();
 }
 
@@ -54,6 +93,10 @@ py::object study(const input::LoadedCase& base, const std::filesystem::path& fol
 void bind_run(py::module_& module) {
   module.def("run", &run);
   module.def("study", &study);
+  module.def("prepare_jobs", &prepare_jobs);
+  module.def("list_jobs", &list_jobs);
+  module.def("calculate_job", &calculate_job);
+  module.def("collect_jobs", &collect_jobs);
 }
 
 }  // namespace talus::python

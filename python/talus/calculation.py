@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import concurrent.futures
 import contextlib
 import operator
 import os
@@ -13,6 +14,7 @@ from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 from . import _core
 from .case import Case
 from .errors import Error, FolderExists, InputError
+from .jobs import calculate_jobs
 from .results import Results
 from .studies import Study
 
@@ -76,6 +78,8 @@ def study(
     overwrite: bool = False,
     progress: Optional[Callable[[Progress], object]] = None,
     report: bool = True,
+    executor: Optional[concurrent.futures.Executor] = None,
+    jobs: Optional[int] = None,
 ) -> Study:
     """Calculates a case for every value that its [study] lists, into `folder` as `talus study` does.
 
@@ -84,10 +88,18 @@ def study(
     resume: keep finished variants and go on with interrupted ones.
     progress: called about ten times a second with a Progress whose `line` says how many variants are done; stops the
         study as `talus.run` is stopped.
+    executor: a concurrent.futures.Executor whose workers calculate the study, job by job: processes, MPI ranks or other
+        machines, all of which must see `folder`. `threads` are those of each job then, by default one. Progress is told
+        when jobs end; when it stops the study, jobs under way come to their end. Jobs whose workers were lost are
+        given to others if the executor goes on. If it does not, Interrupted is raised: what has ended is kept, and
+        `resume=True` with another executor calculates the rest, and repeats jobs with failures.
+    jobs: how many; by default one for each run, or for a thousand samples by slices.
 
     A variant that fails does not stop the others; when all have ended an Error says which failed and why, and
     `talus.Study(folder)` has the table and the results of those that finished. All else as for `talus.run`.
     """
+    if jobs is not None and (executor is None or jobs < 1):
+        raise ValueError("jobs must be at least 1, and belong to an executor")
     arguments = _check_arguments(folder, threads, resume, overwrite, progress)
     case = _get_case(case)
     if vary is not None:
@@ -95,10 +107,30 @@ def study(
         case.study.vary = [dict(key=key, values=values) for key, values in vary.items()]
     loaded = case._load()
     with _closing_report(arguments[0], report):
-        failure = _core.study(loaded, *arguments)
+        if executor is None:
+            failure, cause = _core.study(loaded, *arguments), None
+        else:
+            failure, cause = _study_elsewhere(executor, loaded, arguments, threads or 1, jobs or 0)
     if failure is not None:
-        raise failure
+        raise failure from cause
     return Study(arguments[0])
+
+
+def _study_elsewhere(
+    executor: concurrent.futures.Executor, loaded: _core.LoadedCase, arguments: _Arguments, threads: int, count: int
+) -> tuple[Optional[Exception], Optional[BaseException]]:
+    """Prepares the jobs of a study, calculates those that have not ended or have failures, and collects. Returns the
+    failure, and what of the executor caused it."""
+    folder, _, resume, overwrite, pass_on = arguments
+    own_threads = _core.default_threads()
+    _core.prepare_jobs(loaded, folder, own_threads, resume, overwrite, count)
+    _, missing, failed = _core.list_jobs(folder)
+    tell = None if pass_on is None else lambda line: pass_on(line, "", "", 0.0, 0.0)
+    cause = calculate_jobs(executor, folder, sorted(missing + failed), threads, tell)
+    try:
+        return _core.collect_jobs(folder, own_threads), cause
+    except Error as error:
+        raise error from cause
 
 
 _Arguments = tuple[Path, int, bool, bool, Optional[Callable[[str, str, str, float, float], object]]]

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+import csv
 import functools
 import html
 import json
 import os
 from pathlib import Path
-from typing import Any, Iterator, Union
+from typing import Any, Iterator, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,6 +69,26 @@ class Study:
         return {variant["folder"]: variant["reason"] for variant in listed if variant["reason"]}
 
     @property
+    def sampling(self) -> Optional[dict[str, Any]]:
+        """The statistics of samples, as study.json has them; None where values were listed."""
+        told: Optional[dict[str, Any]] = self.summary.get("sampling")
+        return told
+
+    @functools.cached_property
+    def samples(self) -> Table:
+        """samples.csv as arrays by the name of the column, a row for each sample; NaN where it has no result."""
+        path = self.folder / "samples.csv"
+        if not path.is_file():
+            raise InputError(f"the study in '{self.folder}' has no samples")
+        with open(path, encoding="utf-8", newline="") as file:
+            heads, *rows = csv.reader(file)
+        columns = {}
+        for i, head in enumerate(heads):
+            name, _, unit = head.rstrip("]").partition(" [")
+            columns[name] = (unit or "-", _to_array([row[i] for row in rows]))
+        return Table(columns)
+
+    @property
     def keys(self) -> list[str]:
         """The varied keys, "mesh.size": each is a column of the table."""
         return [key["key"] for key in self.summary["vary"]]
@@ -109,6 +130,8 @@ class Study:
         return len(self.names)
 
     def __repr__(self) -> str:
+        if not self.names:
+            return f"talus.Study({str(self.folder)!r}, {(self.sampling or {}).get('samples', 0)} samples)"
         finished = sum(status == "finished" for status in self.statuses.values())
         return f"talus.Study({str(self.folder)!r}, {finished} of {len(self)} variants finished)"
 

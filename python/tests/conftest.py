@@ -69,6 +69,33 @@ def make_reduction() -> talus.Case:
     )
 
 
+def make_uncertain(samples) -> talus.Case:
+    """Li and Lumb's slope with two uncertain numbers: some hundred samples by slices are a second."""
+    case = talus.Case(
+        title="Li and Lumb",
+        geometry=dict(
+            polygon=[dict(name="soil", points=[[-10, 0], [40, 0], [40, 15], [15, 15], [5, 5], [-10, 5]])],
+        ),
+        regions=dict(soil="soil"),
+        materials=dict(
+            soil=dict(
+                model="mohr_coulomb", unit_weight="18 kN/m3", cohesion="18 kPa", friction_angle="30 deg", pore_pressure_ratio=0.2
+            )
+        ),
+        analysis=dict(methods=["lem"]),
+        lem=dict(methods=["bishop"], noncircular=False, entry_exit=dict(exits=9, entries=9, depths=7)),
+    )
+    case.study = dict(
+        mode="sample",
+        samples=samples,
+        random=[
+            dict(key="materials.soil.cohesion", deviation="3.6 kPa"),
+            dict(key="materials.soil.friction_angle", deviation="3 deg"),
+        ],
+    )
+    return case
+
+
 @pytest.fixture
 def slope():
     return make_slope

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import talus
+from conftest import make_uncertain
 
 
 def make_study(slope, **changes):
@@ -104,6 +105,22 @@ def test_a_variant_that_fails_leaves_the_others(slope, tmp_path):
     study = talus.Study(tmp_path / "s")
     assert list(study.statuses.values()) == ["finished", "unstable"] and list(study.reasons) == [study.names[1]]
     assert study["base"].status == "finished" and (tmp_path / "s/report.html").exists()
+
+
+def test_samples_are_those_of_the_command_line(tmp_path, command_line):
+    case = make_uncertain(50)
+    (tmp_path / "case.toml").write_text(case.to_toml())
+    program = command_line("study", tmp_path / "case.toml", "-o", tmp_path / "program")
+    assert program.returncode == 0, program.stderr
+    study = talus.study(case, tmp_path / "python", report=False)
+    assert (tmp_path / "python/samples.csv").read_bytes() == (tmp_path / "program/samples.csv").read_bytes()
+    assert len(study) == 0 and "50 samples" in repr(study)
+    factor = study.samples["factor of safety"]
+    assert study.sampling["factor"]["mean"] == pytest.approx(factor.mean(), rel=1e-12)
+    assert study.samples.units["materials.soil.cohesion"] == "kPa" and list(study.samples["sample"]) == list(range(1, 51))
+    (tmp_path / "python/samples.csv").unlink()
+    with pytest.raises(talus.InputError, match="has no samples"):
+        talus.Study(tmp_path / "python").samples
 
 
 def test_curves_of_a_study_are_those_of_its_variants(reduction, tmp_path):

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// `talus study CASE`: calculates a case for every value that its [study] lists.
+// `talus study CASE`: calculates a case for every value that its [study] lists, here or in jobs that run anywhere.
 
-#include "study/study.hpp"
+#include "study/whole_study.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <memory>
 
 #include "app/case_options.hpp"
@@ -13,51 +15,104 @@
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
-#include "study/sampling.hpp"
-#include "study/study_table.hpp"
+#include "study/job_folder.hpp"
+#include "study/jobs.hpp"
 
 namespace talus::app {
 namespace {
 
+/// No number that a person types for a job.
+constexpr int no_job = std::numeric_limits<int>::min();
+
 struct StudyCommand {
   CaseOptions input;
-  std::string folder;
-  int threads = 0;
-  bool resume = false, overwrite = false, quiet = false, no_report = false;
+  std::string folder, prepared;
+  int threads = 0, jobs = 0, job = no_job;
+  bool resume = false, overwrite = false, quiet = false, no_report = false, collects = false;
+
+  study::StudyOptions make_options(const std::filesystem::path& where, Progress& progress) const {
+    study::StudyOptions options;
+    options.folder = where;
+    options.threads = threads > 0 ? threads : default_threads();
+    options.resume = resume;
+    options.overwrite = overwrite;
+    options.progress = &progress;
+    return options;
+  }
 };
+
+/// Runs `calculate`, which writes the tables into `folder`, then the report, and prints the tables.
+void tell_study(const StudyCommand& command, const std::filesystem::path& folder,
+                const std::function<study::StudyOutcome()>& calculate) {
+  study::StudyOutcome outcome;
+  do_and_report(folder, !command.no_report, [&] { outcome = calculate(); });
+  if (!command.quiet)
+    fmt::print("{}\nTables and results are in {}{}\n", outcome.tables, folder.string(),
+               command.no_report ? "" : "; open report.html there in a browser");
+  if (outcome.failure) throw Error(*outcome.failure);
+}
+
+void prepare_jobs(const StudyCommand& command) {
+  const std::vector<input::Override> overrides = command.input.parse_overrides();
+  const input::LoadedCase base = input::read_case(command.input.file, overrides);
+  catch_interrupts();
+  Progress progress(!command.quiet);
+  const study::JobOptions options{command.make_options(command.prepared, progress), command.jobs};
+  study::prepare_jobs(base, overrides, options);
+  if (command.quiet) return;
+  const study::JobStates states = study::list_jobs(command.prepared);
+  fmt::print(
+      "{} jobs are in {}: there, `sbatch jobs.slurm` or each by `talus study . --job K`, K from 0 to {}; "
+      "then `talus study . --collect`\n",
+      states.count, command.prepared, states.count - 1);
+}
+
+void calculate_job(const StudyCommand& command) {
+  catch_interrupts();
+  Progress progress(!command.quiet);
+  const int threads = command.threads > 0 ? command.threads : default_threads();
+  const std::optional<Error> failure = study::calculate_job(command.input.file, command.job, threads, &progress);
+  progress.clear();
+  if (failure) throw Error(*failure);
+  if (!command.quiet) fmt::print("job {} is done\n", command.job);
+}
+
+void collect_jobs(const StudyCommand& command) {
+  catch_interrupts();
+  Progress progress(!command.quiet);
+  const study::StudyOptions options = command.make_options(command.input.file, progress);
+  tell_study(command, options.folder, [&] { return study::collect_jobs(options); });
+}
 
 void run_study(const StudyCommand& command) {
   const std::vector<input::Override> overrides = command.input.parse_overrides();
   const input::LoadedCase base = input::read_case(command.input.file, overrides);
-  const bool samples = base.data.study.mode == input::StudyMode::sample;
-  study::StudyPlan plan;
-  if (!samples) plan = study::plan_study(base, overrides);
   catch_interrupts();
   Progress progress(!command.quiet);
-  study::StudyOptions options;
-  options.folder =
-      command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_study" : command.folder;
-  options.threads = command.threads > 0 ? command.threads : default_threads();
-  options.resume = command.resume;
-  options.overwrite = command.overwrite;
-  options.progress = &progress;
-  std::string tables;
-  std::optional<Error> failure;
-  do_and_report(options.folder, !command.no_report, [&] {
-    if (samples) {
-      study::SamplingResult result = study::run_sampling(base, overrides, options);
-      tables = std::move(result.markdown);
-      failure = std::move(result.failure);
-    } else {
-      const std::vector<study::StudyRow> rows = study::run_study(plan, options);
-      tables = study::write_study_markdown(plan, rows, study::describe_study(plan, rows));
-      failure = study::find_failure(rows);
-    }
-  });
-  if (!command.quiet)
-    fmt::print("{}\nTables and results are in {}{}\n", tables, options.folder.string(),
-               command.no_report ? "" : "; open report.html there in a browser");
-  if (failure) throw Error(*failure);
+  const study::StudyOptions options = command.make_options(
+      command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_study" : command.folder,
+      progress);
+  tell_study(command, options.folder, [&] { return study::calculate_study(base, overrides, options); });
+}
+
+/// What the words of the command line mean together.
+void choose(const StudyCommand& command) {
+  const auto refuse = [](const std::string& sentence) { throw Error(ExitCode::wrong_input, sentence); };
+  std::error_code unknown;
+  const bool is_folder = std::filesystem::is_directory(command.input.file, unknown);
+  const bool has_jobs = command.collects || command.job != no_job;
+  if (command.jobs > 0 && command.prepared.empty()) refuse("--jobs says into how many jobs --prepare cuts a study");
+  if (!has_jobs && is_folder)
+    refuse(fmt::format("'{}' is a folder; of one with jobs --job K calculates a job and --collect gathers them",
+                       command.input.file));
+  if (!has_jobs) return command.prepared.empty() ? run_study(command) : prepare_jobs(command);
+  const std::string word = command.collects ? "--collect" : "--job";
+  if (!command.input.sets.empty())
+    refuse(fmt::format("--set has no meaning with {}: --prepare has written its changes into the jobs", word));
+  if (!is_folder)
+    refuse(fmt::format("{} needs the folder that talus study CASE --prepare DIR has written; '{}' is none", word,
+                       command.input.file));
+  return command.collects ? collect_jobs(command) : calculate_job(command);
 }
 
 }  // namespace
@@ -66,14 +121,38 @@ void add_study(CLI::App& app) {
   const Command command(app, "study", "Calculate a case for every value that its [study] lists");
   const auto options = std::make_shared<StudyCommand>();
   options->input.add_to(command);
-  command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _study)");
+  const Argument output =
+      command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _study)");
   command.take("--threads", options->threads, "Variants to calculate side by side (default: all cores)").positive();
   const Argument resume =
       command.flag("--resume", options->resume, "Keep finished variants and go on with interrupted ones");
-  command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);
-  command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
+  const Argument overwrite =
+      command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);
+  const Argument no_report =
+      command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
+  const Argument prepare =
+      command.take("--prepare", options->prepared, "Calculate nothing: write the study's jobs into this folder")
+          .shown_as("DIR")
+          .excludes(output)
+          .excludes(no_report);
+  command.take("--jobs", options->jobs, "Jobs to prepare (default: one for each run, or for 1,000 samples by slices)")
+      .positive();
+  const Argument job =
+      command.take("--job", options->job, "CASE is a folder of jobs: calculate the one with this number, from 0")
+          .shown_as("K")
+          .excludes(output)
+          .excludes(no_report)
+          .excludes(resume)
+          .excludes(overwrite)
+          .excludes(prepare);
+  command.flag("--collect", options->collects, "CASE is a folder of jobs: gather their results into the tables")
+      .excludes(output)
+      .excludes(resume)
+      .excludes(overwrite)
+      .excludes(prepare)
+      .excludes(job);
   command.flag("-q,--quiet", options->quiet, "Print errors only");
-  command.act([options] { run_study(*options); });
+  command.act([options] { choose(*options); });
 }
 
 }  // namespace talus::app

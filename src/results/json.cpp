@@ -8,6 +8,7 @@
 #include "results/laboratory.hpp"
 #include "results/run.hpp"
 #include "results/study.hpp"
+#include "results/study_jobs.hpp"
 
 namespace talus::results {
 
@@ -71,6 +72,9 @@ TALUS_JSON(std::vector<Trial>)
 TALUS_JSON(SlipLine)
 TALUS_JSON(StageRecord)
 TALUS_JSON(StudyResult)
+TALUS_JSON(StudyJobs)
+TALUS_JSON(JobSurfaces)
+TALUS_JSON(JobResult)
 TALUS_JSON(PointTests)
 TALUS_JSON(Calibration)
 #undef TALUS_JSON

@@ -85,8 +85,10 @@ SampledNumbers read_sampled_numbers(const input::LoadedCase& base) {
   return sampled;
 }
 
-std::vector<input::Override> set_values(const SampledNumbers& sampled, const std::vector<double>& values) {
-  std::vector<input::Override> changes;
+std::vector<input::Override> set_values(const std::vector<input::Override>& overrides, const SampledNumbers& sampled,
+                                        const std::vector<double>& values) {
+  std::vector<input::Override> changes = overrides;
+  changes.push_back({"study", "{}"});
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::string number = fmt::format("{}", values[i]);
     const std::string& unit = sampled.numbers[i].unit;
@@ -97,10 +99,7 @@ std::vector<input::Override> set_values(const SampledNumbers& sampled, const std
 
 input::LoadedCase read_sample(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                               const SampledNumbers& sampled, const std::vector<double>& values) {
-  std::vector<input::Override> changes = overrides;
-  changes.push_back({"study", "{}"});
-  for (input::Override& change : set_values(sampled, values)) changes.push_back(std::move(change));
-  return input::read_case_text(base.text, base.file, changes);
+  return input::read_case_text(base.text, base.file, set_values(overrides, sampled, values));
 }
 
 }  // namespace talus::study

@@ -22,10 +22,11 @@ struct SampledNumbers {
 /// [[study.random]] and [[study.correlation]] of a case that was read without a fault.
 SampledNumbers read_sampled_numbers(const input::LoadedCase& base);
 
-/// The changes that give the numbers these values.
-std::vector<input::Override> set_values(const SampledNumbers& sampled, const std::vector<double>& values);
+/// The changes that make the case with these values of its numbers, without its [study].
+std::vector<input::Override> set_values(const std::vector<input::Override>& overrides, const SampledNumbers& sampled,
+                                        const std::vector<double>& values);
 
-/// The case with these values of its numbers and without its [study]. Throws InputError where a value is impossible.
+/// That case. Throws InputError where a value is impossible.
 input::LoadedCase read_sample(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                               const SampledNumbers& sampled, const std::vector<double>& values);
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/folder_lock.hpp"
@@ -58,33 +60,49 @@ Error refuse_sample(const std::string& label, const InputError& error) {
                       error.diagnostics().front().sentence)};
 }
 
+bool is_by_slices(const input::LoadedCase& base) {
+  return input::find_method(base.data.study.sampling.method) == Method::lem && !base.data.timeline;
+}
+
+results::StudyResult begin_sampling(const input::LoadedCase& base, int threads) {
+  results::StudyResult study = begin_study(base);
+  study.units.stress = base.data.output.stress_unit;
+  study.project = run::tell_project(base.data);
+  study.provenance = run::tell_provenance(base, input::hash_input(base.echo), threads);
+  study.input = base.echo;
+  return study;
+}
+
+void write_sampling(const input::LoadedCase& base, const std::filesystem::path& folder, SampleSet& set,
+                    SamplingResult& result) {
+  tell_samples(base.data.study.sampling, set);
+  result.study.sampling = set.told;
+  write_atomically(folder / "samples.csv", write_samples(set));
+  results::write_file(folder / "study.json", result.study);
+  result.markdown = write_sampling_markdown(base.data.title, set.told);
+  write_atomically(folder / "study.md", result.markdown);
+}
+
 SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                             const StudyOptions& options) {
   SampleSet set = draw_samples(base);
   check_folder(options, "give another one with -o, or replace it with --overwrite");
   FolderLock lock(options.folder);
-  // In time every sample is a run, with a seepage of its own.
-  const bool by_slices = set.told.method == Method::lem && !base.data.timeline;
-  if (by_slices) lock.take_existing();  // a study of runs takes it itself
   SamplingResult result;
-  results::StudyResult& study = result.study;
-  if (by_slices) {
-    study = begin_study(base);
-    study.units.stress = base.data.output.stress_unit;
-    study.project = run::tell_project(base.data);
-    study.provenance = run::tell_provenance(base, input::hash_input(base.echo), options.threads);
-    study.input = base.echo;
+  if (is_by_slices(base)) {
+    lock.take_existing();
+    result.study = begin_sampling(base, options.threads);
     calculate_slices(base, overrides, options, set);
   } else {
-    study = calculate_runs(base, overrides, options, set, result.failure);
+    const auto start = std::chrono::steady_clock::now();
+    const StudyPlan plan = plan_samples(base, overrides, set);
+    const std::vector<StudyRow> rows = run_study(plan, options);  // it takes the lock itself
+    result.failure = find_failure(rows);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    result.study = tell_runs(base, plan, rows, passed.count(), set);
   }
-  tell_samples(base.data.study.sampling, set);
-  study.sampling = set.told;
   lock.take();
-  write_atomically(options.folder / "samples.csv", write_samples(set));
-  results::write_file(options.folder / "study.json", study);
-  result.markdown = write_sampling_markdown(base.data.title, *study.sampling);
-  write_atomically(options.folder / "study.md", result.markdown);
+  write_sampling(base, options.folder, set, result);
   return result;
 }
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -17,35 +16,6 @@ namespace talus::study {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-/// A variant for every sample, each read and checked as a case of its own; before them the case at the means.
-StudyPlan plan_samples(const input::LoadedCase& base, std::vector<input::Override> overrides, const SampleSet& set) {
-  overrides.push_back({"analysis.methods", fmt::format(R"(["{}"])", results::to_word(set.told.method))});
-  StudyPlan plan;
-  plan.told = begin_study(base);
-  for (const results::UncertainNumber& n : set.sampled.numbers) {
-    plan.told.vary.push_back({n.key, n.unit, {}});
-    plan.names.push_back(n.name);
-  }
-  const std::size_t digits = std::to_string(set.size()).size();
-  const auto add = [&](const std::string& name, const std::string& label, const std::vector<double>& values) {
-    Variant variant;
-    variant.name = name;
-    variant.label = label;
-    for (const double value : values) variant.values.push_back(fmt::format("{:.6g}", value));
-    try {
-      variant.loaded = read_sample(base, overrides, set.sampled, values);
-    } catch (const InputError& error) {
-      throw refuse_sample(label, error);
-    }
-    variant.input_hash = input::hash_input(variant.loaded.echo);
-    plan.variants.push_back(std::move(variant));
-  };
-  add("means", "at the means", set.sampled.means);
-  for (std::size_t i = 0; i < set.size(); ++i)
-    add(fmt::format("sample_{:0{}}", i + 1, digits), fmt::format("sample {}", i + 1), set.get_sample(i));
-  return plan;
-}
 
 /// The first of the names under which a run tells a number.
 std::string find_name(const std::vector<StudyRow>& rows, const std::vector<std::string>& names) {
@@ -88,12 +58,38 @@ std::vector<double> take_failure_times(const std::vector<StudyRow>& rows) {
 
 }  // namespace
 
-results::StudyResult calculate_runs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
-                                    const StudyOptions& options, SampleSet& set, std::optional<Error>& failure) {
-  const auto start = std::chrono::steady_clock::now();
-  const StudyPlan plan = plan_samples(base, overrides, set);
-  const std::vector<StudyRow> rows = run_study(plan, options);
-  failure = find_failure(rows);
+StudyPlan plan_samples(const input::LoadedCase& base, const std::vector<input::Override>& given, const SampleSet& set) {
+  std::vector<input::Override> overrides = given;
+  overrides.push_back({"analysis.methods", fmt::format(R"(["{}"])", results::to_word(set.told.method))});
+  StudyPlan plan;
+  plan.told = begin_study(base);
+  for (const results::UncertainNumber& n : set.sampled.numbers) {
+    plan.told.vary.push_back({n.key, n.unit, {}});
+    plan.names.push_back(n.name);
+  }
+  const std::size_t digits = std::to_string(set.size()).size();
+  const auto add = [&](const std::string& name, const std::string& label, const std::vector<double>& values) {
+    Variant variant;
+    variant.name = name;
+    variant.label = label;
+    for (const double value : values) variant.values.push_back(fmt::format("{:.6g}", value));
+    try {
+      variant.changes = set_values(overrides, set.sampled, values);
+      variant.loaded = input::read_case_text(base.text, base.file, variant.changes);
+    } catch (const InputError& error) {
+      throw refuse_sample(label, error);
+    }
+    variant.input_hash = input::hash_input(variant.loaded.echo);
+    plan.variants.push_back(std::move(variant));
+  };
+  add("means", "at the means", set.sampled.means);
+  for (std::size_t i = 0; i < set.size(); ++i)
+    add(fmt::format("sample_{:0{}}", i + 1, digits), fmt::format("sample {}", i + 1), set.get_sample(i));
+  return plan;
+}
+
+results::StudyResult tell_runs(const input::LoadedCase& base, const StudyPlan& plan, const std::vector<StudyRow>& rows,
+                               double seconds, SampleSet& set) {
   const Method method = set.told.method;
   const std::string factor = find_name(rows, list_factors(method));
   if (!factor.empty()) set.factor = take(rows, factor);
@@ -113,7 +109,7 @@ results::StudyResult calculate_runs(const input::LoadedCase& base, const std::ve
   set.told.method_title += ", a run for every sample" + (factor.empty() ? "" : ", " + factor);
   if (set.factor.empty() && set.runout.empty())
     set.told.notes.push_back("No run has come to a factor of safety or a runout.");
-  set.told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  set.told.seconds = seconds;
   return describe_study(plan, rows);
 }
 

@@ -30,26 +30,21 @@ constexpr std::uint64_t check_stream = ~0ULL;
 constexpr double good_enough = 0.003, worth_keeping = 1e-4;
 constexpr int most_rounds = 2;
 
+/// NaN where there is none.
+double find_one(const SliceFactor& slices, const SampleSet& set, std::size_t i, SliceFactor::Workspace& work) {
+  try {
+    return slices.find(set.get_sample(i), work).value_or(std::numeric_limits<double>::quiet_NaN());
+  } catch (const InputError& error) {
+    throw refuse_sample(fmt::format("sample {}", i + 1), error);
+  }
+}
+
 class SliceSampling {
  public:
   SliceSampling(SliceFactor& slices, const StudyOptions& options, SampleSet& set)
       : slices_(slices), options_(options), set_(set) {}
 
-  void calculate() {
-    set_.factor.assign(set_.size(), std::numeric_limits<double>::quiet_NaN());
-    std::atomic<std::size_t> done = 0;
-    const auto pieces = static_cast<int>((set_.size() + piece - 1) / piece);
-    parallel_tasks(pieces, options_.threads, [&](int p) {
-      const std::size_t first = static_cast<std::size_t>(p) * piece, end = std::min(first + piece, set_.size());
-      SliceFactor::Workspace work;
-      for (std::size_t i = first; i < end && !is_interrupted(); ++i) set_.factor[i] = find(i, work);
-      done += end - first;
-      if (options_.progress != nullptr && options_.progress->is_due())
-        options_.progress->show(fmt::format("{} of {} samples calculated", done.load(), set_.size()));
-    });
-    if (options_.progress != nullptr) options_.progress->clear();
-    if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted while the samples were calculated");
-  }
+  void calculate() { set_.factor = find_factors(slices_, set_, 0, set_.size(), options_); }
 
   /// Searches for some samples individually. Where they find less, their surfaces are kept and all is calculated again.
   void check() {
@@ -83,15 +78,6 @@ class SliceSampling {
   }
 
  private:
-  /// NaN where there is none.
-  double find(std::size_t i, SliceFactor::Workspace& work) const {
-    try {
-      return slices_.find(set_.get_sample(i), work).value_or(std::numeric_limits<double>::quiet_NaN());
-    } catch (const InputError& error) {
-      throw refuse_sample(fmt::format("sample {}", i + 1), error);
-    }
-  }
-
   std::vector<std::size_t> choose(int round) const {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < set_.size(); ++i)
@@ -124,26 +110,56 @@ std::string list_keys(const std::vector<std::string>& keys) {
 
 }  // namespace
 
-void calculate_slices(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
-                      const StudyOptions& options, SampleSet& set) {
-  const auto start = std::chrono::steady_clock::now();
+std::vector<double> find_factors(const SliceFactor& slices, const SampleSet& set, std::size_t first, std::size_t end,
+                                 const StudyOptions& options) {
+  const std::size_t count = end - first;
+  std::vector<double> factors(count, std::numeric_limits<double>::quiet_NaN());
+  std::atomic<std::size_t> done = 0;
+  const auto pieces = static_cast<int>((count + piece - 1) / piece);
+  parallel_tasks(pieces, options.threads, [&](int p) {
+    const std::size_t begin = static_cast<std::size_t>(p) * piece, last = std::min(begin + piece, count);
+    SliceFactor::Workspace work;
+    for (std::size_t i = begin; i < last && !is_interrupted(); ++i) factors[i] = find_one(slices, set, first + i, work);
+    done += last - begin;
+    if (options.progress != nullptr && options.progress->is_due())
+      options.progress->show(fmt::format("{} of {} samples calculated", done.load(), count));
+  });
+  if (options.progress != nullptr) options.progress->clear();
+  if (is_interrupted()) throw Error(ExitCode::interrupted, "interrupted while the samples were calculated");
+  return factors;
+}
+
+std::unique_ptr<SliceFactor> begin_slices(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                                          const StudyOptions& options, SampleSet& set) {
   if (options.progress != nullptr) options.progress->show("searching for the critical surfaces");
-  SliceFactor slices(base, overrides, set.sampled, options.threads);
+  auto slices = std::make_unique<SliceFactor>(base, overrides, set.sampled, options.threads);
   results::Sampling& told = set.told;
   SliceFactor::Workspace work;
-  const FactorOf factor = [&](const std::vector<double>& values) { return slices.find(values, work); };
+  const FactorOf factor = [&](const std::vector<double>& values) { return slices->find(values, work); };
   estimate_first_order(set.sampled, factor, told);
   // With a search for every sample the iteration would cost more than it is worth.
-  if (!slices.is_full()) told.design_point = find_design_point(set.sampled, factor);
+  if (!slices->is_full()) told.design_point = find_design_point(set.sampled, factor);
   if (told.design_point) {
     // The surface that fails first need not be critical at the means: it is looked for where failure is most probable.
     std::vector<double> values;
     for (const results::DesignPointValue& v : told.design_point->values) values.push_back(v.value);
-    if (const auto searched = slices.search(values)) slices.add(searched->surfaces);
+    if (const auto searched = slices->search(values)) slices->add(searched->surfaces);
     told.design_point = find_design_point(set.sampled, factor);
   }
+  return slices;
+}
+
+void calculate_slices(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                      const StudyOptions& options, SampleSet& set, const KnownFactors* known) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::unique_ptr<SliceFactor> found = begin_slices(base, overrides, options, set);
+  SliceFactor& slices = *found;
+  results::Sampling& told = set.told;
   SliceSampling sampling(slices, options, set);
-  sampling.calculate();
+  if (known != nullptr)
+    set.factor = known->factors;
+  else
+    sampling.calculate();
   const bool is_checked = !slices.is_full() && base.data.lem.search != input::SurfaceSearch::none;
   if (is_checked) sampling.check();
   told.surfaces = slices.count_surfaces();
@@ -175,6 +191,7 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
   if (told.design_point && !told.design_point->converged)
     told.notes.push_back("The search for the most probable failure did not converge: its index is only an indication.");
   told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (known != nullptr) told.seconds += known->seconds;
 }
 
 }  // namespace talus::study

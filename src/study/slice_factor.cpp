@@ -18,18 +18,26 @@ constexpr double corner_score = 2;
 }  // namespace
 
 SliceFactor::SliceFactor(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
-                         const SampledNumbers& sampled, int threads)
+                         const SampledNumbers& sampled, const std::vector<lem::Surface>& surfaces)
     : base_(base),
       overrides_(overrides),
       sampled_(sampled),
       numbers_(base, overrides, sampled),
-      options_(run::make_search_options(base.data.lem, threads)) {
+      options_(run::make_search_options(base.data.lem, 1)) {
   // The method that would govern a run.
   options_.methods = {
       *std::min_element(options_.methods.begin(), options_.methods.end(),
                         [](lem::Method a, lem::Method b) { return rank_equilibrium(a) < rank_equilibrium(b); })};
   if (is_full()) return;
   slope_ = std::make_unique<lem::Slope>(numbers_.middle());
+  candidates_ = std::make_unique<lem::Candidates>(*slope_, surfaces, options_, method());
+}
+
+SliceFactor::SliceFactor(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                         const SampledNumbers& sampled, int threads)
+    : SliceFactor(base, overrides, sampled, std::vector<lem::Surface>()) {
+  options_.threads = threads;
+  if (is_full()) return;
   std::vector<lem::Surface> given;
   for (const input::SlipSurface& s : base.data.lem.surfaces) given.push_back(run::make_surface(*slope_, s));
   if (searches()) {
@@ -53,10 +61,15 @@ std::vector<lem::Section> SliceFactor::make_corners() const {
   return corners;
 }
 
+std::vector<lem::Surface> SliceFactor::list_surfaces() const {
+  std::vector<lem::Surface> all;
+  for (int i = 0; i < count_surfaces(); ++i) all.push_back(candidates_->surface(i));
+  return all;
+}
+
 void SliceFactor::add(const std::vector<lem::Surface>& surfaces) {
   if (!candidates_) return;
-  std::vector<lem::Surface> all;
-  for (int i = 0; i < candidates_->count(); ++i) all.push_back(candidates_->surface(i));
+  std::vector<lem::Surface> all = list_surfaces();
   all.insert(all.end(), surfaces.begin(), surfaces.end());
   candidates_ = std::make_unique<lem::Candidates>(*slope_, all, options_, method());
 }

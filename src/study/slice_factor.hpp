@@ -20,6 +20,9 @@ class SliceFactor {
   /// what run::make_section() and lem::search() do at the means.
   SliceFactor(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
               const SampledNumbers& sampled, int threads);
+  /// The same on surfaces that were kept before, without a search.
+  SliceFactor(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+              const SampledNumbers& sampled, const std::vector<lem::Surface>& surfaces);
 
   /// Whether every sample needs its own section and search.
   bool is_full() const { return numbers_.changes_section(); }
@@ -27,6 +30,7 @@ class SliceFactor {
   const SliceNumbers& numbers() const { return numbers_; }
   /// Surfaces that every sample is evaluated on; 0 with searches.
   int count_surfaces() const { return candidates_ ? candidates_->count() : 0; }
+  std::vector<lem::Surface> list_surfaces() const;
   /// Combinations of values that were searched, besides the means.
   int count_corners() const { return corners_; }
 

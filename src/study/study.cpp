@@ -21,52 +21,17 @@ namespace {
 namespace fs = std::filesystem;
 using results::VariantStatus;
 
-/// The results in the folder of a variant; nothing where a file is damaged.
-std::optional<results::RunResult> load_result(const fs::path& folder) try {
-  return results::read_file<results::RunResult>(folder / "summary.json");
-} catch (const Error&) {
-  return std::nullopt;
-}
-
-/// Throws Error (wrong_input) when a variant that is kept is of another input.
-void check_variants(const StudyPlan& plan, const StudyOptions& options) {
-  if (options.overwrite) return;
-  std::string changed;
-  for (const Variant& v : plan.variants) {
-    const auto result = load_result(options.folder / v.name);
-    if (result && result->provenance.input_hash != v.input_hash)
-      changed += (changed.empty() ? "'" : ", '") + v.name + "'";
-  }
-  if (!changed.empty())
-    throw Error(ExitCode::wrong_input,
-                fmt::format("in '{}' the results of {} belong to another input; resume with the same case, or start "
-                            "anew with --overwrite",
-                            options.folder.string(), changed));
-}
-
-class StudyRun {
+class VariantRuns {
  public:
-  StudyRun(const StudyPlan& plan, const StudyOptions& options)
-      : plan_(plan), options_(options), rows_(plan.variants.size()) {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      rows_[i].told.name = plan.variants[i].label;
-      rows_[i].told.folder = plan.variants[i].name;
-    }
-  }
+  VariantRuns(const StudyPlan& plan, const StudyOptions& options,
+              const std::function<void(const std::vector<StudyRow>&)>& renew)
+      : plan_(plan), options_(options), renew_(renew), rows_(begin_rows(plan)) {}
 
   std::vector<StudyRow> run() {
-    check_folder(options_, "give another one with -o, replace it with --overwrite, or go on with --resume");
-    FolderLock lock(options_.folder);
-    lock.take_existing();
-    check_variants(plan_, options_);
-    lock.take();
     parallel_tasks(static_cast<int>(rows_.size()), options_.threads,
                    [this](int i) { run_one(static_cast<std::size_t>(i)); });
     if (options_.progress) options_.progress->clear();
-    write_study_tables(plan_, rows_, options_.folder);
-    draw_study(plan_, rows_, options_.folder / "study.svg");
-    draw_motion(plan_, rows_, options_.folder);
-    return rows_;
+    return std::move(rows_);
   }
 
  private:
@@ -76,7 +41,7 @@ class StudyRun {
     StudyRow row = rows_[i];
     const fs::path folder = options_.folder / variant.name;
     if (options_.resume) {
-      row.result = load_result(folder);
+      row.result = load_variant(folder);
       row.kept = row.result && row.result->status == results::Status::finished;
     }
     if (row.kept) {
@@ -105,7 +70,7 @@ class StudyRun {
                         : row.code == ExitCode::interrupted ? VariantStatus::interrupted
                                                             : VariantStatus::failed;
     }
-    row.result = load_result(folder);
+    row.result = load_variant(folder);
     if (row.result && row.result->provenance.input_hash != variant.input_hash) row.result.reset();
   }
 
@@ -120,7 +85,7 @@ class StudyRun {
     if (!row.kept) running_.erase(std::find(running_.begin(), running_.end(), plan_.variants[i].label));
     rows_[i] = std::move(row);
     ++done_;
-    write_study_tables(plan_, rows_, options_.folder);
+    renew_(rows_);
     show();
   }
 
@@ -135,6 +100,7 @@ class StudyRun {
 
   const StudyPlan& plan_;
   const StudyOptions& options_;
+  const std::function<void(const std::vector<StudyRow>&)>& renew_;
   std::vector<StudyRow> rows_;
   std::mutex mutex_;
   std::vector<std::string> running_;
@@ -171,8 +137,51 @@ void check_folder(const StudyOptions& options, const std::string& ways) {
   });
 }
 
+std::optional<results::RunResult> load_variant(const fs::path& folder) try {
+  return results::read_file<results::RunResult>(folder / "summary.json");
+} catch (const Error&) {
+  return std::nullopt;
+}
+
+void check_variants(const StudyPlan& plan, const StudyOptions& options) {
+  if (options.overwrite) return;
+  std::string changed;
+  for (const Variant& v : plan.variants) {
+    const auto result = load_variant(options.folder / v.name);
+    if (result && result->provenance.input_hash != v.input_hash)
+      changed += (changed.empty() ? "'" : ", '") + v.name + "'";
+  }
+  if (!changed.empty())
+    throw Error(ExitCode::wrong_input,
+                fmt::format("in '{}' the results of {} belong to another input; resume with the same case, or start "
+                            "anew with --overwrite",
+                            options.folder.string(), changed));
+}
+
+std::vector<StudyRow> begin_rows(const StudyPlan& plan) {
+  std::vector<StudyRow> rows(plan.variants.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].told.name = plan.variants[i].label;
+    rows[i].told.folder = plan.variants[i].name;
+  }
+  return rows;
+}
+
+std::vector<StudyRow> run_variants(const StudyPlan& plan, const StudyOptions& options,
+                                   const std::function<void(const std::vector<StudyRow>&)>& renew) {
+  return VariantRuns(plan, options, renew).run();
+}
+
 std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options) {
-  return StudyRun(plan, options).run();
+  check_folder(options, "give another one with -o, replace it with --overwrite, or go on with --resume");
+  FolderLock lock(options.folder);
+  lock.take_existing();
+  check_variants(plan, options);
+  lock.take();
+  const auto renew = [&](const std::vector<StudyRow>& rows) { write_study_tables(plan, rows, options.folder); };
+  std::vector<StudyRow> rows = run_variants(plan, options, renew);
+  write_study(plan, rows, options.folder);
+  return rows;
 }
 
 std::optional<Error> find_failure(const std::vector<StudyRow>& rows) {

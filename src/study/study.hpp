@@ -3,6 +3,7 @@
 // Many variants of a case, each in a folder of its own, side by side on the threads: the work behind `talus study`.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,20 @@ struct StudyRow {
 /// Throws Error (folder_exists) when the study's folder is a file, or holds something that is neither to be replaced
 /// nor to go on; `ways` says what else can be done.
 void check_folder(const StudyOptions& options, const std::string& ways);
+
+/// The results in the folder of a variant; nothing where a file is damaged.
+std::optional<results::RunResult> load_variant(const std::filesystem::path& folder);
+
+/// Throws Error (wrong_input) when a variant that is to be kept is of another input.
+void check_variants(const StudyPlan& plan, const StudyOptions& options);
+
+/// The rows of a study before it begins.
+std::vector<StudyRow> begin_rows(const StudyPlan& plan);
+
+/// Calculates the variants side by side. `renew` is told all rows whenever a variant has ended, from one thread at a
+/// time. Rows are in the order of the plan.
+std::vector<StudyRow> run_variants(const StudyPlan& plan, const StudyOptions& options,
+                                   const std::function<void(const std::vector<StudyRow>&)>& renew);
 
 /// Runs all variants and writes study.csv, study.json, study.md and, where there are curves, study.svg; the tables are
 /// renewed whenever a variant ends. A variant that fails does not stop the others: its row says why. Rows are in the

@@ -190,6 +190,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
       const std::string text = choice[k] ? strip_quotes(study.vary[k].values[*choice[k]]) : "";
       variant.values.push_back(key ? key->text : text);
     }
+    variant.changes = std::move(changes);
     variant.input_hash = input::hash_input(variant.loaded.echo);
     numbers[variant.label] = numbers[variant.name] = plan.variants.size();
     plan.variants.push_back(std::move(variant));

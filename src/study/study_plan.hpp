@@ -13,11 +13,12 @@ namespace talus::study {
 
 /// One calculation of a study: a row of its table.
 struct Variant {
-  std::string name;                 ///< of its folder, `damping_0.01`; the base case is `base`
-  std::string label;                ///< for people, `damping = 0.01`
-  std::vector<std::string> values;  ///< of every varied key, in its unit
-  input::LoadedCase loaded;         ///< without its [study], so that a longer study keeps what was calculated
-  std::string input_hash;           ///< as the run's summary records it
+  std::string name;                      ///< of its folder, `damping_0.01`; the base case is `base`
+  std::string label;                     ///< for people, `damping = 0.01`
+  std::vector<std::string> values;       ///< of every varied key, in its unit
+  std::vector<input::Override> changes;  ///< of the case's text
+  input::LoadedCase loaded;              ///< without its [study], so that a longer study keeps what was calculated
+  std::string input_hash;                ///< as the run's summary records it
 };
 
 struct StudyPlan {

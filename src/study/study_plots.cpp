@@ -75,4 +75,10 @@ void draw_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, const
   }
 }
 
+void write_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const fs::path& folder) {
+  write_study_tables(plan, rows, folder);
+  draw_study(plan, rows, folder / "study.svg");
+  draw_motion(plan, rows, folder);
+}
+
 }  // namespace talus::study

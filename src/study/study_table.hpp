@@ -25,6 +25,9 @@ std::string write_study_markdown(const StudyPlan& plan, const std::vector<StudyR
 /// study.csv, study.json and study.md in `folder`. Throws Error (cannot_write).
 void write_study_tables(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder);
 
+/// The tables and all pictures. Errors as for them.
+void write_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& folder);
+
 /// The displacement curves of all variants; nothing is drawn when there is none. Errors as for output::draw.
 void draw_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const std::filesystem::path& picture);
 

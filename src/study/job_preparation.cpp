@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Plans the jobs of a study, and writes their folder.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/atomic_file.hpp"
+#include "base/folder_lock.hpp"
+#include "base/hash.hpp"
+#include "base/lane.hpp"
+#include "base/version.hpp"
+#include "input/list_files.hpp"
+#include "results/json.hpp"
+#include "run/mpm/start/end_state.hpp"
+#include "run/run_folder.hpp"
+#include "study/job_folder.hpp"
+#include "study/sampling.hpp"
+
+namespace talus::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Schedulers allow about a thousand jobs at once.
+constexpr int most_jobs = 1000;
+/// A job of fewer samples by slices is over before it was worth it: on surfaces that are kept, and searched for
+/// themselves.
+constexpr int quick_samples = 1000, searched_samples = 100;
+/// Jobs of an array that Slurm runs at a time.
+constexpr int most_at_once = 100;
+
+/// The study as it would be calculated in one process.
+struct Planned {
+  StudyPlan plan;  ///< of runs
+  std::optional<SampleSet> samples;
+  bool by_slices = false;
+  int worth = 1;  ///< variants or samples of a job, where nobody says how many
+
+  int count() const { return static_cast<int>(by_slices ? samples->size() : plan.variants.size()); }
+};
+
+Planned plan_work(const input::LoadedCase& base, const std::vector<input::Override>& overrides) {
+  Planned planned;
+  if (base.data.study.mode == input::StudyMode::sample) {
+    planned.samples = draw_samples(base);
+    planned.by_slices = is_by_slices(base);
+    if (!planned.by_slices) planned.plan = plan_samples(base, overrides, *planned.samples);
+    if (planned.by_slices)
+      planned.worth =
+          SliceNumbers(base, overrides, planned.samples->sampled).changes_section() ? searched_samples : quick_samples;
+  } else {
+    planned.plan = plan_study(base, overrides);
+  }
+  return planned;
+}
+
+std::vector<results::JobPart> cut_work(int count, int asked, int worth) {
+  const long jobs = std::clamp(asked > 0 ? asked : std::min((count + worth - 1) / worth, most_jobs), 1, count);
+  std::vector<results::JobPart> parts;
+  for (long k = 0; k < jobs; ++k)
+    parts.push_back({static_cast<int>(k * count / jobs), static_cast<int>((k + 1) * count / jobs)});
+  return parts;
+}
+
+std::vector<results::JobChange> tell_changes(const std::vector<input::Override>& overrides) {
+  std::vector<results::JobChange> changes;
+  for (const input::Override& o : overrides) changes.push_back({o.key, o.value});
+  return changes;
+}
+
+std::vector<std::string> list_all_files(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                                        const Planned& planned) {
+  std::vector<std::string> names = input::list_files(base.text, overrides);
+  for (const Variant& v : planned.plan.variants)
+    for (const std::string& name : input::list_files(base.text, v.changes))
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
+/// The case and the files that it names, by their places in the folder of the jobs: they stand to each other as they do
+/// where they are. A file with an absolute path stays there.
+class CaseCopy {
+ public:
+  CaseCopy(const input::LoadedCase& base, const std::vector<std::string>& names) {
+    const fs::path home = fs::absolute(base.file).parent_path().lexically_normal();
+    std::vector<fs::path> inside;
+    long up = 0;
+    for (const fs::path path : names) {
+      if (path.is_absolute()) continue;
+      inside.push_back(path.lexically_normal());
+      up = std::max(up, static_cast<long>(std::count(inside.back().begin(), inside.back().end(), "..")));
+    }
+    fs::path place = "case";
+    const long depth = std::distance(home.begin(), home.end());
+    for (auto part = std::next(home.begin(), std::max(0L, depth - up)); part != home.end(); ++part) place /= *part;
+    add(place / "case.toml", base.text);
+    for (fs::path path : inside) {
+      if (fs::is_directory(home / path)) path /= run::end_state_file;
+      std::ifstream file(home / path, std::ios::binary);
+      std::ostringstream text;
+      if (file) text << file.rdbuf();
+      if (file) add((place / path).lexically_normal(), text.str());
+    }
+  }
+
+  std::vector<results::JobFile> tell() const {
+    std::vector<results::JobFile> told;
+    for (const auto& [name, text] : files_) told.push_back({name, hash_text(text)});
+    return told;
+  }
+
+  void write(const fs::path& folder) const {
+    for (const auto& [name, text] : files_) {
+      make_folder((folder / name).parent_path());
+      write_atomically(folder / name, text);
+    }
+  }
+
+ private:
+  void add(const fs::path& name, std::string text) { files_.emplace_back(name.string(), std::move(text)); }
+
+  std::vector<std::pair<std::string, std::string>> files_;  ///< name and content, the case first
+};
+
+results::JobSurfaces tell_surfaces(const std::vector<lem::Surface>& surfaces, const std::string& study) {
+  results::JobSurfaces told;
+  told.study = study;
+  for (const lem::Surface& s : surfaces) {
+    results::JobSurface& surface = told.surfaces.emplace_back();
+    surface.name = s.name;
+    if (s.circle) surface.circle = {s.circle->centre[0], s.circle->centre[1], s.circle->radius};
+    surface.line = s.line;
+    surface.from = s.from;
+    surface.to = s.to;
+  }
+  return told;
+}
+
+std::string write_script(int jobs) {
+  return fmt::format(R"(#!/bin/bash
+# The jobs of this folder for Slurm. In this folder: `sbatch jobs.slurm`, then `talus study . --collect`.
+# `sbatch --array=3,5-7 jobs.slurm` repeats some. What your cluster asks for (partition, time, memory) goes below as #SBATCH lines;
+# TALUS=/path/to/talus names a program that is not in the PATH.
+#SBATCH --job-name=talus
+#SBATCH --array=0-{}%{}
+#SBATCH --cpus-per-task=1
+#SBATCH --output=jobs/%a.log
+export TALUS_LEVEL={}
+exec "${{TALUS:-talus}}" study . --job "$SLURM_ARRAY_TASK_ID" --threads "${{SLURM_CPUS_PER_TASK:-1}}"
+)",
+                     jobs - 1, most_at_once, instruction_level);
+}
+
+/// Whether the folder has the same jobs already. Throws Error (wrong_input) when it has others.
+bool has_same(const fs::path& folder, const std::string& text) {
+  std::ifstream file(folder / "jobs.json", std::ios::binary);
+  if (!file) return false;
+  std::ostringstream there;
+  there << file.rdbuf();
+  if (there.str() != text)
+    throw Error(
+        ExitCode::wrong_input,
+        fmt::format("'{}' holds the jobs of another case, study, number of jobs or program; go on with the same, "
+                    "or start anew with --overwrite",
+                    folder.string()));
+  return true;
+}
+
+/// Removes what a study has left in its folder, so that nothing old is taken for new.
+void clear_study(const StudyPlan& plan, const fs::path& folder) {
+  use_folder(folder, [&] {
+    for (const char* name : {"jobs.json", "surfaces.json", "jobs.slurm", "jobs", "case", "study.json", "study.csv",
+                             "study.md", "samples.csv", "report.html"})
+      fs::remove_all(folder / name);
+    for (const Variant& v : plan.variants) {
+      run::RunOptions old;
+      old.folder = folder / v.name;
+      old.overwrite = true;
+      run::clear_folder(old);
+    }
+  });
+}
+
+}  // namespace
+
+void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                  const JobOptions& options) {
+  const fs::path& folder = options.study.folder;
+  Planned planned = plan_work(base, overrides);
+  const CaseCopy copy(base, list_all_files(base, overrides, planned));
+  results::StudyJobs jobs;
+  jobs.version = version;
+  jobs.commit = commit;
+  jobs.level = instruction_level;
+  jobs.title = base.data.title;
+  jobs.case_file = base.file;
+  jobs.files = copy.tell();
+  jobs.changes = tell_changes(overrides);
+  jobs.work = planned.by_slices ? results::JobWork::slice_samples : results::JobWork::runs;
+  for (const Variant& v : planned.plan.variants) jobs.variants.push_back({v.name, v.label, tell_changes(v.changes)});
+  jobs.jobs = cut_work(planned.count(), options.jobs, planned.worth);
+  const std::string text = results::to_json(jobs).dump(1) + "\n";
+
+  check_folder(options.study, "give another one, replace it with --overwrite, or go on with --resume");
+  FolderLock lock(folder);
+  lock.take_existing();
+  if (options.study.resume && has_same(folder, text)) return;
+  check_variants(planned.plan, options.study);
+  std::vector<lem::Surface> surfaces;
+  if (planned.by_slices) surfaces = begin_slices(base, overrides, options.study, *planned.samples)->list_surfaces();
+  if (options.study.progress != nullptr) options.study.progress->clear();
+  lock.take();
+  if (options.study.overwrite) clear_study(planned.plan, folder);
+  make_folder(folder / "jobs");
+  copy.write(folder);
+  if (planned.by_slices) results::write_file(folder / "surfaces.json", tell_surfaces(surfaces, hash_text(text)), -1);
+  write_atomically(folder / "jobs.slurm", write_script(static_cast<int>(jobs.jobs.size())));
+  write_atomically(folder / "jobs.json", text);  // last: with it the folder is prepared
+}
+
+}  // namespace talus::study

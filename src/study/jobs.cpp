@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "study/jobs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/folder_lock.hpp"
+#include "study/job_folder.hpp"
+#include "study/sampling.hpp"
+#include "study/study_table.hpp"
+
+namespace talus::study {
+namespace {
+
+/// Of a job's runs: those that have finished are kept, the others go on or begin.
+std::optional<Error> calculate_own_runs(const JobFolder& folder, const results::JobPart& part, StudyOptions options,
+                                        results::JobResult& result) {
+  const input::LoadedCase base = folder.read_case();
+  StudyPlan plan;
+  for (int i = part.first; i < part.end; ++i) plan.variants.push_back(folder.read_variant(base, i));
+  options.resume = true;
+  check_variants(plan, options);
+  const std::vector<StudyRow> rows = run_variants(plan, options, [](const auto&) {});
+  for (const StudyRow& row : rows) {
+    // What was stopped, or is being calculated elsewhere, has not ended.
+    if (row.told.status == results::VariantStatus::not_started || row.code == ExitCode::interrupted)
+      throw Error(ExitCode::interrupted, "interrupted; the same job goes on from here");
+    if (row.code == ExitCode::folder_exists) throw Error(row.code, row.told.reason);
+    result.variants.push_back(row.told);
+    result.codes.push_back(static_cast<int>(row.code));
+  }
+  return find_failure(rows);
+}
+
+std::optional<Error> calculate_own_samples(const JobFolder& folder, const results::JobPart& part,
+                                           const StudyOptions& options, results::JobResult& result) {
+  const input::LoadedCase base = folder.read_case();
+  const std::vector<input::Override> overrides = folder.overrides();
+  const SampleSet set = draw_samples(base);
+  const SliceFactor slices(base, overrides, set.sampled, folder.read_surfaces());
+  try {
+    result.factors =
+        find_factors(slices, set, static_cast<std::size_t>(part.first), static_cast<std::size_t>(part.end), options);
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::wrong_input) throw;
+    result.reason = error.what();  // a sample that is no possible case: so it is whenever the job is repeated
+    return error;
+  }
+  return std::nullopt;
+}
+
+/// What the jobs have found, in their order.
+struct Gathered {
+  JobStates states;
+  std::vector<std::optional<results::JobResult>> results;
+  double seconds = 0;
+};
+
+Gathered gather(const JobFolder& folder) {
+  Gathered all;
+  all.states.count = folder.count();
+  for (int job = 0; job < folder.count(); ++job) {
+    const auto& result = all.results.emplace_back(folder.read_result(job));
+    if (!result) all.states.missing.push_back(job);
+    if (result && result->code != 0) all.states.failed.push_back(job);
+    if (result) all.seconds += result->seconds;
+  }
+  return all;
+}
+
+/// The rows that the jobs have left, and those that are still to come.
+std::vector<StudyRow> gather_rows(const JobFolder& folder, const StudyPlan& plan, const Gathered& all) {
+  std::vector<StudyRow> rows = begin_rows(plan);
+  for (std::size_t job = 0; job < all.results.size(); ++job) {
+    if (!all.results[job]) continue;
+    const results::JobPart& part = folder.part(static_cast<int>(job));
+    for (int i = part.first; i < part.end; ++i) {
+      const auto at = static_cast<std::size_t>(i), own = static_cast<std::size_t>(i - part.first);
+      StudyRow& row = rows.at(at);
+      row.told = all.results[job]->variants[own];
+      row.code = static_cast<ExitCode>(all.results[job]->codes[own]);
+      row.result = load_variant(folder.folder() / row.told.folder);
+      if (row.result && row.result->provenance.input_hash != plan.variants[at].input_hash) row.result.reset();
+    }
+  }
+  return rows;
+}
+
+/// The factors of all samples. Throws Error when a job failed: then there is no statistics, as in one process.
+KnownFactors gather_factors(const JobFolder& folder, const Gathered& all) {
+  KnownFactors known;
+  known.seconds = all.seconds;
+  std::string reasons;
+  for (const int job : all.states.failed)
+    reasons += fmt::format("\n  job {}: {}", job, all.results[static_cast<std::size_t>(job)]->reason);
+  if (!reasons.empty()) {
+    const auto code = static_cast<ExitCode>(all.results[static_cast<std::size_t>(all.states.failed.front())]->code);
+    throw Error(code, fmt::format("{} of {} jobs failed:{}", all.states.failed.size(), folder.count(), reasons));
+  }
+  for (const auto& result : all.results)
+    known.factors.insert(known.factors.end(), result->factors.begin(), result->factors.end());
+  return known;
+}
+
+/// What is said of jobs that are missing or failed; `failure` is that of the runs.
+std::optional<Error> tell_states(const JobFolder& folder, const JobStates& states,
+                                 const std::optional<Error>& failure) {
+  std::string failed;
+  if (!states.failed.empty())
+    failed = fmt::format("\n{} of {} jobs {} failures: {}; {}", states.failed.size(), states.count,
+                         states.failed.size() == 1 ? "has" : "have", write_ranges(states.failed),
+                         folder.say_how("repeat", states.failed));
+  if (states.missing.empty())
+    return failure ? std::optional(Error(failure->code(), failure->what() + failed)) : failure;
+  return Error(ExitCode::interrupted,
+               fmt::format("{} of {} jobs {} missing: {}; {}{}", states.missing.size(), states.count,
+                           states.missing.size() == 1 ? "is" : "are", write_ranges(states.missing),
+                           folder.say_how("calculate", states.missing), failed));
+}
+
+}  // namespace
+
+std::optional<Error> calculate_job(const std::filesystem::path& folder, int job, int threads, Progress* progress) {
+  const JobFolder jobs(folder);
+  const results::JobPart& part = jobs.part(job);
+  FolderLock lock(jobs.result_folder(job));
+  lock.take();
+  if (const auto there = jobs.read_result(job); there && there->code == 0) return std::nullopt;
+  StudyOptions options;
+  options.folder = jobs.folder();
+  options.threads = threads;
+  options.progress = progress;
+  const auto start = std::chrono::steady_clock::now();
+  results::JobResult result;
+  std::optional<Error> failure = jobs.jobs().work == results::JobWork::runs
+                                     ? calculate_own_runs(jobs, part, options, result)
+                                     : calculate_own_samples(jobs, part, options, result);
+  if (failure) result.code = static_cast<int>(failure->code());
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  jobs.write_result(job, std::move(result));
+  return failure;
+}
+
+JobStates list_jobs(const std::filesystem::path& folder) {
+  return gather(JobFolder(folder)).states;
+}
+
+StudyOutcome collect_jobs(const StudyOptions& options) {
+  const JobFolder folder(options.folder);
+  const Gathered all = gather(folder);
+  std::vector<int> every(static_cast<std::size_t>(folder.count()));
+  for (std::size_t i = 0; i < every.size(); ++i) every[i] = static_cast<int>(i);
+  if (all.states.missing == every)
+    throw Error(ExitCode::interrupted, fmt::format("none of the {} jobs has ended: there is nothing to collect yet; {}",
+                                                   every.size(), folder.say_how("calculate", every)));
+  if (folder.jobs().work == results::JobWork::slice_samples && !all.states.missing.empty())
+    throw Error(*tell_states(folder, all.states, std::nullopt));
+  const input::LoadedCase base = folder.read_case();
+  const std::vector<input::Override> overrides = folder.overrides();
+  FolderLock lock(folder.folder());
+  lock.take();
+  if (base.data.study.mode != input::StudyMode::sample) {
+    StudyPlan plan = plan_study(base, overrides);
+    plan.told.case_file = folder.jobs().case_file;
+    const std::vector<StudyRow> rows = gather_rows(folder, plan, all);
+    write_study(plan, rows, folder.folder());
+    return {write_study_markdown(plan, rows, describe_study(plan, rows)),
+            tell_states(folder, all.states, find_failure(rows))};
+  }
+  SampleSet set = draw_samples(base);
+  SamplingResult result;
+  if (is_by_slices(base)) {
+    const KnownFactors known = gather_factors(folder, all);
+    result.study = begin_sampling(base, options.threads);
+    result.study.case_file = result.study.provenance->case_file = folder.jobs().case_file;
+    calculate_slices(base, overrides, options, set, &known);
+  } else {
+    StudyPlan plan = plan_samples(base, overrides, set);
+    plan.told.case_file = folder.jobs().case_file;
+    const std::vector<StudyRow> rows = gather_rows(folder, plan, all);
+    write_study(plan, rows, folder.folder());
+    result.study = tell_runs(base, plan, rows, all.seconds, set);
+    result.failure = tell_states(folder, all.states, find_failure(rows));
+  }
+  write_sampling(base, folder.folder(), set, result);
+  return {std::move(result.markdown), std::move(result.failure)};
+}
+
+}  // namespace talus::study
