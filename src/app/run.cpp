@@ -12,8 +12,10 @@
 #include "app/commands.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/lane.hpp"
 #include "base/parallel.hpp"
 #include "base/ranks.hpp"
+#include "base/version.hpp"
 #include "run/digest.hpp"
 #include "run/run_case.hpp"
 #include "run/run_folder.hpp"
@@ -59,8 +61,21 @@ class OwnFolder {
   std::filesystem::path folder_;
 };
 
+/// Another program has other last digits, and the ranks must agree on all of them.
+void check_programs() {
+  const std::string own = fmt::format("{} {} {} {}", version, commit, instruction_level, compiler);
+  Message mine;
+  mine.put(own.data(), own.size());
+  const std::vector<Bytes> all = get_ranks().gather(mine.bytes(), true);
+  for (std::size_t r = 1; r < all.size(); ++r)
+    if (all[r] != all[0])
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("rank {} runs another build of Talus than rank 0; this one is {}", r, own));
+}
+
 void run(RunCommand command) {
   join_ranks(std::filesystem::read_symlink("/proc/self/exe").parent_path().string());
+  check_programs();
   const Ranks& ranks = get_ranks();
   if (ranks.size() > 1 && command.threads > 1)
     throw Error(ExitCode::wrong_input, "each of several ranks has one thread: leave --threads out");

@@ -85,6 +85,34 @@ def compare(name, one, other):
             faults.append(f"{name}: {key} differs")
 
 
+def expect_fault(name, process, sentence, code=2):
+    out = process.communicate()[0]
+    if process.returncode != code or sentence not in out:
+        faults.append(f"{name}: ended with {process.returncode} and said {out!r}, not {sentence!r}")
+
+
+def check_faults(program, here):
+    """What cannot be is one sentence, and nothing is written."""
+    case = CASES / "slide.toml"
+    expect_fault("threads", start(program, 2, case, here / "fault", "--threads", "2"), "each of several ranks has one thread")
+    water = ("--set", "materials.sand.water={ retention = 'saturated', conductivity = 1e-6 }")
+    expect_fault("water", start(program, 2, case, here / "fault", *water), "moves pore water, which several ranks do not calculate")
+    expect_fault("folder", start(program, 2, case, here / "slide_1"), "is not empty", 3)
+    # The same program but for the name of its source.
+    other = here / "other"
+    other.mkdir()
+    shutil.copy(pathlib.Path(program).parent / "libtalus_ranks.so", other)
+    commit = json.loads((here / "slide_1" / "summary.json").read_text())["provenance"]["commit"].encode()
+    (other / "talus").write_bytes(pathlib.Path(program).read_bytes().replace(commit, b"x" * len(commit)))
+    (other / "talus").chmod(0o755)
+    line = ["run", str(case), "-o", str(here / "fault"), "-q"]
+    expect_fault("another build", subprocess.Popen(
+        ["mpiexec", "--allow-run-as-root", "--oversubscribe", "-n", "1", program, *line, ":", "-n", "1", str(other / "talus"), *line],
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True), "runs another build of Talus")
+    if (here / "fault").exists():
+        faults.append("something was written before it was refused")
+
+
 def main():
     program = os.path.abspath(sys.argv[1])
     if shutil.which("mpiexec") is None or not (pathlib.Path(program).parent / "libtalus_ranks.so").exists():
@@ -115,6 +143,7 @@ def main():
                 compare(f"four ranks, one of them killed, go on on {ranks}", here / "slide_1", folder)
             else:
                 print(f"SKIP: the run ended before it was stopped: going on on {ranks} was NOT tried")
+        check_faults(program, here)
     print("\n".join(faults) if faults else "ranks: the same bits on 1, 2 and 4 ranks, and after a stop")
     return 1 if faults else 0
 

@@ -6,15 +6,48 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "base/ranks.hpp"
 #include "mpm/body/share.hpp"
 
 namespace talus::run {
+namespace {
+
+template <class T>
+void put_text(const T& values, std::string& text) {
+  text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
+}
+
+/// Every rank has made the body by itself. Another program or library would make another one, and nobody would see it.
+template <int D>
+void check_equal(const mpm::Body<D>& body) {
+  std::string text;
+  put_text(body.mesh().nodes, text);
+  put_text(body.mesh().elements, text);
+  put_text(body.points.element, text);
+  put_text(body.points.data, text);
+  const std::string hash = hash_text(text);
+  const std::vector<Bytes> all = [&] {
+    Message mine;
+    mine.put(hash.data(), hash.size());
+    return get_ranks().gather(mine.bytes(), true);
+  }();
+  for (std::size_t r = 1; r < all.size(); ++r)
+    if (all[r] != all[0])
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("rank {} has prepared another body than rank 0: the program, its libraries or the "
+                              "processors of their machines differ",
+                              r));
+}
+
+}  // namespace
+
 template <int D>
 results::StageEnd run_on_ranks(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
                                const StageHooks<D>& hooks) {
   using Body = mpm::Body<D>;
   Ranks& ranks = get_ranks();
+  check_equal(body);
   Body share = mpm::take_share(body, ranks);
   StageHooks<D> shared;
   if (hooks.output)
