@@ -44,7 +44,12 @@ class OwnFolder {
  public:
   explicit OwnFolder(run::RunOptions& options) {
     if (get_ranks().rank() == 0) return;
-    folder_ = std::filesystem::temp_directory_path() / fmt::format("talus_rank_{}_{}", get_ranks().rank(), getpid());
+    const std::filesystem::path parent = std::filesystem::temp_directory_path();
+    char host[256] = {};
+    gethostname(host, sizeof host - 1);
+    const std::string name = fmt::format("talus_rank_{}_", host);
+    remove_left_over(parent, name);
+    folder_ = parent / (name + std::to_string(getpid()));
     // An interrupted run goes on from what it has left.
     if (options.resume && std::filesystem::exists(options.folder))
       std::filesystem::copy(options.folder, folder_, std::filesystem::copy_options::recursive);
@@ -58,6 +63,16 @@ class OwnFolder {
   OwnFolder& operator=(const OwnFolder&) = delete;
 
  private:
+  /// Those of ranks of this machine that were killed.
+  static void remove_left_over(const std::filesystem::path& parent, const std::string& name) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(parent, ignored)) {
+      const std::string other = entry.path().filename().string();
+      if (other.starts_with(name) && !std::filesystem::exists("/proc/" + other.substr(name.size()), ignored))
+        std::filesystem::remove_all(entry.path(), ignored);
+    }
+  }
+
   std::filesystem::path folder_;
 };
 
