@@ -36,6 +36,14 @@ void add_fields(const ResultFolder& folder, json& block, Packer& packer, json& w
   }
 }
 
+/// What the points began with, and whether they rested before they were let go.
+std::string say_start(const results::Release& r) {
+  if (!r.start_factor) return r.rests ? "came to rest" : "did not rest";
+  std::string text = "stress of finite elements";
+  if (*r.start_factor < 1) text += fmt::format(", with {:.3g} times the strength", 1 / *r.start_factor);
+  return text;
+}
+
 }  // namespace
 
 json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
@@ -89,7 +97,7 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
                                  {"title", results::say_moment(timeline, r.time)},
                                  {"factor", write(r.factor)},
                                  {"folder", r.folder},
-                                 {"rests", r.rests},
+                                 {"start", say_start(r)},
                                  {"error", r.error ? json(*r.error) : json()},
                                  {"largest_displacement", r.largest_displacement},
                                  {"moved_volume", r.moved_volume},

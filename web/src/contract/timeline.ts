@@ -66,8 +66,8 @@ export interface Release {
   factor: number | null;
   /** Of the results, inside the folder of the run; empty: the run itself. */
   folder: string;
-  /** Whether the soil came to rest before it was let go. */
-  rests: boolean;
+  /** What the points began with, or whether they came to rest before they were let go: "came to rest". */
+  start: string;
   /** Why it did not end. */
   error: string | null;
   /** [m] */

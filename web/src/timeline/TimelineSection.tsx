@@ -16,13 +16,13 @@ function Releases({ releases }: { releases: Release[] }) {
     <ChartTable
       label="Material points take over"
       class="timeline-releases"
-      head={["Material points take over", ...numbers("F"), "Before", ...numbers("Largest displacement", "Front", "Moved"), "Results"]}
+      head={["Material points take over", ...numbers("F"), "Start", ...numbers("Largest displacement", "Front", "Moved"), "Results"]}
     >
       {releases.map((r) => (
         <tr key={r.time}>
           <th scope="row">{r.title}</th>
           <td class="number">{formatFactor(r.factor, "none")}</td>
-          <td>{r.rests ? "came to rest" : "did not rest"}</td>
+          <td>{r.start}</td>
           {r.error === null ? (
             <>
               <td class="number">{length(r.largest_displacement)}</td>
