@@ -30,7 +30,7 @@ bool decode_file(const Decoding& in, const toml::table& table, const std::string
     else if (const auto* text = node.as_string(); text != nullptr && !text->get().empty())
       *part = text->get();
     else
-      is_good = in.fail_type(node, path + "." + name, "a text in quotation marks");
+      is_good = in.fail_type(node, fmt::format("{}.{}", path, name), "a text in quotation marks");
   }
   if (is_good && (out.file.empty() || out.column.empty()))
     return in.fail(table, path, fmt::format("'{}' from a file needs 'file' and 'column', as in {}", in.key, file_form));
