@@ -26,10 +26,12 @@ fem::SolidResult<2> balance(const SolidOfCase<2>& solid, const fem::SolidOptions
 /// The equilibrium with the least strength that has one, which is divided by `factor`.
 fem::SolidResult<2> find_weakest(const SolidOfCase<2>& solid, const fem::SolidOptions& options, double& factor) {
   double fails = 1;
-  for (factor = 1; factor >= smallest_factor; factor /= 2) {
+  factor = 1;
+  while (factor >= smallest_factor) {
     fem::SolidResult<2> found = balance(solid, options, factor);
     if (!found.converged) {
       fails = factor;
+      factor *= 0.5;
       continue;
     }
     while (factor < 1 && fails - factor > resolution) {
