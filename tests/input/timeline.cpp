@@ -33,6 +33,10 @@ TEST(TimelineDates, NeedTheDateOfTimeZero) {
   expect_fault(text, "a list of dates needs [initial] date, the date of time 0");
 }
 
+TEST(PoolLoading, NeedsASoilThatGivesWay) {
+  expect_fault(write_case("pool_loading = @@true\n"), "a `compressibility` in [materials.NAME.water] is missing");
+}
+
 TEST(TimelineDates, AreNamedWhereTheyAreWrong) {
   expect_fault(write_case("dates = @@[2023-03-02, 2023-03-12]\n"), "is outside the timeline");
   expect_fault(write_case("dates = @@[2023-02-02]\n"), "is outside the timeline");

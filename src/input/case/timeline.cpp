@@ -77,6 +77,12 @@ void check_timeline(const Case& data, Findings& findings) {
                  "without pore water nothing changes in time: a soil with [materials.NAME.water] is missing");
   if (!data.initial.result.empty())
     findings.add("timeline", "not with [initial] result: a timeline begins with the water that [initial] names");
+  if (timeline.pool_loading && findings.is_sound("materials") &&
+      std::none_of(data.materials.begin(), data.materials.end(),
+                   [](const auto& m) { return m.second.water.compressibility > 0; }))
+    findings.add("timeline.pool_loading",
+                 "pools load the pore water of soil that gives way: a `compressibility` in [materials.NAME.water] is "
+                 "missing");
   if (findings.is_sound("timeline.duration")) check_release(data, findings);
   const std::string path = find_path(findings, "times", "dates");
   if (!findings.is_sound(path) || !findings.is_sound("timeline.duration")) return;

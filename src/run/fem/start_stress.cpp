@@ -62,8 +62,9 @@ fem::SolidOptions make_solid_options(const input::FiniteElements& settings, int 
   return options;
 }
 
-bool stands(const input::Case& data, int threads) {
-  return balance(make_start_solid(data), make_solid_options(data.fem, threads), 1).converged;
+Balance find_balance(const input::Case& data, int threads) {
+  const fem::SolidResult<2> found = balance(make_start_solid(data), make_solid_options(data.fem, threads), 1);
+  return {found.converged, !found.converged && !found.flows};
 }
 
 std::shared_ptr<const input::KnownStress> find_start_stress(const input::Case& data, int threads,

@@ -14,9 +14,14 @@ namespace talus::run {
 /// Tolerances and limits of [fem].
 fem::SolidOptions make_solid_options(const input::FiniteElements& settings, int threads);
 
+struct Balance {
+  bool stands = false;
+  bool undecided = false;  ///< none was found, but the iterations ran out before the soil flowed
+};
+
 /// Whether quadratic triangles on the mesh of the material points find equilibrium with weight, water and loads of the
 /// case and its strength as given. Throws what make_solid() throws.
-bool stands(const input::Case& data, int threads);
+Balance find_balance(const input::Case& data, int threads);
 
 /// Stress and plastic strain of that equilibrium. Where there is none, the strength is multiplied by the least factor
 /// that has one, to a hundredth. On the points' own mesh the stress is in equilibrium there as well: linear shape

@@ -15,6 +15,7 @@
 #include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "fem/seepage/check.hpp"
+#include "ground/ground_line.hpp"
 #include "ground/initial_water.hpp"
 #include "ground/plane_water.hpp"
 #include "ground/pore_water.hpp"
@@ -207,9 +208,14 @@ struct TimelineRun::Parts {
       if (options.progress)
         options.progress->show(fmt::format("timeline: equilibrium at {}", units::say_time(times[number])));
       ++loss.trials;
-      const bool found = stands(begin_at(number), options.threads);
-      (found ? loss.from : loss.to) = times[number];
-      return found;
+      const Balance found = find_balance(begin_at(number), options.threads);
+      (found.stands ? loss.from : loss.to) = times[number];
+      if (found.undecided)
+        told.notes.push_back(
+            fmt::format("at {} finite elements ran out of iterations before their soil flowed: with more "
+                        "`iterations` under [fem] they may find equilibrium later than that",
+                        units::say_time(times[number])));
+      return found.stands;
     };
     std::vector<std::size_t> tried = searched;
     std::sort(tried.begin(), tried.end());
@@ -338,6 +344,14 @@ struct TimelineRun::Parts {
         when.size(), moments.size(), units::say_time(when.front()), units::say_time(when.back()), least, why));
   }
 
+  /// Whether water of that level lies on the ground of a condition, and not on a side of the model or inside it.
+  bool stands_on_ground(const input::Hydraulic& condition, double level) const {
+    input::Case alone = data;
+    alone.hydraulics = {condition};
+    alone.hydraulics.front().head = {{0}, {level}};
+    return !ground::find_ponds(alone, ground::find_ground(data.mesh), 0).empty();
+  }
+
   /// The weight of water that comes or goes at once is what the pressures right after hang on.
   void note_sudden_pools() {
     const bool gives_way = std::any_of(data.materials.begin(), data.materials.end(),
@@ -347,7 +361,9 @@ struct TimelineRun::Parts {
       if (h.condition != input::WaterCondition::total_head) continue;
       for (std::size_t i = 1; i < h.head.time.size(); ++i) {
         const double at = h.head.time[i];
-        if (at != h.head.time[i - 1] || at < 0 || at >= told.duration || h.head.value[i] == h.head.value[i - 1])
+        const bool jumps = at == h.head.time[i - 1] && h.head.value[i] != h.head.value[i - 1];
+        if (!jumps || at < 0 || at >= told.duration ||
+            !stands_on_ground(h, std::max(h.head.value[i], h.head.value[i - 1])))
           continue;
         const bool falls = h.head.value[i] < h.head.value[i - 1];
         told.notes.push_back(fmt::format(
