@@ -11,11 +11,13 @@ namespace {
 constexpr double newton_tolerance = 1e-6;
 constexpr int most_iterations = 200;
 
-/// e^x for the small x of compressed water: by its series, or as it is when a lane is beyond it.
+/// e^x for the small x of compressed water: by its series, or as it is in the lanes that are beyond it. A lane's bits
+/// must not depend on its neighbours: lanes without a point hold what was there before.
 template <class T>
 TALUS_KERNEL T find_stretch(T x) {
-  if (any(lane_abs(x) > T(0.01))) return lane_exp(x);
-  return 1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6 + x * (1.0 / 24 + x * (1.0 / 120)))));
+  const T series = 1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6 + x * (1.0 / 24 + x * (1.0 / 120)))));
+  const auto far = lane_abs(x) > T(0.01);
+  return any(far) ? select(far, lane_exp(x), series) : series;
 }
 
 template <class T>
