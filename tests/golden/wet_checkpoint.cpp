@@ -100,6 +100,23 @@ TEST(WetCheckpoint, SeepingWaterGoesOnBitForBit) {
   compare<3>(settings, 0.6);
 }
 
+/// The step of water that seeps keeps the pressure of the pool among the loads of the nodes, that of water that flows
+/// has it beside them: once, whatever went before.
+TEST(WetCheckpoint, ThePoolPressesOnceAfterWaterThatSeeped) {
+  const input::Case data = make_rained_step<2>();
+  mpm::Body<2> one = run::prepare<2>(data, make_step_mesh<2>());
+  run_plan(one, make_stage<2>(data, one, 0.1, {.damping = 0.05}));
+  EXPECT_FALSE(one.nodes.load.empty()) << "nothing to count twice";
+  mpm::Body<2> other = one;
+  other.nodes.load.clear();
+  for (mpm::Body<2>* body : {&one, &other})
+    run_plan(*body, make_stage<2>(data, *body, 0.02, {.damping = 0.05, .water = input::WaterMotion::flows}));
+  for_each_point(one, [&](int id, const mpm::PointView<2>& p) {
+    EXPECT_EQ(p.velocity, mpm::view_point(other, id).velocity);
+    EXPECT_EQ(p.stress, mpm::view_point(other, id).stress);
+  });
+}
+
 TEST(WetCheckpoint, HeldWaterGoesOnBitForBit) {
   compare<2>({.damping = 0.2,
               .smoothing = input::Smoothing::stable,

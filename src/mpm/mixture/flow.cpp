@@ -65,8 +65,8 @@ void find_flow(Body<D>& body, const StepOptions<D>& o) {
 
 template <int D>
 void load_mixture(Body<D>& body, const StepOptions<D>& o) {
-  body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
   gather_loads(body);
+  if (body.nodes.load.empty()) body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
   if (body.water.mixture_load.empty()) return;
   for_nodes(body, o.threads, [&](int i) {
     for (int d = 0; d < D; ++d) body.nodes.load[i][d] += body.water.mixture_load[i][d];

@@ -46,6 +46,8 @@ std::vector<Carrier<D>> find_carriers(const Body<D>& body, const Load<D>& load) 
 
 template <int D>
 void gather_loads(Body<D>& body) {
+  // Those of the step of the mixture hold the water outside too: another step's would count it twice.
+  body.nodes.load.clear();
   if (body.conditions.loads.empty()) return;
   body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
   for (const Load<D>& load : body.conditions.loads) {
