@@ -15,12 +15,18 @@ namespace talus {
 
 using Bytes = std::vector<std::byte>;
 
-/// Items of an array that other ranks own, brought up to date by theirs.
+/// An array of items, [item][stride].
+struct HaloArray {
+  double* data = nullptr;
+  int stride = 1;
+};
+
+/// Items that other ranks own, brought up to date by theirs.
 class Halo {
  public:
   virtual ~Halo() = default;
-  /// `data`: [item][stride].
-  virtual void update(double* data, int stride) = 0;
+  /// All arrays at once: none waits for another's messages.
+  virtual void update(const std::vector<HaloArray>& arrays) = 0;
 };
 
 /// An item that another rank owns, under the number that it has on all ranks.

@@ -57,19 +57,27 @@ class PetscHalo : public Halo {
   PetscHalo(const PetscHalo&) = delete;
   PetscHalo& operator=(const PetscHalo&) = delete;
 
-  void update(double* data, int stride) override {
-    const Watch watch(traffic_, guests_ * stride * sizeof(double));  // as much as comes goes, over all ranks
+  void update(const std::vector<HaloArray>& arrays) override {
+    double columns = 0;
+    for (const HaloArray& a : arrays) columns += a.stride;
+    const Watch watch(traffic_, guests_ * columns * sizeof(double));  // as much as comes goes, over all ranks
+    // Roots and leaves stand in one array and have no item in common.
+    for (const auto& [data, stride] : arrays)
+      check(PetscSFBcastBegin(forest_, find_type(stride), data, data, MPI_REPLACE), "begin an exchange");
+    for (const auto& [data, stride] : arrays)
+      check(PetscSFBcastEnd(forest_, find_type(stride), data, data, MPI_REPLACE), "end an exchange");
+  }
+
+ private:
+  MPI_Datatype find_type(int stride) {
     MPI_Datatype& type = types_[stride];
     if (type == MPI_Datatype()) {
       MPI_Type_contiguous(stride, MPI_DOUBLE, &type);
       MPI_Type_commit(&type);
     }
-    // Roots and leaves stand in one array and have no item in common.
-    check(PetscSFBcastBegin(forest_, type, data, data, MPI_REPLACE), "begin an exchange");
-    check(PetscSFBcastEnd(forest_, type, data, data, MPI_REPLACE), "end an exchange");
+    return type;
   }
 
- private:
   Traffic& traffic_;
   double guests_;
   PetscSF forest_ = nullptr;

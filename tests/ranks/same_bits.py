@@ -95,8 +95,6 @@ def check_faults(program, here):
     """What cannot be is one sentence, and nothing is written."""
     case = CASES / "slide.toml"
     expect_fault("threads", start(program, 2, case, here / "fault", "--threads", "2"), "each of several ranks has one thread")
-    water = ("--set", "materials.sand.water={ retention = 'saturated', conductivity = 1e-6 }")
-    expect_fault("water", start(program, 2, case, here / "fault", *water), "moves pore water, which several ranks do not calculate")
     expect_fault("folder", start(program, 2, case, here / "slide_1"), "is not empty", 3)
     # The same program but for the name of its source.
     other = here / "other"
@@ -120,16 +118,16 @@ def main():
         return 77
     with tempfile.TemporaryDirectory() as scratch:
         here = pathlib.Path(scratch)
-        for case in ("slide", "block_3d"):
+        for case in ("slide", "block_3d", "wet_bank", "wet_bank_3d"):
             path = CASES / f"{case}.toml"
             run(program, 1, path, here / f"{case}_1")
             for ranks in (2, 4):
                 run(program, ranks, path, here / f"{case}_{ranks}")
                 compare(f"{case} on {ranks} ranks", here / f"{case}_1", here / f"{case}_{ranks}")
         # A checkpoint is written at every look: a rank is killed as soon as there is one.
-        path, often = CASES / "slide.toml", ("--set", "output.checkpoint_interval=1e-6")
-        for ranks in (1, 2):
-            folder = here / f"resumed_on_{ranks}"
+        often = ("--set", "output.checkpoint_interval=1e-6")
+        for case, ranks in (("slide", 1), ("slide", 2), ("wet_bank", 2), ("wet_bank_3d", 1)):
+            path, folder = CASES / f"{case}.toml", here / f"{case}_resumed_on_{ranks}"
             process = start(program, 4, path, folder, *often)
             while process.poll() is None and not (folder / "checkpoint.h5").exists():
                 try:
@@ -140,7 +138,7 @@ def main():
             process.communicate()
             if (folder / "checkpoint.h5").exists():
                 run(program, ranks, path, folder, *often, "--resume")
-                compare(f"four ranks, one of them killed, go on on {ranks}", here / "slide_1", folder)
+                compare(f"{case} on four ranks, one of them killed, goes on on {ranks}", here / f"{case}_1", folder)
             else:
                 print(f"SKIP: the run ended before it was stopped: going on on {ranks} was NOT tried")
         check_faults(program, here)

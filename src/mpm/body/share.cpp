@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "mpm/body/slots.hpp"
+#include "mpm/step/softening.hpp"
 
 namespace talus::mpm {
 namespace {
@@ -44,9 +45,10 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks) {
   const auto find_chunk = [](const std::vector<int>& starts, int item) {
     return static_cast<int>(std::upper_bound(starts.begin(), starts.end(), item) - starts.begin()) - 1;
   };
-  const int first = share->first_chunk(), last = share->last_chunk();
-  std::vector<Guest> rows, elements;
-  for (int i = 0; i < body.mesh().node_count(); ++i) {
+  const int first = share->first_chunk(), last = share->last_chunk(), nodes = body.mesh().node_count();
+  std::vector<Guest> rows;
+  std::vector<std::uint8_t> touched(static_cast<std::size_t>(nodes), 0);  // nodes of these chunks
+  for (int i = 0; i < nodes; ++i) {
     const auto begin = layout.node_rows.begin() + layout.row_start[i],
                end = layout.node_rows.begin() + layout.row_start[i + 1];
     const auto is_own = [&](int row) {
@@ -54,6 +56,7 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks) {
       return c >= first && c < last;
     };
     if (std::none_of(begin, end, is_own)) continue;
+    touched[i] = 1;
     for (auto row = begin; row != end; ++row)
       if (!is_own(*row)) rows.push_back({*row, rank_of_chunk[find_chunk(layout.chunk_row, *row)]});
     const int piece = find_chunk(layout.node_start, i);
@@ -63,21 +66,35 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks) {
     else
       share->guests.push_back({i, i + 1});
   }
-  for (int c = first; c < last; ++c)
-    for (int e = layout.chunk_start[c] * lane_width;
-         e < std::min(layout.chunk_start[c + 1] * lane_width, body.mesh().element_count()); ++e)
-      for (const int n : body.mesh().neighbours[e]) {
-        if (n < 0) continue;
-        const int chunk = find_chunk(layout.chunk_start, n / lane_width);
-        if (chunk < first || chunk >= last) elements.push_back({n, rank_of_chunk[chunk]});
-      }
-  const auto less = [](const Guest& a, const Guest& b) { return a.item < b.item; };
-  std::sort(elements.begin(), elements.end(), less);
-  elements.erase(
-      std::unique(elements.begin(), elements.end(), [](const Guest& a, const Guest& b) { return a.item == b.item; }),
-      elements.end());
+  std::vector<Guest> elements, near_nodes;
+  std::vector<std::uint8_t> is_read(touched.size(), 0);  // nodes of elements that touch these
+  for (int e = 0; e < body.mesh().element_count(); ++e) {
+    const auto& of_element = body.mesh().elements[e];
+    const bool near = std::any_of(of_element.begin(), of_element.end(), [&](int i) { return touched[i] != 0; });
+    share->is_near.push_back(near);
+    if (!near) continue;
+    for (const int i : of_element) is_read[i] = 1;
+    const int chunk = find_chunk(layout.chunk_start, e / lane_width);
+    if (chunk < first || chunk >= last) elements.push_back({e, rank_of_chunk[chunk]});
+  }
+  for (int i = 0; i < nodes; ++i) {
+    const int piece = find_chunk(layout.node_start, i);
+    if (is_read[i] && (piece < first || piece >= last)) near_nodes.push_back({i, rank_of_chunk[piece]});
+  }
   share->rows = ranks.make_halo(layout.rows, rows);
   share->elements = ranks.make_halo(layout.blocks * lane_width, elements);
+  share->nodes = ranks.make_halo(nodes, near_nodes);
+  if (!body.softening_reach) return share;
+  const SofteningReach& reach = *body.softening_reach;
+  std::vector<std::uint8_t> is_reached(body.mesh().elements.size(), 0);
+  const int begin = std::min(layout.chunk_start[first] * lane_width, body.mesh().element_count()),
+            end = std::min(layout.chunk_start[last] * lane_width, body.mesh().element_count());
+  for (std::int64_t k = reach.start[begin]; k < reach.start[end]; ++k) is_reached[reach.element[k]] = 1;
+  std::vector<Guest> reached;
+  for (int e = 0; e < body.mesh().element_count(); ++e)
+    if (is_reached[e] && (e < begin || e >= end))
+      reached.push_back({e, rank_of_chunk[find_chunk(layout.chunk_start, e / lane_width)]});
+  share->reach = ranks.make_halo(layout.blocks * lane_width, reached);
   return share;
 }
 
@@ -102,11 +119,27 @@ void visit_own(B& body, int first_chunk, int last_chunk, Visit&& visit) {
   for (auto* field :
        {&body.elements.fill_limit, &body.elements.apart, &body.elements.rough, &body.elements.plastic_dilation})
     by_block(*field, 1);
+  for (auto* field : {&body.elements.softened, &body.elements.softening_volume}) by_block(*field, 1);
   by_row(body.nodes.sums, sums_stride);
   by_row(body.nodes.motion, motion_stride<D>);
-  const auto node = static_cast<std::size_t>(layout.node_start[first_chunk]),
-             end = static_cast<std::size_t>(layout.node_start[last_chunk]);
-  visit(body.nodes.displacement.data() + node, end - node);
+  const auto by_node = [&](auto& array) {
+    if (array.empty()) return;
+    const auto node = static_cast<std::size_t>(layout.node_start[first_chunk]),
+               end = static_cast<std::size_t>(layout.node_start[last_chunk]);
+    visit(array.data() + node, end - node);
+  };
+  by_node(body.nodes.displacement);
+  if (body.water.is_wet()) {
+    auto& water = body.water;
+    by_block(water.moments, moment_size<D>);
+    for (auto* field : {&water.volume, &water.stretch, &water.mean_saturation, &water.mean_pressure, &water.mean_bishop,
+                        &water.mean_resistance, &water.surplus})
+      by_block(*field, 1);
+    by_row(water.sums, wet_sums_stride<D>);
+    by_row(water.motion, wet_motion_stride<D>);
+    for (auto* field : {&water.mixture.pressure, &water.mixture.change, &water.mixture.own}) by_node(*field);
+    by_node(water.mixture.ponded);
+  }
   const auto block = static_cast<std::size_t>(layout.chunk_start[first_chunk]),
              last = static_cast<std::size_t>(layout.chunk_start[last_chunk]);
   visit(body.points.block_materials.data() + block, last - block);
@@ -142,6 +175,22 @@ void get_points(Message& message, int first_element, const std::vector<int>& cou
     }
 }
 
+/// What every rank has of the water as a whole, and room for what each has a part of.
+template <int D>
+void copy_totals(const Water<D>& share, Water<D>& whole) {
+  whole.budgets = share.budgets;
+  whole.transpired = share.transpired;
+  whole.lost_between = share.lost_between;
+  whole.left_grid = share.left_grid;
+  whole.pressed_in = share.pressed_in;
+  whole.mixture.is_used = share.mixture.is_used;
+  whole.surface_is_stale = true;
+  whole.mixture.pressure.resize(share.mixture.pressure.size());
+  whole.mixture.change.resize(share.mixture.change.size());
+  whole.mixture.own.resize(share.mixture.own.size());
+  whole.mixture.ponded.resize(share.mixture.ponded.size());
+}
+
 }  // namespace
 
 template <int D>
@@ -170,6 +219,7 @@ Body<D> take_share(const Body<D>& whole, Ranks& ranks) {
 template <int D>
 void collect(const Body<D>& share, bool to_all, Body<D>& whole) {
   const auto [first, last] = own_chunks(share);
+  if (share.water.is_wet()) copy_totals(share.water, whole.water);
   Message mine;
   visit_own<D>(share, first, last, [&](const auto* values, std::size_t count) { mine.put(values, count); });
   put_points(share, mine);

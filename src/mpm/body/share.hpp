@@ -21,7 +21,10 @@ struct Share {
   std::vector<int> chunk_of_rank;          ///< first chunk of each rank, [ranks + 1]
   std::vector<std::array<int, 2>> guests;  ///< ranges of nodes that touch these chunks, and are summed up by others
   std::unique_ptr<Halo> rows;              ///< of nodes between ranks
-  std::unique_ptr<Halo> elements;          ///< neighbours of these chunks' elements
+  std::unique_ptr<Halo> elements;          ///< of other ranks that touch a node of these chunks
+  std::unique_ptr<Halo> nodes;             ///< of these elements that other ranks sum up
+  std::unique_ptr<Halo> reach;             ///< elements that these soften with; null without a length
+  std::vector<std::uint8_t> is_near;       ///< by element: it touches a node of these chunks
 
   int first_chunk() const { return chunk_of_rank[static_cast<std::size_t>(ranks->rank())]; }
   int last_chunk() const { return chunk_of_rank[static_cast<std::size_t>(ranks->rank()) + 1]; }
@@ -75,22 +78,44 @@ void for_node_pieces(const Body<D>& body, int threads, Work&& work) {
 /// Rows of other ranks of the nodes that are worked on here, as these ranks have left them.
 template <int D>
 void update_rows(const Body<D>& body, AlignedVector<double>& rows, int stride) {
-  if (body.share) body.share->rows->update(rows.data(), stride);
+  if (body.share) body.share->rows->update({{rows.data(), stride}});
+}
+
+/// An array by node or by element as the functions below take it, of numbers or of vectors.
+template <class Array>
+HaloArray as_halo(Array& array) {
+  using Item = typename Array::value_type;
+  if constexpr (std::is_same_v<Item, double>)
+    return {array.data(), 1};
+  else
+    return {array.empty() ? nullptr : array.front().data(), sizeof(Item) / sizeof(double)};
+}
+
+/// What other ranks have found for the elements that touch a node here, in arrays by element.
+template <int D, class... Arrays>
+void update_elements(const Body<D>& body, Arrays&... arrays) {
+  if (body.share) body.share->elements->update({as_halo(arrays)...});
+}
+/// What they have found for the nodes of these elements, in arrays by node. With these two a loop over elements may
+/// read all nodes of its elements, and one over nodes all elements round them with their nodes.
+template <int D, class... Arrays>
+void update_nodes(const Body<D>& body, Arrays&... arrays) {
+  if (body.share) body.share->nodes->update({as_halo(arrays)...});
 }
 
 /// Numbers of points in the elements of other ranks beside those here.
 template <int D>
 void update_counts(Body<D>& body) {
-  if (body.share) body.share->elements->update(body.points.count.data(), 1);
+  update_elements(body, body.points.count);
 }
 
-/// What other ranks have of a list with an item per chunk.
+/// What other ranks have of a list with `per` items for every chunk.
 template <int D, class T>
-void complete_chunks(const Body<D>& body, std::vector<T>& by_chunk) {
+void complete_chunks(const Body<D>& body, std::vector<T>& by_chunk, std::size_t per = 1) {
   if (!body.share) return;
   const auto [first, last] = own_chunks(body);
   Message mine;
-  mine.put(by_chunk.data() + first, static_cast<std::size_t>(last - first));
+  mine.put(by_chunk.data() + static_cast<std::size_t>(first) * per, static_cast<std::size_t>(last - first) * per);
   std::size_t at = 0;
   for (Bytes& bytes : body.share->ranks->gather(mine.bytes(), true)) {
     const std::size_t count = bytes.size() / sizeof(T);
@@ -111,6 +136,14 @@ std::vector<T> join_lists(const Body<D>& body, std::vector<T> mine) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
+}
+
+/// Whether it is so on any rank.
+template <int D>
+bool is_any(const Body<D>& body, bool here) {
+  if (!body.share) return here;
+  const std::vector<char> all = join_lists(body, std::vector<char>{here ? '\1' : '\0'});
+  return std::any_of(all.begin(), all.end(), [](char c) { return c != 0; });
 }
 
 /// The share of this rank, of a body that every rank has as a whole. Throws Error (wrong_input) for a mesh whose nodes

@@ -40,13 +40,12 @@ struct WetPass : ChunkPass<D> {
       if (newly[l]) newly_full.push_back(at.b * lane_width + l);
     }
   }
-  static void collect(Body<D>& body, const std::vector<std::optional<WetPass>>& passes) {
-    body.water.newly_full.clear();
-    for (const std::optional<WetPass>& pass : passes) {
-      body.water.pressed_in += sum_lanes(pass->pressed_in);
-      body.work.pore_water += sum_lanes(pass->pore_work);
-      body.water.newly_full.insert(body.water.newly_full.end(), pass->newly_full.begin(), pass->newly_full.end());
-    }
+  ChunkSums sum() const { return {sum_lanes(this->dissipated), sum_lanes(pressed_in), sum_lanes(pore_work)}; }
+  static void collect_lists(Body<D>& body, const std::vector<std::optional<WetPass>>& passes) {
+    std::vector<int>& all = body.water.newly_full;
+    all.clear();
+    for (const std::optional<WetPass>& pass : passes)
+      if (pass) all.insert(all.end(), pass->newly_full.begin(), pass->newly_full.end());
   }
 };
 

@@ -43,6 +43,10 @@ void exchange_water(Body<D>& body, const StepOptions<D>& options);
 template <int D>
 MoverLists advance_points(Wet, Body<D>& body, const StepOptions<D>& options);
 
+/// Adds to the budgets what the chunks of all ranks have counted in a step, [chunk][surface].
+template <int D>
+void add_budgets(Body<D>& body, std::vector<SurfaceBudget>& by_chunk);
+
 // Single elements, for the few that relocation touches and for a fresh start.
 
 /// Adds `sign` times everything that element `e` gives to its nodes, from the points that are in it now and as it was

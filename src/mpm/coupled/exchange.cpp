@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.hpp"
 #include "mesh/shape_gradient.hpp"
+#include "mpm/body/share.hpp"
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/kernels.hpp"
 #include "mpm/step/element_force.hpp"
@@ -33,11 +33,9 @@ bool takes_part(const Body<D>& body, int e) {
 }
 
 template <int D>
-ExchangeElement<D> read_element(const Body<D>& body, int e, double compressibility) {
+ExchangeElement<D> read_element(const Body<D>& body, int e, double storage) {
   const Water<D>& water = body.water;
-  ExchangeElement<D> r{{}, water.mean_pressure[e], water.mean_resistance[e], 0};
-  const std::size_t block = static_cast<std::size_t>(e / lane_width) * moment_size<D>;
-  r.storage = compressibility * water.moments[block * lane_width + static_cast<std::size_t>(e % lane_width)];
+  ExchangeElement<D> r{{}, water.mean_pressure[e], water.mean_resistance[e], storage};
   for (int i : body.mesh().elements[e]) {
     for (int d = 0; d < D; ++d) r.centre[d] += body.mesh().nodes[i][d] / (D + 1);
   }
@@ -87,18 +85,27 @@ void exchange_water(Body<D>& body, const StepOptions<D>& o) {
   const mesh::Mesh<D>& mesh = body.mesh();
   const Layout<D>& layout = *body.layout;
   const double compressibility = 1 / (water.density * water.bulk_modulus);
+  std::vector<double> storage(mesh.elements.size());
+  for_chunks(body, o.threads, [&](int c) {
+    const int end = std::min(layout.chunk_start[c + 1] * lane_width, mesh.element_count());
+    for (int e = layout.chunk_start[c] * lane_width; e < end; ++e)
+      storage[e] =
+          compressibility * water.moments[static_cast<std::size_t>(e / lane_width) * moment_size<D> * lane_width +
+                                          static_cast<std::size_t>(e % lane_width)];
+  });
+  update_elements(body, storage, water.mean_pressure, water.mean_resistance, water.volume);
   if (!o.smooth_pressure) std::fill(water.surplus.begin(), water.surplus.end(), 0.0);
   // Each element looks at all its sides itself, so that a side gives both of its elements the same, in any order.
-  parallel_for(layout.chunks, o.threads, [&](int c) {
+  for_chunks(body, o.threads, [&](int c) {
     const int end = std::min(layout.chunk_start[c + 1] * lane_width, mesh.element_count());
     for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) {
       if (!takes_part(body, e)) continue;
-      const ExchangeElement<D> mine = read_element(body, e, compressibility);
+      const ExchangeElement<D> mine = read_element(body, e, storage[e]);
       double lost = 0;
       for (int k = 0; k <= D; ++k) {
         const int n = mesh.neighbours[e][k];
         if (!takes_part(body, n)) continue;
-        lost += find_exchange(body, o, e, k, mine, read_element(body, n, compressibility));
+        lost += find_exchange(body, o, e, k, mine, read_element(body, n, storage[n]));
       }
       water.surplus[e] += lost / water.volume[e];
     }

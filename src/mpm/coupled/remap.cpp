@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "base/parallel.hpp"
 #include "mpm/body/node_rows.hpp"
 #include "mpm/body/rows.hpp"
 #include "mpm/coupled/kernels.hpp"
@@ -36,7 +35,7 @@ Vec<D> find_still_flux(const NodePass<D>& pass, int i, const double* t, const Su
 
 /// Velocities of a node after the remap, its flux θ(w-v), and what passes through it.
 template <int D>
-PhaseVectors<D> remap_node(const NodePass<D>& pass, int i, const double* t, std::vector<SurfaceBudget>& budgets,
+PhaseVectors<D> remap_node(const NodePass<D>& pass, int i, const double* t, SurfaceBudget* budgets,
                            double& lost_between) {
   using C = WetColumns<D>;
   const Body<D>& body = pass.body;
@@ -71,7 +70,7 @@ PhaseVectors<D> remap_node(const NodePass<D>& pass, int i, const double* t, std:
     lost_between += leaves;
     return out;
   }
-  SurfaceBudget& budget = budgets[static_cast<std::size_t>(body.water.surface_of_node[i])];
+  SurfaceBudget& budget = budgets[body.water.surface_of_node[i]];
   (leaves > 0 ? budget.left : budget.entered) += std::abs(leaves);
   const double offered = -pass.density * dt * surface.area * surface.offered;
   if (surface.condition->kind == SurfaceKind::rain && offered > 0) {
@@ -79,18 +78,6 @@ PhaseVectors<D> remap_node(const NodePass<D>& pass, int i, const double* t, std:
     budget.runoff += offered - std::max(0.0, -leaves);
   }
   return out;
-}
-
-/// Adds the budgets of the pieces up, in their order.
-void collect_budgets(const std::vector<std::vector<SurfaceBudget>>& pieces, std::vector<SurfaceBudget>& all) {
-  for (const auto& piece : pieces) {
-    for (std::size_t s = 0; s < all.size(); ++s) {
-      all[s].entered += piece[s].entered;
-      all[s].left += piece[s].left;
-      all[s].supplied += piece[s].supplied;
-      all[s].runoff += piece[s].runoff;
-    }
-  }
 }
 
 /// Work of gravity, loads and outer water at a node, and what is lost of it on the way to the points, but for what
@@ -128,7 +115,7 @@ void add_momentum_changes(Body<D>& body, const StepOptions<D>& o) {
   using C = WetColumns<D>;
   const Layout<D>& layout = *body.layout;
   Water<D>& water = body.water;
-  parallel_for(layout.chunks, o.threads, [&](int c) {
+  for_chunks(body, o.threads, [&](int c) {
     for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
       if (body.points.block_used[b] == 0) continue;
       const int* rows = &layout.connectivity[static_cast<std::size_t>(b) * (D + 1) * lane_width];
@@ -182,20 +169,23 @@ void remap_momentum(Wet, Body<D>& body, const StepOptions<D>& o) {
   const NodePass<D> pass(body, o);
   const std::size_t pieces = static_cast<std::size_t>(layout.chunks);
   water.budgets.resize(water.surfaces.size());
-  std::vector<std::vector<SurfaceBudget>> budgets(pieces, std::vector<SurfaceBudget>(water.surfaces.size()));
+  const std::size_t surfaces = water.surfaces.size();
+  std::vector<SurfaceBudget> budgets(pieces * surfaces);
   std::vector<double> lost(pieces, 0.0);
   std::vector<NodeWork<D>> works(pieces);
-  parallel_for(layout.chunks, o.threads, [&](int c) {
+  update_rows(body, water.sums, wet_sums_stride<D>);
+  for_node_pieces(body, o.threads, [&](int begin, int end, int c) {
     double lost_between = 0;
     NodeWork<D> work;
-    for (int i = first_node(body, c); i < first_node(body, c + 1); ++i) {
+    std::vector<SurfaceBudget> mine(surfaces);
+    for (int i = begin; i < end; ++i) {
       const int* node_rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
       const int copies = layout.row_start[i + 1] - layout.row_start[i];
       double t[C::count];
       sum_rows<C::count, wet_sums_stride<D>>(water.sums, node_rows, copies, t);
       PhaseVectors<D> v;
       if (t[C::mass] > cutoff) {
-        v = remap_node(pass, i, t, budgets[static_cast<std::size_t>(c)], lost_between);
+        v = remap_node(pass, i, t, mine.data(), lost_between);
         work.add(pass, i, t, &water.motion[static_cast<std::size_t>(node_rows[0]) * wet_motion_stride<D>], v);
       }
       for (int k = 0; k < copies; ++k) {
@@ -212,16 +202,21 @@ void remap_momentum(Wet, Body<D>& body, const StepOptions<D>& o) {
         for (int d = 0; d < D; ++d) body.nodes.displacement[i][d] += o.dt * v.solid[d];
       }
     }
+    if (c < 0) return;  // counted by another rank
     lost[static_cast<std::size_t>(c)] = lost_between;
     works[static_cast<std::size_t>(c)] = work;
+    std::copy(mine.begin(), mine.end(),
+              budgets.begin() + static_cast<std::ptrdiff_t>(c) * static_cast<std::ptrdiff_t>(surfaces));
   });
+  complete_chunks(body, lost);
+  complete_chunks(body, works);
   for (const double mass : lost) water.lost_between += mass;
   for (const NodeWork<D>& work : works) {
     body.work.external += o.dt * work.external;
     body.work.mapping += o.dt * work.lost;
   }
   body.nodes.motion_step = o.dt;
-  collect_budgets(budgets, water.budgets);
+  add_budgets(body, budgets);
 }
 
 template void remap_momentum<2>(Wet, Body<2>&, const StepOptions<2>&);

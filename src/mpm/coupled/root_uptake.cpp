@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/parallel.hpp"
+#include "mpm/body/share.hpp"
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/kernels.hpp"
 
@@ -35,7 +35,7 @@ void draw(Body<D>& body, int threads, double dt, WaterIn&& water_in, Take&& take
   std::vector<double> rates;
   for (const RootUptake& uptake : water.uptakes) rates.push_back(uptake.rate.at(body.time + 0.5 * dt));
   std::vector<double> drawn(static_cast<std::size_t>(layout.chunks), 0.0);
-  parallel_for(layout.chunks, threads, [&](int c) {
+  for_chunks(body, threads, [&](int c) {
     const int end = std::min(layout.chunk_start[c + 1] * lane_width, body.mesh().element_count());
     for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) {
       if (body.points.count[e] == 0 || !(water.volume[e] > 0)) continue;
@@ -51,6 +51,7 @@ void draw(Body<D>& body, int threads, double dt, WaterIn&& water_in, Take&& take
       drawn[static_cast<std::size_t>(c)] += water.density * volume;
     }
   });
+  complete_chunks(body, drawn);
   for (const double mass : drawn) water.transpired += mass;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mesh/shape_gradient.hpp"
+#include "mpm/body/share.hpp"
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/water_surface.hpp"
 
@@ -14,9 +15,18 @@ namespace {
 
 constexpr double closed_share = 1e-9;
 
+/// What an element holds, as all ranks know it where the surface is looked for.
+enum class Content : char { nothing, dry_soil, wet_soil };
+
 template <int D>
-bool is_wet(const Body<D>& body, int e) {
-  return e >= 0 && body.water.volume[e] > 0;
+std::vector<Content> find_contents_of_all(const Body<D>& body) {
+  std::vector<Content> own;
+  const auto [begin, end] = own_elements(body);
+  for (int e = begin; e < end; ++e)
+    own.push_back(body.water.volume[e] > 0   ? Content::wet_soil
+                  : body.points.count[e] > 0 ? Content::dry_soil
+                                             : Content::nothing);
+  return join_lists(body, std::move(own));
 }
 
 /// Whether the water of node `i` may not move along the unit vector `n`.
@@ -42,27 +52,28 @@ bool is_closed(const Body<D>& body, int e, int k) {
 /// the soil are left without one: such a gap is no surface, and no water leaves there. A group of neighbours is outside
 /// when one of them touches no wet soil, holds dry soil, or has a side of the mesh that lets water through.
 template <int D>
-std::vector<std::uint8_t> find_outside(const Body<D>& body) {
+std::vector<std::uint8_t> find_outside(const Body<D>& body, const std::vector<Content>& contents) {
   const mesh::Mesh<D>& mesh = body.mesh();
+  const auto is_wet = [&](int e) { return contents[e] == Content::wet_soil; };
   std::vector<std::uint8_t> touches(mesh.nodes.size(), 0), outside(mesh.elements.size(), 0);
   for (int e = 0; e < mesh.element_count(); ++e) {
-    if (!is_wet(body, e)) continue;
+    if (!is_wet(e)) continue;
     for (int node : mesh.elements[e]) touches[node] = 1;
   }
   std::vector<int> found;
   const auto add = [&](int e) {
-    if (e < 0 || outside[e] || is_wet(body, e)) return;
+    if (e < 0 || outside[e] || is_wet(e)) return;
     outside[e] = 1;
     found.push_back(e);
   };
   for (int e = 0; e < mesh.element_count(); ++e) {
-    if (is_wet(body, e)) continue;
+    if (is_wet(e)) continue;
     bool is_far = true, lets_through = false;
     for (int k = 0; k <= D; ++k) {
       is_far = is_far && !touches[mesh.elements[e][k]];
       lets_through = lets_through || (mesh.neighbours[e][k] < 0 && !is_closed(body, e, k));
     }
-    if (is_far || lets_through || body.points.count[e] > 0) add(e);
+    if (is_far || lets_through || contents[e] == Content::dry_soil) add(e);
   }
   while (!found.empty()) {
     const int e = found.back();
@@ -72,18 +83,20 @@ std::vector<std::uint8_t> find_outside(const Body<D>& body) {
   return outside;
 }
 
-/// A side of a wet element is open when the outside is behind it, unless its nodes all hold the water.
+/// A side of a wet element is open when the outside is behind it, unless its nodes all hold the water. Every rank looks
+/// at the whole body, and keeps the sides that touch its nodes.
 template <int D>
 void find_open_sides(Body<D>& body) {
   Water<D>& water = body.water;
   const mesh::Mesh<D>& mesh = body.mesh();
-  const std::vector<std::uint8_t> outside = find_outside(body);
+  const std::vector<Content> contents = find_contents_of_all(body);
+  const std::vector<std::uint8_t> outside = find_outside(body, contents);
   water.open_sides.clear();
   water.facing.assign(mesh.nodes.size(), Vec<D>{});
   std::vector<Vec<D>> touching(mesh.nodes.size(), Vec<D>{});
   std::vector<double> size(mesh.nodes.size(), 0.0);
   for (int e = 0; e < mesh.element_count(); ++e) {
-    if (!is_wet(body, e)) continue;
+    if (contents[e] != Content::wet_soil) continue;
     for (int k = 0; k <= D; ++k) {
       const int behind = mesh.neighbours[e][k];
       if ((behind >= 0 && !outside[behind]) || is_closed(body, e, k)) continue;
@@ -97,7 +110,7 @@ void find_open_sides(Body<D>& body) {
         }
         size[node] += norm(side.share);
       }
-      water.open_sides.push_back(side);
+      if (!body.share || body.share->is_near[e]) water.open_sides.push_back(side);
     }
   }
   // Where the open sides of a node's elements close round it, as those of a lone element do, their sum is round-off,
@@ -128,13 +141,14 @@ void find_suctions(Body<D>& body) {
   }
 }
 
-/// What the points of an element fill of it.
+/// What the points of an element fill of it: Σ V N_i of wet points [m³], and whether it is integrated as a whole.
 template <int D>
-struct Filling {
-  double moment[D + 1]{};  ///< Σ V N_i of wet points [m³]
-  bool full = false;       ///< it is integrated as a whole
+struct Filling : std::array<double, D + 2> {
+  bool is_full() const { return this->back() != 0; }
 
-  Filling(const Body<D>& body, int e, bool mixed) {
+  Filling() : std::array<double, D + 2>{} {}
+  Filling(const Body<D>& body, int e, bool mixed) : Filling() {
+    auto& moment = *this;
     using P = Points<D>;
     const P& points = body.points;
     const std::int64_t first = points.block_start[e / lane_width];
@@ -157,8 +171,31 @@ struct Filling {
       }
       moment[0] += v * rest;
     }
-    full = mixed && uniform && all > body.elements.fill_limit[e];
+    this->back() = mixed && uniform && all > body.elements.fill_limit[e] ? 1 : 0;
   }
+};
+
+/// Those of the elements with open sides. Several ranks exchange them before they are asked for.
+template <int D>
+class Fillings {
+ public:
+  Fillings(const Body<D>& body, bool mixed) : body_(body), mixed_(mixed) {
+    if (!body.share) return;
+    known_.resize(body.mesh().elements.size());
+    const auto [begin, end] = own_elements(body);
+    for (const OpenSide<D>& side : body.water.open_sides)
+      if (side.element >= begin && side.element < end)
+        known_[static_cast<std::size_t>(side.element)] = Filling<D>(body, side.element, mixed);
+    update_elements(body, known_);
+  }
+  Filling<D> find(int e) const {
+    return known_.empty() ? Filling<D>(body_, e, mixed_) : known_[static_cast<std::size_t>(e)];
+  }
+
+ private:
+  const Body<D>& body_;
+  bool mixed_;
+  std::vector<Filling<D>> known_;
 };
 
 /// The soil of an element that is not full ends inside it, and so does the pressure outside. On the sides where other
@@ -175,11 +212,11 @@ void load_inside(Body<D>& body, int e, const Filling<D>& filling, const double (
     Vec<D> slope{};
     for (int k = 0; k <= D; ++k) {
       const double p = std::min(most, pressure[k]);
-      missing += p * (filling.moment[k] - mesh.volumes[e] / (D + 1));
+      missing += p * (filling[k] - mesh.volumes[e] / (D + 1));
       for (int d = 0; d < D; ++d) slope[d] += p * gradient[k][d];
     }
     for (int k = 0; k <= D; ++k) {
-      const double share = filling.moment[k] - mesh.volumes[e] / (D + 1);
+      const double share = filling[k] - mesh.volumes[e] / (D + 1);
       for (int d = 0; d < D; ++d) load[mesh.elements[e][k]][d] += missing * gradient[k][d] + share * slope[d];
     }
   };
@@ -195,6 +232,7 @@ void load_open_sides(Body<D>& body, bool mixed, double unit_weight, const std::t
   const mesh::Mesh<D>& mesh = body.mesh();
   water.load.assign(mesh.nodes.size(), Vec<D>{});
   water.mixture_load.assign(mesh.nodes.size(), Vec<D>{});
+  const Fillings<D> fillings(body, mixed);
   int last = -1;
   for (const OpenSide<D>& side : water.open_sides) {  // the sides of an element follow one another
     double pressure[D + 1] = {}, sum = 0;
@@ -211,12 +249,12 @@ void load_open_sides(Body<D>& body, bool mixed, double unit_weight, const std::t
     if (!loaded) continue;
     if (side.element != last) {
       last = side.element;
-      const Filling<D> filling(body, last, mixed);
+      const Filling<D> filling = fillings.find(last);
       double everywhere[D + 1];
       for (int i = 0; i <= D; ++i)
         everywhere[i] = i == side.opposite ? *find_outer_pressure(body, mesh.elements[last][i], like, unit_weight, up)
                                            : pressure[i];
-      if (!filling.full) load_inside(body, last, filling, everywhere);
+      if (!filling.is_full()) load_inside(body, last, filling, everywhere);
     }
     for (int i = 0; i <= D; ++i) {
       if (i == side.opposite) continue;
@@ -235,16 +273,33 @@ void load_open_sides(Body<D>& body, bool mixed, double unit_weight, const std::t
 template <int D>
 void load_surface(Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
-  if (water.surface_is_stale) find_open_sides(body);
+  if (is_any(body, water.surface_is_stale)) find_open_sides(body);
   bool loads = false, evaporates = false;
   for (const SurfaceCondition& c : water.surfaces) {
     loads = loads || c.kind == SurfaceKind::head || c.kind == SurfaceKind::pressure;
     evaporates = evaporates || (c.kind == SurfaceKind::rain && !std::isinf(c.suction_limit));
   }
   if (loads) load_open_sides(body, o.mixed, water.density * norm(o.gravity), find_up<D>(o.gravity));
-  if (evaporates) find_suctions(body);
+  if (!evaporates) return;
+  update_elements(body, water.mean_pressure);
+  find_suctions(body);
 }
 
+template <int D>
+void add_budgets(Body<D>& body, std::vector<SurfaceBudget>& by_chunk) {
+  std::vector<SurfaceBudget>& all = body.water.budgets;
+  complete_chunks(body, by_chunk, all.size());
+  for (std::size_t i = 0; i < by_chunk.size(); ++i) {
+    SurfaceBudget& budget = all[i % all.size()];
+    budget.entered += by_chunk[i].entered;
+    budget.left += by_chunk[i].left;
+    budget.supplied += by_chunk[i].supplied;
+    budget.runoff += by_chunk[i].runoff;
+  }
+}
+
+template void add_budgets<2>(Body<2>&, std::vector<SurfaceBudget>&);
+template void add_budgets<3>(Body<3>&, std::vector<SurfaceBudget>&);
 template void load_surface<2>(Body<2>&, const StepOptions<2>&);
 template void load_surface<3>(Body<3>&, const StepOptions<3>&);
 

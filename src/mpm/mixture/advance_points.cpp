@@ -110,9 +110,7 @@ struct MixturePass : OneVelocityPass<D> {
   Pack pressed_in{0.0};  ///< see Water::pressed_in [kg]
 
   TALUS_KERNEL void note_full(const BlockPlace<D>&, Mask) {}
-  static void collect(Body<D>& body, const std::vector<std::optional<MixturePass>>& passes) {
-    for (const auto& pass : passes) body.water.pressed_in += sum_lanes(pass->pressed_in);
-  }
+  ChunkSums sum() const { return {sum_lanes(this->dissipated), sum_lanes(pressed_in)}; }
 };
 
 }  // namespace

@@ -129,10 +129,11 @@ void find_contents(Body<D>& body, const StepOptions<D>& o) {
   const Layout<D>& layout = *body.layout;
   const int elements = body.mesh().element_count();
   const std::size_t nodes = body.mesh().nodes.size();
-  const bool first = water.mixture.own.size() != nodes;
+  const bool first = water.mixture.own.size() != nodes;  // on all ranks or on none
   if (first) water.mixture.own.assign(nodes, 0.0);
+  MixtureWater<D>& m = water.mixture;
   std::vector<std::uint8_t> turned(static_cast<std::size_t>(layout.chunks), 0);
-  parallel_for(layout.chunks, o.threads, [&](int c) {
+  for_chunks(body, o.threads, [&](int c) {
     const int end = std::min(elements, layout.chunk_start[c + 1] * lane_width);
     for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) {
       const bool was = water.volume[e] > 0;
@@ -140,7 +141,10 @@ void find_contents(Body<D>& body, const StepOptions<D>& o) {
     }
   });
   if (std::any_of(turned.begin(), turned.end(), [](auto t) { return t != 0; })) water.surface_is_stale = true;
+  update_elements(body, water.volume, water.mean_pressure, m.water);
+  for (auto& pores : m.pores) update_elements(body, pores);
   for_nodes(body, o.threads, [&](int i) { start_node(body, i, first); });
+  update_nodes(body, m.pressure);
 }
 
 template void find_contents<2>(Body<2>&, const StepOptions<2>&);

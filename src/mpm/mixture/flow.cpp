@@ -38,6 +38,7 @@ void find_flow(Body<D>& body, const StepOptions<D>& o) {
       if (m.node_pores[k][i] > 0)
         relative[k][i] = find_state_at_pressure<double>(water.laws[k], m.pressure[i]).relative;
     });
+    update_nodes(body, relative[k]);
   }
   for_elements(body, o.threads, [&](int e) {
     m.saturated[e] = m.effective[e] = m.coupling[e] = m.conductive[e] = m.soft[e] = 0;
@@ -61,6 +62,7 @@ void find_flow(Body<D>& body, const StepOptions<D>& o) {
     water.mean_saturation[e] = m.saturated[e] / volume;
     water.mean_pressure[e] = p;
   });
+  update_elements(body, m.saturated, m.effective, m.coupling, m.conductive, m.soft);
 }
 
 template <int D>
@@ -68,8 +70,9 @@ void load_mixture(Body<D>& body, const StepOptions<D>& o) {
   gather_loads(body);
   if (body.nodes.load.empty()) body.nodes.load.assign(body.mesh().nodes.size(), Vec<D>{});
   if (body.water.mixture_load.empty()) return;
-  for_nodes(body, o.threads, [&](int i) {
-    for (int d = 0; d < D; ++d) body.nodes.load[i][d] += body.water.mixture_load[i][d];
+  for_node_pieces(body, o.threads, [&](int begin, int end, int) {
+    for (int i = begin; i < end; ++i)
+      for (int d = 0; d < D; ++d) body.nodes.load[i][d] += body.water.mixture_load[i][d];
   });
 }
 
@@ -100,7 +103,7 @@ template <int D>
 double find_pore_power(const Body<D>& body, const StepOptions<D>& o) {
   const Layout<D>& layout = *body.layout;
   const auto has_rows = [&](int i) { return layout.row_start[i] < layout.row_start[i + 1]; };
-  return list_nodes(body, has_rows).sum(o.threads, [&](int i) {
+  return list_nodes(body, has_rows).sum(body, o.threads, [&](int i) {
     const double* velocity =
         &body.nodes.motion[static_cast<std::size_t>(layout.node_rows[layout.row_start[i]]) * motion_stride<D> + D];
     double power = 0;
@@ -109,17 +112,38 @@ double find_pore_power(const Body<D>& body, const StepOptions<D>& o) {
   });
 }
 
-/// Σ m N_k² of the points of element `e` for its local node `k`, from its moments [kg].
+/// Σ m N_k² of the points of element `e` for its local nodes, from its moments [kg].
 template <int D>
-double find_own_mass(const Body<D>& body, int e, int k) {
+std::array<double, D + 1> find_own_mass(const Body<D>& body, int e) {
   const double* moments =
       &body.elements.moments[static_cast<std::size_t>(e / lane_width) * moment_size<D> * lane_width +
                              static_cast<std::size_t>(e % lane_width)];
-  double unit[D + 1][D] = {}, out[D + 1][D], m[moment_size<D>];
+  double m[moment_size<D>];
   for (int q = 0; q < moment_size<D>; ++q) m[q] = moments[q * lane_width];
-  unit[k][0] = 1;
-  remap_element<D, double>(m, unit, 1, out);
-  return out[k][0];
+  std::array<double, D + 1> own;
+  for (int k = 0; k <= D; ++k) {
+    double unit[D + 1][D] = {}, out[D + 1][D];
+    unit[k][0] = 1;
+    remap_element<D, double>(m, unit, 1, out);
+    own[static_cast<std::size_t>(k)] = out[k][0];
+  }
+  return own;
+}
+
+/// Whether walls are pressed on, at nodes that other ranks sum up.
+template <int D>
+void update_pressed(Body<D>& body) {
+  Conditions<D>& conditions = body.conditions;
+  if (!body.share || conditions.pressed.empty()) return;
+  std::vector<double> pressed(body.mesh().nodes.size(), 0.0);
+  const auto for_constraints = [&](auto&& work) {
+    for (std::size_t i = 0; i < pressed.size(); ++i)
+      if (const int c = conditions.constraint_of_node[i]; c >= 0)
+        work(pressed[i], conditions.pressed[static_cast<std::size_t>(c)]);
+  };
+  for_constraints([](double& of_node, std::uint8_t& of_wall) { of_node = of_wall; });
+  update_nodes(body, pressed);
+  for_constraints([](double& of_node, std::uint8_t& of_wall) { of_wall = of_node != 0; });
 }
 
 template <int D>
@@ -128,6 +152,11 @@ void predict_motion(Body<D>& body, const StepOptions<D>& o) {
   const Layout<D>& layout = *body.layout;
   const NodeGraph<D>& graph = *m.graph;
   const double cutoff = 1e-12 * body.smallest_mass;
+  std::vector<std::array<double, D + 1>> own_mass(body.mesh().elements.size());
+  for_elements(body, o.threads, [&](int e) {
+    own_mass[e] = body.points.count[e] > 0 ? find_own_mass(body, e) : std::array<double, D + 1>{};
+  });
+  update_elements(body, own_mass);
   for_nodes(body, o.threads, [&](int i) {
     const int* rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
     double t[1 + D];
@@ -137,7 +166,7 @@ void predict_motion(Body<D>& body, const StepOptions<D>& o) {
     if (!(t[0] > cutoff)) return;
     double own = 0;
     for (int n = graph.touch_start[i]; n < graph.touch_start[i + 1]; ++n)
-      if (body.points.count[graph.element[n]] > 0) own += find_own_mass(body, graph.element[n], graph.local[n]);
+      own += own_mass[graph.element[n]][graph.local[n]];
     const double seen = std::min(1.0, 0.5 * (D + 2) * own / t[0]);
     m.mobility[i] = seen * o.dt * o.dt / (o.mass_scaling * t[0]);
     const double* a = &body.nodes.motion[static_cast<std::size_t>(rows[0]) * motion_stride<D>];
@@ -148,6 +177,8 @@ void predict_motion(Body<D>& body, const StepOptions<D>& o) {
     if (const int c = body.conditions.constraint_of_node[i]; c >= 0)
       m.velocity[i] = constrain_remapped(body.conditions, c, m.velocity[i], body.time + o.dt);
   });
+  update_nodes(body, m.velocity, m.acceleration, m.mobility);
+  update_pressed(body);
 }
 
 #define TALUS_INSTANTIATE(D)                                                 \

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "mesh/shape_gradient.hpp"
+#include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/root_uptake.hpp"
 #include "mpm/coupled/water_surface.hpp"
 #include "mpm/mixture/held_water.hpp"
@@ -48,6 +49,7 @@ class PressureEquation {
     entries_.assign(graph_.column.size(), {});
     for (std::size_t i = 0; i < nodes; ++i)
       for (const auto& pores : m_.node_pores) pores_[i] += pores[i];
+    update_nodes(body_, pores_);
     wet_nodes_ = list_nodes(body_, [&](int i) { return pores_[i] > 0; });
     for (std::size_t i = 0; i < nodes; ++i)
       if (!(pores_[i] > 0)) m_.change[i] = m_.out[i] = m_.passed[i] = 0;
@@ -72,7 +74,7 @@ class PressureEquation {
         right[i] = lines[i].bend(held(i), m_.node_water[i], m_.pressure[i] + m_.change[i], m_.rounds - 1);
       });
       settled = settled && std::all_of(right.begin(), right.end(), [](auto b) { return b != 0; });
-      if (settled) break;
+      if (!is_any(body_, !settled)) break;
     }
     apply(m_.change, q_, false);  // what flows between the nodes
     for_nodes([&](int i) { m_.out[i] = drained_[i] - q_[i] + m_.passed[i]; });
@@ -81,11 +83,13 @@ class PressureEquation {
   /// What every pore of an element loses, and what its nodes do not see of that: it stays with them as their own, until
   /// the soil has moved over the size of an element (T22.6, T22.7).
   void share_water() {
+    update_nodes(body_, m_.out);
     for_elements([&](int e) {
       m_.share[e] = 0;
       if (!(water_.volume[e] > 0)) return;
       for (int node : mesh_.elements[e]) m_.share[e] += m_.out[node] / pores_[node] / (D + 1);
     });
+    update_elements(body_, m_.share);
     for_nodes([&](int i) {
       m_.own[i] -= m_.out[i];
       for (int t = graph_.touch_start[i]; t < graph_.touch_start[i + 1]; ++t) {
@@ -99,6 +103,7 @@ class PressureEquation {
   /// Darcy's flow at the end of the step, and the pressures of elements.
   void find_end() {
     for_nodes([&](int i) { m_.pressure[i] += m_.change[i]; });
+    update_nodes(body_, m_.pressure);
     for_elements([&](int e) {
       for (int d = 0; d < D; ++d) m_.flux[d][e] = 0;
       if (!(water_.volume[e] > 0)) return;
@@ -118,17 +123,20 @@ class PressureEquation {
   }
 
   void count_water() {
-    water_.budgets.resize(water_.surfaces.size());
-    for (std::size_t i = 0; i < surface_.size(); ++i) {
-      if (!(pores_[i] > 0)) continue;
-      SurfaceBudget& budget = water_.budgets[static_cast<std::size_t>(water_.surface_of_node[i])];
+    const std::size_t surfaces = water_.surfaces.size();
+    water_.budgets.resize(surfaces);
+    std::vector<SurfaceBudget> budgets(static_cast<std::size_t>(body_.layout->chunks) * surfaces);
+    wet_nodes_.for_each_in_chunk([&](int i, int c) {
+      SurfaceBudget& budget =
+          budgets[static_cast<std::size_t>(c) * surfaces + static_cast<std::size_t>(water_.surface_of_node[i])];
       const double out = water_.density * m_.passed[i];
       (out > 0 ? budget.left : budget.entered) += std::abs(out);
       const double offered = water_.density * o_.dt * surface_[i].inflow;
-      if (!surface_[i].is_rain || !(offered > 0)) continue;
+      if (!surface_[i].is_rain || !(offered > 0)) return;
       budget.supplied += offered;
       budget.runoff += offered - std::max(0.0, -out);
-    }
+    });
+    add_budgets(body_, budgets);
   }
 
  private:
@@ -144,7 +152,7 @@ class PressureEquation {
   }
   template <class Value>
   double sum(const Value& value) const {
-    return wet_nodes_.sum(o_.threads, value);
+    return wet_nodes_.sum(body_, o_.threads, value);
   }
 
   bool is_skin(int node) const { return lets_nothing_through(water_.surfaces[water_.surface_of_node[node]]); }
@@ -214,6 +222,7 @@ class PressureEquation {
         flux_[e][d] = m_.conductive[e] * (gradient[d] + lift_[e][d]);
       }
     });
+    update_elements(body_, divergence_, flux_, m_.drawn);
     for_nodes([&](int i) {
       for (int t = graph_.touch_start[i]; t < graph_.touch_start[i + 1]; ++t) {
         const int e = graph_.element[t];
@@ -246,8 +255,9 @@ class PressureEquation {
   }
 
   /// y = (flow [+ storage + growth by the push of the pressures]) x.
-  void apply(const std::vector<double>& x, std::vector<double>& y, bool whole) {
-    if (whole)
+  void apply(std::vector<double>& x, std::vector<double>& y, bool whole) {
+    update_nodes(body_, x);
+    if (whole) {
       for_nodes([&](int j) {
         Vec<D> push{};
         for (int n = graph_.row_start[j]; n < graph_.row_start[j + 1]; ++n)
@@ -255,6 +265,8 @@ class PressureEquation {
         push = hold(j, push);
         for (int d = 0; d < D; ++d) pushed_[j][d] = m_.mobility[j] * push[d];
       });
+      update_nodes(body_, pushed_);
+    }
     for_nodes([&](int i) {
       double s = whole ? storage_[i] * x[i] : 0.0;
       for (int n = graph_.row_start[i]; n < graph_.row_start[i + 1]; ++n) {
@@ -311,13 +323,13 @@ class PressureEquation {
   /// that is so already.
   bool settle_surface() {
     bool settled = true;
-    for (std::size_t i = 0; i < surface_.size(); ++i) {
-      if (!surface_[i].may_pond || !(pores_[i] > 0)) continue;
+    wet_nodes_.for_each(1, [&](int i) {
+      if (!surface_[i].may_pond) return;
       const bool stands =
           m_.ponded[i] ? -m_.passed[i] <= o_.dt * surface_[i].inflow * (1 + 1e-12) : m_.pressure[i] + m_.change[i] < 0;
       settled = settled && stands == (m_.ponded[i] != 0);
       m_.ponded[i] = stands;
-    }
+    });
     return settled;
   }
 

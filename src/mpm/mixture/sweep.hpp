@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Loops over the elements and nodes of a body, chunk by chunk in parallel.
+// Loops over the elements and nodes of a body, chunk by chunk in parallel. Each rank has its own of both; what it finds
+// is completed with what others find (update_elements, update_nodes) before it is read across.
 
 #include <algorithm>
 
@@ -35,13 +36,20 @@ struct NodeList {
     const auto at = [&](int k) { work(node[static_cast<std::size_t>(k)]); };
     parallel_for(chunks(), threads, [&](int c) { detail::run_each(first(c), first(c + 1), at); });
   }
-  /// Sum of value(i), the same bits for any number of threads.
-  template <class Value>
-  double sum(int threads, const Value& value) const {
+  /// Calls work(i, chunk), one after the other.
+  template <class Work>
+  void for_each_in_chunk(const Work& work) const {
+    for (int c = 0; c < chunks(); ++c)
+      for (int k = first(c); k < first(c + 1); ++k) work(node[static_cast<std::size_t>(k)], c);
+  }
+  /// Sum of value(i) over all ranks, the same bits for any number of them and of threads.
+  template <int D, class Value>
+  double sum(const Body<D>& body, int threads, const Value& value) const {
     std::vector<double> pieces(static_cast<std::size_t>(chunks()), 0.0);
     const auto at = [&](int k) { return value(node[static_cast<std::size_t>(k)]); };
     parallel_for(chunks(), threads,
                  [&](int c) { pieces[static_cast<std::size_t>(c)] = detail::sum_each(first(c), first(c + 1), at); });
+    complete_chunks(body, pieces);
     double all = 0;
     for (const double piece : pieces) all += piece;
     return all;
@@ -52,12 +60,14 @@ struct NodeList {
   int first(int chunk) const { return chunk_start[static_cast<std::size_t>(chunk)]; }
 };
 
-/// The nodes for which belongs(i).
+/// The nodes of this rank for which belongs(i).
 template <int D, class Belongs>
 NodeList list_nodes(const Body<D>& body, const Belongs& belongs) {
   NodeList list;
+  const auto [begin, end] = own_chunks(body);
   for (int c = 0; c < body.layout->chunks; ++c) {
     list.chunk_start.push_back(static_cast<int>(list.node.size()));
+    if (c < begin || c >= end) continue;
     for (int i = first_node(body, c); i < first_node(body, c + 1); ++i)
       if (belongs(i)) list.node.push_back(i);
   }
@@ -65,22 +75,21 @@ NodeList list_nodes(const Body<D>& body, const Belongs& belongs) {
   return list;
 }
 
-/// Calls work(e) for every element.
+/// Calls work(e) for every element of this rank.
 template <int D, class Work>
 void for_elements(const Body<D>& body, int threads, const Work& work) {
   const Layout<D>& layout = *body.layout;
   const int elements = body.mesh().element_count();
-  parallel_for(layout.chunks, threads, [&](int c) {
+  for_chunks(body, threads, [&](int c) {
     detail::run_each(layout.chunk_start[c] * lane_width, std::min(elements, layout.chunk_start[c + 1] * lane_width),
                      work);
   });
 }
 
-/// Calls work(i) for every node.
+/// Calls work(i) for every node of this rank.
 template <int D, class Work>
 void for_nodes(const Body<D>& body, int threads, const Work& work) {
-  parallel_for(body.layout->chunks, threads,
-               [&](int c) { detail::run_each(first_node(body, c), first_node(body, c + 1), work); });
+  for_chunks(body, threads, [&](int c) { detail::run_each(first_node(body, c), first_node(body, c + 1), work); });
 }
 
 }  // namespace talus::mpm

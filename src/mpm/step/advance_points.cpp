@@ -59,7 +59,6 @@ struct DryPass : OneVelocityPass<D> {
   using OneVelocityPass<D>::OneVelocityPass;
 
   TALUS_KERNEL void note_full(const BlockPlace<D>&, Mask) {}
-  static void collect(Body<D>&, const std::vector<std::optional<DryPass>>&) {}
 };
 
 }  // namespace

@@ -15,6 +15,19 @@
 
 namespace talus::mpm {
 
+inline double sum_lanes(Pack a) {
+  double sum = 0;
+  for (int l = 0; l < lane_width; ++l) sum += a.value[l];
+  return sum;
+}
+
+/// What a chunk sums up beside the sums of its nodes.
+struct ChunkSums {
+  double dissipated = 0;  ///< plastic work [J]
+  double pressed_in = 0;  ///< see Water::pressed_in [kg]
+  double pore_work = 0;   ///< see Work::pore_water [J]
+};
+
 /// Everything a block's pass needs that does not change from block to block, and what it sums over a chunk.
 template <int D>
 struct ChunkPass {
@@ -26,6 +39,10 @@ struct ChunkPass {
 
   ChunkPass(Body<D>& b, const StepOptions<D>& o) : body(b), options(o) {}
   bool is_stable() const { return options.smoothing == input::Smoothing::stable; }
+  ChunkSums sum() const { return {sum_lanes(dissipated)}; }
+  /// What the passes leave in lists; empty where a chunk is another rank's.
+  template <class Passes>
+  static void collect_lists(Body<D>&, const Passes&) {}
 };
 
 /// A pass over points with one velocity.
@@ -42,12 +59,6 @@ struct OneVelocityPass : ChunkPass<D> {
     __builtin_prefetch(&body.elements.moments[i], 1, 3);
   }
 };
-
-inline double sum_lanes(Pack a) {
-  double sum = 0;
-  for (int l = 0; l < lane_width; ++l) sum += a.value[l];
-  return sum;
-}
 
 /// Where block `b` stands in the arrays of a body, and what is the same for all its points.
 template <int D>
@@ -371,15 +382,19 @@ MoverLists advance_blocks(Body<D>& body, const StepOptions<D>& options) {
     passes[static_cast<std::size_t>(c)].emplace(std::move(pass));
   });
   MoverLists movers(passes.size());
-  std::vector<double> dissipated(passes.size(), 0);
+  std::vector<ChunkSums> sums(passes.size());
   for (std::size_t c = 0; c < passes.size(); ++c) {
     if (!passes[c]) continue;  // of another rank
-    dissipated[c] = sum_lanes(passes[c]->dissipated);
+    sums[c] = passes[c]->sum();
     movers[c] = std::move(passes[c]->movers);
   }
-  complete_chunks(body, dissipated);
-  for (const double work : dissipated) body.work.dissipated += work;
-  Pass::collect(body, passes);
+  complete_chunks(body, sums);
+  for (const ChunkSums& of_chunk : sums) {
+    body.work.dissipated += of_chunk.dissipated;
+    body.work.pore_water += of_chunk.pore_work;
+    body.water.pressed_in += of_chunk.pressed_in;
+  }
+  Pass::collect_lists(body, passes);
   return movers;
 }
 

@@ -47,6 +47,15 @@ std::pair<double, int> find_shortest(const mesh::Mesh<D>& mesh, int e) {
   return shortest;
 }
 
+/// That of all ranks; a step that is no number comes before all others.
+template <int D>
+CriticalStep find_least(const Body<D>& body, const CriticalStep& critical) {
+  CriticalStep of_all;
+  for (const CriticalStep& of_rank : join_lists(body, std::vector{critical}))
+    if (of_rank.element >= 0 && (of_all.element < 0 || !(of_rank.dt >= of_all.dt))) of_all = of_rank;
+  return of_all;
+}
+
 }  // namespace
 
 double find_coupled_step(const CoupledSoil& soil, double length, double beta, bool implicit_drag) {
@@ -94,10 +103,7 @@ CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
     }
   }
   critical.dt = std::sqrt(smallest * mass_scaling);
-  CriticalStep of_all;
-  for (const CriticalStep& of_rank : join_lists(body, std::vector{critical}))
-    if (of_rank.element >= 0 && (of_all.element < 0 || of_rank.dt < of_all.dt)) of_all = of_rank;
-  return of_all;
+  return find_least(body, critical);
 }
 
 template <int D>
@@ -106,7 +112,8 @@ CriticalStep find_critical_step(const Body<D>& body, const StepOptions<D>& o) {
   using P = Points<D>;
   const mesh::Mesh<D>& mesh = body.mesh();
   CriticalStep critical;
-  for (int e = 0; e < mesh.element_count(); ++e) {
+  const auto [begin, end] = own_elements(body);
+  for (int e = begin; e < end; ++e) {
     const int n = static_cast<int>(body.points.count[e]);
     if (n == 0) continue;
     const auto [length, shortest] = find_shortest(mesh, e);
@@ -128,7 +135,7 @@ CriticalStep find_critical_step(const Body<D>& body, const StepOptions<D>& o) {
       if (critical.element < 0 || !(dt >= critical.dt)) critical = {dt, shortest};
     }
   }
-  return critical;
+  return find_least(body, critical);
 }
 
 template CriticalStep find_critical_step<2>(const Body<2>&, double);

@@ -57,7 +57,7 @@ bool find_new_element(const mesh::Mesh<D>& mesh, Record<D>& r) {
 }
 
 template <int D>
-void record_loss(Body<D>& body, const Record<D>& r) {
+void record_loss(Body<D>& body, const Record<D>& r, std::vector<double>& water) {
   using P = Points<D>;
   Lost<D> lost;
   lost.id = r.id;
@@ -70,7 +70,7 @@ void record_loss(Body<D>& body, const Record<D>& r) {
   }
   lost.position = mesh::to_global(body.mesh(), r.element, xi);
   body.lost.push_back(lost);
-  if (body.water.is_wet()) body.water.left_grid += r.fields[body.water.first_field + WaterFields<D>::mass];
+  if (body.water.is_wet()) water.push_back(r.fields[body.water.first_field + WaterFields<D>::mass]);
   body.points.element[r.id] = -1;
   body.points.place[r.id] = -1;
 }
@@ -139,21 +139,26 @@ std::vector<Traveller<D>> exchange_points(Body<D>& body, std::vector<Traveller<D
   return coming;
 }
 
-/// Adds the points that other ranks have lost as well, in the order of the ranks. Returns whether any rank has a point
-/// that left its element.
+/// Adds the points that other ranks have lost as well, in the order of the ranks, and counts the `water` that went with
+/// all of them [kg]. Returns whether any rank has elements to put in order.
 template <int D>
-bool join_losses(Body<D>& body, std::size_t before, bool moves) {
-  if (!body.share) return moves;
-  Message mine;
-  mine.put(moves);
-  mine.put_list(std::vector<Lost<D>>(body.lost.begin() + static_cast<std::ptrdiff_t>(before), body.lost.end()));
-  body.lost.resize(before);
-  for (Bytes& bytes : body.share->ranks->gather(mine.bytes(), true)) {
-    Message message(std::move(bytes));
-    moves = message.get<bool>() || moves;
-    for (const Lost<D>& lost : message.get_list<Lost<D>>()) body.lost.push_back(lost);
+bool join_losses(Body<D>& body, std::size_t before, std::vector<double> water, bool changes) {
+  if (body.share) {
+    Message mine;
+    mine.put(changes);
+    mine.put_list(std::vector<Lost<D>>(body.lost.begin() + static_cast<std::ptrdiff_t>(before), body.lost.end()));
+    mine.put_list(water);
+    body.lost.resize(before);
+    water.clear();
+    for (Bytes& bytes : body.share->ranks->gather(mine.bytes(), true)) {
+      Message message(std::move(bytes));
+      changes = message.get<bool>() || changes;
+      for (const Lost<D>& lost : message.get_list<Lost<D>>()) body.lost.push_back(lost);
+      for (const double mass : message.get_list<double>()) water.push_back(mass);
+    }
   }
-  return moves;
+  for (const double mass : water) body.water.left_grid += mass;
+  return changes;
 }
 
 template <int D>
@@ -262,12 +267,15 @@ void insert_wet_points(Body<D>& body, const StepOptions<D>& o, const std::vector
     body.water.surface_is_stale = body.water.surface_is_stale || body.points.count[e] == 0;
   }
   for (const Record<D>& r : records) insert_point(body.points, r);
+  update_counts(body);
   for (int e : candidates) update_fill_limit(body, e);
+  std::vector<double> losses;
   for (int e : candidates) {
     share_wet_element(body, e, o);
     add_wet_element(body, e, o, 1);
-    body.work.mapping += find_sharing_loss(body, o, e);
+    losses.push_back(find_sharing_loss(body, o, e));
   }
+  for (const double loss : join_lists(body, std::move(losses))) body.work.mapping += loss;
 }
 
 }  // namespace
@@ -292,15 +300,17 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
   const bool wet = body.water.is_wet() && !o.mixture;
   std::vector<Traveller<D>> travellers;
   const std::size_t lost_before = body.lost.size();
+  std::vector<double> lost_water;
   for (Record<D>& r : records) {
     const int from = r.element;
     if (!find_new_element(body.mesh(), r)) {
-      record_loss(body, r);
+      record_loss(body, r, lost_water);
       continue;
     }
     travellers.push_back({r, read_strain(body, from), body.points.strain_offset[r.id]});
   }
-  if (!join_losses(body, lost_before, !records.empty()) && !(wet && !body.water.newly_full.empty())) return;
+  const bool changes = !records.empty() || (wet && !body.water.newly_full.empty());
+  if (!join_losses(body, lost_before, std::move(lost_water), changes)) return;
   std::vector<Record<D>> staying;
   for (const Traveller<D>& t : exchange_points(body, std::move(travellers))) {
     hand_over(body, t);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "base/parallel.hpp"
+#include "mpm/body/share.hpp"
 
 namespace talus::mpm {
 namespace {
@@ -61,6 +61,12 @@ class MiddleGrid {
   std::map<Cell, std::vector<int>> cells_;
 };
 
+/// What the elements of other ranks that these reach have softened.
+template <int D>
+void update_reach(Body<D>& body) {
+  if (body.share) body.share->reach->update({as_halo(body.elements.softened), as_halo(body.elements.softening_volume)});
+}
+
 }  // namespace
 
 template <int D>
@@ -94,13 +100,14 @@ void lend_softening(Body<D>& body, int threads) {
   Elements<D>& elements = body.elements;
   const Layout<D>& layout = *body.layout;
   const auto for_elements = [&](auto&& work) {
-    parallel_for(layout.chunks, threads, [&](int c) {
+    for_chunks(body, threads, [&](int c) {
       const int end =
           std::min(layout.chunk_start[static_cast<std::size_t>(c) + 1] * lane_width, body.mesh().element_count());
       for (int e = layout.chunk_start[static_cast<std::size_t>(c)] * lane_width; e < end; ++e)
         work(static_cast<std::size_t>(e));
     });
   };
+  update_reach(body);
   for_elements([&](std::size_t e) {
     elements.lent[e] = 0;
     if (!(elements.softening_volume[e] > 0)) return;

@@ -19,7 +19,6 @@
 #include "results/json.hpp"
 #include "run/mpm/moving_soil.hpp"
 #include "run/mpm/narrow_band.hpp"
-#include "run/mpm/ranks_stage.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "run/mpm/record/onset.hpp"
@@ -78,7 +77,6 @@ PointRun<D>::PointRun(const input::LoadedCase& loaded, const input::Case& data, 
 template <int D>
 void PointRun<D>::prepare(results::RunResult& run) {
   const auto start = Clock::now();
-  check_ranks(data_);
   open_origin();
   if (options_.resume) checkpoint_ = open_checkpoint(options_.folder / "checkpoint.h5", checkpoint_hash_);
   mesh::Mesh<D> mesh = checkpoint_ ? get_mesh<D>(*checkpoint_)

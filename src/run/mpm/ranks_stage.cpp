@@ -85,27 +85,8 @@ results::StageEnd run_on_ranks(mpm::Body<D>& body, const StagePlan<D>& plan, Sta
     };
   const results::StageEnd end = run_stage(share, plan, state, shared);
   mpm::collect(share, true, body);
-  body.nodes.load.clear();
   mpm::gather_loads(body);
   return end;
-}
-
-void check_ranks(const input::Case& data) {
-  if (get_ranks().size() == 1) return;
-  for (const input::Stage& stage : data.stages) {
-    const bool is_wet = std::any_of(data.materials.begin(), data.materials.end(),
-                                    [](const auto& m) { return m.second.water.is_wet(); });
-    if (is_wet && stage.step.water != input::WaterMotion::held)
-      throw Error(
-          ExitCode::wrong_input,
-          fmt::format("stage '{}' moves pore water, which several ranks do not calculate: run the case on one, or "
-                      "hold the water (water = \"held\")",
-                      stage.name));
-  }
-  if (data.softening_length)
-    throw Error(ExitCode::wrong_input,
-                "[mesh] softening_length joins elements of several ranks, which they do not calculate: run the case on "
-                "one");
 }
 
 template results::StageEnd run_on_ranks<2>(mpm::Body<2>&, const StagePlan<2>&, StageState&, const StageHooks<2>&);

@@ -12,7 +12,4 @@ template <int D>
 results::StageEnd run_on_ranks(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
                                const StageHooks<D>& hooks);
 
-/// Throws Error (wrong_input) for what several ranks do not calculate.
-void check_ranks(const input::Case& data);
-
 }  // namespace talus::run
