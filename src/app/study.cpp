@@ -15,6 +15,7 @@
 #include "app/commands.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "base/ranks.hpp"
 #include "study/job_folder.hpp"
 #include "study/jobs.hpp"
 
@@ -98,6 +99,9 @@ void run_study(const StudyCommand& command) {
 /// What the words of the command line mean together.
 void choose(const StudyCommand& command) {
   const auto refuse = [](const std::string& sentence) { throw Error(ExitCode::wrong_input, sentence); };
+  if (const int started = count_started(); started > 1)
+    refuse(fmt::format("{} ranks do not share a study: prepare its jobs (--prepare), and start each one alone (--job)",
+                       started));
   std::error_code unknown;
   const bool is_folder = std::filesystem::is_directory(command.input.file, unknown);
   const bool has_jobs = command.collects || command.job != no_job;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -26,6 +27,7 @@ class OneRank : public Ranks {
     return std::make_unique<None>();
   }
   Traffic traffic() const override { return {}; }
+  std::unique_ptr<Ranks> split(int) override { return std::make_unique<OneRank>(); }
   bool meet(double) override { return true; }
   [[noreturn]] void abort(int code) override { std::_Exit(code); }
 };
@@ -35,17 +37,16 @@ std::unique_ptr<Ranks>& current() {
   return ranks;
 }
 
-/// How many processes were started together, as those that start them tell.
-int count_started() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_SIZE", "SLURM_STEP_NUM_TASKS"})
-    if (const char* text = std::getenv(name)) return std::atoi(text);
-  return 1;
-}
-
 }  // namespace
 
 Ranks& get_ranks() {
   return *current();
+}
+
+int count_started() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_SIZE", "SLURM_STEP_NUM_TASKS"})
+    if (const char* text = std::getenv(name)) return std::atoi(text);
+  return 1;
 }
 
 void join_ranks(const std::string& program_folder) {
@@ -65,6 +66,13 @@ void join_ranks(const std::string& program_folder) {
   const auto make = reinterpret_cast<Make>(dlsym(library, "talus_make_ranks"));
   if (make == nullptr) throw Error(ExitCode::wrong_input, "libtalus_ranks.so is of another version");
   current().reset(make());
+}
+
+RankGroup::RankGroup(int groups) : number_(get_ranks().rank() * groups / get_ranks().size()) {
+  all_ = std::exchange(current(), get_ranks().split(number_));
+}
+RankGroup::~RankGroup() {
+  current() = std::move(all_);
 }
 
 void lead_ranks(const std::function<void()>& work) {

@@ -56,6 +56,8 @@ class Ranks {
   /// `guests`: the items of an array of `items` that are needed here and belong to others.
   virtual std::unique_ptr<Halo> make_halo(int items, const std::vector<Guest>& guests) = 0;
   virtual Traffic traffic() const = 0;
+  /// Those ranks that name the same group, in their order. Its traffic is counted here too.
+  virtual std::unique_ptr<Ranks> split(int group) = 0;
   /// Waits for the others. False where not all came in `seconds`.
   virtual bool meet(double seconds) = 0;
   /// Ends all ranks at once.
@@ -65,12 +67,29 @@ class Ranks {
 /// The ranks of this process; one of its own where nobody started more.
 Ranks& get_ranks();
 
+/// How many processes mpiexec, or srun, has started together with this one: 1 where it is alone.
+int count_started();
+
 /// To be called first: finds out whether mpiexec, or srun, started this process beside others, and joins them. Throws
 /// Error (wrong_input) where it did and this program was built without MPI. The module stands beside the program, or in
 /// ../lib/talus from there.
 void join_ranks(const std::string& program_folder);
 /// Leaves the others; nothing is sent any more.
 void leave_ranks();
+
+/// While it lives, get_ranks() are those of one of `groups` groups of consecutive ranks.
+class RankGroup {
+ public:
+  explicit RankGroup(int groups);
+  ~RankGroup();
+  RankGroup(const RankGroup&) = delete;
+  RankGroup& operator=(const RankGroup&) = delete;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+  std::unique_ptr<Ranks> all_;
+};
 
 /// What a message is put together of, and taken apart into in the same order.
 class Message {

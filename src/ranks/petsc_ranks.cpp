@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -36,9 +37,9 @@ class Watch {
 
 class PetscHalo : public Halo {
  public:
-  PetscHalo(int items, const std::vector<Guest>& guests, Traffic& traffic)
+  PetscHalo(MPI_Comm ranks, int items, const std::vector<Guest>& guests, Traffic& traffic)
       : traffic_(traffic), guests_(static_cast<double>(guests.size())) {
-    check(PetscSFCreate(PETSC_COMM_WORLD, &forest_), "make a star forest");
+    check(PetscSFCreate(ranks, &forest_), "make a star forest");
     std::vector<PetscInt> leaves;
     std::vector<PetscSFNode> roots;
     for (const Guest& g : guests) {
@@ -86,14 +87,10 @@ class PetscHalo : public Halo {
 
 class PetscRanks : public Ranks {
  public:
-  PetscRanks() {
-    // Signals are the program's own: Ctrl-C saves a checkpoint.
-    check(PetscInitializeNoArguments(), "start");
-    check(PetscPopSignalHandler(), "leave signals alone");
-    MPI_Comm_rank(PETSC_COMM_WORLD, &rank_);
-    MPI_Comm_size(PETSC_COMM_WORLD, &size_);
+  PetscRanks(MPI_Comm ranks, std::shared_ptr<Traffic> traffic) : ranks_(ranks), traffic_(std::move(traffic)) {
+    MPI_Comm_rank(ranks_, &rank_);
+    MPI_Comm_size(ranks_, &size_);
   }
-  ~PetscRanks() override { PetscFinalize(); }
   PetscRanks(const PetscRanks&) = delete;
   PetscRanks& operator=(const PetscRanks&) = delete;
 
@@ -102,13 +99,13 @@ class PetscRanks : public Ranks {
 
   /// Short lists, which most are, take one message with their lengths.
   std::vector<Bytes> gather(const Bytes& mine, bool to_all) override {
-    const Watch watch(traffic_, static_cast<double>(mine.size()));
+    const Watch watch(*traffic_, static_cast<double>(mine.size()));
     const auto count = static_cast<int>(mine.size());
     std::vector<int> counts(static_cast<std::size_t>(size_)), starts(counts.size(), 0);
     Envelope own{count, {}};
     if (count <= Envelope::room) std::copy(mine.begin(), mine.end(), own.bytes.begin());
     std::vector<Envelope> envelopes(counts.size());
-    MPI_Allgather(&own, sizeof(Envelope), MPI_BYTE, envelopes.data(), sizeof(Envelope), MPI_BYTE, PETSC_COMM_WORLD);
+    MPI_Allgather(&own, sizeof(Envelope), MPI_BYTE, envelopes.data(), sizeof(Envelope), MPI_BYTE, ranks_);
     std::transform(envelopes.begin(), envelopes.end(), counts.begin(), [](const Envelope& e) { return e.count; });
     if (*std::max_element(counts.begin(), counts.end()) <= Envelope::room) {
       std::vector<Bytes> parts;
@@ -119,11 +116,9 @@ class PetscRanks : public Ranks {
     const bool receives = to_all || rank_ == 0;
     Bytes all(receives ? static_cast<std::size_t>(starts.back() + counts.back()) : 0);
     if (to_all)
-      MPI_Allgatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE,
-                     PETSC_COMM_WORLD);
+      MPI_Allgatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, ranks_);
     else
-      MPI_Gatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0,
-                  PETSC_COMM_WORLD);
+      MPI_Gatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0, ranks_);
     return receives ? cut(all, counts) : std::vector<Bytes>();
   }
 
@@ -136,30 +131,31 @@ class PetscRanks : public Ranks {
       send_starts[r] = static_cast<int>(out.size());
       out.insert(out.end(), to[r].begin(), to[r].end());
     }
-    const Watch watch(traffic_, static_cast<double>(out.size()));
-    MPI_Alltoall(sends.data(), 1, MPI_INT, receives.data(), 1, MPI_INT, PETSC_COMM_WORLD);
+    const Watch watch(*traffic_, static_cast<double>(out.size()));
+    MPI_Alltoall(sends.data(), 1, MPI_INT, receives.data(), 1, MPI_INT, ranks_);
     for (std::size_t r = 1; r < n; ++r) receive_starts[r] = receive_starts[r - 1] + receives[r - 1];
     Bytes in(static_cast<std::size_t>(receive_starts.back() + receives.back()));
     MPI_Alltoallv(out.data(), sends.data(), send_starts.data(), MPI_BYTE, in.data(), receives.data(),
-                  receive_starts.data(), MPI_BYTE, PETSC_COMM_WORLD);
+                  receive_starts.data(), MPI_BYTE, ranks_);
     return cut(in, receives);
   }
 
   void broadcast(Bytes& bytes) override {
     auto count = static_cast<int>(bytes.size());
-    MPI_Bcast(&count, 1, MPI_INT, 0, PETSC_COMM_WORLD);
+    MPI_Bcast(&count, 1, MPI_INT, 0, ranks_);
     bytes.resize(static_cast<std::size_t>(count));
-    MPI_Bcast(bytes.data(), count, MPI_BYTE, 0, PETSC_COMM_WORLD);
+    MPI_Bcast(bytes.data(), count, MPI_BYTE, 0, ranks_);
   }
 
   std::unique_ptr<Halo> make_halo(int items, const std::vector<Guest>& guests) override {
-    return std::make_unique<PetscHalo>(items, guests, traffic_);
+    return std::make_unique<PetscHalo>(ranks_, items, guests, *traffic_);
   }
-  Traffic traffic() const override { return traffic_; }
+  Traffic traffic() const override { return *traffic_; }
+  std::unique_ptr<Ranks> split(int group) override;
 
   bool meet(double seconds) override {
     MPI_Request request;
-    MPI_Ibarrier(PETSC_COMM_WORLD, &request);
+    MPI_Ibarrier(ranks_, &request);
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     for (int done = 0; done == 0;) {
       MPI_Test(&request, &done, MPI_STATUS_IGNORE);
@@ -170,7 +166,7 @@ class PetscRanks : public Ranks {
     return true;
   }
   [[noreturn]] void abort(int code) override {
-    MPI_Abort(PETSC_COMM_WORLD, code);
+    MPI_Abort(MPI_COMM_WORLD, code);
     std::abort();
   }
 
@@ -190,13 +186,48 @@ class PetscRanks : public Ranks {
     int count;
     std::array<std::byte, room> bytes;
   };
+  MPI_Comm ranks_;
   int rank_ = 0, size_ = 1;
-  Traffic traffic_;
+  std::shared_ptr<Traffic> traffic_;
 };
+
+/// All ranks that were started. MPI and PETSc begin and end with them.
+class AllRanks : public PetscRanks {
+ public:
+  AllRanks() : PetscRanks(start(), std::make_shared<Traffic>()) {}
+  ~AllRanks() override { PetscFinalize(); }
+  AllRanks(const AllRanks&) = delete;
+  AllRanks& operator=(const AllRanks&) = delete;
+
+ private:
+  static MPI_Comm start() {
+    // Signals are the program's own: Ctrl-C saves a checkpoint.
+    check(PetscInitializeNoArguments(), "start");
+    check(PetscPopSignalHandler(), "leave signals alone");
+    return PETSC_COMM_WORLD;
+  }
+};
+
+class SomeRanks : public PetscRanks {
+ public:
+  SomeRanks(MPI_Comm ranks, std::shared_ptr<Traffic> traffic) : PetscRanks(ranks, std::move(traffic)), own_(ranks) {}
+  ~SomeRanks() override { MPI_Comm_free(&own_); }
+  SomeRanks(const SomeRanks&) = delete;
+  SomeRanks& operator=(const SomeRanks&) = delete;
+
+ private:
+  MPI_Comm own_;
+};
+
+std::unique_ptr<Ranks> PetscRanks::split(int group) {
+  MPI_Comm some;
+  MPI_Comm_split(ranks_, group, rank_, &some);
+  return std::make_unique<SomeRanks>(some, traffic_);
+}
 
 }  // namespace
 }  // namespace talus
 
 extern "C" talus::Ranks* talus_make_ranks() {
-  return new talus::PetscRanks;
+  return new talus::AllRanks;
 }

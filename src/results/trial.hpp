@@ -157,6 +157,19 @@ void describe(V& v, R& r) {
   v.maybe("failure_time", r.failure_time, {"s", "time of failure"});
 }
 
+/// What a trial leaves, where it was calculated by other ranks.
+struct TrialOutcome {
+  Trial trial;
+  std::optional<RunoutTrial> runout;
+  std::optional<SlipLine> slip_line;
+};
+template <class V, As<TrialOutcome> R>
+void describe(V& v, R& r) {
+  v.key("trial", r.trial, {"", "how it ended"});
+  v.maybe("runout", r.runout, {"", "where it went on until rest"});
+  v.maybe("slip_line", r.slip_line, {"", "of one that failed at frozen geometry"});
+}
+
 /// The criterion of a factor of safety by material points.
 enum class CriterionKind { frozen, bilinear, displacement, jump };
 template <>

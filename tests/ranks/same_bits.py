@@ -57,9 +57,9 @@ def kill_rank(starter, rank):
 def read_end(folder):
     """Fields of the points by their numbers, at the end and in every frame."""
     arrays = {}
-    for path in sorted(folder.glob("*.vtkhdf")):
+    for path in sorted(folder.rglob("*.vtkhdf")):
         with h5py.File(path) as file:
-            file.visititems(lambda name, item: arrays.__setitem__(f"{path.name}/{name}", item[()]) if isinstance(item, h5py.Dataset) else None)
+            file.visititems(lambda name, item: arrays.__setitem__(f"{path.relative_to(folder)}/{name}", item[()]) if isinstance(item, h5py.Dataset) else None)
     return arrays
 
 
@@ -70,9 +70,10 @@ def clean(value):
 
 
 def compare(name, one, other):
-    for table in ("history.csv", "monitors.csv", "profile.csv"):
-        if (one / table).exists() and (one / table).read_bytes() != (other / table).read_bytes():
-            faults.append(f"{name}: {table} differs")
+    for path in [*one.rglob("*.csv"), *one.rglob("trial*.json"), *one.rglob("slip_line.json")]:
+        table = path.relative_to(one)
+        if not (other / table).exists() or path.read_bytes() != (other / table).read_bytes():
+            faults.append(f"{name}: {table} differs, or is missing")
     a, b = (clean(json.loads((f / "summary.json").read_text())) for f in (one, other))
     for key in a:
         if a[key] != b.get(key):
@@ -96,6 +97,8 @@ def check_faults(program, here):
     case = CASES / "slide.toml"
     expect_fault("threads", start(program, 2, case, here / "fault", "--threads", "2"), "each of several ranks has one thread")
     expect_fault("folder", start(program, 2, case, here / "slide_1"), "is not empty", 3)
+    expect_fault("study", subprocess.Popen(["mpiexec", "--allow-run-as-root", "--oversubscribe", "-n", "2", program, "study", str(case)],
+                                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True), "2 ranks do not share a study")
     # The same program but for the name of its source.
     other = here / "other"
     other.mkdir()
@@ -118,7 +121,7 @@ def main():
         return 77
     with tempfile.TemporaryDirectory() as scratch:
         here = pathlib.Path(scratch)
-        for case in ("slide", "block_3d", "wet_bank", "wet_bank_3d"):
+        for case in ("slide", "block_3d", "wet_bank", "wet_bank_3d", "reduction"):
             path = CASES / f"{case}.toml"
             run(program, 1, path, here / f"{case}_1")
             for ranks in (2, 4):

@@ -5,11 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "base/extrapolate.hpp"
 #include "run/mpm/reduction/frozen_factor.hpp"
+#include "run/mpm/reduction/side_by_side.hpp"
 
 namespace talus::run {
 namespace {
@@ -112,11 +115,20 @@ struct IdealSlope {
   }
 };
 
+/// One trial after the other.
+RunTrials in_turn(std::function<results::Trial(double)> run_one) {
+  return [run_one = std::move(run_one)](const std::vector<double>& factors) {
+    std::vector<results::Trial> trials;
+    std::transform(factors.begin(), factors.end(), std::back_inserter(trials), run_one);
+    return trials;
+  };
+}
+
 TEST(FrozenSearch, BracketsTheFactorToTheResolution) {
   input::FrozenFactor settings;
   for (const double critical : {1.0001, 1.3, 1.4444, 1.77, 1.9999}) {
     IdealSlope slope{critical};
-    const results::MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
+    const results::MeshFactor found = search_frozen_factor(settings, in_turn(std::ref(slope)));
     EXPECT_LE(found.lower.value(), critical);
     EXPECT_GE(found.upper.value(), critical);
     EXPECT_LE(*found.upper - *found.lower, settings.resolution * (1 + 1e-9));
@@ -129,7 +141,7 @@ TEST(FrozenSearch, LeavesTheFirstBracketWhenTheFactorIsOutside) {
   input::FrozenFactor settings;
   for (const double critical : {0.4, 0.95, 2.05, 5.0}) {
     IdealSlope slope{critical};
-    const results::MeshFactor found = search_frozen_factor(settings, 1, std::ref(slope));
+    const results::MeshFactor found = search_frozen_factor(settings, in_turn(std::ref(slope)));
     EXPECT_LE(found.lower.value(), critical);
     EXPECT_GE(found.upper.value(), critical);
     EXPECT_LE(*found.upper - *found.lower, settings.resolution * (1 + 1e-9)) << critical;
@@ -137,12 +149,13 @@ TEST(FrozenSearch, LeavesTheFirstBracketWhenTheFactorIsOutside) {
 }
 
 TEST(FrozenSearch, CountsAnUndecidedTrialAsFailedAndSaysSo) {
-  const results::MeshFactor found = search_frozen_factor({}, 1, [](double factor) {
-    results::Trial t;
-    t.factor = factor;
-    t.end = factor < 1.5 ? results::StageEnd::rest : results::StageEnd::time;
-    return t;
-  });
+  const results::MeshFactor found =
+      search_frozen_factor({}, in_turn([](double factor) {
+                             results::Trial t;
+                             t.factor = factor;
+                             t.end = factor < 1.5 ? results::StageEnd::rest : results::StageEnd::time;
+                             return t;
+                           }));
   EXPECT_TRUE(found.undecided);
   EXPECT_NEAR(found.factor().value(), 1.5, 0.01);
 }
@@ -150,23 +163,29 @@ TEST(FrozenSearch, CountsAnUndecidedTrialAsFailedAndSaysSo) {
 TEST(FrozenSearch, HasNoFactorWhereAnEndOfTheBracketWasNotFound) {
   input::FrozenFactor settings;
   IdealSlope strong{1e9}, weak{0};
-  const results::MeshFactor above = search_frozen_factor(settings, 1, std::ref(strong));
+  const results::MeshFactor above = search_frozen_factor(settings, in_turn(std::ref(strong)));
   EXPECT_TRUE(above.lower.has_value());
   EXPECT_FALSE(above.upper.has_value()) << "nothing failed";
   EXPECT_FALSE(above.factor().has_value());
   const results::FrozenFactor none = join_meshes({above});
   EXPECT_FALSE(none.factor.has_value());
   EXPECT_EQ(none.note.rfind("above 15", 0), 0u) << none.note;
-  const results::MeshFactor below = search_frozen_factor(settings, 1, std::ref(weak));
+  const results::MeshFactor below = search_frozen_factor(settings, in_turn(std::ref(weak)));
   EXPECT_FALSE(below.lower.has_value()) << "nothing rested";
   EXPECT_NE(join_meshes({below}).note.find("does not depend on the strength"), std::string::npos);
 }
 
 TEST(FrozenSearch, TriesTheSameFactorsForAnyNumberOfThreads) {
   const auto list = [](int side_by_side) {
+    const RunTrials run = [&](const std::vector<double>& factors) {
+      std::vector<results::Trial> trials;
+      const auto run_one = [&](int i) { return results::TrialOutcome{IdealSlope{1.39}(factors[i]), {}, {}}; };
+      for (const auto& o : run_side_by_side(static_cast<int>(factors.size()), side_by_side, run_one))
+        trials.push_back(o.trial);
+      return trials;
+    };
     std::vector<double> factors;
-    for (const results::Trial& t : search_frozen_factor({}, side_by_side, IdealSlope{1.39}).trials)
-      factors.push_back(t.factor);
+    for (const results::Trial& t : search_frozen_factor({}, run).trials) factors.push_back(t.factor);
     return factors;
   };
   EXPECT_EQ(list(1), list(2));

@@ -15,9 +15,15 @@
 namespace talus::mpm {
 namespace {
 
-/// A chunk should be worth a thread's waking up, and there should be enough of them for many threads.
-constexpr int points_per_chunk = 8192;
-constexpr int most_chunks = 64;
+/// A chunk should be worth a thread's waking up, and there should be enough of them for many threads. Of a large body
+/// they grow, as nodes between chunks cost more; beyond that their number does, for many ranks.
+constexpr int points_per_chunk = 8192, points_per_large_chunk = 65536;
+constexpr int most_small_chunks = 64;
+
+int choose_chunks(std::int64_t points) {
+  const std::int64_t small = std::clamp<std::int64_t>(points / points_per_chunk, 1, most_small_chunks);
+  return static_cast<int>(std::max(small, points / points_per_large_chunk));
+}
 
 std::vector<int> cut_into_chunks(const std::vector<int>& weight, int chunks) {
   const int blocks = static_cast<int>(weight.size());
@@ -132,7 +138,7 @@ std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vect
     weight[e / lane_width] += 2 * points_in_element[e];
     points += points_in_element[e];
   }
-  if (chunks <= 0) chunks = static_cast<int>(std::clamp<std::int64_t>(points / points_per_chunk, 1, most_chunks));
+  if (chunks <= 0) chunks = choose_chunks(points);
   layout->chunk_start = cut_into_chunks(weight, chunks);
   layout->chunks = static_cast<int>(layout->chunk_start.size()) - 1;
   number_rows(*layout);

@@ -13,6 +13,7 @@
 #include "run/forecast/counts.hpp"
 #include "run/forecast/probe.hpp"
 #include "run/mpm/reduction/frozen_factor.hpp"
+#include "run/mpm/reduction/side_by_side.hpp"
 
 namespace talus::run {
 namespace {

@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <mutex>
 
 #include "base/atomic_file.hpp"
-#include "base/parallel.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/body/observe.hpp"
 #include "run/mpm/record/onset.hpp"
+#include "run/mpm/reduction/side_by_side.hpp"
 #include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {
@@ -77,23 +76,19 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
   const int inner = side_by_side > 1 ? 1 : threads;
   const double bin = mesh::measure_quality(state.mesh()).mean_size;
   CurveResult result;
-  std::mutex collecting;
 
   const auto wants_runout = [&](double f) {
     return std::any_of(curve.runout.begin(), curve.runout.end(), [&](double r) { return std::abs(r - f) < 1e-9; });
   };
-  const auto run_one = [&](double factor, const std::string& label) {
+  const auto name_folder = [&](double factor) { return context.folder / "trials" / fmt::format("srf_{:.4f}", factor); };
+  const auto run_one = [&](double factor, const std::string& label) -> results::TrialOutcome {
     TrialFiles files;
-    files.folder = context.folder / "trials" / fmt::format("srf_{:.4f}", factor);
+    files.folder = name_folder(factor);
     files.keeps_frames = true;
     files.label = label;
     const bool runs_out = wants_runout(factor);
     const auto known = context.resume ? load_trial(files.folder) : std::nullopt;
-    if (known && !runs_out) {
-      const std::lock_guard lock(collecting);
-      result.trials.push_back(*known);
-      return;
-    }
+    if (known && !runs_out) return {*known, {}, {}};
     std::vector<StagePlan<D>> legs{make_trial_plan<D>(*context.data, slope_height, inner)};
     legs[0].name = fmt::format("trial SRF {:g}", factor);
     if (runs_out) {
@@ -119,9 +114,7 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
       if (runout->failure_time) *runout->failure_time -= state.time;
       write_profiles(files.folder / "profile.csv", before, runout->profile);
     }
-    const std::lock_guard lock(collecting);
-    result.trials.push_back(legs_done.front());
-    if (runout) result.runouts.push_back(*runout);
+    return {legs_done.front(), runout, {}};
   };
   const auto sort_results = [&] {
     std::sort(result.trials.begin(), result.trials.end(),
@@ -135,7 +128,12 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     const int count = static_cast<int>(factors.size());
     // The weakest, which is the last, takes longest with runouts: start it first, so that the others run beside it.
     std::reverse(factors.begin(), factors.end());
-    parallel_tasks(count, side_by_side, [&](int i) { run_one(factors[i], fmt::format("[{} of {}] ", i + 1, count)); });
+    for (results::TrialOutcome& o : run_side_by_side(
+             count, side_by_side, [&](int i) { return run_one(factors[i], fmt::format("[{} of {}] ", i + 1, count)); },
+             [&](int i) { return name_folder(factors[i]); })) {
+      result.trials.push_back(std::move(o.trial));
+      if (o.runout) result.runouts.push_back(std::move(*o.runout));
+    }
     sort_results();
     factors.clear();
     if (!curve.refine) break;

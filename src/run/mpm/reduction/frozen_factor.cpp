@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/extrapolate.hpp"
-#include "base/parallel.hpp"
 #include "mesh/corners.hpp"
+#include "run/mpm/reduction/side_by_side.hpp"
 #include "run/mpm/start/prepare.hpp"
 
 namespace talus::run {
@@ -114,14 +114,11 @@ StagePlan<D> make_frozen_plan(const input::Case& data, const input::FrozenFactor
   return plan;
 }
 
-results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, int side_by_side,
-                                         const std::function<results::Trial(double)>& run_trial) {
+results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, const RunTrials& run_trials) {
   results::MeshFactor result;
   const auto is_stable = [&](const std::vector<double>& factors) {
-    std::vector<results::Trial> trials(factors.size());
-    parallel_tasks(static_cast<int>(factors.size()), side_by_side, [&](int i) { trials[i] = run_trial(factors[i]); });
     std::vector<bool> stable;
-    for (const results::Trial& t : trials) {
+    for (const results::Trial& t : run_trials(factors)) {
       result.trials.push_back(t);
       result.undecided = result.undecided || t.end == results::StageEnd::time;
       stable.push_back(t.end == results::StageEnd::rest);
@@ -185,10 +182,16 @@ results::MeshFactor find_frozen_factor(const mpm::Body<D>& state, const input::C
                                        const input::FrozenFactor& settings, double slope_height, int threads) {
   const int side_by_side = count_parallel_trials(state.points.size(), threads);
   const StagePlan<D> plan = make_frozen_plan<D>(data, settings, slope_height, side_by_side > 1 ? 1 : threads);
-  results::MeshFactor factor = search_frozen_factor(settings, side_by_side, [&](double f) {
-    mpm::Body<D> body = start_trial(state, data, f);
-    StageState stage;
-    return run_trial(body, f, plan, stage);
+  results::MeshFactor factor = search_frozen_factor(settings, [&](const std::vector<double>& factors) {
+    std::vector<results::Trial> trials;
+    const auto run_one = [&](int i) {
+      mpm::Body<D> body = start_trial(state, data, factors[i]);
+      StageState stage;
+      return results::TrialOutcome{run_trial(body, factors[i], plan, stage), {}, {}};
+    };
+    for (results::TrialOutcome& o : run_side_by_side(static_cast<int>(factors.size()), side_by_side, run_one))
+      trials.push_back(std::move(o.trial));
+    return trials;
   });
   factor.points = state.points.size();
   return factor;

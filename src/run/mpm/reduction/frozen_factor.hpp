@@ -3,6 +3,7 @@
 // The factor of safety of Talus: at frozen geometry a trial either comes to rest or runs away, and bisection finds the
 // factor between. Evidence and definitions: docs/theory/factor-of-safety.md.
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -18,11 +19,12 @@ mesh::Plan plan_frozen_mesh(mesh::Plan plan, const input::FrozenFactor& settings
 /// Trials that were calculated before, by factor.
 using KnownTrials = std::map<double, results::Trial>;
 
-/// Bisects between rest and run-away. `run_trial` calculates the trial with a factor; up to `side_by_side` calls run at
-/// the same time. The factors that are tried do not depend on that: every round tries two that cut the bracket into
-/// three.
-results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, int side_by_side,
-                                         const std::function<results::Trial(double)>& run_trial);
+/// The trials with some factors, in their order.
+using RunTrials = std::function<std::vector<results::Trial>(const std::vector<double>& factors)>;
+
+/// Bisects between rest and run-away. The factors that are tried do not depend on how many trials run at the same time:
+/// every round tries two that cut the bracket into three.
+results::MeshFactor search_frozen_factor(const input::FrozenFactor& settings, const RunTrials& run_trials);
 
 /// The trial at frozen geometry. `slope_height` is H of the criteria [m].
 template <int D>

@@ -16,6 +16,7 @@
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/moved_limit.hpp"
 #include "run/mpm/record/runout.hpp"
+#include "run/mpm/reduction/side_by_side.hpp"
 #include "run/mpm/start/initial_state.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "run/mpm/start/water_conditions.hpp"
@@ -103,8 +104,8 @@ class FrozenMesh {
     }
     const int side_by_side = count_parallel_trials(state_.points.size(), threads_);
     const StagePlan<D> plan = make_frozen_plan<D>(data_, settings_, height_, side_by_side > 1 ? 1 : threads_);
-    results::MeshFactor factor =
-        search_frozen_factor(settings_, side_by_side, [&](double f) { return run_one(f, plan); });
+    results::MeshFactor factor = search_frozen_factor(
+        settings_, [&](const std::vector<double>& factors) { return run_round(factors, side_by_side, plan); });
     factor.points = state_.points.size();
     factor.size = data_.mesh.file.empty() ? data_.mesh.size * std::pow(0.5, choice_.halvings)
                                           : mesh::measure_quality(state_.mesh()).mean_size;
@@ -175,9 +176,20 @@ class FrozenMesh {
     }
   }
 
+  std::vector<results::Trial> run_round(const std::vector<double>& factors, int side_by_side,
+                                        const StagePlan<D>& plan) {
+    std::vector<results::Trial> trials;
+    for (const results::TrialOutcome& o : run_side_by_side(static_cast<int>(factors.size()), side_by_side,
+                                                           [&](int i) { return run_one(factors[i], plan); })) {
+      keep(o);  // where another group of ranks has calculated it
+      trials.push_back(o.trial);
+    }
+    return trials;
+  }
+
   /// Safe to call from several threads.
-  results::Trial run_one(double factor, const StagePlan<D>& plan) {
-    if (const auto before = known_.find(factor); before != known_.end()) return before->second;
+  results::TrialOutcome run_one(double factor, const StagePlan<D>& plan) {
+    if (const auto before = known_.find(factor); before != known_.end()) return {before->second, {}, {}};
     RecorderSettings recording = recording_;
     recording.checkpoint_name = fmt::format("trial_{:.9f}.h5", factor);
     recording.label += fmt::format("SRF {:.3f}, ", factor);
@@ -192,30 +204,34 @@ class FrozenMesh {
     Recorder<D> recorder =
         checkpoint ? Recorder<D>::resume(recording, body, *checkpoint) : Recorder<D>::start(recording, body);
     const StageHooks<D> hooks = recorder.begin_leg(0, plan, body, stage);
-    results::Trial result = run_trial(body, factor, plan, stage, hooks);
-    {
-      const std::lock_guard lock(keeping_);
-      done_.push_back(result);
-      save_trials(folder_ / "trials.json", done_);
-      if constexpr (D == 2) {
-        if (result.end == results::StageEnd::failed) keep_slip_line(factor, body);
-      }
-    }
+    results::TrialOutcome outcome{run_trial(body, factor, plan, stage, hooks), {}, {}};
+    if constexpr (D == 2)
+      if (outcome.trial.end == results::StageEnd::failed) outcome.slip_line = find_slip_line(factor, body);
+    keep(outcome);
     recorder.finish(true);
     context_.add_timing(body.timing);
-    return result;
+    return outcome;
   }
 
-  /// The line of the smallest factor that failed so far.
-  void keep_slip_line(double factor, const mpm::Body<2>& body) {
-    const fs::path file = folder_ / slip_line_file;
+  /// In files, once.
+  void keep(const results::TrialOutcome& outcome) {
+    const std::lock_guard lock(keeping_);
+    const double factor = outcome.trial.factor;
+    if (std::any_of(done_.begin(), done_.end(), [&](const auto& done) { return done.factor == factor; })) return;
+    done_.push_back(outcome.trial);
+    save_trials(folder_ / "trials.json", done_);
+    if (!outcome.slip_line) return;
+    const fs::path file = folder_ / slip_line_file;  // of the smallest factor that failed so far
     const auto kept = results::find_file<results::SlipLine>(file);
-    if (kept && kept->factor < factor) return;
+    if (!kept || factor <= kept->factor) results::write_file(file, *outcome.slip_line, -1);
+  }
+
+  static std::optional<results::SlipLine> find_slip_line(double factor, const mpm::Body<2>& body) {
     MovedLimit limit = find_frozen_limit(body);
-    if (limit.line.empty()) return;
+    if (limit.line.empty()) return std::nullopt;
     results::SlipLine told{factor, std::move(limit.line), {}};
     if (!limit.sides.empty()) told.sides = std::move(limit.sides);
-    results::write_file(file, told, -1);
+    return told;
   }
 
   const TrialContext& context_;

@@ -33,11 +33,6 @@ results::Trial run_trial(mpm::Body<D>& body, double factor, const StagePlan<D>& 
   return r;
 }
 
-int count_parallel_trials(int points, int threads) {
-  constexpr int points_worth_threads = 200000;
-  return points < points_worth_threads ? threads : 1;
-}
-
 template mpm::Body<2> start_trial<2>(const mpm::Body<2>&, const input::Case&, double);
 template mpm::Body<3> start_trial<3>(const mpm::Body<3>&, const input::Case&, double);
 template results::Trial run_trial<2>(mpm::Body<2>&, double, const StagePlan<2>&, StageState&, const StageHooks<2>&);

@@ -15,8 +15,4 @@ template <int D>
 results::Trial run_trial(mpm::Body<D>& body, double factor, const StagePlan<D>& plan, StageState& state,
                          const StageHooks<D>& hooks = {});
 
-/// How many trials of a body of this size run side by side on `threads` threads; the rest of the threads work inside
-/// the trials. Small bodies gain nothing from threads inside a step.
-int count_parallel_trials(int points, int threads);
-
 }  // namespace talus::run
