@@ -26,10 +26,13 @@ class OneRank : public Ranks {
     };
     return std::make_unique<None>();
   }
-  Traffic traffic() const override { return {}; }
+  Traffic& traffic() override { return none_; }
   std::unique_ptr<Ranks> split(int) override { return std::make_unique<OneRank>(); }
   bool meet(double) override { return true; }
   [[noreturn]] void abort(int code) override { std::_Exit(code); }
+
+ private:
+  Traffic none_;
 };
 
 std::unique_ptr<Ranks>& current() {

@@ -39,6 +39,7 @@ struct Guest {
 struct Traffic {
   double bytes = 0;
   double seconds = 0;  ///< waiting for the others too
+  int hand_overs = 0;  ///< of work to other ranks, because some had more of it; counted by those who do it
 };
 
 /// All calls but rank() and size() are made by all ranks in the same order.
@@ -55,7 +56,7 @@ class Ranks {
   virtual void broadcast(Bytes& bytes) = 0;
   /// `guests`: the items of an array of `items` that are needed here and belong to others.
   virtual std::unique_ptr<Halo> make_halo(int items, const std::vector<Guest>& guests) = 0;
-  virtual Traffic traffic() const = 0;
+  virtual Traffic& traffic() = 0;
   /// Those ranks that name the same group, in their order. Its traffic is counted here too.
   virtual std::unique_ptr<Ranks> split(int group) = 0;
   /// Waits for the others. False where not all came in `seconds`.

@@ -150,7 +150,7 @@ class PetscRanks : public Ranks {
   std::unique_ptr<Halo> make_halo(int items, const std::vector<Guest>& guests) override {
     return std::make_unique<PetscHalo>(ranks_, items, guests, *traffic_);
   }
-  Traffic traffic() const override { return *traffic_; }
+  Traffic& traffic() override { return *traffic_; }
   std::unique_ptr<Ranks> split(int group) override;
 
   bool meet(double seconds) override {

@@ -135,12 +135,14 @@ struct RankWork {
   int ranks = 1;
   double bytes = 0;    ///< that the first of them has sent
   double seconds = 0;  ///< that it spent with it, waiting for others too [s]
+  int hand_overs = 0;  ///< of soil between ranks, because some had more to do
 };
 template <class V, As<RankWork> R>
 void describe(V& v, R& r) {
   v.key("ranks", r.ranks, {"", "ranks"});
   v.key("bytes", r.bytes, {"", "bytes that the first rank has sent"});
   v.key("seconds", r.seconds, {"s", "seconds that it spent with it, waiting for others too"});
+  v.key("hand_overs", r.hand_overs, {"", "times that ranks handed soil on, because some had more to do"});
 }
 
 struct RunResult {

@@ -11,34 +11,12 @@
 namespace talus::mpm {
 namespace {
 
-/// Consecutive chunks for every rank, with about as many points.
 template <int D>
-std::vector<int> divide_chunks(const Body<D>& body, int ranks) {
-  const Layout<D>& layout = *body.layout;
-  std::vector<double> before{0};  // points before each chunk; elements without count a little
-  for (int c = 0; c < layout.chunks; ++c) {
-    double sum = before.back();
-    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b)
-      for (int l = 0; l < lane_width; ++l)
-        sum += 0.1 + body.points.count[static_cast<std::size_t>(b) * lane_width + static_cast<std::size_t>(l)];
-    before.push_back(sum);
-  }
-  std::vector<int> start;
-  for (int r = 0; r <= ranks; ++r) {
-    const double wanted = before.back() * r / ranks;
-    const auto nearest = std::min_element(
-        before.begin(), before.end(), [&](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
-    start.push_back(static_cast<int>(nearest - before.begin()));
-  }
-  return start;
-}
-
-template <int D>
-std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks) {
+std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, std::vector<int> chunk_of_rank) {
   const Layout<D>& layout = *body.layout;
   auto share = std::make_shared<Share<D>>();
   share->ranks = &ranks;
-  share->chunk_of_rank = divide_chunks(body, ranks.size());
+  share->chunk_of_rank = std::move(chunk_of_rank);
   std::vector<int> rank_of_chunk;
   for (int r = 0; r < ranks.size(); ++r)
     for (int c = share->chunk_of_rank[r]; c < share->chunk_of_rank[r + 1]; ++c) rank_of_chunk.push_back(r);
@@ -183,7 +161,10 @@ void copy_totals(const Water<D>& share, Water<D>& whole) {
   whole.lost_between = share.lost_between;
   whole.left_grid = share.left_grid;
   whole.pressed_in = share.pressed_in;
+  whole.axes = share.axes;
+  whole.axes_of_node = share.axes_of_node;
   whole.mixture.is_used = share.mixture.is_used;
+  whole.mixture.graph = share.mixture.graph;
   whole.surface_is_stale = true;
   whole.mixture.pressure.resize(share.mixture.pressure.size());
   whole.mixture.change.resize(share.mixture.change.size());
@@ -194,12 +175,38 @@ void copy_totals(const Water<D>& share, Water<D>& whole) {
 }  // namespace
 
 template <int D>
-Body<D> take_share(const Body<D>& whole, Ranks& ranks) {
+std::vector<double> count_work(const Body<D>& body) {
+  constexpr double of_element = 0.1;
+  const Layout<D>& layout = *body.layout;
+  std::vector<double> work(static_cast<std::size_t>(layout.chunks), 0.0);
+  const auto [first, last] = own_chunks(body);
+  for (int c = first; c < last; ++c)
+    for (int e = layout.chunk_start[c] * lane_width; e < layout.chunk_start[c + 1] * lane_width; ++e)
+      work[static_cast<std::size_t>(c)] += of_element + body.points.count[static_cast<std::size_t>(e)];
+  return work;
+}
+
+std::vector<int> divide_chunks(const std::vector<double>& work, int ranks) {
+  std::vector<double> before{0};
+  for (const double w : work) before.push_back(before.back() + w);
+  std::vector<int> start;
+  for (int r = 0; r <= ranks; ++r) {
+    const double wanted = before.back() * r / ranks;
+    const auto nearest = std::min_element(
+        before.begin(), before.end(), [&](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
+    start.push_back(static_cast<int>(nearest - before.begin()));
+  }
+  start.back() = static_cast<int>(work.size());
+  return start;
+}
+
+template <int D>
+Body<D> take_share(const Body<D>& whole, Ranks& ranks, std::vector<int> chunk_of_rank) {
   if (!whole.layout->is_ordered)
     throw Error(ExitCode::wrong_input,
                 "the nodes of the mesh are not in the order of its elements, which several ranks need: run it on one");
   Body<D> body = whole;
-  body.share = make_share(whole, ranks);
+  body.share = make_share(whole, ranks, std::move(chunk_of_rank));
   const auto [first, last] = own_elements(body);
   Points<D>& points = body.points;
   for (int id = 0; id < points.size(); ++id)
@@ -255,8 +262,9 @@ void collect(const Body<D>& share, bool to_all, Body<D>& whole) {
   whole.points.block_materials = std::move(materials);
 }
 
-#define TALUS_INSTANTIATE(D)                              \
-  template Body<D> take_share<D>(const Body<D>&, Ranks&); \
+#define TALUS_INSTANTIATE(D)                                                \
+  template std::vector<double> count_work<D>(const Body<D>&);               \
+  template Body<D> take_share<D>(const Body<D>&, Ranks&, std::vector<int>); \
   template void collect<D>(const Body<D>&, bool, Body<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -146,10 +146,17 @@ bool is_any(const Body<D>& body, bool here) {
   return std::any_of(all.begin(), all.end(), [](char c) { return c != 0; });
 }
 
-/// The share of this rank, of a body that every rank has as a whole. Throws Error (wrong_input) for a mesh whose nodes
-/// are not in the order of their elements.
+/// What a step has to do in each chunk, in points: those of this rank's chunks, and an element costs a little.
 template <int D>
-Body<D> take_share(const Body<D>& whole, Ranks& ranks);
+std::vector<double> count_work(const Body<D>& body);
+
+/// First chunk of each of so many ranks, [ranks + 1], such that each has about as much of `work`, by chunk.
+std::vector<int> divide_chunks(const std::vector<double>& work, int ranks);
+
+/// The share of this rank, of a body that every rank has as a whole; chunk_of_rank as of divide_chunks(). Throws Error
+/// (wrong_input) for a mesh whose nodes are not in the order of their elements.
+template <int D>
+Body<D> take_share(const Body<D>& whole, Ranks& ranks, std::vector<int> chunk_of_rank);
 
 /// Puts the whole body together again, on all ranks or on rank 0 alone: `whole` is the body that the shares were taken
 /// of.

@@ -145,8 +145,10 @@ void PointRun<D>::finish(results::RunResult& run) {
         body_.lost.size(), mass, body_.lost.front().time));
   }
   run.stages = stages_;
-  if (const Ranks& ranks = get_ranks(); ranks.size() > 1)
-    run.ranks = {ranks.size(), ranks.traffic().bytes, ranks.traffic().seconds};
+  if (Ranks& ranks = get_ranks(); ranks.size() > 1) {
+    const Traffic& traffic = ranks.traffic();
+    run.ranks = {ranks.size(), traffic.bytes, traffic.seconds, traffic.hand_overs};
+  }
   try {
     read_output(run, data_, options_.folder);
   } catch (const Error& error) {

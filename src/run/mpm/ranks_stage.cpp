@@ -9,6 +9,7 @@
 #include "base/hash.hpp"
 #include "base/ranks.hpp"
 #include "mpm/body/share.hpp"
+#include "run/mpm/balance.hpp"
 
 namespace talus::run {
 namespace {
@@ -48,8 +49,10 @@ results::StageEnd run_on_ranks(mpm::Body<D>& body, const StagePlan<D>& plan, Sta
   using Body = mpm::Body<D>;
   Ranks& ranks = get_ranks();
   check_equal(body);
-  Body share = mpm::take_share(body, ranks);
+  Body share = mpm::take_share(body, ranks, mpm::divide_chunks(mpm::count_work(body), ranks.size()));
   StageHooks<D> shared;
+  Balance<D> balance(body);
+  shared.rebalance = [&](Body& b) { balance.look(b); };
   if (hooks.output)
     shared.output = [&](const Body& b, StageState& s) {
       mpm::collect(b, false, body);

@@ -297,7 +297,6 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     options = make_options(plan);
     mpm::gather_nodal_sums(body, options);  // smoothing may have changed
   };
-  const bool watches_displacement = plan.failed_displacement > 0;
   const int step_interval = find_step_interval(body);
 
   for (;;) {
@@ -311,9 +310,10 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
       }
     }
     if (state.steps % look_interval == 0) {
+      if (hooks.rebalance) hooks.rebalance(body);
       if (state.steps % (look_interval * looks_per_copy) == 0) good.keep(body, state);
       if (hooks.look && (!hooks.look_is_due || hooks.look_is_due())) hooks.look(body, state);
-      if (watches_displacement &&
+      if (plan.failed_displacement > 0 &&
           find_largest(body, mpm::find_largest_displacement(body).value) > plan.failed_displacement)
         return results::StageEnd::failed;
     }

@@ -60,6 +60,9 @@ struct StageHooks {
   /// end the run.
   std::function<void(const mpm::Body<D>&, const StageState&)> look;
   std::function<bool()> look_is_due;
+  /// Called every look_interval steps. May put another body in place, which goes on with the same numbers: with other
+  /// parts of the soil on this rank.
+  std::function<void(mpm::Body<D>&)> rebalance;
   /// Called with the last good body before an unstable run is given up; returns where it was saved, for the message.
   std::function<std::string(const mpm::Body<D>&, const StageState&)> save_last_good;
   /// Called when the body is kept as one to which an unstable run may return.
