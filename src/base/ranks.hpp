@@ -25,8 +25,14 @@ struct HaloArray {
 class Halo {
  public:
   virtual ~Halo() = default;
-  /// All arrays at once: none waits for another's messages.
-  virtual void update(const std::vector<HaloArray>& arrays) = 0;
+  /// All arrays at once: none waits for another's messages. Between begin() and end() what goes must stay, and what
+  /// comes is not there.
+  virtual void begin(std::vector<HaloArray> arrays) = 0;
+  virtual void end() = 0;
+  void update(std::vector<HaloArray> arrays) {
+    begin(std::move(arrays));
+    end();
+  }
 };
 
 /// An item that another rank owns, under the number that it has on all ranks.

@@ -58,14 +58,18 @@ class PetscHalo : public Halo {
   PetscHalo(const PetscHalo&) = delete;
   PetscHalo& operator=(const PetscHalo&) = delete;
 
-  void update(const std::vector<HaloArray>& arrays) override {
+  void begin(std::vector<HaloArray> arrays) override {
+    under_way_ = std::move(arrays);
     double columns = 0;
-    for (const HaloArray& a : arrays) columns += a.stride;
+    for (const HaloArray& a : under_way_) columns += a.stride;
     const Watch watch(traffic_, guests_ * columns * sizeof(double));  // as much as comes goes, over all ranks
     // Roots and leaves stand in one array and have no item in common.
-    for (const auto& [data, stride] : arrays)
+    for (const auto& [data, stride] : under_way_)
       check(PetscSFBcastBegin(forest_, find_type(stride), data, data, MPI_REPLACE), "begin an exchange");
-    for (const auto& [data, stride] : arrays)
+  }
+  void end() override {
+    const Watch watch(traffic_, 0);
+    for (const auto& [data, stride] : under_way_)
       check(PetscSFBcastEnd(forest_, find_type(stride), data, data, MPI_REPLACE), "end an exchange");
   }
 
@@ -83,6 +87,7 @@ class PetscHalo : public Halo {
   double guests_;
   PetscSF forest_ = nullptr;
   std::map<int, MPI_Datatype> types_;
+  std::vector<HaloArray> under_way_;
 };
 
 class PetscRanks : public Ranks {

@@ -6,16 +6,23 @@
 
 namespace talus::mpm {
 
-/// Calls work(b, rows) for all blocks that hold points.
+/// Calls work(b, rows) for all blocks of chunk `c` that hold points.
+template <int D, class Work>
+void for_blocks_of(const Body<D>& body, int c, Work&& work) {
+  const Layout<D>& layout = *body.layout;
+  for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b)
+    if (body.points.block_used[b] > 0)
+      work(b, &layout.connectivity[static_cast<std::size_t>(b) * lane_width * (D + 1)]);
+}
+/// The same for all chunks.
 template <int D, class Work>
 void for_blocks(const Body<D>& body, int threads, Work&& work) {
-  const Layout<D>& layout = *body.layout;
-  for_chunks(body, threads, [&](int c) {
-    for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
-      if (body.points.block_used[b] > 0)
-        work(b, &layout.connectivity[static_cast<std::size_t>(b) * lane_width * (D + 1)]);
-    }
-  });
+  for_chunks(body, threads, [&](int c) { for_blocks_of(body, c, work); });
+}
+/// The same where they fill `rows`, which then are complete: see for_chunks_and_update().
+template <int D, class Work>
+void for_blocks_and_update(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride, Work&& work) {
+  for_chunks_and_update(body, threads, rows, stride, [&](int c) { for_blocks_of(body, c, work); });
 }
 
 /// Elements with a point that keeps a gap.
@@ -55,11 +62,11 @@ TALUS_KERNEL void add_average(AlignedVector<double>& average, const int* rows, c
   }
 }
 
-/// Divides the averages of all nodes by their weights, into rows of Stride doubles, and empties them.
+/// Divides the averages of all nodes, whose rows are complete, by their weights, into rows of Stride doubles, and
+/// empties them.
 template <int Columns, int Stride, int D>
 void divide_averages(const Body<D>& body, int threads, AlignedVector<double>& average, double* smoothed) {
   const Layout<D>& layout = *body.layout;
-  update_rows(body, average, Columns);
   for_node_pieces(body, threads, [&](int begin, int end, int) {
     for (int i = begin; i < end; ++i) {
       double sum[Columns] = {};

@@ -26,6 +26,7 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, st
   const int first = share->first_chunk(), last = share->last_chunk(), nodes = body.mesh().node_count();
   std::vector<Guest> rows;
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(nodes), 0);  // nodes of these chunks
+  std::vector<std::uint8_t> is_outer(static_cast<std::size_t>(layout.chunks), 0);
   for (int i = 0; i < nodes; ++i) {
     const auto begin = layout.node_rows.begin() + layout.row_start[i],
                end = layout.node_rows.begin() + layout.row_start[i + 1];
@@ -35,6 +36,8 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, st
     };
     if (std::none_of(begin, end, is_own)) continue;
     touched[i] = 1;
+    if (!std::all_of(begin, end, is_own))
+      for (auto row = begin; row != end; ++row) is_outer[find_chunk(layout.chunk_row, *row)] = 1;
     for (auto row = begin; row != end; ++row)
       if (!is_own(*row)) rows.push_back({*row, rank_of_chunk[find_chunk(layout.chunk_row, *row)]});
     const int piece = find_chunk(layout.node_start, i);
@@ -44,6 +47,7 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, st
     else
       share->guests.push_back({i, i + 1});
   }
+  for (int c = first; c < last; ++c) (is_outer[c] ? share->outer : share->inner).push_back(c);
   std::vector<Guest> elements, near_nodes;
   std::vector<std::uint8_t> is_read(touched.size(), 0);  // nodes of elements that touch these
   for (int e = 0; e < body.mesh().element_count(); ++e) {

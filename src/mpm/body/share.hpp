@@ -24,6 +24,7 @@ struct Share {
   std::unique_ptr<Halo> elements;          ///< of other ranks that touch a node of these chunks
   std::unique_ptr<Halo> nodes;             ///< of these elements that other ranks sum up
   std::unique_ptr<Halo> reach;             ///< elements that these soften with; null without a length
+  std::vector<int> outer, inner;           ///< own chunks with rows that other ranks need, and without
   std::vector<std::uint8_t> is_near;       ///< by element: it touches a node of these chunks
 
   int first_chunk() const { return chunk_of_rank[static_cast<std::size_t>(ranks->rank())]; }
@@ -79,6 +80,21 @@ void for_node_pieces(const Body<D>& body, int threads, Work&& work) {
 template <int D>
 void update_rows(const Body<D>& body, AlignedVector<double>& rows, int stride) {
   if (body.share) body.share->rows->update({{rows.data(), stride}});
+}
+
+/// Calls work(c) for the chunks that are worked on here, which fill `rows`; then rows of other ranks are up to date.
+/// They travel while chunks that no other rank touches are worked on.
+template <int D, class Work>
+void for_chunks_and_update(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride, Work&& work) {
+  if (!body.share) return for_chunks(body, threads, work);
+  const Share<D>& share = *body.share;
+  const auto run = [&](const std::vector<int>& chunks) {
+    parallel_for(static_cast<int>(chunks.size()), threads, [&](int i) { work(chunks[static_cast<std::size_t>(i)]); });
+  };
+  run(share.outer);
+  share.rows->begin({{rows.data(), stride}});
+  run(share.inner);
+  share.rows->end();
 }
 
 /// An array by node or by element as the functions below take it, of numbers or of vectors.

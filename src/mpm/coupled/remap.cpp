@@ -115,7 +115,7 @@ void add_momentum_changes(Body<D>& body, const StepOptions<D>& o) {
   using C = WetColumns<D>;
   const Layout<D>& layout = *body.layout;
   Water<D>& water = body.water;
-  for_chunks(body, o.threads, [&](int c) {
+  for_chunks_and_update(body, o.threads, water.sums, wet_sums_stride<D>, [&](int c) {
     for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
       if (body.points.block_used[b] == 0) continue;
       const int* rows = &layout.connectivity[static_cast<std::size_t>(b) * (D + 1) * lane_width];
@@ -173,7 +173,6 @@ void remap_momentum(Wet, Body<D>& body, const StepOptions<D>& o) {
   std::vector<SurfaceBudget> budgets(pieces * surfaces);
   std::vector<double> lost(pieces, 0.0);
   std::vector<NodeWork<D>> works(pieces);
-  update_rows(body, water.sums, wet_sums_stride<D>);
   for_node_pieces(body, o.threads, [&](int begin, int end, int c) {
     double lost_between = 0;
     NodeWork<D> work;

@@ -39,7 +39,7 @@ void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& o) {
   Water<D>& water = body.water;
   const bool strains = o.smoothing != input::Smoothing::none, stable = o.smoothing == input::Smoothing::stable;
   if (strains) {
-    for_blocks(body, o.threads, [&](int b, const int* rows) {
+    for_blocks_and_update(body, o.threads, water.average, columns, [&](int b, const int* rows) {
       const std::size_t first = static_cast<std::size_t>(b) * lane_width;
       const Mask active = load<Pack>(&body.points.count[first]) > Pack(0.0);
       const Pack V_e = select(takes_part(body, first), load<Pack>(&body.layout->volumes[first]), Pack(0.0));
@@ -65,7 +65,7 @@ void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& o) {
     store(&water.surplus[first],
           load<Pack>(&water.stretch[first]) * (load<Pack>(&water.mean_saturation[first]) * strain + divergence));
   });
-  for_blocks(body, o.threads, [&](int b, const int* rows) {
+  for_blocks_and_update(body, o.threads, water.average, columns, [&](int b, const int* rows) {
     const std::size_t first = static_cast<std::size_t>(b) * lane_width;
     const Mask active = load<Pack>(&body.points.count[first]) > Pack(0.0);
     const Pack volume = select(active, load<Pack>(&water.volume[first]), Pack(0.0));

@@ -150,7 +150,7 @@ template <int D>
 void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
   const Layout<D>& layout = *body.layout;
   const bool far = body.points.size() > 50000;  // beyond the second-level cache
-  for_chunks(body, o.threads, [&](int c) {
+  for_chunks_and_update(body, o.threads, body.nodes.sums, sums_stride, [&](int c) {
     for (int b = layout.chunk_start[c]; b < layout.chunk_start[c + 1]; ++b) {
       if (body.points.block_used[b] == 0) continue;
       const int* rows = &layout.connectivity[static_cast<std::size_t>(b) * (D + 1) * lane_width];
@@ -178,7 +178,6 @@ void remap_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
   const double cutoff = 1e-12 * body.smallest_mass;
   const bool loaded = !body.nodes.load.empty();
   std::vector<std::array<double, 2>> works(static_cast<std::size_t>(layout.chunks));  // external, lost in the mapping
-  update_rows(body, body.nodes.sums, sums_stride);
   for_node_pieces(body, o.threads, [&](int begin, int end, int c) {
     double work = 0, lost = 0;
     for (int i = begin; i < end; ++i) {

@@ -32,7 +32,7 @@ Pack find_volumetric(const Body<D>& body, int b, const int* rows, double dt) {
 // nodes.smoothed = Σ_e value_e V_e / Σ_e V_e over the elements at each node that take part.
 template <int D>
 void smooth_increments(Dry, Body<D>& body, const StepOptions<D>& o) {
-  for_blocks(body, o.threads, [&](int b, const int* rows) {
+  for_blocks_and_update(body, o.threads, body.nodes.average, 2, [&](int b, const int* rows) {
     const std::size_t first = static_cast<std::size_t>(b) * lane_width;
     const Mask active = takes_part(body, first);
     const Pack V_e = select(active, load<Pack>(&body.layout->volumes[first]), Pack(0.0));
