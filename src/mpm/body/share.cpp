@@ -12,11 +12,11 @@ namespace talus::mpm {
 namespace {
 
 template <int D>
-std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, std::vector<int> chunk_of_rank) {
+std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, const std::vector<int>& chunk_of_rank) {
   const Layout<D>& layout = *body.layout;
   auto share = std::make_shared<Share<D>>();
   share->ranks = &ranks;
-  share->chunk_of_rank = std::move(chunk_of_rank);
+  share->chunk_of_rank = chunk_of_rank;
   std::vector<int> rank_of_chunk;
   for (int r = 0; r < ranks.size(); ++r)
     for (int c = share->chunk_of_rank[r]; c < share->chunk_of_rank[r + 1]; ++c) rank_of_chunk.push_back(r);
@@ -205,12 +205,12 @@ std::vector<int> divide_chunks(const std::vector<double>& work, int ranks) {
 }
 
 template <int D>
-Body<D> take_share(const Body<D>& whole, Ranks& ranks, std::vector<int> chunk_of_rank) {
+Body<D> take_share(const Body<D>& whole, Ranks& ranks, const std::vector<int>& chunk_of_rank) {
   if (!whole.layout->is_ordered)
     throw Error(ExitCode::wrong_input,
                 "the nodes of the mesh are not in the order of its elements, which several ranks need: run it on one");
   Body<D> body = whole;
-  body.share = make_share(whole, ranks, std::move(chunk_of_rank));
+  body.share = make_share(whole, ranks, chunk_of_rank);
   const auto [first, last] = own_elements(body);
   Points<D>& points = body.points;
   for (int id = 0; id < points.size(); ++id)
@@ -266,9 +266,9 @@ void collect(const Body<D>& share, bool to_all, Body<D>& whole) {
   whole.points.block_materials = std::move(materials);
 }
 
-#define TALUS_INSTANTIATE(D)                                                \
-  template std::vector<double> count_work<D>(const Body<D>&);               \
-  template Body<D> take_share<D>(const Body<D>&, Ranks&, std::vector<int>); \
+#define TALUS_INSTANTIATE(D)                                                       \
+  template std::vector<double> count_work<D>(const Body<D>&);                      \
+  template Body<D> take_share<D>(const Body<D>&, Ranks&, const std::vector<int>&); \
   template void collect<D>(const Body<D>&, bool, Body<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -172,7 +172,7 @@ std::vector<int> divide_chunks(const std::vector<double>& work, int ranks);
 /// The share of this rank, of a body that every rank has as a whole; chunk_of_rank as of divide_chunks(). Throws Error
 /// (wrong_input) for a mesh whose nodes are not in the order of their elements.
 template <int D>
-Body<D> take_share(const Body<D>& whole, Ranks& ranks, std::vector<int> chunk_of_rank);
+Body<D> take_share(const Body<D>& whole, Ranks& ranks, const std::vector<int>& chunk_of_rank);
 
 /// Puts the whole body together again, on all ranks or on rank 0 alone: `whole` is the body that the shares were taken
 /// of.

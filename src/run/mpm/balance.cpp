@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "mpm/body/share.hpp"
+#include "mpm/step/step.hpp"
 
 namespace talus::run {
 namespace {
