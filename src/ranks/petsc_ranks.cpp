@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -102,29 +103,26 @@ class PetscRanks : public Ranks {
   int rank() const override { return rank_; }
   int size() const override { return size_; }
 
-  /// Short lists, which most are, take one message with their lengths.
+  /// Short lists, which most are, take one message with their lengths; very long ones go rank by rank, as MPI counts
+  /// in integers.
   std::vector<Bytes> gather(const Bytes& mine, bool to_all) override {
     const Watch watch(*traffic_, static_cast<double>(mine.size()));
-    const auto count = static_cast<int>(mine.size());
-    std::vector<int> counts(static_cast<std::size_t>(size_)), starts(counts.size(), 0);
-    Envelope own{count, {}};
-    if (count <= Envelope::room) std::copy(mine.begin(), mine.end(), own.bytes.begin());
-    std::vector<Envelope> envelopes(counts.size());
+    Envelope own{static_cast<std::int64_t>(mine.size()), {}};
+    const bool receives = to_all || rank_ == 0;
+    if (own.count <= Envelope::room) std::copy(mine.begin(), mine.end(), own.bytes.begin());
+    std::vector<Envelope> envelopes(static_cast<std::size_t>(size_));
     MPI_Allgather(&own, sizeof(Envelope), MPI_BYTE, envelopes.data(), sizeof(Envelope), MPI_BYTE, ranks_);
-    std::transform(envelopes.begin(), envelopes.end(), counts.begin(), [](const Envelope& e) { return e.count; });
-    if (*std::max_element(counts.begin(), counts.end()) <= Envelope::room) {
+    std::int64_t longest = 0, sum = 0;
+    for (const Envelope& e : envelopes) {
+      longest = std::max(longest, e.count);
+      sum += e.count;
+    }
+    if (longest <= Envelope::room) {
       std::vector<Bytes> parts;
       for (const Envelope& e : envelopes) parts.emplace_back(e.bytes.begin(), e.bytes.begin() + e.count);
-      return to_all || rank_ == 0 ? parts : std::vector<Bytes>();
+      return receives ? parts : std::vector<Bytes>();
     }
-    for (std::size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
-    const bool receives = to_all || rank_ == 0;
-    Bytes all(receives ? static_cast<std::size_t>(starts.back() + counts.back()) : 0);
-    if (to_all)
-      MPI_Allgatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, ranks_);
-    else
-      MPI_Gatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0, ranks_);
-    return receives ? cut(all, counts) : std::vector<Bytes>();
+    return sum <= piece ? gather_at_once(mine, envelopes, to_all) : gather_in_turn(mine, envelopes, to_all);
   }
 
   std::vector<Bytes> exchange(const std::vector<Bytes>& to) override {
@@ -146,10 +144,10 @@ class PetscRanks : public Ranks {
   }
 
   void broadcast(Bytes& bytes) override {
-    auto count = static_cast<int>(bytes.size());
-    MPI_Bcast(&count, 1, MPI_INT, 0, ranks_);
+    auto count = static_cast<std::int64_t>(bytes.size());
+    MPI_Bcast(&count, 1, MPI_INT64_T, 0, ranks_);
     bytes.resize(static_cast<std::size_t>(count));
-    MPI_Bcast(bytes.data(), count, MPI_BYTE, 0, ranks_);
+    send_pieces(bytes, 0);
   }
 
   std::unique_ptr<Halo> make_halo(int items, const std::vector<Guest>& guests) override {
@@ -187,10 +185,57 @@ class PetscRanks : public Ranks {
   }
 
   struct Envelope {
-    static constexpr int room = 508;
-    int count;
+    static constexpr int room = 504;
+    std::int64_t count;
     std::array<std::byte, room> bytes;
   };
+  static constexpr std::int64_t piece = std::int64_t{1} << 28;  ///< what goes in one message at most [bytes]
+
+  std::vector<Bytes> gather_at_once(const Bytes& mine, const std::vector<Envelope>& envelopes, bool to_all) {
+    std::vector<int> counts, starts{0};
+    for (const Envelope& e : envelopes) {
+      counts.push_back(static_cast<int>(e.count));
+      starts.push_back(starts.back() + counts.back());
+    }
+    const bool receives = to_all || rank_ == 0;
+    const auto count = static_cast<int>(mine.size());
+    Bytes all(receives ? static_cast<std::size_t>(starts.back()) : 0);
+    if (to_all)
+      MPI_Allgatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, ranks_);
+    else
+      MPI_Gatherv(mine.data(), count, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0, ranks_);
+    return receives ? cut(all, counts) : std::vector<Bytes>();
+  }
+
+  std::vector<Bytes> gather_in_turn(const Bytes& mine, const std::vector<Envelope>& envelopes, bool to_all) {
+    std::vector<Bytes> parts;
+    for (int r = 0; r < size_; ++r) {
+      Bytes part = r == rank_ ? mine : Bytes();
+      if (to_all || rank_ == 0) part.resize(static_cast<std::size_t>(envelopes[static_cast<std::size_t>(r)].count));
+      if (to_all)
+        send_pieces(part, r);
+      else if (r > 0 && (rank_ == 0 || rank_ == r))
+        visit_pieces(part, [&](std::byte* data, int count) {
+          if (rank_ == 0)
+            MPI_Recv(data, count, MPI_BYTE, r, 0, ranks_, MPI_STATUS_IGNORE);
+          else
+            MPI_Send(data, count, MPI_BYTE, 0, 0, ranks_);
+        });
+      if (to_all || rank_ == 0) parts.push_back(std::move(part));
+    }
+    return parts;
+  }
+
+  template <class Visit>
+  static void visit_pieces(Bytes& bytes, Visit&& visit) {
+    for (std::size_t at = 0; at < bytes.size(); at += piece)
+      visit(bytes.data() + at, static_cast<int>(std::min<std::size_t>(piece, bytes.size() - at)));
+  }
+  /// From rank `root` to all.
+  void send_pieces(Bytes& bytes, int root) {
+    visit_pieces(bytes, [&](std::byte* data, int count) { MPI_Bcast(data, count, MPI_BYTE, root, ranks_); });
+  }
+
   MPI_Comm ranks_;
   int rank_ = 0, size_ = 1;
   std::shared_ptr<Traffic> traffic_;
