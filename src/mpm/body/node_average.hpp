@@ -21,7 +21,8 @@ void for_blocks(const Body<D>& body, int threads, Work&& work) {
 }
 /// The same where they fill `rows`, which then are complete: see for_chunks_and_update().
 template <int D, class Work>
-void for_blocks_and_update(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride, Work&& work) {
+void for_blocks_and_update(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride,
+                           const Work& work) {
   for_chunks_and_update(body, threads, rows, stride, [&](int c) { for_blocks_of(body, c, work); });
 }
 

@@ -70,12 +70,13 @@ struct PieceSums {
   }
 };
 
-/// Calls solve(begin, end, sums) for the pieces of the nodes, and adds their sums up in their order.
+/// Calls solve(begin, end, sums) for the pieces of the nodes, whose `rows` are complete, and adds their sums up in
+/// their order.
 template <int D, class Solve>
-void solve_pieces(Body<D>& body, int threads, bool monitor, Solve&& solve) {
+void solve_pieces(Body<D>& body, int threads, AlignedVector<double>& rows, int stride, bool monitor, Solve&& solve) {
   body.conditions.pressed.resize(body.conditions.constraints.size());
   std::vector<PieceSums> pieces(static_cast<std::size_t>(body.layout->chunks));
-  for_node_pieces(body, threads, [&](int begin, int end, int c) {
+  update_and_for_node_pieces(body, threads, rows, stride, [&](int begin, int end, int c) {
     PieceSums mine;  // on the stack: neighbouring pieces must not share a cache line
     solve(begin, end, mine);
     if (c >= 0) pieces[static_cast<std::size_t>(c)] = mine;

@@ -76,25 +76,56 @@ void for_node_pieces(const Body<D>& body, int threads, Work&& work) {
   });
 }
 
-/// Rows of other ranks of the nodes that are worked on here, as these ranks have left them.
-template <int D>
-void update_rows(const Body<D>& body, AlignedVector<double>& rows, int stride) {
-  if (body.share) body.share->rows->update({{rows.data(), stride}});
+namespace detail {
+
+// Compiled once, however many loops call it: a copy that is inlined elsewhere may be contracted to other fused
+// operations.
+template <class Work, class... Arguments>
+[[gnu::noinline]] void work_on(const Work& work, Arguments... arguments) {
+  work(arguments...);
 }
+
+}  // namespace detail
 
 /// Calls work(c) for the chunks that are worked on here, which fill `rows`; then rows of other ranks are up to date.
 /// They travel while chunks that no other rank touches are worked on.
 template <int D, class Work>
-void for_chunks_and_update(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride, Work&& work) {
-  if (!body.share) return for_chunks(body, threads, work);
+void for_chunks_and_update(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride,
+                           const Work& work) {
+  if (!body.share) return for_chunks(body, threads, [&](int c) { detail::work_on(work, c); });
   const Share<D>& share = *body.share;
   const auto run = [&](const std::vector<int>& chunks) {
-    parallel_for(static_cast<int>(chunks.size()), threads, [&](int i) { work(chunks[static_cast<std::size_t>(i)]); });
+    parallel_for(static_cast<int>(chunks.size()), threads,
+                 [&](int i) { detail::work_on(work, chunks[static_cast<std::size_t>(i)]); });
   };
   run(share.outer);
   share.rows->begin({{rows.data(), stride}});
   run(share.inner);
   share.rows->end();
+}
+
+/// The same as for_node_pieces() with rows of other ranks up to date: they travel while nodes are worked on that need
+/// none.
+template <int D, class Work>
+void update_and_for_node_pieces(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride,
+                                const Work& work) {
+  if (!body.share)
+    return for_node_pieces(body, threads, [&](int begin, int end, int c) { detail::work_on(work, begin, end, c); });
+  const Share<D>& share = *body.share;
+  const auto run = [&](const std::vector<int>& chunks, int i) {
+    const int c = chunks[static_cast<std::size_t>(i)];
+    detail::work_on(work, first_node(body, c), first_node(body, c + 1), c);
+  };
+  const int inner = static_cast<int>(share.inner.size()), outer = static_cast<int>(share.outer.size()),
+            guests = static_cast<int>(share.guests.size());
+  share.rows->begin({{rows.data(), stride}});
+  parallel_for(inner, threads, [&](int i) { run(share.inner, i); });
+  share.rows->end();
+  parallel_for(outer + guests, threads, [&](int i) {
+    if (i < outer) return run(share.outer, i);
+    const auto& range = share.guests[static_cast<std::size_t>(i - outer)];
+    detail::work_on(work, range[0], range[1], -1);
+  });
 }
 
 /// An array by node or by element as the functions below take it, of numbers or of vectors.

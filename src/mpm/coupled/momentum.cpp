@@ -335,9 +335,8 @@ void find_held_axes(Body<D>& body) {
 
 template <int D>
 void solve_momentum(Wet, Body<D>& body, const StepOptions<D>& o) {
-  update_rows(body, body.water.sums, wet_sums_stride<D>);
   const NodePass<D> pass(body, o);
-  solve_pieces(body, o.threads, o.monitor,
+  solve_pieces(body, o.threads, body.water.sums, wet_sums_stride<D>, o.monitor,
                [&](int begin, int end, PieceSums& sums) { solve_nodes(pass, begin, end, sums); });
 }
 

@@ -37,8 +37,7 @@ constexpr int row_stride = 8;  ///< of a node row of this file
 template <int Count, int Stride, int First, int D, class Work>
 void for_nodes(const Body<D>& body, int threads, AlignedVector<double>& rows, Work&& work) {
   const Layout<D>& layout = *body.layout;
-  update_rows(body, rows, Stride);
-  for_node_pieces(body, threads, [&](int begin, int end, int) {
+  update_and_for_node_pieces(body, threads, rows, Stride, [&](int begin, int end, int) {
     for (int i = begin; i < end; ++i) {
       double sum[Count] = {};
       for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) {

@@ -141,8 +141,7 @@ void solve_nodes(Body<D>& body, const StepOptions<D>& o, int begin, int end, Pie
 
 template <int D>
 void solve_momentum(Dry, Body<D>& body, const StepOptions<D>& o) {
-  update_rows(body, body.nodes.sums, sums_stride);
-  solve_pieces(body, o.threads, o.monitor,
+  solve_pieces(body, o.threads, body.nodes.sums, sums_stride, o.monitor,
                [&](int begin, int end, PieceSums& sums) { solve_nodes(body, o, begin, end, sums); });
 }
 
