@@ -47,8 +47,9 @@ void get_files(Message& message, const fs::path& folder) {
   }
 }
 
-/// What one group has of its trials: outcomes and files, or why there are none.
+/// What one group has of its trials: outcomes and files of those that ended, and why there are no more.
 struct GroupWork {
+  int done = 0;
   Failure failure{ExitCode::success, ""};
   Message outcomes, files;
 };
@@ -63,6 +64,7 @@ GroupWork run_group(int first, int stride, int count, const std::function<result
       if (!leads) continue;
       put_text(mine.outcomes, results::to_json(outcome).dump());
       put_files(mine.files, folder ? folder(i) : fs::path());
+      ++mine.done;
     }
   } catch (...) {
     mine.failure = explain_failure(std::current_exception());
@@ -96,27 +98,30 @@ std::vector<results::TrialOutcome> run_side_by_side(int count, int side_by_side,
     mine = run_group(group.number(), groups, count, work, folder);
   }
   Message told;
+  told.put(mine.done);
   told.put(leads);
   told.put(mine.failure.code);
   put_text(told, mine.failure.sentence);
   told.put(mine.outcomes.bytes().data(), mine.outcomes.bytes().size());
   std::vector<Bytes> all = ranks.gather(told.bytes(), true), files = ranks.gather(mine.files.bytes(), false);
   int number = 0;
+  Failure first{ExitCode::success, ""};
   for (std::size_t r = 0; r < all.size(); ++r) {
     Message message(std::move(all[r]));
+    const int done = message.get<int>();
     const bool of_leader = message.get<bool>();
-    const auto code = message.get<ExitCode>();
-    const std::string sentence = get_text(message);
-    if (code != ExitCode::success) throw Error(code, sentence);
+    const Failure failure{message.get<ExitCode>(), get_text(message)};
+    if (first.code == ExitCode::success) first = failure;
     if (!of_leader) continue;
     Message of_group = files.empty() ? Message() : Message(std::move(files[r]));
-    for (int i = number; i < count; i += groups) {
+    for (int i = number; i < number + done * groups; i += groups) {
       found[static_cast<std::size_t>(i)] =
           results::from_json<results::TrialOutcome>(nlohmann::json::parse(get_text(message)), "a trial's outcome");
       if (ranks.rank() == 0 && r > 0 && folder) get_files(of_group, folder(i));
     }
     ++number;
   }
+  if (first.code != ExitCode::success) throw Error(first.code, first.sentence);  // files of those that ended are kept
   return found;
 }
 
