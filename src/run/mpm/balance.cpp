@@ -51,6 +51,17 @@ std::vector<double> measure_chunks(const mpm::Body<D>& share, double mine) {
 }  // namespace
 
 template <int D>
+Balance<D>::Balance(mpm::Body<D>& whole)
+    : whole_(whole), spent_(sum(whole.timing)), sent_(get_ranks().traffic().seconds) {}
+
+template <int D>
+void Balance<D>::leave_out(const std::function<void()>& work) {
+  const double before = get_ranks().traffic().seconds;
+  work();
+  sent_ += get_ranks().traffic().seconds - before;
+}
+
+template <int D>
 void Balance<D>::look(mpm::Body<D>& share) {
   if (++looks_ % period != 0) return;
   Ranks& ranks = get_ranks();
@@ -62,7 +73,7 @@ void Balance<D>::look(mpm::Body<D>& share) {
   const std::vector<int>& now = share.share->chunk_of_rank;
   const std::vector<int> wanted = mpm::divide_chunks(seconds, ranks.size());
   const double longest = find_longest(seconds, now), saving = longest - find_longest(seconds, wanted);
-  if (wanted == now || saving < least_saving * longest || saving * worth < cost_) return;
+  if (wanted == now || !(saving > least_saving * longest) || saving * worth < cost_) return;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   mpm::collect(share, true, whole_);

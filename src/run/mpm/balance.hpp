@@ -2,6 +2,8 @@
 #pragma once
 // Hands chunks on between ranks where some have more to do than others, as the soil moves or parts of it cost more.
 
+#include <functional>
+
 #include "mpm/body/body.hpp"
 
 namespace talus::run {
@@ -11,10 +13,12 @@ template <int D>
 class Balance {
  public:
   /// `whole`: the body that the shares were taken of; it is put together here in between.
-  explicit Balance(mpm::Body<D>& whole) : whole_(whole) {}
+  explicit Balance(mpm::Body<D>& whole);
 
   /// At every look, by all ranks: measures what each has done, and takes another share where that saves time.
   void look(mpm::Body<D>& share);
+  /// Does work that is no part of the steps, such as an output: what is waited for in it says nothing of them.
+  void leave_out(const std::function<void()>& work);
 
  private:
   mpm::Body<D>& whole_;

@@ -55,19 +55,23 @@ results::StageEnd run_on_ranks(mpm::Body<D>& body, const StagePlan<D>& plan, Sta
   shared.rebalance = [&](Body& b) { balance.look(b); };
   if (hooks.output)
     shared.output = [&](const Body& b, StageState& s) {
-      mpm::collect(b, false, body);
-      lead_ranks([&] { hooks.output(body, s); });
-      for (double* told : {&s.next_output, &s.soft_band, &s.soft_size}) broadcast(*told);
+      balance.leave_out([&] {
+        mpm::collect(b, false, body);
+        lead_ranks([&] { hooks.output(body, s); });
+        for (double* told : {&s.next_output, &s.soft_band, &s.soft_size}) broadcast(*told);
+      });
     };
   if (hooks.look) {
     shared.look_is_due = [&] {
       bool due = !hooks.look_is_due || hooks.look_is_due();
-      broadcast(due);
+      balance.leave_out([&] { broadcast(due); });
       return due;
     };
     shared.look = [&](const Body& b, const StageState& s) {
-      mpm::collect(b, false, body);
-      lead_ranks([&] { hooks.look(body, s); });
+      balance.leave_out([&] {
+        mpm::collect(b, false, body);
+        lead_ranks([&] { hooks.look(body, s); });
+      });
     };
   }
   if (hooks.save_last_good)
