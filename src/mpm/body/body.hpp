@@ -63,11 +63,11 @@ struct Points {
   std::vector<std::uint32_t> block_materials;   ///< bit set of the materials a block holds
 
   // By point number.
-  std::vector<int> element;         ///< -1 when the point has left the grid
-  std::vector<std::int64_t> place;  ///< slot * lane_width + lane
-  std::vector<std::uint8_t> material;
-  std::vector<Vec<D>> reference;                               ///< where displacements are counted from [m]
-  std::vector<std::array<double, stress_size>> strain_offset;  ///< strain of the point minus strain of its element [-]
+  std::vector<int> element;           ///< -1 when the point has left the grid, or is on another rank
+  AlignedVector<std::int64_t> place;  ///< slot * lane_width + lane
+  AlignedVector<std::uint8_t> material;
+  AlignedVector<Vec<D>> reference;                               ///< where displacements are counted from [m]
+  AlignedVector<std::array<double, stress_size>> strain_offset;  ///< strain of the point minus that of its element [-]
 
   int size() const { return static_cast<int>(element.size()); }
   double* slot(std::int64_t s) { return data.data() + s * fields * lane_width; }

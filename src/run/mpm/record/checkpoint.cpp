@@ -251,7 +251,7 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
   visit_integers(body, [&](const char* name, auto& values) { copy_into(values, archive.integers(name)); });
   visit_vectors(body, [&](const char* name, auto& values) { unflatten(archive.reals(name), values); });
   body.points.block_start = archive.long_integers("points/block_start");
-  body.points.place = archive.long_integers("points/place");
+  copy_into(body.points.place, archive.long_integers("points/place"));
   const auto& lost = archive.reals("lost");
   body.lost.clear();
   for (std::size_t i = 0; i + 3 + 2 * D <= lost.size(); i += 3 + 2 * D) {

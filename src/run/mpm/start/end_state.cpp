@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
@@ -38,7 +39,7 @@ std::vector<double> sample_storage(const std::vector<mpm::WaterLaw>& laws) {
 }
 
 /// The materials that the soil of each old one has now.
-std::vector<std::set<int>> map_materials(const std::vector<int>& old, const std::vector<std::uint8_t>& now) {
+std::vector<std::set<int>> map_materials(const std::vector<int>& old, std::span<const std::uint8_t> now) {
   std::vector<std::set<int>> map;
   for (std::size_t id = 0; id < old.size() && id < now.size(); ++id) {
     const std::size_t m = static_cast<std::size_t>(old[id]);

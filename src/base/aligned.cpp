@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "base/aligned.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+
+namespace talus {
+namespace {
+
+constexpr std::size_t line = 64;
+/// From here on [bytes] arrays are pages that the system gives where they are first written. Memory that was freed
+/// before would have to be cleared, and be there.
+constexpr std::size_t large = std::size_t{1} << 20;
+
+/// Which pages of this process there are, as Linux tells in /proc/self/pagemap: a word for each, with two bits for one
+/// in memory and one that was swapped out. Where it is not told, all may be there.
+class Pages {
+ public:
+  Pages() : file_(open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC)) {}
+  ~Pages() {
+    if (file_ >= 0) close(file_);
+  }
+  Pages(const Pages&) = delete;
+  Pages& operator=(const Pages&) = delete;
+
+  bool is_there(std::size_t page) {
+    if (file_ < 0) return true;
+    if (page < first_ || page >= first_ + words_.size()) {
+      first_ = page;
+      words_.fill(anywhere);  // beyond what is read
+      if (pread(file_, words_.data(), sizeof words_, static_cast<off_t>(first_ * sizeof(std::uint64_t))) <= 0)
+        return true;
+    }
+    return (words_[page - first_] & anywhere) != 0;
+  }
+
+ private:
+  static constexpr std::uint64_t anywhere = std::uint64_t{3} << 62;
+  int file_;
+  std::size_t first_ = 0;
+  std::array<std::uint64_t, 1024> words_{};
+};
+
+bool is_zero(const std::byte* bytes, std::size_t count) {
+  return bytes[0] == std::byte{0} && std::memcmp(bytes, bytes + 1, count - 1) == 0;
+}
+
+}  // namespace
+
+void* allocate_zeros(std::size_t bytes) {
+  if (bytes < large) return std::memset(::operator new (bytes, std::align_val_t{line}), 0, bytes);
+  void* start = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (start == MAP_FAILED) throw std::bad_alloc();
+  return start;
+}
+
+void free_zeros(void* start, std::size_t bytes) {
+  if (bytes < large)
+    ::operator delete (start, std::align_val_t{line});
+  else
+    munmap(start, bytes);
+}
+
+void copy_to_zeros(void* to, const void* from, std::size_t bytes) {
+  if (bytes < large) {
+    std::memcpy(to, from, bytes);
+    return;
+  }
+  const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const auto* source = static_cast<const std::byte*>(from);
+  const auto start = reinterpret_cast<std::uintptr_t>(from);
+  Pages pages;
+  for (std::size_t at = 0; at < bytes;) {
+    const std::size_t count = std::min(bytes - at, size - (start + at) % size);  // to the end of the page
+    if (pages.is_there((start + at) / size) && !is_zero(source + at, count))
+      std::memcpy(static_cast<std::byte*>(to) + at, source + at, count);
+    at += count;
+  }
+}
+
+}  // namespace talus
