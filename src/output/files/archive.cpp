@@ -104,27 +104,29 @@ void ArchiveWriter::put(const std::string& name, const std::string& text) {
   add(name, text);
 }
 
-void ArchiveWriter::write(const fs::path& path) const {
-  std::vector<std::byte> bytes;
+void ArchiveWriter::write(const fs::path& path) {
+  hdf5::FileImage image;
   try {
     const hdf5::Guard guard;
     hdf5::MemoryFile file;
     hdf5::write_attribute(file, ".", "format", format_name);
     hdf5::write_attribute(file, ".", "version", std::span(&format_version, 1));
+    const std::int64_t checksum = compute_checksum(values_);
     std::string contents;  // one line each: the kind, then the name
-    for (const auto& [name, value] : values_) {
+    for (auto& [name, value] : values_) {
       contents += static_cast<char>('0' + static_cast<int>(value.index())) + name + "\n";
       std::visit([&file, &n = name](const auto& v) { store(file, "data/" + n, v); }, value);
+      value = ArchiveValue();
     }
+    values_.clear();
     hdf5::write_text(file, "contents", contents);
-    const std::int64_t checksum = compute_checksum(values_);
     hdf5::write_attribute(file, ".", "checksum", std::span(&checksum, 1));
-    bytes = file.take();
+    image = file.take();
   } catch (const hdf5::Failure& failure) {
     throw Error(ExitCode::no_memory, fmt::format("cannot write '{}': HDF5 refused {}, as it does where memory ends",
                                                  path.string(), failure.what()));
   }
-  write_atomically(path, bytes, fs::exists(path) ? "the one written before is whole" : "");
+  write_atomically(path, image.bytes(), fs::exists(path) ? "the one written before is whole" : "");
 }
 
 ArchiveReader::ArchiveReader(const fs::path& path) : path_(path.string()) {

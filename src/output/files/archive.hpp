@@ -21,9 +21,9 @@ class ArchiveWriter {
   void put(const std::string& name, std::span<const int> values);
   void put(const std::string& name, std::span<const std::int64_t> values);
   void put(const std::string& name, const std::string& text);
-  /// Writes the file whole or not at all; the archive that was there stays until then.
-  /// Throws Error (cannot_write) naming the file and the reason.
-  void write(const std::filesystem::path& path) const;
+  /// Writes the file whole or not at all, and lets the arrays go on the way: they are in memory once. The archive that
+  /// was there stays until then. Throws Error (cannot_write) naming the file and the reason.
+  void write(const std::filesystem::path& path);
 
  private:
   void add(const std::string& name, ArchiveValue value);

@@ -84,18 +84,18 @@ void fill(hid_t file, const Frame& frame) {
 
 void write_frame(const fs::path& path, const Frame& frame, const std::string& safe) {
   check(frame);
-  std::vector<std::byte> bytes;
+  hdf5::FileImage image;
   try {
     // In memory first: HDF5 cannot close a file whose disk is full, a plain write can simply report it.
     const hdf5::Guard guard;
     hdf5::MemoryFile file;
     fill(file, frame);
-    bytes = file.take();
+    image = file.take();
   } catch (const hdf5::Failure& failure) {
     throw Error(ExitCode::no_memory,
                 fmt::format("cannot store a frame: HDF5 refused {}, as it does where memory ends", failure.what()));
   }
-  write_atomically(path, bytes, safe);
+  write_atomically(path, image.bytes(), safe);
 }
 
 Frame read_frame(const fs::path& path) {

@@ -255,12 +255,11 @@ MemoryFile::~MemoryFile() {
   file_.close();
 }
 
-std::vector<std::byte> MemoryFile::take() {
+FileImage MemoryFile::take() {
   require(H5Fflush(file_, H5F_SCOPE_GLOBAL), "a file in memory");
   const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
   if (size < 0 || !file_.close() || image_->bytes == nullptr) throw Failure("a file in memory");
-  const std::byte* first = static_cast<const std::byte*>(image_->bytes);
-  return {first, first + size};
+  return {std::exchange(image_->bytes, nullptr), static_cast<std::size_t>(size)};
 }
 
 Handle create(const std::filesystem::path& path) {

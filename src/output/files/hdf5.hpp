@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -53,6 +54,19 @@ struct Failure : std::runtime_error {
   int reason;
 };
 
+/// The bytes of a file.
+class FileImage {
+ public:
+  FileImage() = default;
+  /// Takes over what std::malloc gave.
+  FileImage(void* bytes, std::size_t size) : bytes_(bytes, std::free), size_(size) {}
+  std::span<const std::byte> bytes() const { return {static_cast<const std::byte*>(bytes_.get()), size_}; }
+
+ private:
+  std::unique_ptr<void, void (*)(void*)> bytes_{nullptr, std::free};
+  std::size_t size_ = 0;
+};
+
 /// A new file in memory that never touches the disk.
 class MemoryFile {
  public:
@@ -62,7 +76,7 @@ class MemoryFile {
   MemoryFile& operator=(const MemoryFile&) = delete;
   operator hid_t() const { return file_; }
   /// Closes the file and gives its bytes.
-  std::vector<std::byte> take();
+  FileImage take();
 
  private:
   struct Image;
