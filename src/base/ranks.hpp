@@ -3,17 +3,14 @@
 // Processes that calculate one case together, started by mpiexec. The program itself knows no MPI: what sends and
 // receives is a module of its own (src/ranks/), which is loaded where a run has more than one rank.
 
-#include <cstddef>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <string>
-#include <type_traits>
 #include <vector>
 
-namespace talus {
+#include "base/message.hpp"
 
-using Bytes = std::vector<std::byte>;
+namespace talus {
 
 /// An array of items, [item][stride].
 struct HaloArray {
@@ -56,6 +53,10 @@ class Ranks {
   virtual int size() const = 0;
   /// The bytes of each rank: on all ranks, or on rank 0 alone (elsewhere empty).
   virtual std::vector<Bytes> gather(const Bytes& mine, bool to_all) = 0;
+  /// The bytes of each rank to rank 0, one rank after the other, where take(r, bytes) gets them.
+  virtual void collect(const Bytes& mine, const std::function<void(int, Bytes)>& take) = 0;
+  /// What rank 0 makes for this rank; it makes the parts of all, one after the other.
+  virtual Bytes deal(const std::function<Bytes(int)>& make) = 0;
   /// to[r] goes to rank r; returns what each has sent here.
   virtual std::vector<Bytes> exchange(const std::vector<Bytes>& to) = 0;
   /// Those of rank 0, on all ranks.
@@ -98,61 +99,15 @@ class RankGroup {
   std::unique_ptr<Ranks> all_;
 };
 
-/// What a message is put together of, and taken apart into in the same order.
-class Message {
- public:
-  Message() = default;
-  explicit Message(Bytes bytes) : bytes_(std::move(bytes)) {}
-
-  template <class T>
-  void put(const T* values, std::size_t count) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    const auto* from = reinterpret_cast<const std::byte*>(values);
-    bytes_.insert(bytes_.end(), from, from + count * sizeof(T));
-  }
-  template <class T>
-  void put(const T& value) {
-    put(&value, 1);
-  }
-  template <class T>
-  void put_list(const std::vector<T>& values) {
-    put(values.size());
-    put(values.data(), values.size());
-  }
-  template <class T>
-  void get(T* values, std::size_t count) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    std::memcpy(values, bytes_.data() + read_, count * sizeof(T));
-    read_ += count * sizeof(T);
-  }
-  template <class T>
-  T get() {
-    T value;
-    get(&value, 1);
-    return value;
-  }
-  template <class T>
-  std::vector<T> get_list() {
-    std::vector<T> values(get<std::size_t>());
-    get(values.data(), values.size());
-    return values;
-  }
-  bool is_read() const { return read_ == bytes_.size(); }
-  const Bytes& bytes() const { return bytes_; }
-
- private:
-  Bytes bytes_;
-  std::size_t read_ = 0;
-};
-
-/// The value of rank 0, on all ranks.
+/// What rank 0 has, on all ranks: all that a message can hold.
 template <class T>
 void broadcast(T& value) {
   Message message;
-  message.put(value);
-  Bytes bytes = message.bytes();
+  if (get_ranks().rank() == 0) Putting{message}(value);
+  Bytes bytes = message.take();
   get_ranks().broadcast(bytes);
-  value = Message(std::move(bytes)).get<T>();
+  message = Message(std::move(bytes));
+  Taking{message}(value);
 }
 
 /// Runs `work` on rank 0. The others wait until it is done, and throw an Error with the words of what it threw.

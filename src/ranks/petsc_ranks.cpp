@@ -125,6 +125,23 @@ class PetscRanks : public Ranks {
     return sum <= piece ? gather_at_once(mine, envelopes, to_all) : gather_in_turn(mine, envelopes, to_all);
   }
 
+  void collect(const Bytes& mine, const std::function<void(int, Bytes)>& take) override {
+    const Watch watch(*traffic_, rank_ > 0 ? static_cast<double>(mine.size()) : 0);
+    if (rank_ > 0) return send(mine, 0);
+    for (int r = 0; r < size_; ++r) take(r, r == 0 ? mine : receive(r));
+  }
+
+  Bytes deal(const std::function<Bytes(int)>& make) override {
+    const Watch watch(*traffic_, 0);
+    if (rank_ > 0) return receive(0);
+    for (int r = 1; r < size_; ++r) {
+      const Bytes part = make(r);
+      traffic_->bytes += static_cast<double>(part.size());
+      send(part, r);
+    }
+    return make(0);
+  }
+
   std::vector<Bytes> exchange(const std::vector<Bytes>& to) override {
     const std::size_t n = to.size();
     std::vector<int> sends(n), send_starts(n, 0), receives(n), receive_starts(n, 0);
@@ -211,23 +228,35 @@ class PetscRanks : public Ranks {
     std::vector<Bytes> parts;
     for (int r = 0; r < size_; ++r) {
       Bytes part = r == rank_ ? mine : Bytes();
-      if (to_all || rank_ == 0) part.resize(static_cast<std::size_t>(envelopes[static_cast<std::size_t>(r)].count));
+      if (to_all) part.resize(static_cast<std::size_t>(envelopes[static_cast<std::size_t>(r)].count));
       if (to_all)
         send_pieces(part, r);
-      else if (r > 0 && (rank_ == 0 || rank_ == r))
-        visit_pieces(part, [&](std::byte* data, int count) {
-          if (rank_ == 0)
-            MPI_Recv(data, count, MPI_BYTE, r, 0, ranks_, MPI_STATUS_IGNORE);
-          else
-            MPI_Send(data, count, MPI_BYTE, 0, 0, ranks_);
-        });
+      else if (r > 0 && rank_ == r)
+        send(part, 0);
+      else if (r > 0 && rank_ == 0)
+        part = receive(r);
       if (to_all || rank_ == 0) parts.push_back(std::move(part));
     }
     return parts;
   }
 
-  template <class Visit>
-  static void visit_pieces(Bytes& bytes, Visit&& visit) {
+  /// From one rank to another, of whatever length.
+  void send(const Bytes& bytes, int rank) {
+    const auto count = static_cast<std::int64_t>(bytes.size());
+    MPI_Send(&count, 1, MPI_INT64_T, rank, 0, ranks_);
+    visit_pieces(bytes, [&](const std::byte* data, int n) { MPI_Send(data, n, MPI_BYTE, rank, 0, ranks_); });
+  }
+  Bytes receive(int rank) {
+    std::int64_t count = 0;
+    MPI_Recv(&count, 1, MPI_INT64_T, rank, 0, ranks_, MPI_STATUS_IGNORE);
+    Bytes bytes(static_cast<std::size_t>(count));
+    visit_pieces(bytes,
+                 [&](std::byte* data, int n) { MPI_Recv(data, n, MPI_BYTE, rank, 0, ranks_, MPI_STATUS_IGNORE); });
+    return bytes;
+  }
+
+  template <class SomeBytes, class Visit>
+  static void visit_pieces(SomeBytes& bytes, Visit&& visit) {
     for (std::size_t at = 0; at < bytes.size(); at += piece)
       visit(bytes.data() + at, static_cast<int>(std::min<std::size_t>(piece, bytes.size() - at)));
   }

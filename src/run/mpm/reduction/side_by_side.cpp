@@ -16,16 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void put_text(Message& message, const std::string& text) {
-  message.put(text.size());
-  message.put(text.data(), text.size());
-}
-std::string get_text(Message& message) {
-  std::string text(message.get<std::size_t>(), ' ');
-  message.get(text.data(), text.size());
-  return text;
-}
-
 /// The files of a folder, by their paths in it.
 void put_files(Message& message, const fs::path& folder) {
   std::vector<fs::path> files;
@@ -35,15 +25,15 @@ void put_files(Message& message, const fs::path& folder) {
   message.put(files.size());
   for (const fs::path& file : files) {
     std::ifstream in(file, std::ios::binary);
-    put_text(message, fs::relative(file, folder).string());
-    put_text(message, std::string(std::istreambuf_iterator<char>(in), {}));
+    message.put_text(fs::relative(file, folder).string());
+    message.put_text(std::string(std::istreambuf_iterator<char>(in), {}));
   }
 }
 void get_files(Message& message, const fs::path& folder) {
   for (auto left = message.get<std::size_t>(); left > 0; --left) {
-    const fs::path file = folder / get_text(message);
+    const fs::path file = folder / message.get_text();
     make_folder(file.parent_path());
-    write_atomically(file, get_text(message));
+    write_atomically(file, message.get_text());
   }
 }
 
@@ -62,7 +52,7 @@ GroupWork run_group(int first, int stride, int count, const std::function<result
     for (int i = first; i < count; i += stride) {
       const results::TrialOutcome outcome = work(i);
       if (!leads) continue;
-      put_text(mine.outcomes, results::to_json(outcome).dump());
+      mine.outcomes.put_text(results::to_json(outcome).dump());
       put_files(mine.files, folder ? folder(i) : fs::path());
       ++mine.done;
     }
@@ -101,7 +91,7 @@ std::vector<results::TrialOutcome> run_side_by_side(int count, int side_by_side,
   told.put(mine.done);
   told.put(leads);
   told.put(mine.failure.code);
-  put_text(told, mine.failure.sentence);
+  told.put_text(mine.failure.sentence);
   told.put(mine.outcomes.bytes().data(), mine.outcomes.bytes().size());
   std::vector<Bytes> all = ranks.gather(told.bytes(), true), files = ranks.gather(mine.files.bytes(), false);
   int number = 0;
@@ -110,13 +100,13 @@ std::vector<results::TrialOutcome> run_side_by_side(int count, int side_by_side,
     Message message(std::move(all[r]));
     const int done = message.get<int>();
     const bool of_leader = message.get<bool>();
-    const Failure failure{message.get<ExitCode>(), get_text(message)};
+    const Failure failure{message.get<ExitCode>(), message.get_text()};
     if (first.code == ExitCode::success) first = failure;
     if (!of_leader) continue;
     Message of_group = files.empty() ? Message() : Message(std::move(files[r]));
     for (int i = number; i < number + done * groups; i += groups) {
       found[static_cast<std::size_t>(i)] =
-          results::from_json<results::TrialOutcome>(nlohmann::json::parse(get_text(message)), "a trial's outcome");
+          results::from_json<results::TrialOutcome>(nlohmann::json::parse(message.get_text()), "a trial's outcome");
       if (ranks.rank() == 0 && r > 0 && folder) get_files(of_group, folder(i));
     }
     ++number;
