@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/ranks.hpp"
+#include "mpm/body/description.hpp"
 #include "mpm/body/share.hpp"
 #include "support/wet_case.hpp"
 
@@ -35,19 +36,20 @@ void compare(bool wet, const input::StepSettings& step) {
   mpm::Body<2> whole = plain;
   run_plan(plain, plan);
 
-  const auto take = [&] { return mpm::take_share(whole, get_ranks(), {0, whole.layout->chunks}); };
+  const auto take = [&] {
+    return mpm::take_share(&whole, mpm::copy_description(whole), get_ranks(), {0, whole.layout->chunks});
+  };
   mpm::Body<2> share = take();
   int hand_overs = 0;
   run::StageState state;
   run::StageHooks<2> hooks;
   hooks.rebalance = [&](mpm::Body<2>& body) {
-    mpm::collect(body, true, whole);
+    mpm::collect(body, true, &whole);
     body = take();
-    mpm::gather_loads(body);
     ++hand_overs;
   };
   run::run_stage(share, plan, state, hooks);
-  mpm::collect(share, true, whole);
+  mpm::collect(share, true, &whole);
   EXPECT_GT(hand_overs, 2);
   for_each_point(plain, [&](int id, const mpm::PointView<2>& p) {
     const auto q = mpm::view_point(whole, id);

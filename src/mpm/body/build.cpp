@@ -91,12 +91,9 @@ void number_rows(Layout<D>& layout) {
   }
 }
 
-/// Room for the fields of the water; every surface is a seepage face.
+/// The water's laws; every surface is a seepage face.
 template <int D>
-void allocate_water(Body<D>& body, const std::vector<WaterLaw>& laws) {
-  const Layout<D>& l = *body.layout;
-  const std::size_t lanes = static_cast<std::size_t>(l.blocks) * lane_width, rows = static_cast<std::size_t>(l.rows),
-                    nodes = l.mesh.nodes.size();
+void set_water_laws(Body<D>& body, const std::vector<WaterLaw>& laws) {
   Water<D>& water = body.water;
   for (const WaterLaw& law : laws) {
     if (law.wet) {
@@ -107,20 +104,27 @@ void allocate_water(Body<D>& body, const std::vector<WaterLaw>& laws) {
   }
   water.first_field = body.points.fields;
   body.points.fields += WaterFields<D>::count;
-  water.moments.assign(lanes * moment_size<D>, 0.0);
-  for (auto* field : {&water.volume, &water.mean_saturation, &water.mean_pressure, &water.mean_bishop,
-                      &water.mean_resistance, &water.surplus})
-    field->assign(lanes, 0.0);
-  water.stretch.assign(lanes, 1.0);
-  water.sums.assign(rows * wet_sums_stride<D>, 0.0);
-  water.motion.assign(rows * wet_motion_stride<D>, 0.0);
-  water.average.assign(rows * 4, 0.0);
-  water.smoothed.assign(rows * 4, 0.0);
+  const std::size_t nodes = body.mesh().nodes.size();
   water.constraint_of_node.assign(nodes, -1);
   water.surfaces = {{}};
   water.surface_of_node.assign(nodes, 0);
-  water.still_flux.assign(nodes, Vec<D>{});
   water.budgets.assign(1, {});
+}
+
+template <int D>
+void allocate_water(Body<D>& body) {
+  const Layout<D>& l = *body.layout;
+  const std::size_t lanes = static_cast<std::size_t>(l.blocks) * lane_width, rows = static_cast<std::size_t>(l.rows);
+  Water<D>& water = body.water;
+  water.moments.resize(lanes * moment_size<D>);
+  for (auto* field : {&water.volume, &water.stretch, &water.mean_saturation, &water.mean_pressure, &water.mean_bishop,
+                      &water.mean_resistance, &water.surplus})
+    field->resize(lanes);
+  water.sums.resize(rows * wet_sums_stride<D>);
+  water.motion.resize(rows * wet_motion_stride<D>);
+  water.average.resize(rows * 4);
+  water.smoothed.resize(rows * 4);
+  water.still_flux.resize(l.mesh.nodes.size());
 }
 
 }  // namespace
@@ -128,18 +132,24 @@ void allocate_water(Body<D>& body, const std::vector<WaterLaw>& laws) {
 template <int D>
 std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vector<int>& points_in_element,
                                              int chunks) {
-  auto layout = std::make_shared<Layout<D>>();
-  layout->mesh = std::move(mesh);
-  const int elements = layout->mesh.element_count();
-  layout->blocks = (elements + lane_width - 1) / lane_width;
-  std::vector<int> weight(static_cast<std::size_t>(layout->blocks), 1);
+  const int elements = mesh.element_count();
+  std::vector<int> weight(static_cast<std::size_t>((elements + lane_width - 1) / lane_width), 1);
   std::int64_t points = 0;
   for (int e = 0; e < elements; ++e) {
     weight[e / lane_width] += 2 * points_in_element[e];
     points += points_in_element[e];
   }
   if (chunks <= 0) chunks = choose_chunks(points);
-  layout->chunk_start = cut_into_chunks(weight, chunks);
+  return lay_out(std::move(mesh), cut_into_chunks(weight, chunks));
+}
+
+template <int D>
+std::shared_ptr<const Layout<D>> lay_out(mesh::Mesh<D> mesh, std::vector<int> chunk_start) {
+  auto layout = std::make_shared<Layout<D>>();
+  layout->mesh = std::move(mesh);
+  const int elements = layout->mesh.element_count();
+  layout->blocks = (elements + lane_width - 1) / lane_width;
+  layout->chunk_start = std::move(chunk_start);
   layout->chunks = static_cast<int>(layout->chunk_start.size()) - 1;
   number_rows(*layout);
   layout->gradients.assign(static_cast<std::size_t>(layout->blocks) * D * D * lane_width, 0.0);
@@ -151,6 +161,31 @@ std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vect
     layout->volumes[b * lane_width + lane] = layout->mesh.volumes[e];
   }
   return layout;
+}
+
+template <int D>
+void allocate_fields(Body<D>& body, int points) {
+  using P = Points<D>;
+  const Layout<D>& l = *body.layout;
+  const std::size_t blocks = static_cast<std::size_t>(l.blocks), lanes = blocks * lane_width,
+                    rows = static_cast<std::size_t>(l.rows), n = static_cast<std::size_t>(points);
+  body.points.element.assign(n, -1);
+  body.points.place.resize(n);
+  body.points.material.resize(n);
+  body.points.reference.resize(n);
+  body.points.strain_offset.resize(n);
+  allocate_slots(body.points, std::vector<int>(blocks, 0));
+  body.elements.moments.resize(lanes * moment_size<D>);
+  body.elements.strain.resize(lanes * P::stress_size);
+  for (auto* field :
+       {&body.elements.fill_limit, &body.elements.apart, &body.elements.plastic_dilation, &body.elements.rough})
+    field->resize(lanes);
+  body.nodes.sums.resize(rows * sums_stride);
+  body.nodes.motion.resize(rows * motion_stride<D>);
+  body.nodes.average.resize(rows * 2);
+  body.nodes.smoothed.resize(rows);
+  body.nodes.displacement.resize(l.mesh.nodes.size());
+  if (body.water.is_wet()) allocate_water(body);
 }
 
 template <int D>
@@ -166,38 +201,20 @@ Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material:
   body.laws = std::move(laws);
   body.material_names = std::move(names);
   const Layout<D>& l = *body.layout;
-  const std::size_t blocks = static_cast<std::size_t>(l.blocks), rows = static_cast<std::size_t>(l.rows),
-                    nodes = l.mesh.nodes.size();
-
   P& points = body.points;
   const int states = find_state_size(body.laws);
   points.fields = P::state + states;
-  if (!water.empty()) allocate_water(body, water);
-  const std::size_t n = initial.size();
-  points.element.assign(n, -1);
-  points.place.assign(n, -1);
-  points.material.resize(n);
-  points.reference.resize(n);
-  points.strain_offset.assign(n, {});
+  if (!water.empty()) set_water_laws(body, water);
+  const std::size_t n = initial.size(), blocks = static_cast<std::size_t>(l.blocks);
+  allocate_fields(body, static_cast<int>(n));
+  body.water.stretch.assign(body.water.stretch.size(), 1.0);
 
   std::vector<int> in_element(blocks * lane_width, 0), used(blocks, 0);
   for (const InitialPoint<D>& p : initial) ++in_element[p.element];
   for (std::size_t e = 0; e < in_element.size(); ++e)
     used[e / lane_width] = std::max(used[e / lane_width], in_element[e]);
   allocate_slots(points, used);
-
-  body.elements.moments.assign(blocks * moment_size<D> * lane_width, 0.0);
-  body.elements.strain.assign(blocks * P::stress_size * lane_width, 0.0);
-  for (auto* field :
-       {&body.elements.fill_limit, &body.elements.apart, &body.elements.plastic_dilation, &body.elements.rough}) {
-    field->assign(blocks * lane_width, 0.0);
-  }
-  body.nodes.sums.assign(rows * sums_stride, 0.0);
-  body.nodes.motion.assign(rows * motion_stride<D>, 0.0);
-  body.nodes.average.assign(rows * 2, 0.0);
-  body.nodes.smoothed.assign(rows, 0.0);
-  body.nodes.displacement.assign(nodes, {});
-  body.conditions.constraint_of_node.assign(nodes, -1);
+  body.conditions.constraint_of_node.assign(l.mesh.nodes.size(), -1);
 
   body.smallest_mass = initial.empty() ? 0 : initial.front().mass;
   for (std::size_t i = 0; i < n; ++i) {
@@ -235,8 +252,9 @@ template <int D>
 void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
   using P = Points<D>;
   P& points = body.points;
-  std::fill(body.nodes.sums.begin(), body.nodes.sums.end(), 0.0);
-  std::fill(body.elements.moments.begin(), body.elements.moments.end(), 0.0);
+  const auto clear = [](AlignedVector<double>& field) { field = AlignedVector<double>(field.size()); };
+  clear(body.nodes.sums);
+  clear(body.elements.moments);
   const auto [begin, end] = own_elements(body);
   const bool mixture = body.water.is_wet() && o.mixture;
   update_counts(body);
@@ -259,8 +277,8 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
   if (mixture) {
     body.water.surface_is_stale = true;
   } else if (body.water.is_wet()) {  // with the forces of the water, and with their own rows
-    std::fill(body.water.sums.begin(), body.water.sums.end(), 0.0);
-    std::fill(body.water.volume.begin(), body.water.volume.end(), 0.0);
+    clear(body.water.sums);
+    clear(body.water.volume);
     body.water.mixture.pressure.clear();  // nobody would renew them
     body.water.mixture.ponded.clear();
     body.water.mixture.own.clear();
@@ -277,6 +295,10 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
 
 template std::shared_ptr<const Layout<2>> make_layout<2>(mesh::Mesh<2>, const std::vector<int>&, int);
 template std::shared_ptr<const Layout<3>> make_layout<3>(mesh::Mesh<3>, const std::vector<int>&, int);
+template std::shared_ptr<const Layout<2>> lay_out<2>(mesh::Mesh<2>, std::vector<int>);
+template std::shared_ptr<const Layout<3>> lay_out<3>(mesh::Mesh<3>, std::vector<int>);
+template void allocate_fields<2>(Body<2>&, int);
+template void allocate_fields<3>(Body<3>&, int);
 template Body<2> make_body<2>(std::shared_ptr<const Layout<2>>, std::vector<material::Law>, std::vector<std::string>,
                               const std::vector<InitialPoint<2>>&, const std::vector<WaterLaw>&);
 template Body<3> make_body<3>(std::shared_ptr<const Layout<3>>, std::vector<material::Law>, std::vector<std::string>,

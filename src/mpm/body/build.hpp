@@ -27,6 +27,15 @@ template <int D>
 std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vector<int>& points_in_element,
                                              int chunks = 0);
 
+/// The same with the first block of each chunk, [chunks + 1], given.
+template <int D>
+std::shared_ptr<const Layout<D>> lay_out(mesh::Mesh<D> mesh, std::vector<int> chunk_start);
+
+/// Room for the fields of a body that has its layout, its fields of a point and its water laws: all zero, and none of
+/// `points` points on the grid.
+template <int D>
+void allocate_fields(Body<D>& body, int points);
+
 /// A body at rest at time 0, without constraints. Point numbers are the positions in `points`. With water laws (one per
 /// material) it is one of two phases, all surfaces seepage faces.
 template <int D>

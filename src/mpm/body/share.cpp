@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "mpm/body/slots.hpp"
 #include "mpm/step/softening.hpp"
+#include "mpm/step/step.hpp"
 
 namespace talus::mpm {
 namespace {
@@ -101,7 +102,8 @@ void visit_own(B& body, int first_chunk, int last_chunk, Visit&& visit) {
   for (auto* field :
        {&body.elements.fill_limit, &body.elements.apart, &body.elements.rough, &body.elements.plastic_dilation})
     by_block(*field, 1);
-  for (auto* field : {&body.elements.softened, &body.elements.softening_volume}) by_block(*field, 1);
+  for (auto* field : {&body.elements.softened, &body.elements.softening_volume, &body.elements.held_saturation})
+    by_block(*field, 1);
   by_row(body.nodes.sums, sums_stride);
   by_row(body.nodes.motion, motion_stride<D>);
   const auto by_node = [&](auto& array) {
@@ -127,20 +129,31 @@ void visit_own(B& body, int first_chunk, int last_chunk, Visit&& visit) {
   visit(body.points.block_materials.data() + block, last - block);
 }
 
-/// The points of the elements that are worked on here: their numbers and fields, element by element.
+/// The first element of a chunk.
 template <int D>
-void put_points(const Body<D>& body, Message& message) {
-  const Points<D>& points = body.points;
-  const auto [first, last] = own_elements(body);
+int first_element(const Layout<D>& layout, int chunk) {
+  return std::min(layout.chunk_start[static_cast<std::size_t>(chunk)] * lane_width, layout.mesh.element_count());
+}
+
+/// The numbers of points in the elements [first, last).
+template <int D>
+std::vector<int> list_counts(const Points<D>& points, int first, int last) {
   std::vector<int> counts;
   for (int e = first; e < last; ++e) counts.push_back(static_cast<int>(points.count[static_cast<std::size_t>(e)]));
-  message.put_list(counts);
+  return counts;
+}
+
+/// The points of the elements [first, last): their numbers and what they carry, element by element.
+template <int D>
+void put_points(const Points<D>& points, int first, int last, Message& message) {
   for (int e = first; e < last; ++e)
-    for (int k = 0; k < counts[static_cast<std::size_t>(e - first)]; ++k) {
+    for (int k = 0; k < static_cast<int>(points.count[static_cast<std::size_t>(e)]); ++k) {
       const Record<D> r = read_point(points, (points.block_start[e / lane_width] + k) * lane_width + e % lane_width, e);
       message.put(r.id);
       message.put(r.fields, static_cast<std::size_t>(points.fields));
       message.put(points.strain_offset[r.id]);
+      message.put(points.reference[r.id]);
+      message.put(points.material[r.id]);
     }
 }
 
@@ -153,8 +166,77 @@ void get_points(Message& message, int first_element, const std::vector<int>& cou
       r.id = message.get<int>();
       message.get(r.fields, static_cast<std::size_t>(points.fields));
       message.get(&points.strain_offset[r.id], 1);
+      message.get(&points.reference[r.id], 1);
+      message.get(&points.material[r.id], 1);
       insert_point(points, r);
     }
+}
+
+/// Slots in each block for the numbers of points in the elements from `first` on.
+void count_slots(const std::vector<int>& counts, int first, std::vector<int>& used) {
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    int& most = used[(static_cast<std::size_t>(first) + i) / lane_width];
+    most = std::max(most, counts[i]);
+  }
+}
+
+/// What the elements [first, last) soften with.
+void put_reach(const SofteningReach& reach, int first, int last, Message& message) {
+  const std::int64_t begin = reach.start[static_cast<std::size_t>(first)],
+                     end = reach.start[static_cast<std::size_t>(last)];
+  for (int e = first; e < last; ++e)
+    message.put(reach.start[static_cast<std::size_t>(e) + 1] - reach.start[static_cast<std::size_t>(e)]);
+  Putting{message}(std::vector<int>(reach.element.begin() + begin, reach.element.begin() + end),
+                   std::vector<double>(reach.weight.begin() + begin, reach.weight.begin() + end));
+}
+std::shared_ptr<const SofteningReach> get_reach(Message& message, int first, int last, int elements) {
+  auto reach = std::make_shared<SofteningReach>();
+  reach->start.assign(static_cast<std::size_t>(elements) + 1, 0);
+  for (int e = 0; e < elements; ++e) {
+    const auto count = e >= first && e < last ? message.get<std::int64_t>() : 0;
+    reach->start[static_cast<std::size_t>(e) + 1] = reach->start[static_cast<std::size_t>(e)] + count;
+  }
+  Taking{message}(reach->element, reach->weight);
+  return reach;
+}
+
+/// What a rank with the chunks [from, to) gets of the whole body.
+template <int D>
+Bytes make_part(const Body<D>& whole, int from, int to) {
+  Message message;
+  const int first = first_element(*whole.layout, from), last = first_element(*whole.layout, to);
+  message.put_list(list_counts(whole.points, first, last));
+  put_points(whole.points, first, last, message);
+  visit_own<D>(whole, from, to, [&](const auto* values, std::size_t count) { message.put(values, count); });
+  if (whole.softening_reach) put_reach(*whole.softening_reach, first, last, message);
+  return message.take();
+}
+template <int D>
+void take_part(Message message, int from, int to, Body<D>& body) {
+  const int first = first_element(*body.layout, from), last = first_element(*body.layout, to);
+  const std::vector<int> counts = message.get_list<int>();
+  std::vector<int> used(static_cast<std::size_t>(body.layout->blocks), 0);
+  count_slots(counts, first, used);
+  allocate_slots(body.points, used);
+  get_points(message, first, counts, body.points);
+  visit_own<D>(body, from, to, [&](auto* values, std::size_t count) { message.get(values, count); });
+  if (!body.elements.lent.empty()) body.softening_reach = get_reach(message, first, last, body.mesh().element_count());
+}
+
+/// What other ranks have of the elements and nodes round those here.
+template <int D>
+void update_surroundings(Body<D>& body) {
+  update_counts(body);
+  Elements<D>& e = body.elements;
+  update_elements(body, e.fill_limit, e.apart, e.rough, e.plastic_dilation);
+  if (!e.held_saturation.empty()) update_elements(body, e.held_saturation);
+  update_nodes(body, body.nodes.displacement);
+  Water<D>& w = body.water;
+  if (!w.is_wet()) return;
+  update_elements(body, w.volume, w.stretch, w.mean_saturation, w.mean_pressure, w.mean_bishop, w.mean_resistance,
+                  w.surplus);
+  for (auto* field : {&w.mixture.pressure, &w.mixture.change, &w.mixture.own})
+    if (!field->empty()) update_nodes(body, *field);
 }
 
 /// What every rank has of the water as a whole, and room for what each has a part of.
@@ -205,71 +287,69 @@ std::vector<int> divide_chunks(const std::vector<double>& work, int ranks) {
 }
 
 template <int D>
-Body<D> take_share(const Body<D>& whole, Ranks& ranks, const std::vector<int>& chunk_of_rank) {
-  if (!whole.layout->is_ordered)
+Body<D> take_share(const Body<D>* whole, Body<D> description, Ranks& ranks, const std::vector<int>& chunk_of_rank) {
+  Body<D> body = std::move(description);
+  if (!body.layout->is_ordered)
     throw Error(ExitCode::wrong_input,
                 "the nodes of the mesh are not in the order of its elements, which several ranks need: run it on one");
-  Body<D> body = whole;
-  body.share = make_share(whole, ranks, chunk_of_rank);
-  const auto [first, last] = own_elements(body);
-  Points<D>& points = body.points;
-  for (int id = 0; id < points.size(); ++id)
-    if (points.element[id] < first || points.element[id] >= last) points.element[id] = -1, points.place[id] = -1;
-  const auto [from, to] = own_chunks(body);
-  for (int b = 0; b < body.layout->blocks; ++b) {
-    if (b >= body.layout->chunk_start[from] && b < body.layout->chunk_start[to]) continue;
-    points.block_used[b] = 0;
-    std::fill_n(points.count.begin() + static_cast<std::int64_t>(b) * lane_width, lane_width, 0.0);
-    for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.block_capacity[b]) * lane_width; ++i)
-      points.id[static_cast<std::size_t>(points.block_start[b] * lane_width + i)] = -1;
-  }
-  update_counts(body);
+  Message part(ranks.deal([&](int r) { return make_part(*whole, chunk_of_rank[r], chunk_of_rank[r + 1]); }));
+  const int from = chunk_of_rank[ranks.rank()], to = chunk_of_rank[ranks.rank() + 1];
+  take_part(std::move(part), from, to, body);
+  body.share = make_share(body, ranks, chunk_of_rank);
+  update_surroundings(body);
+  body.water.surface_is_stale = true;
+  gather_loads(body);
   return body;
 }
 
 template <int D>
-void collect(const Body<D>& share, bool to_all, Body<D>& whole) {
-  const auto [first, last] = own_chunks(share);
-  if (share.water.is_wet()) copy_totals(share.water, whole.water);
-  Message mine;
-  visit_own<D>(share, first, last, [&](const auto* values, std::size_t count) { mine.put(values, count); });
-  put_points(share, mine);
-  std::vector<Bytes> all = share.share->ranks->gather(mine.bytes(), to_all);
-  whole.lost = share.lost;
-  whole.work = share.work;
-  whole.monitor = share.monitor;
-  whole.timing = share.timing;
-  whole.time = share.time;
-  whole.step_count = share.step_count;
-  whole.nodes.motion_step = share.nodes.motion_step;
-  if (all.empty()) return;
-  const Layout<D>& layout = *whole.layout;
+void collect(const Body<D>& share, bool to_all, Body<D>* whole) {
+  Ranks& ranks = *share.share->ranks;
   const std::vector<int>& chunks = share.share->chunk_of_rank;
-  std::vector<Message> messages;
+  const auto [from, to] = own_chunks(share);
+  const auto [first, last] = own_elements(share);
+  Message mine;
+  mine.put_list(list_counts(share.points, first, last));
+  const std::vector<Bytes> all_counts = ranks.gather(mine.take(), to_all);
+  put_points(share.points, first, last, mine);
+  visit_own<D>(share, from, to, [&](const auto* values, std::size_t count) { mine.put(values, count); });
   std::vector<std::vector<int>> counts;
-  std::vector<int> used(static_cast<std::size_t>(layout.blocks), 0), starts;
-  for (std::size_t r = 0; r < all.size(); ++r) {
-    Message& message = messages.emplace_back(std::move(all[r]));
-    visit_own<D>(whole, chunks[r], chunks[r + 1], [&](auto* values, std::size_t count) { message.get(values, count); });
-    counts.push_back(message.get_list<int>());
-    starts.push_back(std::min(layout.chunk_start[chunks[r]] * lane_width, whole.mesh().element_count()));
-    for (std::size_t i = 0; i < counts.back().size(); ++i) {
-      int& most = used[(static_cast<std::size_t>(starts.back()) + i) / lane_width];
-      most = std::max(most, counts.back()[i]);
-    }
+  const auto take = [&, whole](int r, Bytes bytes) {
+    Message message(std::move(bytes));
+    get_points(message, first_element(*whole->layout, chunks[r]), counts[static_cast<std::size_t>(r)], whole->points);
+    visit_own<D>(*whole, chunks[r], chunks[r + 1],
+                 [&](auto* values, std::size_t count) { message.get(values, count); });
+  };
+  if (whole == nullptr || all_counts.empty()) return ranks.collect(mine.bytes(), take);
+  if (share.water.is_wet()) copy_totals(share.water, whole->water);
+  whole->lost = share.lost;
+  whole->work = share.work;
+  whole->monitor = share.monitor;
+  whole->timing = share.timing;
+  whole->time = share.time;
+  whole->step_count = share.step_count;
+  whole->nodes.motion_step = share.nodes.motion_step;
+  std::vector<int> used(static_cast<std::size_t>(whole->layout->blocks), 0);
+  for (std::size_t r = 0; r < all_counts.size(); ++r) {
+    counts.push_back(Message(all_counts[r]).get_list<int>());
+    count_slots(counts.back(), first_element(*whole->layout, chunks[r]), used);
   }
-  std::vector<std::uint32_t> materials = whole.points.block_materials;
-  allocate_slots(whole.points, used);
-  std::fill(whole.points.element.begin(), whole.points.element.end(), -1);
-  std::fill(whole.points.place.begin(), whole.points.place.end(), -1);
-  for (std::size_t r = 0; r < messages.size(); ++r) get_points(messages[r], starts[r], counts[r], whole.points);
-  whole.points.block_materials = std::move(materials);
+  Points<D>& points = whole->points;
+  allocate_slots(points, used);
+  std::fill(points.element.begin(), points.element.end(), -1);
+  std::fill(points.place.begin(), points.place.end(), -1);
+  if (to_all) {
+    std::vector<Bytes> all = ranks.gather(mine.bytes(), true);
+    for (std::size_t r = 0; r < all.size(); ++r) take(static_cast<int>(r), std::move(all[r]));
+  } else {
+    ranks.collect(mine.bytes(), take);
+  }
 }
 
-#define TALUS_INSTANTIATE(D)                                                       \
-  template std::vector<double> count_work<D>(const Body<D>&);                      \
-  template Body<D> take_share<D>(const Body<D>&, Ranks&, const std::vector<int>&); \
-  template void collect<D>(const Body<D>&, bool, Body<D>&);
+#define TALUS_INSTANTIATE(D)                                                                \
+  template std::vector<double> count_work<D>(const Body<D>&);                               \
+  template Body<D> take_share<D>(const Body<D>*, Body<D>, Ranks&, const std::vector<int>&); \
+  template void collect<D>(const Body<D>&, bool, Body<D>*);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

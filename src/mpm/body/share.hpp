@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // One rank's share of a body: consecutive chunks, with the points in their elements. A shared body has the layout and
-// the numbers of the whole one, and is filled where its rank works: its chunks, and of the nodes between chunks also
-// the rows of other ranks. As chunks are what is summed up, and in their order, all numbers are those of a single
-// process.
+// the numbers of the whole one, and is filled where its rank works, which alone takes memory (base/aligned.hpp): its
+// chunks, and of the nodes between chunks also the rows of other ranks. As chunks are what is summed up, and in their
+// order, all numbers are those of a single process.
 
 #include <algorithm>
 #include <array>
@@ -200,14 +200,13 @@ std::vector<double> count_work(const Body<D>& body);
 /// First chunk of each of so many ranks, [ranks + 1], such that each has about as much of `work`, by chunk.
 std::vector<int> divide_chunks(const std::vector<double>& work, int ranks);
 
-/// The share of this rank, of a body that every rank has as a whole; chunk_of_rank as of divide_chunks(). Throws Error
-/// (wrong_input) for a mesh whose nodes are not in the order of their elements.
+/// The share of this rank, of a body that rank 0 has as a whole (elsewhere null); chunk_of_rank as of divide_chunks().
+/// Throws Error (wrong_input) for a mesh whose nodes are not in the order of their elements.
 template <int D>
-Body<D> take_share(const Body<D>& whole, Ranks& ranks, const std::vector<int>& chunk_of_rank);
+Body<D> take_share(const Body<D>* whole, Body<D> description, Ranks& ranks, const std::vector<int>& chunk_of_rank);
 
-/// Puts the whole body together again, on all ranks or on rank 0 alone: `whole` is the body that the shares were taken
-/// of.
+/// Puts the whole body together again, in what the shares were taken of: on rank 0 (elsewhere null), or on all ranks.
 template <int D>
-void collect(const Body<D>& share, bool to_all, Body<D>& whole);
+void collect(const Body<D>& share, bool to_all, Body<D>* whole);
 
 }  // namespace talus::mpm

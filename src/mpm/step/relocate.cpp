@@ -121,6 +121,8 @@ std::vector<Traveller<D>> exchange_points(Body<D>& body, std::vector<Traveller<D
     to[rank].put(p.record.fields, fields);
     to[rank].put(p.from);
     to[rank].put(p.offset);
+    to[rank].put(body.points.reference[p.record.id]);
+    to[rank].put(body.points.material[p.record.id]);
   }
   std::vector<Bytes> sent;
   for (const Message& m : to) sent.push_back(m.bytes());
@@ -134,6 +136,8 @@ std::vector<Traveller<D>> exchange_points(Body<D>& body, std::vector<Traveller<D
       m.get(p.record.fields, fields);
       p.from = m.get<typename Traveller<D>::Strain>();
       p.offset = m.get<typename Traveller<D>::Strain>();
+      m.get(&body.points.reference[p.record.id], 1);
+      m.get(&body.points.material[p.record.id], 1);
     }
   }
   return coming;

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <numeric>
 
+#include "mpm/body/description.hpp"
 #include "mpm/body/share.hpp"
-#include "mpm/step/step.hpp"
 
 namespace talus::run {
 namespace {
@@ -51,8 +51,10 @@ std::vector<double> measure_chunks(const mpm::Body<D>& share, double mine) {
 }  // namespace
 
 template <int D>
-Balance<D>::Balance(mpm::Body<D>& whole)
-    : whole_(whole), spent_(sum(whole.timing)), sent_(get_ranks().traffic().seconds) {}
+Balance<D>::Balance(mpm::Body<D>* whole, const mpm::Body<D>& share)
+    : whole_(get_ranks().rank() == 0 ? whole : nullptr),
+      spent_(sum(share.timing)),
+      sent_(get_ranks().traffic().seconds) {}
 
 template <int D>
 void Balance<D>::leave_out(const std::function<void()>& work) {
@@ -76,9 +78,10 @@ void Balance<D>::look(mpm::Body<D>& share) {
   if (wanted == now || !(saving > least_saving * longest) || saving * worth < cost_) return;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  mpm::collect(share, true, whole_);
-  share = mpm::take_share(whole_, ranks, wanted);
-  mpm::gather_loads(share);
+  mpm::collect(share, false, whole_);
+  mpm::Body<D> description = mpm::copy_description(share);
+  share = mpm::Body<D>();  // its memory, before there is another
+  share = mpm::take_share<D>(whole_, std::move(description), ranks, wanted);
   cost_ = std::chrono::duration<double>(Clock::now() - start).count();
   broadcast(cost_);  // all must come to the same decision
   ++ranks.traffic().hand_overs;

@@ -12,8 +12,8 @@ namespace talus::run {
 template <int D>
 class Balance {
  public:
-  /// `whole`: the body that the shares were taken of; it is put together here in between.
-  explicit Balance(mpm::Body<D>& whole);
+  /// `whole`: on rank 0 the body that the shares were taken of, which is put together in between.
+  Balance(mpm::Body<D>* whole, const mpm::Body<D>& share);
 
   /// At every look, by all ranks: measures what each has done, and takes another share where that saves time.
   void look(mpm::Body<D>& share);
@@ -21,7 +21,7 @@ class Balance {
   void leave_out(const std::function<void()>& work);
 
  private:
-  mpm::Body<D>& whole_;
+  mpm::Body<D>* whole_;
   int looks_ = 0;
   double spent_ = 0, sent_ = 0;  ///< when it was measured last [s]
   double cost_ = 0;              ///< of the last hand-over [s]

@@ -10,7 +10,6 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "base/ranks.hpp"
 #include "ground/root_content.hpp"
 #include "ground/tell_seepage.hpp"
 #include "mesh/generate.hpp"
@@ -72,10 +71,24 @@ void read_output(results::RunResult& run, const input::Case& data, const fs::pat
 template <int D>
 PointRun<D>::PointRun(const input::LoadedCase& loaded, const input::Case& data, const RunOptions& options,
                       std::string input_hash)
-    : loaded_(loaded), data_(data), options_(options), hash_(std::move(input_hash)), mesh_input_(loaded.echo) {}
+    : loaded_(loaded),
+      data_(data),
+      options_(options),
+      hash_(std::move(input_hash)),
+      mesh_input_(loaded.echo),
+      // Trials of a reduction begin with the body on every rank.
+      shares_stages_(get_ranks().size() > 1 && data.analysis == input::AnalysisKind::run) {}
 
 template <int D>
 void PointRun<D>::prepare(results::RunResult& run) {
+  if (shares_stages_)
+    lead_ranks([&] { prepare_body(run); });
+  else
+    prepare_body(run);
+}
+
+template <int D>
+void PointRun<D>::prepare_body(results::RunResult& run) {
   const auto start = Clock::now();
   open_origin();
   if (options_.resume) checkpoint_ = open_checkpoint(options_.folder / "checkpoint.h5", checkpoint_hash_);
@@ -110,6 +123,7 @@ void PointRun<D>::prepare(results::RunResult& run) {
 /// For the report: the elements and the sides that the boundaries name, and the season.
 template <int D>
 void PointRun<D>::open() {
+  if (helps()) return;
   output::ArchiveWriter archive;
   put_mesh(archive, body_.mesh());
   archive.write(options_.folder / "mesh.h5");
@@ -118,6 +132,19 @@ void PointRun<D>::open() {
 
 template <int D>
 void PointRun<D>::calculate(results::RunResult& run) {
+  if (helps()) return help_with_stages<D>(data_);
+  if (shares_stages_) {
+    try {
+      run_stages(run);
+    } catch (...) {
+      try {
+        helpers_.dismiss(explain_failure(std::current_exception()));
+      } catch (const Error&) {  // that all have now
+      }
+      throw;
+    }
+    return helpers_.dismiss({ExitCode::success, ""});
+  }
   run_stages(run);
   if (data_.analysis != input::AnalysisKind::strength_reduction) return;
   const TrialContext context{options_.folder,
@@ -248,8 +275,9 @@ void PointRun<D>::run_stages(results::RunResult& run) {
   const int count = static_cast<int>(data_.stages.size());
   for (int i = first; i < count; ++i) {
     const input::Stage& stage = data_.stages[i];
-    const StagePlan<D> plan = make_plan<D>(data_, stage, slope_height_, options_.threads);
-    set_strength(body_, data_, stage.cohesion, stage.strength_factor.value_or(1));
+    StagePlan<D> plan = make_plan<D>(data_, stage, slope_height_, options_.threads);
+    if (shares_stages_) plan.helpers = &helpers_;
+    set_strength(body_, data_, plan.cohesion, plan.strength_factor);
     if (!state.started) {
       if (i > 0 || !data_.initial.result.empty()) state.gravity_share = 1;
       if (stage.reset_displacement) mpm::reset_displacements(body_);

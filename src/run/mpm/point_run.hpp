@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "base/ranks.hpp"
 #include "ground/tell_seepage.hpp"
 #include "input/read.hpp"
 #include "mpm/step/step.hpp"
 #include "results/run.hpp"
-#include "run/mpm/stage.hpp"
+#include "run/mpm/ranks_stage.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/options.hpp"
 
@@ -48,8 +49,11 @@ class PointRun {
   const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
   /// What outlives an interruption only.
   void forget();
+  /// Whether this is a rank that has no results of its own: it helps rank 0 with the stages of calculate().
+  bool helps() const { return shares_stages_ && get_ranks().rank() > 0; }
 
  private:
+  void prepare_body(results::RunResult& run);
   void open_origin();
   void tell_origin(const EndState& origin, results::RunResult& run);
   void check_names(const mesh::Mesh<D>& mesh) const;
@@ -79,6 +83,8 @@ class PointRun {
   std::vector<int> monitor_points_;
   std::vector<results::Stage> stages_;
   std::vector<std::string> warnings_;
+  const bool shares_stages_;  ///< several ranks, of which rank 0 alone has the body
+  Helpers<D> helpers_;
 };
 
 }  // namespace talus::run

@@ -8,10 +8,34 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/ranks.hpp"
+#include "mpm/body/description.hpp"
 #include "mpm/body/share.hpp"
 #include "run/mpm/balance.hpp"
+#include "run/mpm/start/prepare.hpp"
+
+namespace talus::results {
+
+template <class Visit>
+void visit_members(Visit&& visit, Like<Setback> auto& s) {
+  visit(s.time, s.back_to, s.courant, s.smoothing, s.reason);
+}
+
+}  // namespace talus::results
 
 namespace talus::run {
+
+template <class Visit>
+void visit_members(Visit&& visit, Like<StageState> auto& s) {
+  visit(s.started, s.start_time, s.steps, s.dt, s.gravity_share, s.calm_since, s.next_output);
+  visit(s.largest_speed, s.wave_speed, s.soft_band, s.soft_size, s.setbacks);
+}
+template <class Visit, class P>
+requires Like<P, StagePlan<2>> || Like<P, StagePlan<3>>
+void visit_members(Visit&& visit, P& p) {
+  visit(p.name, p.cohesion, p.strength_factor, p.duration, p.until_rest, p.step, p.rest, p.gravity, p.gravity_ramp);
+  visit(p.soil_height, p.failed_displacement, p.evens_inertia, p.threads);
+}
+
 namespace {
 
 template <class T>
@@ -41,62 +65,157 @@ void check_equal(const mpm::Body<D>& body) {
                               r));
 }
 
+/// Which hooks rank 0 has: all ranks must come to them.
+struct Hooked {
+  bool output = false, look = false, save_last_good = false, mark = false;
+};
+
+/// A stage of a body that rank 0 has as a whole, or every rank (`all_have_it`); elsewhere `whole` is null.
+template <int D>
+class SharedStage {
+ public:
+  SharedStage(mpm::Body<D>* whole, const StageHooks<D>& hooks, const Hooked& hooked)
+      : whole_(whole), hooks_(hooks), hooked_(hooked) {}
+
+  results::StageEnd run(mpm::Body<D> description, bool all_have_it, const StagePlan<D>& plan, StageState& state) {
+    Ranks& ranks = get_ranks();
+    std::vector<int> chunks;
+    if (ranks.rank() == 0) chunks = mpm::divide_chunks(mpm::count_work(*whole_), ranks.size());
+    broadcast(chunks);
+    mpm::Body<D> share = mpm::take_share<D>(whole_, std::move(description), ranks, chunks);
+    Balance<D> balance(whole_, share);
+    balance_ = &balance;
+    const results::StageEnd end = run_stage(share, plan, state, make_hooks());
+    mpm::collect(share, all_have_it, whole_);
+    if (whole_ != nullptr) mpm::gather_loads(*whole_);
+    return end;
+  }
+
+ private:
+  StageHooks<D> make_hooks() {
+    StageHooks<D> shared;
+    shared.rebalance = [this](mpm::Body<D>& share) { balance_->look(share); };
+    if (hooked_.output)
+      shared.output = [this](const mpm::Body<D>& share, StageState& s) {
+        balance_->leave_out([&] {
+          record(share, [&] { hooks_.output(*whole_, s); });
+          for (double* told : {&s.next_output, &s.soft_band, &s.soft_size}) broadcast(*told);
+        });
+      };
+    if (hooked_.look) {
+      shared.look_is_due = [this] {
+        bool due = !hooks_.look_is_due || hooks_.look_is_due();
+        balance_->leave_out([&] { broadcast(due); });
+        return due;
+      };
+      shared.look = [this](const mpm::Body<D>& share, const StageState& s) {
+        balance_->leave_out([&] { record(share, [&] { hooks_.look(*whole_, s); }); });
+      };
+    }
+    if (hooked_.save_last_good)
+      shared.save_last_good = [this](const mpm::Body<D>& share, const StageState& s) {
+        std::string saved;
+        record(share, [&] { saved = hooks_.save_last_good(*whole_, s); });
+        return saved;
+      };
+    if (hooked_.mark)
+      shared.mark = [this]() -> GoBack<D> {
+        GoBack<D> inner;
+        lead_ranks([&] { inner = hooks_.mark(); });
+        return [this, inner](const mpm::Body<D>& share, const StageState& s, const StagePlan<D>& p) {
+          record(share, [&] { inner(*whole_, s, p); });
+        };
+      };
+    return shared;
+  }
+
+  /// Puts the whole body together, and does with it what rank 0 wants.
+  void record(const mpm::Body<D>& share, const std::function<void()>& work) {
+    mpm::collect(share, false, get_ranks().rank() == 0 ? whole_ : nullptr);
+    lead_ranks(work);
+  }
+
+  mpm::Body<D>* whole_;
+  const StageHooks<D>& hooks_;
+  const Hooked hooked_;
+  Balance<D>* balance_ = nullptr;
+};
+
+template <int D>
+Hooked find_hooked(const StageHooks<D>& hooks) {
+  return {static_cast<bool>(hooks.output), static_cast<bool>(hooks.look), static_cast<bool>(hooks.save_last_good),
+          static_cast<bool>(hooks.mark)};
+}
+
+enum class Request { stage, stage_on_another_mesh, leave };
+
 }  // namespace
 
 template <int D>
 results::StageEnd run_on_ranks(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
                                const StageHooks<D>& hooks) {
-  using Body = mpm::Body<D>;
-  Ranks& ranks = get_ranks();
+  if (plan.helpers != nullptr) return plan.helpers->run(body, plan, state, hooks);
   check_equal(body);
-  Body share = mpm::take_share(body, ranks, mpm::divide_chunks(mpm::count_work(body), ranks.size()));
-  StageHooks<D> shared;
-  Balance<D> balance(body);
-  shared.rebalance = [&](Body& b) { balance.look(b); };
-  if (hooks.output)
-    shared.output = [&](const Body& b, StageState& s) {
-      balance.leave_out([&] {
-        mpm::collect(b, false, body);
-        lead_ranks([&] { hooks.output(body, s); });
-        for (double* told : {&s.next_output, &s.soft_band, &s.soft_size}) broadcast(*told);
-      });
-    };
-  if (hooks.look) {
-    shared.look_is_due = [&] {
-      bool due = !hooks.look_is_due || hooks.look_is_due();
-      balance.leave_out([&] { broadcast(due); });
-      return due;
-    };
-    shared.look = [&](const Body& b, const StageState& s) {
-      balance.leave_out([&] {
-        mpm::collect(b, false, body);
-        lead_ranks([&] { hooks.look(body, s); });
-      });
-    };
-  }
-  if (hooks.save_last_good)
-    shared.save_last_good = [&](const Body& b, const StageState& s) {
-      mpm::collect(b, false, body);
-      std::string saved;
-      lead_ranks([&] { saved = hooks.save_last_good(body, s); });
-      return saved;
-    };
-  if (hooks.mark)
-    shared.mark = [&]() -> GoBack<D> {
-      GoBack<D> inner;
-      lead_ranks([&] { inner = hooks.mark(); });
-      return [&body, inner](const Body& b, const StageState& s, const StagePlan<D>& p) {
-        mpm::collect(b, false, body);
-        lead_ranks([&] { inner(body, s, p); });
-      };
-    };
-  const results::StageEnd end = run_stage(share, plan, state, shared);
-  mpm::collect(share, true, body);
-  mpm::gather_loads(body);
+  return SharedStage<D>(&body, hooks, find_hooked(hooks)).run(mpm::copy_description(body), true, plan, state);
+}
+
+template <int D>
+results::StageEnd Helpers<D>::run(mpm::Body<D>& body, const StagePlan<D>& plan, StageState& state,
+                                  const StageHooks<D>& hooks) {
+  Request request = body.layout == layout_ ? Request::stage : Request::stage_on_another_mesh;
+  broadcast(request);
+  if (request == Request::stage_on_another_mesh) layout_ = mpm::broadcast_layout(body.layout);
+  const Hooked hooked = find_hooked(hooks);
+  Message message;
+  mpm::put_description(body, message);
+  Putting{message}(plan, state, hooked);
+  Bytes bytes = message.take();
+  get_ranks().broadcast(bytes);
+  bytes = {};
+  knows_failure_ = true;
+  const results::StageEnd end =
+      SharedStage<D>(&body, hooks, hooked).run(mpm::copy_description(body), false, plan, state);
+  knows_failure_ = false;
   return end;
 }
 
-template results::StageEnd run_on_ranks<2>(mpm::Body<2>&, const StagePlan<2>&, StageState&, const StageHooks<2>&);
-template results::StageEnd run_on_ranks<3>(mpm::Body<3>&, const StagePlan<3>&, StageState&, const StageHooks<3>&);
+template <int D>
+void Helpers<D>::dismiss(const Failure& failure) {
+  if (knows_failure_) return;
+  Request request = Request::leave;
+  broadcast(request);
+  lead_ranks([&] {
+    if (failure.code != ExitCode::success) throw Error(failure.code, failure.sentence);
+  });
+}
+
+template <int D>
+void help_with_stages(const input::Case& data) {
+  std::shared_ptr<const mpm::Layout<D>> layout;
+  for (;;) {
+    Request request{};
+    broadcast(request);
+    if (request == Request::leave) return lead_ranks([] {});
+    if (request == Request::stage_on_another_mesh) layout = mpm::broadcast_layout<D>(nullptr);
+    Bytes bytes;
+    get_ranks().broadcast(bytes);
+    Message message(std::move(bytes));
+    mpm::Body<D> description = mpm::get_description(message, layout);
+    StagePlan<D> plan;
+    StageState state;
+    Hooked hooked;
+    Taking{message}(plan, state, hooked);
+    set_strength(description, data, plan.cohesion, plan.strength_factor);
+    SharedStage<D>(nullptr, {}, hooked).run(std::move(description), false, plan, state);
+  }
+}
+
+#define TALUS_INSTANTIATE(D)                                                                                         \
+  template results::StageEnd run_on_ranks<D>(mpm::Body<D>&, const StagePlan<D>&, StageState&, const StageHooks<D>&); \
+  template class Helpers<D>;                                                                                         \
+  template void help_with_stages<D>(const input::Case&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
 
 }  // namespace talus::run

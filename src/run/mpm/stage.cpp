@@ -230,6 +230,8 @@ template <int D>
 StagePlan<D> make_plan(const input::Case& data, const input::Stage& stage, double soil_height, int threads) {
   StagePlan<D> plan;
   plan.name = stage.name;
+  plan.cohesion = stage.cohesion;
+  plan.strength_factor = stage.strength_factor.value_or(1);
   plan.duration = stage.duration;
   plan.until_rest = stage.until == input::Until::rest;
   plan.step = stage.step;

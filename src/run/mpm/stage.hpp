@@ -3,6 +3,7 @@
 // One period of time: the loop over steps, with the time step, the end at rest, and the check of stability.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,16 @@
 
 namespace talus::run {
 
+template <int D>
+class Helpers;  // ranks_stage.hpp
+
 /// What a stage is, apart from the body. Everything here follows from the case.
 template <int D>
 struct StagePlan {
   std::string name;
-  double duration = 0;  ///< [s]; the longest time when until_rest
+  std::optional<double> cohesion;  ///< of every material, instead of its own [Pa]
+  double strength_factor = 1;      ///< divides the strength
+  double duration = 0;             ///< [s]; the longest time when until_rest
   bool until_rest = false;
   input::StepSettings step;
   input::RestCriterion rest;
@@ -28,6 +34,7 @@ struct StagePlan {
   bool evens_inertia =
       false;  ///< frozen geometry of one phase: small elements do not decide the step (even_inertia.hpp)
   int threads = 1;
+  Helpers<D>* helpers = nullptr;  ///< other ranks, where this one alone has the body
 };
 
 /// Where a stage stands. With the body, all that is needed to go on bit for bit.
