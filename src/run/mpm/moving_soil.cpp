@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "mpm/body/observe.hpp"
+#include "mpm/body/share.hpp"
 
 namespace talus::run {
 namespace {
@@ -14,22 +17,30 @@ namespace {
 /// Soil that is slower than this share of the fastest node counts as standing.
 constexpr double moving_share = 0.1;
 
+/// A point and its distance from a place, squared [m²].
+struct Nearest {
+  double square = std::numeric_limits<double>::max();
+  int id = std::numeric_limits<int>::max();
+  int material = -1;
+
+  bool operator<(const Nearest& other) const { return std::tie(square, id) < std::tie(other.square, other.id); }
+};
+
 }  // namespace
 
 template <int D>
 std::string find_nearest_material(const mpm::Body<D>& body, const std::type_identity_t<Vec<D>>& x) {
-  double shortest = std::numeric_limits<double>::max();
-  std::string name = "unknown";
+  Nearest nearest;
   for (int id = 0; id < body.points.size(); ++id) {
     if (!mpm::is_present(body, id)) continue;
     const auto p = mpm::view_point(body, id);
     double square = 0;
     for (std::size_t d = 0; d < D; ++d) square += (p.position[d] - x[d]) * (p.position[d] - x[d]);
-    if (!(square < shortest)) continue;
-    shortest = square;
-    name = body.material_names[p.material];
+    nearest = std::min(nearest, {square, id, p.material});
   }
-  return name;
+  const std::vector<Nearest> all = mpm::join_lists(body, std::vector{nearest});
+  const int material = std::min_element(all.begin(), all.end())->material;
+  return material >= 0 ? body.material_names[static_cast<std::size_t>(material)] : "unknown";
 }
 
 template <int D>
