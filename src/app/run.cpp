@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -76,24 +77,43 @@ class OwnFolder {
   std::filesystem::path folder_;
 };
 
-/// Another program has other last digits, and the ranks must agree on all of them.
+/// Values of functions whose last digits are those of a library and a processor.
+std::vector<double> sample_functions() {
+  constexpr int samples = 512;
+  std::vector<double> values;
+  for (int i = 1; i <= samples; ++i) {
+    const double x = 0.037 * i;
+    for (const double y : {std::exp(-x), std::log(x), std::sin(x), std::cos(x), std::tan(x), std::atan(x),
+                           std::pow(x, 0.37), std::cbrt(x), std::tanh(0.1 * x), std::hypot(x, 1.7)})
+      values.push_back(y);
+  }
+  return values;
+}
+
+/// Another program has other last digits, and so has another library: the ranks must agree on all of them.
 void check_programs() {
+  const auto gather = [](const auto& list) {
+    Message mine;
+    mine.put(list.data(), list.size());
+    return get_ranks().gather(mine.bytes(), true);
+  };
   const std::string own = fmt::format("{} {} {} {}", version, commit, instruction_level, compiler);
-  Message mine;
-  mine.put(own.data(), own.size());
-  const std::vector<Bytes> all = get_ranks().gather(mine.bytes(), true);
-  for (std::size_t r = 1; r < all.size(); ++r)
-    if (all[r] != all[0])
+  const std::vector<Bytes> programs = gather(own), functions = gather(sample_functions());
+  for (std::size_t r = 1; r < programs.size(); ++r) {
+    if (programs[r] != programs[0])
       throw Error(ExitCode::wrong_input,
                   fmt::format("rank {} runs another build of Talus than rank 0; this one is {}", r, own));
+    if (functions[r] != functions[0])
+      throw Error(ExitCode::wrong_input, fmt::format("rank {} has other last digits of functions than rank 0: the "
+                                                     "libraries or the processors of their machines differ",
+                                                     r));
+  }
 }
 
 void run(RunCommand command) {
   join_ranks(std::filesystem::read_symlink("/proc/self/exe").parent_path().string());
   check_programs();
   const Ranks& ranks = get_ranks();
-  if (ranks.size() > 1 && command.threads > 1)
-    throw Error(ExitCode::wrong_input, "each of several ranks has one thread: leave --threads out");
   if (ranks.rank() > 0) command.quiet = command.no_report = true;
   const input::LoadedCase loaded = input::read_case(command.input.file, command.input.parse_overrides());
   if (!command.quiet)
@@ -124,7 +144,8 @@ void add_run(CLI::App& app) {
   const auto options = std::make_shared<RunCommand>();
   options->input.add_to(command);
   command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _results)");
-  command.take("--threads", options->threads, "Threads to use (default: all cores)").positive();
+  command.take("--threads", options->threads, "Threads to use (default: all cores; of several ranks each has one)")
+      .positive();
   const Argument resume = command.flag("--resume", options->resume, "Go on with an interrupted run in the same folder");
   command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);
   command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");

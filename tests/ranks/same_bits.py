@@ -95,7 +95,6 @@ def expect_fault(name, process, sentence, code=2):
 def check_faults(program, here):
     """What cannot be is one sentence, and nothing is written."""
     case = CASES / "slide.toml"
-    expect_fault("threads", start(program, 2, case, here / "fault", "--threads", "2"), "each of several ranks has one thread")
     expect_fault("folder", start(program, 2, case, here / "slide_1"), "is not empty", 3)
     expect_fault("study", subprocess.Popen(["mpiexec", "--allow-run-as-root", "--oversubscribe", "-n", "2", program, "study", str(case)],
                                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True), "2 ranks do not share a study")
@@ -127,6 +126,8 @@ def main():
             for ranks in (2, 4):
                 run(program, ranks, path, here / f"{case}_{ranks}")
                 compare(f"{case} on {ranks} ranks", here / f"{case}_1", here / f"{case}_{ranks}")
+        run(program, 2, CASES / "slide.toml", here / "slide_threads", "--threads", "2")
+        compare("slide on 2 ranks with two threads each", here / "slide_1", here / "slide_threads")
         # A checkpoint is written at every look: a rank is killed as soon as there is one.
         often = ("--set", "output.checkpoint_interval=1e-6")
         for case, ranks in (("slide", 1), ("slide", 2), ("wet_bank", 2), ("wet_bank_3d", 1)):
