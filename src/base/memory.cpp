@@ -2,6 +2,7 @@
 #include "base/memory.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -49,6 +50,12 @@ std::optional<double> find_address_room() {
   const auto pages = parse(read("/proc/self/statm"));  // its first number is the size of the address space
   if (!free || !pages) return std::nullopt;
   return *pages * static_cast<double>(sysconf(_SC_PAGESIZE)) + *free;
+}
+
+void return_freed_memory() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
 }
 
 std::string write_bytes(double bytes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How much memory is free.
+// How much memory is free, and giving some back.
 
 #include <optional>
 #include <string>
@@ -17,6 +17,10 @@ std::optional<double> find_free_memory(const std::string& meminfo, const std::st
 
 /// The size [bytes] that this process's address space would have with all that memory; nothing where it is not known.
 std::optional<double> find_address_room();
+
+/// Gives memory that was freed back to the system, which the C library would keep: after work that needed much for a
+/// while.
+void return_freed_memory();
 
 /// "1.2 GB", "340 MB".
 std::string write_bytes(double bytes);

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "base/memory.hpp"
 #include "ground/root_content.hpp"
 #include "ground/tell_seepage.hpp"
 #include "mesh/generate.hpp"
@@ -118,6 +119,7 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
     warnings_.push_back("no boundary holds the soil; without [[boundary]] it falls out of the box");
   profile_bin_ = mesh::measure_quality(body_.mesh()).mean_size;
   initial_ = find_profile(body_, profile_bin_);
+  return_freed_memory();
 }
 
 /// For the report: the elements and the sides that the boundaries name, and the season.
