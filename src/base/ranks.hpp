@@ -45,6 +45,14 @@ struct Traffic {
   int hand_overs = 0;  ///< of work to other ranks, because some had more of it; counted by those who do it
 };
 
+/// What goes between rank 0 and the others in pieces, so that no more than one is in memory beside what it is made of.
+struct Pieces {
+  int count = 0;
+  std::function<int(int)> find_rank;  ///< of a piece
+  std::function<Bytes(int)> make;
+  std::function<void(int, Bytes)> take;
+};
+
 /// All calls but rank() and size() are made by all ranks in the same order.
 class Ranks {
  public:
@@ -53,10 +61,10 @@ class Ranks {
   virtual int size() const = 0;
   /// The bytes of each rank: on all ranks, or on rank 0 alone (elsewhere empty).
   virtual std::vector<Bytes> gather(const Bytes& mine, bool to_all) = 0;
-  /// The bytes of each rank to rank 0, one rank after the other, where take(r, bytes) gets them.
-  virtual void collect(const Bytes& mine, const std::function<void(int, Bytes)>& take) = 0;
-  /// What rank 0 makes for this rank; it makes the parts of all, one after the other.
-  virtual Bytes deal(const std::function<Bytes(int)>& make) = 0;
+  /// Pieces that rank 0 makes, one after the other: take(piece, bytes) gets each on its rank.
+  virtual void deal(const Pieces& pieces) = 0;
+  /// Pieces that their ranks make: take(piece, bytes) gets all on rank 0, one after the other.
+  virtual void collect(const Pieces& pieces) = 0;
   /// to[r] goes to rank r; returns what each has sent here.
   virtual std::vector<Bytes> exchange(const std::vector<Bytes>& to) = 0;
   /// Those of rank 0, on all ranks.

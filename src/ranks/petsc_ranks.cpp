@@ -125,21 +125,11 @@ class PetscRanks : public Ranks {
     return sum <= piece ? gather_at_once(mine, envelopes, to_all) : gather_in_turn(mine, envelopes, to_all);
   }
 
-  void collect(const Bytes& mine, const std::function<void(int, Bytes)>& take) override {
-    const Watch watch(*traffic_, rank_ > 0 ? static_cast<double>(mine.size()) : 0);
-    if (rank_ > 0) return send(mine, 0);
-    for (int r = 0; r < size_; ++r) take(r, r == 0 ? mine : receive(r));
+  void deal(const Pieces& pieces) override {
+    for (int i = 0; i < pieces.count; ++i) hand_over(pieces, i, 0, pieces.find_rank(i));
   }
-
-  Bytes deal(const std::function<Bytes(int)>& make) override {
-    const Watch watch(*traffic_, 0);
-    if (rank_ > 0) return receive(0);
-    for (int r = 1; r < size_; ++r) {
-      const Bytes part = make(r);
-      traffic_->bytes += static_cast<double>(part.size());
-      send(part, r);
-    }
-    return make(0);
+  void collect(const Pieces& pieces) override {
+    for (int i = 0; i < pieces.count; ++i) hand_over(pieces, i, pieces.find_rank(i), 0);
   }
 
   std::vector<Bytes> exchange(const std::vector<Bytes>& to) override {
@@ -238,6 +228,17 @@ class PetscRanks : public Ranks {
       if (to_all || rank_ == 0) parts.push_back(std::move(part));
     }
     return parts;
+  }
+
+  void hand_over(const Pieces& pieces, int i, int from, int to) {
+    if (rank_ != from && rank_ != to) return;
+    Bytes bytes = rank_ == from ? pieces.make(i) : Bytes();
+    if (from != to) {
+      const Watch watch(*traffic_, static_cast<double>(bytes.size()));
+      if (rank_ == from) return send(bytes, to);
+      bytes = receive(from);
+    }
+    pieces.take(i, std::move(bytes));
   }
 
   /// From one rank to another, of whatever length.

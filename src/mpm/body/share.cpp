@@ -21,9 +21,6 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, co
   std::vector<int> rank_of_chunk;
   for (int r = 0; r < ranks.size(); ++r)
     for (int c = share->chunk_of_rank[r]; c < share->chunk_of_rank[r + 1]; ++c) rank_of_chunk.push_back(r);
-  const auto find_chunk = [](const std::vector<int>& starts, int item) {
-    return static_cast<int>(std::upper_bound(starts.begin(), starts.end(), item) - starts.begin()) - 1;
-  };
   const int first = share->first_chunk(), last = share->last_chunk(), nodes = body.mesh().node_count();
   std::vector<Guest> rows;
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(nodes), 0);  // nodes of these chunks
@@ -32,16 +29,16 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, co
     const auto begin = layout.node_rows.begin() + layout.row_start[i],
                end = layout.node_rows.begin() + layout.row_start[i + 1];
     const auto is_own = [&](int row) {
-      const int c = find_chunk(layout.chunk_row, row);
+      const int c = find_interval(layout.chunk_row, row);
       return c >= first && c < last;
     };
     if (std::none_of(begin, end, is_own)) continue;
     touched[i] = 1;
     if (!std::all_of(begin, end, is_own))
-      for (auto row = begin; row != end; ++row) is_outer[find_chunk(layout.chunk_row, *row)] = 1;
+      for (auto row = begin; row != end; ++row) is_outer[find_interval(layout.chunk_row, *row)] = 1;
     for (auto row = begin; row != end; ++row)
-      if (!is_own(*row)) rows.push_back({*row, rank_of_chunk[find_chunk(layout.chunk_row, *row)]});
-    const int piece = find_chunk(layout.node_start, i);
+      if (!is_own(*row)) rows.push_back({*row, rank_of_chunk[find_interval(layout.chunk_row, *row)]});
+    const int piece = find_interval(layout.node_start, i);
     if (piece >= first && piece < last) continue;
     if (!share->guests.empty() && share->guests.back()[1] == i)
       ++share->guests.back()[1];
@@ -57,11 +54,11 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, co
     share->is_near.push_back(near);
     if (!near) continue;
     for (const int i : of_element) is_read[i] = 1;
-    const int chunk = find_chunk(layout.chunk_start, e / lane_width);
+    const int chunk = find_interval(layout.chunk_start, e / lane_width);
     if (chunk < first || chunk >= last) elements.push_back({e, rank_of_chunk[chunk]});
   }
   for (int i = 0; i < nodes; ++i) {
-    const int piece = find_chunk(layout.node_start, i);
+    const int piece = find_interval(layout.node_start, i);
     if (is_read[i] && (piece < first || piece >= last)) near_nodes.push_back({i, rank_of_chunk[piece]});
   }
   share->rows = ranks.make_halo(layout.rows, rows);
@@ -76,7 +73,7 @@ std::shared_ptr<const Share<D>> make_share(const Body<D>& body, Ranks& ranks, co
   std::vector<Guest> reached;
   for (int e = 0; e < body.mesh().element_count(); ++e)
     if (is_reached[e] && (e < begin || e >= end))
-      reached.push_back({e, rank_of_chunk[find_chunk(layout.chunk_start, e / lane_width)]});
+      reached.push_back({e, rank_of_chunk[find_interval(layout.chunk_start, e / lane_width)]});
   share->reach = ranks.make_halo(layout.blocks * lane_width, reached);
   return share;
 }
@@ -200,27 +197,60 @@ std::shared_ptr<const SofteningReach> get_reach(Message& message, int first, int
   return reach;
 }
 
-/// What a rank with the chunks [from, to) gets of the whole body.
+/// A chunk of a body, with its points.
 template <int D>
-Bytes make_part(const Body<D>& whole, int from, int to) {
-  Message message;
-  const int first = first_element(*whole.layout, from), last = first_element(*whole.layout, to);
-  message.put_list(list_counts(whole.points, first, last));
-  put_points(whole.points, first, last, message);
-  visit_own<D>(whole, from, to, [&](const auto* values, std::size_t count) { message.put(values, count); });
-  if (whole.softening_reach) put_reach(*whole.softening_reach, first, last, message);
-  return message.take();
+void put_chunk(const Body<D>& body, int c, Message& message) {
+  put_points(body.points, first_element(*body.layout, c), first_element(*body.layout, c + 1), message);
+  visit_own<D>(body, c, c + 1, [&](const auto* values, std::size_t count) { message.put(values, count); });
 }
+/// Into a body with room for `counts` points in its elements.
 template <int D>
-void take_part(Message message, int from, int to, Body<D>& body) {
-  const int first = first_element(*body.layout, from), last = first_element(*body.layout, to);
-  const std::vector<int> counts = message.get_list<int>();
-  std::vector<int> used(static_cast<std::size_t>(body.layout->blocks), 0);
-  count_slots(counts, first, used);
+void get_chunk(Message& message, int c, const std::vector<int>& counts, Body<D>& body) {
+  const int first = first_element(*body.layout, c), last = first_element(*body.layout, c + 1);
+  get_points(message, first, {counts.begin() + first, counts.begin() + last}, body.points);
+  visit_own<D>(body, c, c + 1, [&](auto* values, std::size_t count) { message.get(values, count); });
+}
+
+/// What rank 0 makes for each rank.
+Bytes deal_one_each(Ranks& ranks, const std::function<Bytes(int)>& make) {
+  Bytes mine;
+  ranks.deal({ranks.size(), [](int rank) { return rank; }, make, [&](int, Bytes bytes) { mine = std::move(bytes); }});
+  return mine;
+}
+
+/// Fills this rank's chunks with what rank 0 has there.
+template <int D>
+void take_chunks(const Body<D>* whole, Ranks& ranks, const std::vector<int>& chunk_of_rank, Body<D>& body) {
+  const Layout<D>& layout = *body.layout;
+  const auto find_elements = [&](int rank) {
+    return std::array{first_element(layout, chunk_of_rank[static_cast<std::size_t>(rank)]),
+                      first_element(layout, chunk_of_rank[static_cast<std::size_t>(rank) + 1])};
+  };
+  const auto [first, last] = find_elements(ranks.rank());
+  Message told(deal_one_each(ranks, [&](int r) {
+    const auto [begin, end] = find_elements(r);
+    Message message;
+    message.put_list(list_counts(whole->points, begin, end));
+    if (whole->softening_reach) put_reach(*whole->softening_reach, begin, end, message);
+    return message.take();
+  }));
+  const std::vector<int> own = told.get_list<int>();
+  if (!body.elements.lent.empty()) body.softening_reach = get_reach(told, first, last, layout.mesh.element_count());
+  std::vector<int> used(static_cast<std::size_t>(layout.blocks), 0);
+  count_slots(own, first, used);
   allocate_slots(body.points, used);
-  get_points(message, first, counts, body.points);
-  visit_own<D>(body, from, to, [&](auto* values, std::size_t count) { message.get(values, count); });
-  if (!body.elements.lent.empty()) body.softening_reach = get_reach(message, first, last, body.mesh().element_count());
+  std::vector<int> counts(static_cast<std::size_t>(layout.mesh.element_count()), 0);
+  std::copy(own.begin(), own.end(), counts.begin() + first);
+  ranks.deal({layout.chunks, [&](int c) { return find_interval(chunk_of_rank, c); },
+              [&](int c) {
+                Message message;
+                put_chunk(*whole, c, message);
+                return message.take();
+              },
+              [&](int c, Bytes bytes) {
+                Message message(std::move(bytes));
+                get_chunk(message, c, counts, body);
+              }});
 }
 
 /// What other ranks have of the elements and nodes round those here.
@@ -292,9 +322,7 @@ Body<D> take_share(const Body<D>* whole, Body<D> description, Ranks& ranks, cons
   if (!body.layout->is_ordered)
     throw Error(ExitCode::wrong_input,
                 "the nodes of the mesh are not in the order of its elements, which several ranks need: run it on one");
-  Message part(ranks.deal([&](int r) { return make_part(*whole, chunk_of_rank[r], chunk_of_rank[r + 1]); }));
-  const int from = chunk_of_rank[ranks.rank()], to = chunk_of_rank[ranks.rank() + 1];
-  take_part(std::move(part), from, to, body);
+  take_chunks(whole, ranks, chunk_of_rank, body);
   body.share = make_share(body, ranks, chunk_of_rank);
   update_surroundings(body);
   body.water.surface_is_stale = true;
@@ -302,47 +330,54 @@ Body<D> take_share(const Body<D>* whole, Body<D> description, Ranks& ranks, cons
   return body;
 }
 
+/// What all ranks have of a body, but for its fields.
+template <int D>
+void copy_common(const Body<D>& share, Body<D>& whole) {
+  if (share.water.is_wet()) copy_totals(share.water, whole.water);
+  whole.lost = share.lost;
+  whole.work = share.work;
+  whole.monitor = share.monitor;
+  whole.timing = share.timing;
+  whole.time = share.time;
+  whole.step_count = share.step_count;
+  whole.nodes.motion_step = share.nodes.motion_step;
+}
+
 template <int D>
 void collect(const Body<D>& share, bool to_all, Body<D>* whole) {
   Ranks& ranks = *share.share->ranks;
   const std::vector<int>& chunks = share.share->chunk_of_rank;
-  const auto [from, to] = own_chunks(share);
   const auto [first, last] = own_elements(share);
   Message mine;
   mine.put_list(list_counts(share.points, first, last));
-  const std::vector<Bytes> all_counts = ranks.gather(mine.take(), to_all);
-  put_points(share.points, first, last, mine);
-  visit_own<D>(share, from, to, [&](const auto* values, std::size_t count) { mine.put(values, count); });
-  std::vector<std::vector<int>> counts;
-  const auto take = [&, whole](int r, Bytes bytes) {
-    Message message(std::move(bytes));
-    get_points(message, first_element(*whole->layout, chunks[r]), counts[static_cast<std::size_t>(r)], whole->points);
-    visit_own<D>(*whole, chunks[r], chunks[r + 1],
-                 [&](auto* values, std::size_t count) { message.get(values, count); });
-  };
-  if (whole == nullptr || all_counts.empty()) return ranks.collect(mine.bytes(), take);
-  if (share.water.is_wet()) copy_totals(share.water, whole->water);
-  whole->lost = share.lost;
-  whole->work = share.work;
-  whole->monitor = share.monitor;
-  whole->timing = share.timing;
-  whole->time = share.time;
-  whole->step_count = share.step_count;
-  whole->nodes.motion_step = share.nodes.motion_step;
-  std::vector<int> used(static_cast<std::size_t>(whole->layout->blocks), 0);
-  for (std::size_t r = 0; r < all_counts.size(); ++r) {
-    counts.push_back(Message(all_counts[r]).get_list<int>());
-    count_slots(counts.back(), first_element(*whole->layout, chunks[r]), used);
+  std::vector<int> counts;
+  for (Bytes& bytes : ranks.gather(mine.take(), to_all))
+    for (const int n : Message(std::move(bytes)).get_list<int>()) counts.push_back(n);
+  if (!counts.empty()) {  // the whole body comes here
+    copy_common(share, *whole);
+    std::vector<int> used(static_cast<std::size_t>(whole->layout->blocks), 0);
+    count_slots(counts, 0, used);
+    allocate_slots(whole->points, used);
+    std::fill(whole->points.element.begin(), whole->points.element.end(), -1);
+    std::fill(whole->points.place.begin(), whole->points.place.end(), -1);
   }
-  Points<D>& points = whole->points;
-  allocate_slots(points, used);
-  std::fill(points.element.begin(), points.element.end(), -1);
-  std::fill(points.place.begin(), points.place.end(), -1);
-  if (to_all) {
-    std::vector<Bytes> all = ranks.gather(mine.bytes(), true);
-    for (std::size_t r = 0; r < all.size(); ++r) take(static_cast<int>(r), std::move(all[r]));
-  } else {
-    ranks.collect(mine.bytes(), take);
+  const auto make = [&](int c) {
+    Message message;
+    put_chunk(share, c, message);
+    return message.take();
+  };
+  const auto take = [&](int c, Bytes bytes) {
+    Message message(std::move(bytes));
+    get_chunk(message, c, counts, *whole);
+  };
+  if (!to_all)
+    return ranks.collect({share.layout->chunks, [&](int c) { return find_interval(chunks, c); }, make, take});
+  const auto [from, to] = own_chunks(share);
+  for (int c = from; c < to; ++c) put_chunk(share, c, mine);
+  std::vector<Bytes> all = ranks.gather(mine.take(), true);
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    Message message(std::move(all[r]));
+    for (int c = chunks[r]; c < chunks[r + 1]; ++c) get_chunk(message, c, counts, *whole);
   }
 }
 

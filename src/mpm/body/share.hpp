@@ -38,6 +38,11 @@ std::array<int, 2> own_chunks(const Body<D>& body) {
   return {body.share->first_chunk(), body.share->last_chunk()};
 }
 
+/// Which of the intervals that begin at `starts` an item is in.
+inline int find_interval(const std::vector<int>& starts, int item) {
+  return static_cast<int>(std::upper_bound(starts.begin(), starts.end(), item) - starts.begin()) - 1;
+}
+
 /// The elements [first, last) of these chunks.
 template <int D>
 std::array<int, 2> own_elements(const Body<D>& body) {

@@ -109,11 +109,8 @@ std::vector<Traveller<D>> exchange_points(Body<D>& body, std::vector<Traveller<D
   std::vector<Message> to(static_cast<std::size_t>(share.ranks->size()));
   const auto fields = static_cast<std::size_t>(body.points.fields);
   for (const Traveller<D>& p : points) {
-    const int b = p.record.element / lane_width;
-    const auto& starts = body.layout->chunk_start;
-    const int chunk = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), b) - starts.begin()) - 1;
-    const auto after = std::upper_bound(share.chunk_of_rank.begin(), share.chunk_of_rank.end(), chunk);
-    const auto rank = static_cast<std::size_t>(after - share.chunk_of_rank.begin()) - 1;
+    const int chunk = find_interval(body.layout->chunk_start, p.record.element / lane_width);
+    const auto rank = static_cast<std::size_t>(find_interval(share.chunk_of_rank, chunk));
     if (static_cast<int>(rank) != share.ranks->rank())
       body.points.element[p.record.id] = -1, body.points.place[p.record.id] = -1;
     to[rank].put(p.record.id);
