@@ -58,7 +58,7 @@ class CaseRun {
 
   results::RunResult run() {
     prepare();
-    if (points_ ? points_->helps() : false) {
+    if (PointRun<D>::helps(design_.data)) {
       calculate();
       return std::move(run_);
     }

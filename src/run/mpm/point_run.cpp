@@ -72,17 +72,11 @@ void read_output(results::RunResult& run, const input::Case& data, const fs::pat
 template <int D>
 PointRun<D>::PointRun(const input::LoadedCase& loaded, const input::Case& data, const RunOptions& options,
                       std::string input_hash)
-    : loaded_(loaded),
-      data_(data),
-      options_(options),
-      hash_(std::move(input_hash)),
-      mesh_input_(loaded.echo),
-      // Trials of a reduction begin with the body on every rank.
-      shares_stages_(get_ranks().size() > 1 && data.analysis == input::AnalysisKind::run) {}
+    : loaded_(loaded), data_(data), options_(options), hash_(std::move(input_hash)), mesh_input_(loaded.echo) {}
 
 template <int D>
 void PointRun<D>::prepare(results::RunResult& run) {
-  if (shares_stages_)
+  if (shares_stages(data_))
     lead_ranks([&] { prepare_body(run); });
   else
     prepare_body(run);
@@ -125,7 +119,7 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
 /// For the report: the elements and the sides that the boundaries name, and the season.
 template <int D>
 void PointRun<D>::open() {
-  if (helps()) return;
+  if (helps(data_)) return;
   output::ArchiveWriter archive;
   put_mesh(archive, body_.mesh());
   archive.write(options_.folder / "mesh.h5");
@@ -134,8 +128,8 @@ void PointRun<D>::open() {
 
 template <int D>
 void PointRun<D>::calculate(results::RunResult& run) {
-  if (helps()) return help_with_stages<D>(data_);
-  if (shares_stages_) {
+  if (helps(data_)) return help_with_stages<D>(data_);
+  if (shares_stages(data_)) {
     try {
       run_stages(run);
     } catch (...) {
@@ -166,6 +160,7 @@ void PointRun<D>::calculate(results::RunResult& run) {
 
 template <int D>
 void PointRun<D>::finish(results::RunResult& run) {
+  if (helps(data_)) return;
   if (!body_.lost.empty()) {
     double mass = 0;
     for (const auto& l : body_.lost) mass += l.mass;
@@ -278,7 +273,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
   for (int i = first; i < count; ++i) {
     const input::Stage& stage = data_.stages[i];
     StagePlan<D> plan = make_plan<D>(data_, stage, slope_height_, options_.threads);
-    if (shares_stages_) plan.helpers = &helpers_;
+    if (shares_stages(data_)) plan.helpers = &helpers_;
     set_strength(body_, data_, plan.cohesion, plan.strength_factor);
     if (!state.started) {
       if (i > 0 || !data_.initial.result.empty()) state.gravity_share = 1;

@@ -49,10 +49,15 @@ class PointRun {
   const results::WaterFields* water_fields() const { return water_.fields ? &*water_.fields : nullptr; }
   /// What outlives an interruption only.
   void forget();
-  /// Whether this is a rank that has no results of its own: it helps rank 0 with the stages of calculate().
-  bool helps() const { return shares_stages_ && get_ranks().rank() > 0; }
+  /// Whether this is a rank without results of its own: it helps rank 0 with the stages of calculate().
+  static bool helps(const input::Case& data) { return shares_stages(data) && get_ranks().rank() > 0; }
 
  private:
+  /// Whether there are several ranks, of which rank 0 alone has the body. Trials of a reduction begin with the body on
+  /// every rank.
+  static bool shares_stages(const input::Case& data) {
+    return get_ranks().size() > 1 && input::uses(data, Method::mpm) && data.analysis == input::AnalysisKind::run;
+  }
   void prepare_body(results::RunResult& run);
   void open_origin();
   void tell_origin(const EndState& origin, results::RunResult& run);
@@ -83,7 +88,6 @@ class PointRun {
   std::vector<int> monitor_points_;
   std::vector<results::Stage> stages_;
   std::vector<std::string> warnings_;
-  const bool shares_stages_;  ///< several ranks, of which rank 0 alone has the body
   Helpers<D> helpers_;
 };
 
