@@ -5,9 +5,10 @@
 // a part of it.
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -84,8 +85,8 @@ class AlignedVector {
   void resize(std::size_t size, const T& value) {
     const std::size_t before = size_;
     resize(size);
-    constexpr T zero{};
-    if (size > before && std::memcmp(&value, &zero, sizeof(T)) != 0) std::fill(data_ + before, data_ + size, value);
+    using Image = std::array<std::byte, sizeof(T)>;  // -0.0 is no zero here
+    if (size > before && std::bit_cast<Image>(value) != Image{}) std::fill(data_ + before, data_ + size, value);
   }
   void assign(std::size_t size, const T& value) {
     clear();

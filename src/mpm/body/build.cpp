@@ -144,6 +144,7 @@ std::shared_ptr<const Layout<D>> make_layout(mesh::Mesh<D> mesh, const std::vect
 }
 
 template <int D>
+// NOLINTNEXTLINE(performance-unnecessary-value-param): it does not see the move of a template
 std::shared_ptr<const Layout<D>> lay_out(mesh::Mesh<D> mesh, std::vector<int> chunk_start) {
   auto layout = std::make_shared<Layout<D>>();
   layout->mesh = std::move(mesh);

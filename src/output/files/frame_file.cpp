@@ -27,7 +27,8 @@ void write_fields(hid_t file, const std::string& group, const std::vector<Field>
 std::vector<Field> read_fields(hid_t file, const std::string& group, bool with_values) {
   std::vector<Field> fields;
   for (const std::string& name : hdf5::list(file, group)) {
-    const std::string path = group + "/" + name;
+    std::string path = group;
+    path.append("/").append(name);
     Field field{
         name, hdf5::read_text_attribute(file, path, "unit"), static_cast<int>(hdf5::shape(file, path).columns), {}};
     if (with_values) field.values = hdf5::read<double>(file, path);
