@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // One kernel source for the CPU's vectors and for a GPU's threads: kernels are templates on T, which is either
-// Pack (TALUS_WIDTH doubles, one element of the mesh per lane) or a plain double. This file is the only place that
-// knows the instruction set. std::experimental::simd is not used: under clang with AVX-512 its masked assignment was
-// silently wrong (docs/decisions/0004).
+// Pack (lane_width doubles, one element of the mesh per lane) or the plain double of one thread. This file is the only
+// place that knows the instruction set. std::experimental::simd is not used: under clang with AVX-512 its masked
+// assignment was silently wrong (docs/decisions/0004).
 
 #include <cmath>
 #include <cstdint>
+
+#include "base/portable.hpp"
 
 #if !defined(__CUDACC__) && (defined(__AVX512F__) || defined(__AVX2__))
 #include <immintrin.h>
@@ -51,7 +53,9 @@ inline constexpr int lane_width = 4;
 inline constexpr int lane_width = 2;
 #endif
 
-#if !defined(__CUDACC__)  // nvcc knows no vector types
+#if defined(__CUDACC__)  // nvcc knows no vector types
+struct Pack;
+#else
 /// One truth value per lane.
 struct Mask {
   typedef std::int64_t Vector __attribute__((vector_size(8 * lane_width)));
@@ -141,6 +145,16 @@ TALUS_KERNEL bool any(bool m) {
 TALUS_KERNEL bool all(bool m) {
   return m;
 }
+/// One bit per lane, lane 0 lowest.
+TALUS_KERNEL unsigned to_bits(bool m) {
+  return m ? 1 : 0;
+}
+TALUS_KERNEL double sum_lanes(double a) {
+  return a;
+}
+TALUS_KERNEL void set_lane(double& a, int /*lane*/, double value) {
+  a = value;
+}
 TALUS_KERNEL void store(double* p, double a) {
   *p = a;
 }
@@ -171,7 +185,15 @@ TALUS_KERNEL Pack lane_sqrt(Pack a) {
 #endif
 }
 
-/// One bit per lane, lane 0 lowest.
+TALUS_KERNEL double sum_lanes(Pack a) {
+  double sum = 0;
+  for (int l = 0; l < lane_width; ++l) sum += a.value[l];
+  return sum;
+}
+TALUS_KERNEL void set_lane(Pack& a, int lane, double value) {
+  a.value[lane] = value;
+}
+
 TALUS_KERNEL unsigned to_bits(Mask m) {
 #if defined(__AVX512DQ__)
   return _mm512_movepi64_mask(reinterpret_cast<__m512i>(m.bits));
@@ -195,12 +217,15 @@ TALUS_KERNEL bool all(Mask m) {
 TALUS_KERNEL void store(double* p, Pack a) {
   *reinterpret_cast<Pack::Vector*>(p) = a.value;
 }
+#endif
 
-/// Loads a pack from memory that is aligned to it.
+/// Loads a pack from memory that is aligned to it, or the double of a thread.
 template <class T>
 TALUS_KERNEL T load(const double* p) {
-  return T(*reinterpret_cast<const typename T::Vector*>(p));
+  if constexpr (LaneTraits<T>::width == 1)
+    return *p;
+  else
+    return T(*reinterpret_cast<const typename T::Vector*>(p));
 }
-#endif
 
 }  // namespace talus

@@ -145,12 +145,6 @@ CamClay<Rooted>::CamClay(const CamClayParameters& soil, const RootParameters& ro
 }
 
 template <bool Rooted>
-double CamClay<Rooted>::constrained_modulus(const double* sigma, const double* state) const {
-  const double bulk = (1 + state[2]) / soil_.swelling * std::max(find_pressure(sigma), soil_.smallest_pressure);
-  return bulk * (1 + 4.0 / 3 * shear_ratio_);
-}
-
-template <bool Rooted>
 double CamClay<Rooted>::find_preconsolidation(const double* state, double saturation) const {
   if (!(state[1] < set_below)) return not_set;
   double exponent = soil_.suction_hardening * (1 - saturation);

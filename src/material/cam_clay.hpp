@@ -144,14 +144,17 @@ class CamClay {
   const CamClayParameters& soil() const { return soil_; }
   const RootParameters& roots() const { return roots_; }
   /// E_c at a stress and state, for the time step [Pa].
-  double constrained_modulus(const double* sigma, const double* state) const;
+  TALUS_PORTABLE double constrained_modulus(const double* sigma, const double* state) const {
+    const double bulk = (1 + state[2]) / soil_.swelling * std::max(find_pressure(sigma), soil_.smallest_pressure);
+    return bulk * (1 + 4.0 / 3 * shear_ratio_);
+  }
   /// The elastic stiffness at a stress and state.
   LinearElastic find_elastic(const double* sigma, const double* state) const {
     return LinearElastic::from_constrained_modulus(constrained_modulus(sigma, state), soil_.poisson_ratio);
   }
   /// Density of the elastic energy: that of compressing from zero along the swelling line, and q²/(6G) [J/m³].
   template <int NS>
-  double elastic_energy(const double* sigma, const double* state) const {
+  TALUS_PORTABLE double elastic_energy(const double* sigma, const double* state) const {
     const double p = find_pressure(sigma),
                  bulk = (1 + state[2]) / soil_.swelling * std::max(p, soil_.smallest_pressure);
     const double volume = soil_.swelling / (1 + state[2]);
@@ -260,7 +263,7 @@ class CamClay {
   static constexpr double least_void_ratio = 0.01, most_void_ratio = 4;
   static constexpr double most_exponent = 50;  ///< of suction and roots together
 
-  static double find_pressure(const double* sigma) { return -(sigma[0] + sigma[1] + sigma[2]) / 3; }
+  TALUS_PORTABLE static double find_pressure(const double* sigma) { return -(sigma[0] + sigma[1] + sigma[2]) / 3; }
 
   /// Void ratio after the volumetric strain `volume` (compression positive), and the mean of 1 + e over it.
   template <class T>

@@ -97,13 +97,15 @@ struct LinearElastic {
   }
 
   /// E_c = λ + 2μ of (2.84) [Pa].
-  double constrained_modulus(const double* = nullptr, const double* = nullptr) const { return lambda + 2 * mu; }
+  TALUS_PORTABLE double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
+    return lambda + 2 * mu;
+  }
   /// The elastic stiffness at a stress and state.
   LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return *this; }
 
   /// Elastic energy density ½ σ:C⁻¹:σ [J/m³].
   template <int NS>
-  double elastic_energy(const double* sigma, const double* = nullptr) const {
+  TALUS_PORTABLE double elastic_energy(const double* sigma, const double* = nullptr) const {
     const double trace = sigma[0] + sigma[1] + sigma[2];
     double squares = sigma[0] * sigma[0] + sigma[1] * sigma[1] + sigma[2] * sigma[2];
     for (int i = 3; i < NS; ++i) squares += 2 * sigma[i] * sigma[i];

@@ -109,12 +109,12 @@ class MohrCoulomb {
 
   const LinearElastic& elastic() const { return elastic_; }
   const MohrCoulombStrength& strength() const { return strength_; }
-  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
+  TALUS_PORTABLE double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
     return elastic_.constrained_modulus();
   }
   LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return elastic_; }
   template <int NS>
-  double elastic_energy(const double* sigma, const double* = nullptr) const {
+  TALUS_PORTABLE double elastic_energy(const double* sigma, const double* = nullptr) const {
     return elastic_.elastic_energy<NS>(sigma);
   }
 
@@ -126,7 +126,7 @@ class MohrCoulomb {
   }
   static std::vector<StateField> fields() { return {separation_field}; }
   static void show(const double* state, double /*saturation*/, double* values) { values[0] = state[1]; }
-  static double find_gap(const double* state) { return state[1]; }
+  TALUS_PORTABLE static double find_gap(const double* state) { return state[1]; }
 
   /// The bounds with `extra` cohesion [Pa] of the points' own. σ_t stays as given: roots let the soil bear more tension
   /// only as far as the apex held it below σ_t.

@@ -57,12 +57,12 @@ class RootedMohrCoulomb {
       : soil_(elastic, strength), root_share_(1 / root_factor) {}
 
   const MohrCoulomb& soil() const { return soil_; }
-  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
+  TALUS_PORTABLE double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
     return soil_.constrained_modulus();
   }
   LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return soil_.elastic(); }
   template <int NS>
-  double elastic_energy(const double* sigma, const double* = nullptr) const {
+  TALUS_PORTABLE double elastic_energy(const double* sigma, const double* = nullptr) const {
     return soil_.elastic_energy<NS>(sigma);
   }
   template <int NS, class T>
@@ -78,7 +78,7 @@ class RootedMohrCoulomb {
     values[0] = state[1];
     values[1] = state[2];
   }
-  static double find_gap(const double* state) { return state[2]; }
+  TALUS_PORTABLE static double find_gap(const double* state) { return state[2]; }
 
  private:
   MohrCoulomb soil_;

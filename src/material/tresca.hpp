@@ -83,12 +83,12 @@ class Tresca {
         undrained_strength_(undrained_strength),
         share_(1 / factor) {}
 
-  double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
+  TALUS_PORTABLE double constrained_modulus(const double* = nullptr, const double* = nullptr) const {
     return soil_.constrained_modulus();
   }
   LinearElastic find_elastic(const double* = nullptr, const double* = nullptr) const { return soil_.elastic(); }
   template <int NS>
-  double elastic_energy(const double* sigma, const double* = nullptr) const {
+  TALUS_PORTABLE double elastic_energy(const double* sigma, const double* = nullptr) const {
     return soil_.elastic_energy<NS>(sigma);
   }
   template <int NS, class T>

@@ -145,20 +145,12 @@ void finish(Mesh<D>& mesh, Order order) {
 
 template <int D>
 std::array<double, D> to_global(const Mesh<D>& mesh, int e, const typename Mesh<D>::Point& xi) {
-  const auto& element = mesh.elements[e];
-  std::array<double, D> x = mesh.nodes[element[0]];
-  for (int k = 0; k < D; ++k)
-    for (int d = 0; d < D; ++d) x[d] += xi[k] * (mesh.nodes[element[k + 1]][d] - mesh.nodes[element[0]][d]);
-  return x;
+  return find_place(mesh, e, xi);
 }
 
 template <int D>
 std::array<double, D> to_local(const Mesh<D>& mesh, int e, const typename Mesh<D>::Point& x) {
-  const auto& origin = mesh.nodes[mesh.elements[e][0]];
-  std::array<double, D> xi{};
-  for (int k = 0; k < D; ++k)
-    for (int d = 0; d < D; ++d) xi[k] += mesh.gradients[e][k * D + d] * (x[d] - origin[d]);
-  return xi;
+  return find_local(mesh, e, x);
 }
 
 template void finish<2>(Mesh<2>&, Order);

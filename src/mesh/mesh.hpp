@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/portable.hpp"
+
 namespace talus::mesh {
 
 /// Number of an element's region when no soil fills it at the start.
@@ -61,5 +63,24 @@ std::array<double, D> to_global(const Mesh<D>& mesh, int e, const typename Mesh<
 /// Local coordinates of the global point `x` [m] in element `e` (outside the element some N are negative).
 template <int D>
 std::array<double, D> to_local(const Mesh<D>& mesh, int e, const typename Mesh<D>::Point& x);
+
+// The same for any mesh M: this one, or that on a GPU.
+
+template <class M, std::size_t D>
+TALUS_PORTABLE std::array<double, D> find_place(const M& mesh, int e, const std::array<double, D>& xi) {
+  const auto& element = mesh.elements[e];
+  std::array<double, D> x = mesh.nodes[element[0]];
+  for (std::size_t k = 0; k < D; ++k)
+    for (std::size_t d = 0; d < D; ++d) x[d] += xi[k] * (mesh.nodes[element[k + 1]][d] - mesh.nodes[element[0]][d]);
+  return x;
+}
+template <class M, std::size_t D>
+TALUS_PORTABLE std::array<double, D> find_local(const M& mesh, int e, const std::array<double, D>& x) {
+  const auto& origin = mesh.nodes[mesh.elements[e][0]];
+  std::array<double, D> xi{};
+  for (std::size_t k = 0; k < D; ++k)
+    for (std::size_t d = 0; d < D; ++d) xi[k] += mesh.gradients[e][k * D + d] * (x[d] - origin[d]);
+  return xi;
+}
 
 }  // namespace talus::mesh

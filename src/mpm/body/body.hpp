@@ -45,14 +45,23 @@ struct Layout {
   std::vector<int> row_start, node_rows;  ///< rows of node i: node_rows[row_start[i] … row_start[i+1])
   AlignedVector<double> gradients;        ///< [block][D*D][lane] ∂ξ_k/∂x_d [1/m]
   AlignedVector<double> volumes;          ///< [block][lane] V_e [m³, or m² per metre]
+
+  /// Rows of Nodes::motion and of averages: those of the sums, each with the whole of a node.
+  TALUS_KERNEL int count_motion_rows(int node) const { return row_start[node + 1] - row_start[node]; }
+  TALUS_KERNEL int motion_row(int node, int k) const { return node_rows[row_start[node] + k]; }
+};
+
+/// Fields of a slot, in packs.
+template <int D>
+struct PointFields {
+  static constexpr int stress_size = material::stress_size<D>;
+  static constexpr int xi = 0, velocity = D, stress = 2 * D, volume = 2 * D + stress_size, mass = volume + 1,
+                       state = mass + 1;
 };
 
 template <int D>
-struct Points {
-  static constexpr int stress_size = material::stress_size<D>;
-  // Fields of a slot, in packs.
-  static constexpr int xi = 0, velocity = D, stress = 2 * D, volume = 2 * D + stress_size, mass = volume + 1,
-                       state = mass + 1;
+struct Points : PointFields<D> {
+  using PointFields<D>::stress_size, PointFields<D>::state;
 
   int fields = state;                           ///< packs per slot: state + state variables of the models in use
   AlignedVector<double> data;                   ///< [slot][field][lane]
@@ -73,6 +82,12 @@ struct Points {
   double* slot(std::int64_t s) { return data.data() + s * fields * lane_width; }
   const double* slot(std::int64_t s) const { return data.data() + s * fields * lane_width; }
 };
+
+/// Slots of block `b` that hold points.
+template <int D>
+TALUS_KERNEL int count_slots(const Points<D>& points, int b) {
+  return points.block_used[b];
+}
 
 /// [block][…][lane] arrays of the elements.
 template <int D>
@@ -154,6 +169,11 @@ struct Share;  // share.hpp
 
 template <int D>
 struct Body {
+  // What the lines of a step ask of a body: this one, or that of a thread of a GPU.
+  static constexpr int dimension = D, width = lane_width;  ///< elements of a block
+  static constexpr bool adds_to_sums = true;               ///< rows of sums belong to several elements
+  using Lanes = Pack;
+
   std::shared_ptr<const Layout<D>> layout;
   std::vector<material::Law> laws;  ///< by material number
   std::vector<std::string> material_names;

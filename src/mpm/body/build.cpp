@@ -8,7 +8,7 @@
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/kernels.hpp"
 #include "mpm/coupled/pore_state.hpp"
-#include "mpm/step/element_force.hpp"
+#include "mpm/step/element_lines.hpp"
 #include "mpm/step/kernels.hpp"
 #include "mpm/step/laws.hpp"
 
@@ -251,8 +251,6 @@ Body<D> make_body(std::shared_ptr<const Layout<D>> layout, std::vector<material:
 
 template <int D>
 void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
-  using P = Points<D>;
-  P& points = body.points;
   const auto clear = [](AlignedVector<double>& field) { field = AlignedVector<double>(field.size()); };
   clear(body.nodes.sums);
   clear(body.elements.moments);
@@ -262,17 +260,7 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
   for (int e = begin; e < end; ++e) update_fill_limit(body, e);
   for (int e = begin; e < end; ++e) note_gaps(body, o, e);
   for (int e = begin; e < end; ++e) {
-    const int b = e / lane_width, lane = e % lane_width;
-    for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {
-      double* p = points.slot(points.block_start[b] + k) + lane;
-      double fields[P::state];
-      for (int i = 0; i < P::state; ++i) fields[i] = p[i * lane_width];
-      if (mixture) fields[P::mass] += p[(body.water.first_field + WaterFields<D>::mass) * lane_width];
-      add_point_mass(body, e, fields);
-    }
-    if (o.smoothing != input::Smoothing::stable)  // nobody would renew them
-      body.elements.plastic_dilation[e] = body.elements.rough[e] = 0;
-    if (points.count[e] > 0) add_internal_force(body, e, o.mixed, 1);
+    gather_points(body, o, e, mixture ? body.water.first_field + WaterFields<D>::mass : -1);
   }
   body.water.mixture.is_used = mixture;
   if (mixture) {
@@ -287,7 +275,7 @@ void gather_nodal_sums(Body<D>& body, const StepOptions<D>& o) {
     find_held_axes(body);
     for (int e = begin; e < end; ++e) {
       share_wet_element(body, e, o);
-      if (points.count[e] > 0) add_wet_element(body, e, o, 1);
+      if (body.points.count[e] > 0) add_wet_element(body, e, o, 1);
     }
     body.water.surface_is_stale = true;
   }

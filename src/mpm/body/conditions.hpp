@@ -46,20 +46,20 @@ struct Conditions {
   std::vector<Load<D>> loads;
 };
 
-/// The velocity [m/s] of what holds a node, at time `t` [s].
-template <int D>
-Vec<D> find_drive(const Conditions<D>& conditions, const Constraint<D>& c, double t) {
+/// The velocity [m/s] of what holds a node, at time `t` [s]. C: Conditions, or those on a GPU.
+template <class C, int D>
+TALUS_PORTABLE Vec<D> find_drive(const C& conditions, const Constraint<D>& c, double t) {
   if (c.factor < 0) return {};
   const double f = conditions.factors[static_cast<std::size_t>(c.factor)].at(t);
   Vec<D> v = c.drive;
-  for (double& x : v) x *= f;
+  for (int d = 0; d < D; ++d) v[d] *= f;
   return v;
 }
 
 /// The velocity [m/s] that a node may have at time `t` [s] instead of `wanted`.
-template <int D>
-Vec<D> constrain_velocity(const Conditions<D>& conditions, const Constraint<D>& c, std::type_identity_t<Vec<D>> wanted,
-                          double t) {
+template <class C, int D>
+TALUS_PORTABLE Vec<D> constrain_velocity(const C& conditions, const Constraint<D>& c,
+                                         std::type_identity_t<Vec<D>> wanted, double t) {
   if (c.has_wall) {
     const double into = dot(wanted, c.wall_normal);
     if (into > 0) {  // the wall stops the normal motion; its friction is at most μ times that impulse

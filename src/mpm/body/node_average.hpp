@@ -2,6 +2,7 @@
 #pragma once
 // Nodal averages of element values (2.94). Rows hold pairs: Σ value·weight, and Σ weight.
 
+#include "mpm/body/element_average.hpp"
 #include "mpm/body/node_rows.hpp"
 
 namespace talus::mpm {
@@ -24,31 +25,6 @@ template <int D, class Work>
 void for_blocks_and_update(const Body<D>& body, int threads, AlignedVector<double>& rows, int stride,
                            const Work& work) {
   for_chunks_and_update(body, threads, rows, stride, [&](int c) { for_blocks_of(body, c, work); });
-}
-
-/// Elements with a point that keeps a gap.
-template <int D>
-TALUS_KERNEL Mask is_apart(const Body<D>& body, std::size_t first) {
-  return load<Pack>(&body.elements.apart[first]) > Pack(0.0);
-}
-
-/// Elements that take part in nodal averages: they hold points, and none of these keeps a gap. Soil that has come apart
-/// hands no volume change on, and averaging over it would make energy (theory 4).
-template <int D>
-TALUS_KERNEL Mask takes_part(const Body<D>& body, std::size_t first) {
-  return load<Pack>(&body.points.count[first]) > Pack(0.0) && !is_apart(body, first);
-}
-
-/// Share of what averaging takes that an element keeps for one step, as a viscosity of what no node feels (T4.5).
-inline constexpr double kept_share = 0.25;
-
-/// The volumetric strain increment of the elements of a block under stable smoothing, from their `own` and the nodal
-/// `average` of what is elastic of it (T4.4, T4.5). `rough`: what averaging took, for the next step.
-template <int D>
-TALUS_KERNEL Pack join_dilation(const Body<D>& body, std::size_t first, Pack own, Pack average, Pack& rough) {
-  const Pack plastic = load<Pack>(&body.elements.plastic_dilation[first]);
-  rough = select(takes_part(body, first), own - plastic - average, Pack(0.0));
-  return average + plastic + kept_share * (rough - load<Pack>(&body.elements.rough[first]));
 }
 
 /// Adds packs to the rows of a block's nodes.

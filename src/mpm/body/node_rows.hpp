@@ -4,13 +4,21 @@
 
 #include <algorithm>
 
+#include "base/rows.hpp"
 #include "mpm/body/share.hpp"
 
 namespace talus::mpm {
 
+/// Adds N values from column First on to the sums of the k-th nodes of the elements of block `b`.
+template <int N, int First, int D>
+TALUS_KERNEL void add_to_sums(Body<D>& body, int b, int k, const Pack* values) {
+  const std::size_t at = (static_cast<std::size_t>(b) * (D + 1) + static_cast<std::size_t>(k)) * lane_width;
+  add_rows<N, First>(body.nodes.sums.data(), &body.layout->connectivity[at], values);
+}
+
 /// The first N sums of a node, over the chunks that hold a row of it. Rows are Stride doubles long.
-template <int N, int Stride>
-TALUS_KERNEL void sum_rows(const AlignedVector<double>& sums, const int* rows, int count, double* t) {
+template <int N, int Stride, class Array>
+TALUS_KERNEL void sum_rows(const Array& sums, const int* rows, int count, double* t) {
   const double* s = sums.data() + static_cast<std::int64_t>(rows[0]) * Stride;
   TALUS_UNROLL
   for (int q = 0; q < N; ++q) t[q] = s[q];
@@ -34,24 +42,24 @@ TALUS_KERNEL Vec<D> free_part(const Constraint<D>& c, std::type_identity_t<Vec<D
 /// Share of a force that neither the fixed directions nor a wall that presses back can take: a block that sticks to a
 /// frictional wall is at rest.
 template <int D>
-Vec<D> unsupported_part(const Constraint<D>& c, bool pressed, std::type_identity_t<Vec<D>> f) {
+TALUS_PORTABLE Vec<D> unsupported_part(const Constraint<D>& c, bool pressed, std::type_identity_t<Vec<D>> f) {
   if (c.has_wall && pressed) {
     const double into = std::max(0.0, dot(f, c.wall_normal));
     for (int d = 0; d < D; ++d) f[d] -= into * c.wall_normal[d];
     const double along = norm(f), held = c.friction * into;
-    for (double& x : f) x *= along > held ? 1 - held / along : 0.0;
+    for (int d = 0; d < D; ++d) f[d] *= along > held ? 1 - held / along : 0.0;
   }
   return free_part(c, f);
 }
 
 /// Velocity after the remap under a constraint. What a wall holds does not leave it within the step: the remap mixes in
 /// neighbours' accelerations, and a rebound from them would strain the soil without the work of any force.
-template <int D>
-Vec<D> constrain_remapped(const Conditions<D>& conditions, int c, std::type_identity_t<Vec<D>> v, double t) {
-  const Constraint<D>& k = conditions.constraints[static_cast<std::size_t>(c)];
+template <class C, std::size_t D>
+TALUS_PORTABLE std::array<double, D> constrain_remapped(const C& conditions, int c, std::array<double, D> v, double t) {
+  const auto& k = conditions.constraints[static_cast<std::size_t>(c)];
   if (k.has_wall && conditions.pressed[static_cast<std::size_t>(c)]) {
     const double away = std::min(0.0, dot(v, k.wall_normal));
-    for (int d = 0; d < D; ++d) v[d] -= away * k.wall_normal[d];
+    for (std::size_t d = 0; d < D; ++d) v[d] -= away * k.wall_normal[d];
   }
   return k.has_wall || k.factor >= 0 ? constrain_velocity(conditions, k, v, t) : free_part(k, v);
 }
@@ -63,10 +71,21 @@ struct PieceSums {
   int fastest = -1;
 
   /// A NaN must win, or an unstable run would look calm.
-  void note_speed(double of_node2, int node) {
+  TALUS_PORTABLE void note_speed(double of_node2, int node) {
     if (of_node2 <= speed2) return;
     speed2 = of_node2;
     fastest = node;
+  }
+  /// Those of the next piece.
+  TALUS_PORTABLE void add(const PieceSums& next) {
+    damped += next.damped;
+    walls += next.walls;
+    drag += next.drag;
+    mapping += next.mapping;
+    out_of_balance2 += next.out_of_balance2;
+    external2 += next.external2;
+    kinetic += next.kinetic;
+    note_speed(next.speed2, next.fastest);
   }
 };
 

@@ -4,7 +4,7 @@
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/kernels.hpp"
 #include "mpm/coupled/water_lanes.hpp"
-#include "mpm/step/block_pass.hpp"
+#include "mpm/step/chunk_pass.hpp"
 
 namespace talus::mpm {
 namespace {
@@ -34,7 +34,7 @@ struct WetPass : ChunkPass<D> {
     __builtin_prefetch(&body.elements.moments[i], 1, 3);
     __builtin_prefetch(&body.water.moments[i], 1, 3);
   }
-  TALUS_KERNEL void note_full(const BlockPlace<D>& at, Mask newly) {
+  TALUS_KERNEL void note_full(const BlockPlace<Body<D>>& at, Mask newly) {
     if (!any(newly)) return;
     for (int l = 0; l < lane_width; ++l) {
       if (newly[l]) newly_full.push_back(at.b * lane_width + l);
@@ -58,19 +58,19 @@ struct WetSlot {
   PoreState<Pack> pore;
   Mask wet;
 
-  TALUS_KERNEL WetSlot(const WetBlock<D, Law>& block, const SlotPoints<D>& points)
+  TALUS_KERNEL WetSlot(const WetBlock<D, Law>& block, const SlotPoints<Body<D>>& points)
       : fields(points.p + block.first_field * lane_width), old_volume(points.volume) {
     TALUS_UNROLL
     for (int d = 0; d < D; ++d) w[d] = load<Pack>(fields + (W::velocity + d) * lane_width);
   }
-  TALUS_KERNEL void advance_velocity(const WetBlock<D, Law>& block, const SlotPoints<D>& points) {
+  TALUS_KERNEL void advance_velocity(const WetBlock<D, Law>& block, const SlotPoints<Body<D>>& points) {
     block.water_motion.advance_velocity(points.xi, w);
   }
 
   /// Mass and pressure at the end of the step; returns the saturation.
   template <class Update>
   TALUS_KERNEL Pack update_water(WetPass<D>& pass, const WetBlock<D, Law>& block, const Update& update,
-                                 const SlotPoints<D>& points) {
+                                 const SlotPoints<Body<D>>& points) {
     wet = block.lanes.is_wet(points.material);
     const Pack grains = points.mass * block.lanes.get_inverse_grain_density(points.material);  // their volume
     const Pack pores = points.volume - grains;
@@ -82,7 +82,7 @@ struct WetSlot {
     }
     return select(wet, pore.saturation, Pack(1.0));
   }
-  TALUS_KERNEL void update_own_water(WetPass<D>& pass, const WetBlock<D, Law>& block, const SlotPoints<D>& points,
+  TALUS_KERNEL void update_own_water(WetPass<D>& pass, const WetBlock<D, Law>& block, const SlotPoints<Body<D>>& points,
                                      Mask own, Pack grains, Pack pores) {
     const bool moving = pass.options.moving;
     const Pack pressure = load<Pack>(fields + W::pressure * lane_width);
@@ -114,7 +114,7 @@ struct WetSlot {
     for (int d = 0; d < D; ++d) w[d] = select(stays, w[d], none);
   }
   /// Adds the water to the sums, and its pressure to the stress that the nodes feel.
-  TALUS_KERNEL void add_to(WetBlock<D, Law>& block, SlotPoints<D>& points) const {
+  TALUS_KERNEL void add_to(WetBlock<D, Law>& block, SlotPoints<Body<D>>& points) const {
     TALUS_UNROLL
     for (int i = 0; i < D; ++i) points.s[i] += pore.bishop;
     block.sums.add({mass, select(wet, points.volume, Pack(0.0)), pore.pressure, pore.bishop, pore.saturation,
@@ -127,7 +127,7 @@ struct WetSlot {
 template <int D, class Law>
 struct WetBlock {
   using W = WaterFields<D>;
-  using Nodes = NodeVectors<D, 4, wet_motion_stride<D>>;
+  using Nodes = NodeVectors<Body<D>, 4, wet_motion_stride<D>>;
   using Slot = WetSlot<D, Law>;
   WaterLanes<Law> lanes;
   int first_field;
@@ -143,9 +143,9 @@ struct WetBlock {
   Pack stretch{1.0};    ///< V_e/Σ V_p
   WaterSums<D, Pack> sums;
 
-  TALUS_KERNEL WetBlock(const WetPass<D>& pass, const BlockPlace<D>& at)
+  TALUS_KERNEL WetBlock(const WetPass<D>& pass, const BlockPlace<Body<D>>& at)
       : WetBlock(pass, at, Nodes(pass.body.water.motion.data(), at.rows)) {}
-  TALUS_KERNEL WetBlock(const WetPass<D>& pass, const BlockPlace<D>& at, const Nodes& nodes)
+  TALUS_KERNEL WetBlock(const WetPass<D>& pass, const BlockPlace<Body<D>>& at, const Nodes& nodes)
       : lanes(get_block_water<Law>(pass.body, at.b, pass.options.conductivity_factor)),
         first_field(pass.body.water.first_field),
         motion(nodes.of[0], nodes.of[2], at.g, pass.options.dt),
@@ -153,9 +153,9 @@ struct WetBlock {
         divergence(water_motion.divergence) {
     if (has_surplus(pass.body, pass.options)) surplus = load<Pack>(&pass.body.water.surplus[at.first]);
   }
-  TALUS_KERNEL void smooth(const WetPass<D>& pass, const BlockPlace<D>& at) {
-    volumetric = find_node_mean<D, 4>(pass.body.water.smoothed.data(), at.rows);
-    divergence = find_node_mean<D, 4>(pass.body.water.smoothed.data() + 1, at.rows);
+  TALUS_KERNEL void smooth(const WetPass<D>& pass, const BlockPlace<Body<D>>& at) {
+    volumetric = find_node_mean<Body<D>, 4>(pass.body.water.smoothed.data(), at.rows);
+    divergence = find_node_mean<Body<D>, 4>(pass.body.water.smoothed.data() + 1, at.rows);
   }
   /// The pores of a full element grow as the flux is integrated, over its whole volume: only so does the work of the
   /// pressure in the balance of forces equal that in the balance of water.
@@ -169,13 +169,14 @@ struct WetBlock {
   }
 
   /// Water and pressure of the full elements; returns their saturation.
-  TALUS_KERNEL Pack share_water(WetPass<D>& pass, const BlockPlace<D>& at, const FullElement<D, Law>& element) {
+  TALUS_KERNEL Pack share_water(WetPass<D>& pass, const BlockPlace<Body<D>>& at,
+                                const FullElement<Body<D>, Law>& element) {
     const Mask wet = element.full && lanes.is_wet(element.material);
     if (any(wet)) share_full_water(pass, at, element, wet);
     return select(lanes.is_wet(element.material), shared_pore.saturation, Pack(1.0));
   }
-  TALUS_KERNEL void share_full_water(WetPass<D>& pass, const BlockPlace<D>& at, const FullElement<D, Law>& element,
-                                     Mask wet) {
+  TALUS_KERNEL void share_full_water(WetPass<D>& pass, const BlockPlace<Body<D>>& at,
+                                     const FullElement<Body<D>, Law>& element, Mask wet) {
     using P = Points<D>;
     const P& points = pass.body.points;
     const bool moving = pass.options.moving;
@@ -213,7 +214,7 @@ struct WetBlock {
     return 0.5 * (on_water * divergence + on_soil * volumetric);
   }
 
-  TALUS_KERNEL void add_to_nodes(WetPass<D>& pass, const BlockPlace<D>& at, Pack force_stretch,
+  TALUS_KERNEL void add_to_nodes(WetPass<D>& pass, const BlockPlace<Body<D>>& at, Pack force_stretch,
                                  const Pack solid[D + 1][1 + 2 * D]) const {
     using C = WetColumns<D>;
     Water<D>& water = pass.body.water;

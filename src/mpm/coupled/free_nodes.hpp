@@ -2,9 +2,9 @@
 #pragma once
 // Accelerations of nodes that nothing holds, loads or limits, a pack of nodes at once (T14.6): most nodes of a body.
 
+#include "base/rows.hpp"
 #include "mpm/body/body.hpp"
 #include "mpm/body/node_rows.hpp"
-#include "mpm/body/rows.hpp"
 #include "mpm/coupled/kernels.hpp"
 #include "mpm/step/step.hpp"
 

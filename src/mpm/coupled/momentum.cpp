@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "base/rows.hpp"
 #include "mpm/body/node_rows.hpp"
-#include "mpm/body/rows.hpp"
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/free_nodes.hpp"
 #include "mpm/coupled/kernels.hpp"

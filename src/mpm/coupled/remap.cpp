@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "base/rows.hpp"
 #include "mpm/body/node_rows.hpp"
-#include "mpm/body/rows.hpp"
 #include "mpm/coupled/kernels.hpp"
 #include "mpm/coupled/node_pass.hpp"
 #include "mpm/coupled/solve.hpp"

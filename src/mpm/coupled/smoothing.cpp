@@ -2,8 +2,8 @@
 // Nodal averages of what makes soil and water change their volume: of the strain increment with weights V_e, of the
 // divergence of the seepage with weights V̄ (2.94), and the surplus of pressure smoothing (2.96, T14.8).
 
+#include "base/rows.hpp"
 #include "mpm/body/node_average.hpp"
-#include "mpm/body/rows.hpp"
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/kernels.hpp"
 
@@ -57,10 +57,10 @@ void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& o) {
     const std::size_t first = static_cast<std::size_t>(b) * lane_width;
     auto [strain, divergence] = find_increments(body, b, rows, o.dt);
     if (strains) {
-      Pack smooth = find_node_mean<D, columns>(water.smoothed.data(), rows), rough;
+      Pack smooth = find_node_mean<Body<D>, columns>(water.smoothed.data(), rows), rough;
       if (stable) smooth = join_dilation(body, first, strain, smooth, rough);
       strain = select(is_apart(body, first), strain, smooth);
-      divergence = find_node_mean<D, columns>(water.smoothed.data() + 1, rows);
+      divergence = find_node_mean<Body<D>, columns>(water.smoothed.data() + 1, rows);
     }
     store(&water.surplus[first],
           load<Pack>(&water.stretch[first]) * (load<Pack>(&water.mean_saturation[first]) * strain + divergence));
@@ -76,7 +76,7 @@ void smooth_increments(Wet, Body<D>& body, const StepOptions<D>& o) {
   for_blocks(body, o.threads, [&](int b, const int* rows) {
     const std::size_t first = static_cast<std::size_t>(b) * lane_width;
     store(&water.surplus[first],
-          find_node_mean<D, columns>(water.smoothed.data() + 3, rows) - load<Pack>(&water.surplus[first]));
+          find_node_mean<Body<D>, columns>(water.smoothed.data() + 3, rows) - load<Pack>(&water.surplus[first]));
   });
 }
 

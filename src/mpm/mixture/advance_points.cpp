@@ -5,7 +5,7 @@
 #include "mpm/coupled/kernels.hpp"
 #include "mpm/coupled/water_lanes.hpp"
 #include "mpm/mixture/mixture_step.hpp"
-#include "mpm/step/block_pass.hpp"
+#include "mpm/step/chunk_pass.hpp"
 
 namespace talus::mpm {
 namespace {
@@ -16,7 +16,7 @@ struct MixturePass;
 template <int D, class Law>
 struct MixtureBlock {
   using W = WaterFields<D>;
-  using Nodes = NodeVectors<D, 2, motion_stride<D>>;
+  using Nodes = NodeVectors<Body<D>, 2, motion_stride<D>>;
   WaterLanes<Law> lanes;
   int first_field;
   double density;
@@ -31,9 +31,9 @@ struct MixtureBlock {
   Pack seeping[D];  ///< the water against the grains [m/s]
   Mask wet;
 
-  TALUS_KERNEL MixtureBlock(const MixturePass<D>& pass, const BlockPlace<D>& at)
+  TALUS_KERNEL MixtureBlock(const MixturePass<D>& pass, const BlockPlace<Body<D>>& at)
       : MixtureBlock(pass, at, Nodes(pass.body.nodes.motion.data(), at.rows)) {}
-  TALUS_KERNEL MixtureBlock(const MixturePass<D>& pass, const BlockPlace<D>& at, const Nodes& nodes)
+  TALUS_KERNEL MixtureBlock(const MixturePass<D>& pass, const BlockPlace<Body<D>>& at, const Nodes& nodes)
       : lanes(get_block_water<Law>(pass.body, at.b, pass.options.conductivity_factor)),
         first_field(pass.body.water.first_field),
         density(pass.body.water.density),
@@ -52,17 +52,17 @@ struct MixtureBlock {
     if constexpr (D == 3) pushed += motion.grad[2][2];
     pushed = pushed * stretch;
   }
-  TALUS_KERNEL void smooth(const MixturePass<D>& pass, const BlockPlace<D>& at) {
-    volumetric = find_node_mean<D, 1>(pass.body.nodes.smoothed.data(), at.rows);
+  TALUS_KERNEL void smooth(const MixturePass<D>& pass, const BlockPlace<Body<D>>& at) {
+    volumetric = find_node_mean<Body<D>, 1>(pass.body.nodes.smoothed.data(), at.rows);
   }
-  TALUS_KERNEL Pack share_water(const MixturePass<D>&, const BlockPlace<D>&, const FullElement<D, Law>&) const {
+  TALUS_KERNEL Pack share_water(const MixturePass<D>&, const BlockPlace<Body<D>>&,
+                                const FullElement<Body<D>, Law>&) const {
     return saturation;
   }
   TALUS_KERNEL void find_growth() { growth = 1.0 + select(wet, pushed, volumetric); }
-  TALUS_KERNEL void add_to_nodes(const MixturePass<D>& pass, const BlockPlace<D>& at, Pack,
+  TALUS_KERNEL void add_to_nodes(const MixturePass<D>& pass, const BlockPlace<Body<D>>& at, Pack,
                                  const Pack out[D + 1][1 + 2 * D]) const {
-    TALUS_UNROLL
-    for (int k = 0; k <= D; ++k) add_rows<1 + 2 * D>(pass.body.nodes.sums.data(), at.rows + k * lane_width, out[k]);
+    pass.give_rows(at, out);
   }
 
   /// The water of the points of a slot.
@@ -71,12 +71,12 @@ struct MixtureBlock {
     Pack old_volume, mass;
     Mask wet;
 
-    TALUS_KERNEL Slot(const MixtureBlock& block, const SlotPoints<D>& points)
+    TALUS_KERNEL Slot(const MixtureBlock& block, const SlotPoints<Body<D>>& points)
         : fields(points.p + block.first_field * lane_width), old_volume(points.volume) {}
-    TALUS_KERNEL void advance_velocity(const MixtureBlock&, const SlotPoints<D>&) {}
+    TALUS_KERNEL void advance_velocity(const MixtureBlock&, const SlotPoints<Body<D>>&) {}
     template <class Update>
     TALUS_KERNEL Pack update_water(MixturePass<D>& pass, const MixtureBlock& block, const Update& update,
-                                   const SlotPoints<D>& points) {
+                                   const SlotPoints<Body<D>>& points) {
       wet = block.lanes.is_wet(points.material);
       const Pack pores =
           find_pores<Pack>(old_volume, points.mass * block.lanes.get_inverse_grain_density(points.material));
@@ -98,7 +98,7 @@ struct MixtureBlock {
     TALUS_KERNEL Pack find_solid_share(Pack opened) const { return 1.0 - select(wet, Pack(0.0), opened); }
     TALUS_KERNEL void store_fields() const { store(fields + W::mass * lane_width, mass); }
     TALUS_KERNEL void keep(Mask stays) { mass = select(stays, mass, Pack(0.0)); }
-    TALUS_KERNEL void add_to(MixtureBlock&, SlotPoints<D>& points) const { points.mass += mass; }
+    TALUS_KERNEL void add_to(MixtureBlock&, SlotPoints<Body<D>>& points) const { points.mass += mass; }
   };
 };
 
@@ -109,7 +109,7 @@ struct MixturePass : OneVelocityPass<D> {
   using OneVelocityPass<D>::OneVelocityPass;
   Pack pressed_in{0.0};  ///< see Water::pressed_in [kg]
 
-  TALUS_KERNEL void note_full(const BlockPlace<D>&, Mask) {}
+  TALUS_KERNEL void note_full(const BlockPlace<Body<D>>&, Mask) {}
   ChunkSums sum() const { return {sum_lanes(this->dissipated), sum_lanes(pressed_in)}; }
 };
 

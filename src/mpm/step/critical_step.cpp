@@ -8,6 +8,7 @@
 #include "mpm/body/share.hpp"
 #include "mpm/coupled/kernels.hpp"
 #include "mpm/coupled/pore_state.hpp"
+#include "mpm/step/element_lines.hpp"
 
 namespace talus::mpm {
 namespace {
@@ -74,36 +75,10 @@ double find_coupled_step(const CoupledSoil& soil, double length, double beta, bo
 
 template <int D>
 CriticalStep find_critical_step(const Body<D>& body, double mass_scaling) {
-  const mesh::Mesh<D>& mesh = body.mesh();
-  // Squared wave speed of each element, from its points; a point may enter a neighbour before the next look.
-  CriticalStep critical;
-  double smallest = 0;
+  StepSquare least;
   const auto [begin, end] = own_elements(body);
-  for (int e = begin; e < end; ++e) {
-    const int b = e / lane_width, lane = e % lane_width;
-    double speed2 = 0;
-    for (int k = 0; k < static_cast<int>(body.points.count[e]); ++k) {
-      const std::int64_t slot = body.points.block_start[b] + k;
-      const double* p = body.points.slot(slot) + lane;
-      const int id = body.points.id[static_cast<std::size_t>(slot * lane_width + lane)];
-      speed2 = std::max(speed2, find_modulus<D>(body.laws[body.points.material[id]], p) *
-                                    p[Points<D>::volume * lane_width] / p[Points<D>::mass * lane_width]);
-    }
-    if (speed2 == 0) continue;
-    const auto look = [&](int i) {
-      const double dt2 = mesh.altitudes[i] * mesh.altitudes[i] / speed2;
-      if (critical.element < 0 || dt2 < smallest) {
-        smallest = dt2;
-        critical.element = i;
-      }
-    };
-    look(e);
-    for (int n : mesh.neighbours[e]) {
-      if (n >= 0) look(n);
-    }
-  }
-  critical.dt = std::sqrt(smallest * mass_scaling);
-  return find_least(body, critical);
+  for (int e = begin; e < end; ++e) least.add(find_step_square(body, e));
+  return find_least(body, {std::sqrt(least.dt2 * mass_scaling), least.element});
 }
 
 template <int D>

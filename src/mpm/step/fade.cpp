@@ -6,20 +6,12 @@
 // everything that is affine, a rotation too, as far as the iteration for u converges (theory 2).
 
 #include "mpm/body/node_average.hpp"
-#include "mpm/body/rows.hpp"
 #include "mpm/coupled/coupled_step.hpp"
 #include "mpm/coupled/kernels.hpp"
-#include "mpm/step/kernels.hpp"
-#include "mpm/step/step.hpp"
+#include "mpm/step/fade_lines.hpp"
 
 namespace talus::mpm {
 namespace {
-
-/// Chebyshev's iteration for lumped⁻¹ M u = lumped⁻¹ p, whose eigenvalues lie between 0 and 1: fixed numbers, so the
-/// result is linear in p and needs no sums over the body. Velocities with eigenvalues below `smallest` are nearly
-/// unseen and fade too.
-constexpr int iterations = 8;
-constexpr double smallest = 0.1, middle = (1 + smallest) / 2, half_width = (1 - smallest) / 2;
 
 /// Where the points' masses and velocities and the sums of one phase stand.
 template <int D, int SumsStride, int MassColumn, int MomentumColumn>
@@ -30,8 +22,6 @@ struct Phase {
   int mass_field, velocity_field;  ///< of a slot
   int more_mass_field = -1;        ///< what moves with it
 };
-
-constexpr int row_stride = 8;  ///< of a node row of this file
 
 /// Calls work(node, sum) with the node's momentum-sized sum over the columns from First on of its rows.
 template <int Count, int Stride, int First, int D, class Work>
@@ -49,18 +39,6 @@ void for_nodes(const Body<D>& body, int threads, AlignedVector<double>& rows, Wo
   });
 }
 
-/// Σ_j M_ij u_j of the elements of block `b`; `value` gets the u of their nodes `at` from the rows.
-template <int D>
-TALUS_KERNEL void multiply_mass(const AlignedVector<double>& moments, const AlignedVector<double>& rows, int b,
-                                const int* at, Pack (&value)[D + 1][D], Pack (&out)[D + 1][D]) {
-  Pack m[moment_size<D>];
-  for (int k = 0; k <= D; ++k) load_rows<D, row_stride>(rows.data(), at + k * lane_width, value[k]);
-  for (int q = 0; q < moment_size<D>; ++q)
-    m[q] =
-        load<Pack>(&moments[(static_cast<std::size_t>(b) * moment_size<D> + static_cast<std::size_t>(q)) * lane_width]);
-  remap_element<D, Pack>(m, value, 1, out);
-}
-
 /// The nodal velocities that have the momentum of the points, in rows.
 template <int D, class P>
 AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const P& phase) {
@@ -69,11 +47,11 @@ AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const
   const double cutoff = 1e-12 * body.smallest_mass;
   std::vector<double> inverse(nodes, 0);
   std::vector<Vec<D>> momentum(nodes), u(nodes), direction(nodes);
-  AlignedVector<double> rows(static_cast<std::size_t>(layout.rows) * row_stride, 0.0), product(rows.size(), 0.0);
+  AlignedVector<double> rows(static_cast<std::size_t>(layout.rows) * fade_stride, 0.0), product(rows.size(), 0.0);
   const auto give = [&](int i) {
     for (int r = layout.row_start[i]; r < layout.row_start[i + 1]; ++r) {
       for (int d = 0; d < D; ++d)
-        rows[static_cast<std::size_t>(layout.node_rows[r]) * row_stride + static_cast<std::size_t>(d)] = u[i][d];
+        rows[static_cast<std::size_t>(layout.node_rows[r]) * fade_stride + static_cast<std::size_t>(d)] = u[i][d];
     }
   };
   for_nodes<1, P::sums_stride, P::mass_column>(body, threads, phase.sums, [&](int i, const double* mass) {
@@ -86,24 +64,20 @@ AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const
     }
     give(i);
   });
-  double rho = half_width / middle;
-  for (int n = 0; n < iterations; ++n) {
-    const double next = n == 0 ? rho : 1 / (2 * middle / half_width - rho);
-    const double keep = n == 0 ? 0 : next * rho, step = n == 0 ? 1 / middle : 2 * next / half_width;
+  for (const auto& [keep, step] : list_fade_weights()) {
     std::fill(product.begin(), product.end(), 0.0);
     for_blocks(body, threads, [&](int b, const int* at) {
       Pack value[D + 1][D], out[D + 1][D];
-      multiply_mass<D>(phase.moments, rows, b, at, value, out);
+      multiply_mass(body, phase.moments, rows, b, value, out);
       for (int k = 0; k <= D; ++k) add_rows<D>(product.data(), at + k * lane_width, out[k]);
     });
-    for_nodes<D, row_stride, 0>(body, threads, product, [&](int i, const double* Mu) {
+    for_nodes<D, fade_stride, 0>(body, threads, product, [&](int i, const double* Mu) {
       for (int d = 0; d < D; ++d) {
         direction[i][d] = keep * direction[i][d] + step * (momentum[i][d] - Mu[d]) * inverse[i];
         u[i][d] += direction[i][d];
       }
       give(i);
     });
-    rho = next;
   }
   return rows;
 }
@@ -121,25 +95,10 @@ void fade_phase(Body<D>& body, const StepOptions<D>& o, const P& phase) {
       if (body.points.block_used[b] == 0) continue;
       const int* at = &layout.connectivity[static_cast<std::size_t>(b) * lane_width * (D + 1)];
       Pack value[D + 1][D], out[D + 1][D];
-      multiply_mass<D>(phase.moments, rows, b, at, value, out);
+      multiply_mass(body, phase.moments, rows, b, value, out);
       for (int k = 0; k <= D; ++k)
         add_rows<D, P::momentum_column, P::sums_stride>(phase.sums.data(), at + k * lane_width, out[k]);
-      const Pack count = load<Pack>(&body.points.count[static_cast<std::size_t>(b) * lane_width]);
-      for (int k = 0; k < body.points.block_used[b]; ++k) {
-        double* p = body.points.slot(body.points.block_start[b] + k);
-        const Mask active = count > Pack(static_cast<double>(k));
-        Pack mass = load<Pack>(p + phase.mass_field * lane_width);
-        if (phase.more_mass_field >= 0) mass += load<Pack>(p + phase.more_mass_field * lane_width);
-        for (int d = 0; d < D; ++d) {
-          double* velocity = p + (phase.velocity_field + d) * lane_width;
-          const Pack before = load<Pack>(velocity);
-          Pack after = value[0][d];
-          for (int n = 0; n < D; ++n)
-            after += load<Pack>(p + (Points<D>::xi + n) * lane_width) * (value[n + 1][d] - value[0][d]);
-          kinetic += select(active, 0.5 * mass * (before * before - after * after), Pack(0.0));
-          store(velocity, select(active, after, before));
-        }
-      }
+      fade_points(body, b, value, {phase.mass_field, phase.velocity_field, phase.more_mass_field}, kinetic);
     }
     for (int l = 0; l < lane_width; ++l) lost[static_cast<std::size_t>(c)] += kinetic.value[l];
   });

@@ -23,60 +23,85 @@ struct OneLaw {
     else
       return L::state_size;
   }();
-  static Mask find_softening(Pack /*material*/) { return Mask(softens); }
+  template <class T>
+  TALUS_PORTABLE static MaskOf<T> find_softening(T /*material*/) {
+    return MaskOf<T>(softens);
+  }
   L law;  // a copy: its parameters then live in registers, not behind a pointer that a store might alias
 
-  template <int NS>
-  TALUS_KERNEL material::Response<Pack> update(Pack* sigma, const Pack* d_epsilon, Pack* state, Mask active,
-                                               Pack /*material*/, const material::Surroundings<Pack>& around) const {
+  template <int NS, class T>
+  TALUS_KERNEL material::Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active, T /*material*/,
+                                            const material::Surroundings<T>& around) const {
     return law.template update<NS>(sigma, d_epsilon, state, active, around);
   }
 };
 
+// What the step asks of a list of laws, by material number.
+
+inline int count_states(const std::vector<material::Law>& laws, int m) {
+  return material::state_size(laws[m]);
+}
+inline double find_modulus(const std::vector<material::Law>& laws, int m, const double* sigma, const double* state) {
+  return material::constrained_modulus(laws[m], sigma, state);
+}
+template <int NS>
+double find_energy(const std::vector<material::Law>& laws, int m, const double* sigma, const double* state) {
+  return material::elastic_energy<NS>(laws[m], sigma, state);
+}
+inline double find_gap(const std::vector<material::Law>& laws, int m, const double* state) {
+  return material::find_gap(laws[m], state);
+}
+inline bool law_softens(const std::vector<material::Law>& laws, std::uint32_t m) {
+  return material::get_traits(laws[m]).softens;
+}
+template <class Work>
+void visit_law(const std::vector<material::Law>& laws, std::uint32_t m, Work&& work) {
+  std::visit(work, laws[m]);
+}
+
 /// Lanes may differ; `material` of update() holds each lane's material number.
+template <class Laws = std::vector<material::Law>>
 struct ManyLaws {
   static constexpr bool is_single = false;
   static constexpr bool is_plastic = true, softens = true;
-  const std::vector<material::Law>* laws;
+  const Laws* laws;
   std::uint32_t present;  ///< bit set of the materials in the block
   int state_size;         ///< most state variables of a law of the body
   int core_size = state_size;
 
   /// The lanes whose soil softens.
-  Mask find_softening(Pack material) const {
-    Mask some(false);
+  template <class T>
+  TALUS_PORTABLE MaskOf<T> find_softening(T material) const {
+    MaskOf<T> some(false);
     for (std::uint32_t m = 0; m < laws->size(); ++m)
-      if ((present >> m & 1) && material::get_traits((*laws)[m]).softens)
-        some = some || material == Pack(static_cast<double>(m));
+      if ((present >> m & 1) && law_softens(*laws, m)) some = some || material == T(static_cast<double>(m));
     return some;
   }
 
-  template <int NS>
-  material::Response<Pack> update(Pack* sigma, const Pack* d_epsilon, Pack* state, Mask active, Pack material,
-                                  const material::Surroundings<Pack>& around) const {
-    material::Response<Pack> total{false, Pack(0.0), Pack(0.0)};
-    Pack result[NS], result_state[material::max_state_size];
+  template <int NS, class T>
+  TALUS_PORTABLE material::Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active, T material,
+                                              const material::Surroundings<T>& around) const {
+    material::Response<T> total{false, T(0.0), T(0.0)};
+    T result[NS], result_state[material::max_state_size];
     for (int i = 0; i < NS; ++i) result[i] = sigma[i];
     for (int i = 0; i < state_size; ++i) result_state[i] = state[i];
     for (std::uint32_t m = 0; m < laws->size(); ++m) {
       if (!(present >> m & 1)) continue;
-      const Mask mine = active && material == Pack(static_cast<double>(m));
+      const MaskOf<T> mine = active && material == T(static_cast<double>(m));
       if (!any(mine)) continue;
-      std::visit(
-          [&](const auto& law) {
-            Pack s[NS], q[material::max_state_size];
-            for (int i = 0; i < NS; ++i) s[i] = sigma[i];
-            for (int i = 0; i < state_size; ++i) q[i] = state[i];
-            const auto r = law.template update<NS>(s, d_epsilon, q, mine, around);
-            for (int i = 0; i < NS; ++i) result[i] = select(mine, s[i], result[i]);
-            for (int i = 0; i < state_size; ++i) result_state[i] = select(mine, q[i], result_state[i]);
-            total.any_plastic = total.any_plastic || r.any_plastic;
-            total.plastic_dilation = select(mine, r.plastic_dilation, total.plastic_dilation);
-            total.dissipation = select(mine, r.dissipation, total.dissipation);
-            total.opened = select(mine, r.opened, total.opened);
-            total.gap = select(mine, r.gap, total.gap);
-          },
-          (*laws)[m]);
+      visit_law(*laws, m, [&](const auto& law) {
+        T s[NS], q[material::max_state_size];
+        for (int i = 0; i < NS; ++i) s[i] = sigma[i];
+        for (int i = 0; i < state_size; ++i) q[i] = state[i];
+        const auto r = law.template update<NS>(s, d_epsilon, q, mine, around);
+        for (int i = 0; i < NS; ++i) result[i] = select(mine, s[i], result[i]);
+        for (int i = 0; i < state_size; ++i) result_state[i] = select(mine, q[i], result_state[i]);
+        total.any_plastic = total.any_plastic || r.any_plastic;
+        total.plastic_dilation = select(mine, r.plastic_dilation, total.plastic_dilation);
+        total.dissipation = select(mine, r.dissipation, total.dissipation);
+        total.opened = select(mine, r.opened, total.opened);
+        total.gap = select(mine, r.gap, total.gap);
+      });
     }
     for (int i = 0; i < NS; ++i) sigma[i] = result[i];
     for (int i = 0; i < state_size; ++i) state[i] = result_state[i];
@@ -85,12 +110,12 @@ struct ManyLaws {
 };
 
 /// Material number of each lane of a slot, for blocks that hold several materials.
-template <int D>
-Pack lane_materials(const Points<D>& points, std::int64_t slot) {
-  Pack m(0.0);
-  for (int l = 0; l < lane_width; ++l) {
-    const int id = points.id[static_cast<std::size_t>(slot * lane_width + l)];
-    if (id >= 0) m.value[l] = points.material[static_cast<std::size_t>(id)];
+template <class B>
+TALUS_PORTABLE typename B::Lanes lane_materials(const B& body, std::int64_t slot) {
+  typename B::Lanes m(0.0);
+  for (int l = 0; l < LaneTraits<typename B::Lanes>::width; ++l) {
+    const int id = body.points.id[static_cast<std::size_t>(slot * B::width + l)];
+    if (id >= 0) set_lane(m, l, body.points.material[static_cast<std::size_t>(id)]);
   }
   return m;
 }
@@ -106,7 +131,7 @@ inline int find_state_size(const std::vector<material::Law>& laws) {
 template <class Work>
 void visit_laws(const std::vector<material::Law>& laws, std::uint32_t present, Work&& work) {
   if ((present & (present - 1)) != 0) {
-    work(ManyLaws{&laws, present, find_state_size(laws)});
+    work(ManyLaws<>{&laws, present, find_state_size(laws)});
     return;
   }
   const auto m = present == 0 ? 0u : static_cast<unsigned>(__builtin_ctz(present));

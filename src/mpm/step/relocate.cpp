@@ -10,51 +10,10 @@
 #include "mpm/step/element_force.hpp"
 #include "mpm/step/kernels.hpp"
 #include "mpm/step/step.hpp"
+#include "mpm/step/walk.hpp"
 
 namespace talus::mpm {
 namespace {
-
-/// How far outside the grid, in shape functions, a point may be by round-off.
-constexpr double outside_tolerance = 1e-9;
-constexpr int longest_walk = 1000;
-
-/// Walks from the record's element to the one that holds the point. False when the point is outside the grid.
-template <int D>
-bool find_new_element(const mesh::Mesh<D>& mesh, Record<D>& r) {
-  for (int i = 0; i < longest_walk; ++i) {
-    double shape[D + 1];
-    shape[0] = 1;
-    for (int k = 0; k < D; ++k) {
-      shape[k + 1] = r.xi()[k];
-      shape[0] -= r.xi()[k];
-    }
-    // The side that the point is farthest behind, and the farthest one that leads on.
-    int worst = -1, way = -1;
-    for (int k = 0; k <= D; ++k) {
-      if (!(shape[k] < 0)) continue;
-      if (worst < 0 || shape[k] < shape[worst]) worst = k;
-      if (mesh.neighbours[r.element][k] >= 0 && (way < 0 || shape[k] < shape[way])) way = k;
-    }
-    if (worst < 0) return true;
-    if (way < 0) {
-      if (shape[worst] < -outside_tolerance) return false;
-      double sum = 0;
-      for (double& s : shape) {
-        s = std::max(s, 0.0);
-        sum += s;
-      }
-      for (int k = 0; k < D; ++k) r.xi()[k] = shape[k + 1] / sum;
-      return true;
-    }
-    std::array<double, D> xi;
-    for (int k = 0; k < D; ++k) xi[k] = r.xi()[k];
-    const std::array<double, D> x = mesh::to_global(mesh, r.element, xi);
-    r.element = mesh.neighbours[r.element][way];
-    xi = mesh::to_local(mesh, r.element, x);
-    for (int k = 0; k < D; ++k) r.xi()[k] = xi[k];
-  }
-  return false;
-}
 
 template <int D>
 void record_loss(Body<D>& body, const Record<D>& r, std::vector<double>& water) {
@@ -304,7 +263,7 @@ void relocate(Body<D>& body, const StepOptions<D>& o, const MoverLists& movers) 
   std::vector<double> lost_water;
   for (Record<D>& r : records) {
     const int from = r.element;
-    if (!find_new_element(body.mesh(), r)) {
+    if (!find_new_element<D>(body.mesh(), r.element, r.xi())) {
       record_loss(body, r, lost_water);
       continue;
     }

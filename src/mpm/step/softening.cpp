@@ -108,17 +108,7 @@ void lend_softening(Body<D>& body, int threads) {
     });
   };
   update_reach(body);
-  for_elements([&](std::size_t e) {
-    elements.lent[e] = 0;
-    if (!(elements.softening_volume[e] > 0)) return;
-    double softened = 0, volume = 0;
-    for (auto k = static_cast<std::size_t>(reach.start[e]); k < static_cast<std::size_t>(reach.start[e + 1]); ++k) {
-      const auto other = static_cast<std::size_t>(reach.element[k]);
-      softened += reach.weight[k] * elements.softened[other];
-      volume += reach.weight[k] * elements.softening_volume[other];
-    }
-    if (volume > 0) elements.lent[e] = softened / volume - elements.softened[e] / elements.softening_volume[e];
-  });
+  for_elements([&](std::size_t e) { elements.lent[e] = find_lent(reach, elements, e); });
   for_elements([&](std::size_t e) { elements.softened[e] = elements.softening_volume[e] = 0; });
 }
 

@@ -17,6 +17,19 @@ struct SofteningReach {
   std::vector<double> weight;
 };
 
+/// What element `e` takes over from its neighbourhood (T23.2). List: a SofteningReach, or the same on a GPU.
+template <class List, class E>
+TALUS_PORTABLE double find_lent(const List& reach, const E& elements, std::size_t e) {
+  if (!(elements.softening_volume[e] > 0)) return 0;
+  double softened = 0, volume = 0;
+  for (auto k = static_cast<std::size_t>(reach.start[e]); k < static_cast<std::size_t>(reach.start[e + 1]); ++k) {
+    const auto other = static_cast<std::size_t>(reach.element[k]);
+    softened += reach.weight[k] * elements.softened[other];
+    volume += reach.weight[k] * elements.softening_volume[other];
+  }
+  return volume > 0 ? softened / volume - elements.softened[e] / elements.softening_volume[e] : 0;
+}
+
 /// `length` in m.
 template <int D>
 SofteningReach find_softening_reach(const mesh::Mesh<D>& mesh, double length);

@@ -3,10 +3,21 @@
 // Between node rows in memory and packs over elements: whole rows are moved and transposed in registers, which is
 // faster than one gather per component (docs/performance.md).
 
+#include <cstdint>
+
 #include "base/lane.hpp"
 
-namespace talus::mpm {
+namespace talus {
 
+// A thread's element has one row per node, and no others add to the sums of its rows.
+
+template <int N, int Stride, int First = 0>
+TALUS_KERNEL void load_rows(const double* base, const int* rows, double* out) {
+  TALUS_UNROLL
+  for (int c = 0; c < N; ++c) out[c] = base[static_cast<std::int64_t>(rows[0]) * Stride + First + c];
+}
+
+#if !defined(__CUDACC__)
 namespace detail {
 
 typedef double V4 __attribute__((vector_size(32)));
@@ -131,16 +142,6 @@ inline __attribute__((always_inline)) void add_rows(double* base, const int* row
   }
 }
 
-/// Mean over the nodes of an element of D dimensions of a column of rows that are Stride doubles long.
-template <int D, int Stride>
-TALUS_KERNEL Pack find_node_mean(const double* column, const int* rows) {
-  Pack mean(0.0);
-  for (int l = 0; l < lane_width; ++l) {
-    double s = 0;
-    for (int k = 0; k <= D; ++k) s += column[static_cast<std::int64_t>(rows[k * lane_width + l]) * Stride];
-    mean.value[l] = s / (D + 1);
-  }
-  return mean;
-}
+#endif
 
-}  // namespace talus::mpm
+}  // namespace talus

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The two node loops of the step and the remap between them, for a body B of packs or of one thread of a GPU.
+
+#include <array>
+#include <cmath>
+
+#include "base/rows.hpp"
+#include "mpm/body/node_rows.hpp"
+#include "mpm/step/kernels.hpp"
+#include "mpm/step/step.hpp"
+
+namespace talus::mpm {
+
+// long: its parts, in functions of their own, are contracted to other fused operations: other bits
+template <class B, int D = B::dimension>
+TALUS_PORTABLE void solve_nodes(B& body, const StepOptions<D>& o, int begin, int end, PieceSums& sums) {
+  const auto& layout = *body.layout;
+  const double cutoff = 1e-12 * body.smallest_mass;
+  const double alpha = o.damping, inverse_scaling = 1 / o.mass_scaling;
+  const bool loaded = !body.nodes.load.empty();
+  const double last_dt = body.nodes.motion_step;
+  double damped = 0, walls = 0, mapping = 0;  // locals: they stay in registers
+  const auto& constraint_of = body.conditions.constraint_of_node;
+  for (int i = begin; i < end; ++i) {
+    const int* rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
+    const int copies = layout.row_start[i + 1] - layout.row_start[i];
+    double t[1 + 2 * D];
+    sum_rows<1 + 2 * D, sums_stride>(body.nodes.sums, rows, copies, t);
+    const double m_i = t[0];
+    Vec<D> a{}, f_damp{}, f_ext{};
+    if (m_i > cutoff) {
+      const double inverse_mass = 1 / m_i, inverse = inverse_scaling * inverse_mass;
+      for (int d = 0; d < D; ++d) {
+        f_ext[d] = m_i * o.gravity[d];
+        if (loaded) f_ext[d] += body.nodes.load[i][d];
+        const double f = t[1 + D + d] + f_ext[d];
+        const double p = t[1 + d];
+        f_damp[d] = p != 0 ? -std::copysign(alpha * std::abs(f), p) : 0.0;
+        a[d] = (f + f_damp[d]) * inverse;
+      }
+      const int c = constraint_of[i];
+      if (c >= 0) {
+        const Constraint<D>& constraint = body.conditions.constraints[static_cast<std::size_t>(c)];
+        if (constraint.has_wall) {
+          // The out-of-balance force that damping is a share of holds the wall's reaction, or a resting block would be
+          // shaken by a share of its own weight.
+          Vec<D> f, v;
+          for (int d = 0; d < D; ++d) {
+            f[d] = t[1 + D + d] + f_ext[d];
+            v[d] = t[1 + d] * inverse_mass;
+          }
+          const bool pressed = dot(v, constraint.wall_normal) + o.dt * inverse * dot(f, constraint.wall_normal) > 0;
+          body.conditions.pressed[static_cast<std::size_t>(c)] = pressed;
+          const Vec<D> left = unsupported_part<D>(constraint, pressed, f);
+          Vec<D> wanted;
+          for (int d = 0; d < D; ++d) {
+            f_damp[d] = v[d] != 0 ? -std::copysign(alpha * std::abs(left[d]), v[d]) : 0.0;
+            wanted[d] = v[d] + o.dt * inverse * (f[d] + f_damp[d]);
+          }
+          const Vec<D> allowed = constrain_velocity(body.conditions, constraint, wanted, body.time + o.dt);
+          for (int d = 0; d < D; ++d) a[d] = (allowed[d] - v[d]) / o.dt;
+        } else {
+          // Along its fixed directions the node moves as what holds it, so what other speed its points bring there is
+          // taken from them, and damping takes no share of what supports bear.
+          Vec<D> f, v;
+          for (int d = 0; d < D; ++d) {
+            f[d] = t[1 + D + d] + f_ext[d];
+            v[d] = t[1 + d] * inverse_mass;
+          }
+          const Vec<D> kept = free_part(constraint, v);
+          f = free_part(constraint, f);
+          for (int d = 0; d < D; ++d) {
+            f_damp[d] = v[d] != 0 ? -std::copysign(alpha * std::abs(f[d]), v[d]) : 0.0;
+            a[d] = (f[d] + f_damp[d]) * inverse;
+          }
+          a = free_part(constraint, a);
+          for (int d = 0; d < D; ++d) a[d] -= (v[d] - kept[d]) / o.dt;
+          if (constraint.factor >= 0) {
+            const Vec<D> given = find_drive(body.conditions, constraint, body.time + o.dt);
+            for (int d = 0; d < D; ++d) a[d] += given[d] / o.dt;
+          }
+        }
+      }
+      // What is lost on the way to the points is added up here and in remap_momentum(), theory 9.
+      const double* last = &body.nodes.motion[static_cast<std::size_t>(layout.motion_row(i, 0)) * motion_stride<D> + D];
+      double lost = 0;
+      for (int d = 0; d < D; ++d) lost += last_dt * last[d] * t[1 + D + d] - o.dt * a[d] * t[1 + d];
+      if (alpha > 0) {
+        double braked = 0;
+        for (int d = 0; d < D; ++d) braked -= f_damp[d] * (t[1 + d] * inverse_mass + 0.5 * o.dt * a[d]) * o.dt;
+        damped += braked;
+        lost -= 2 * braked;
+      }
+      if (c >= 0) {
+        double wall = 0;  // friction along the way, and the motion that the wall stops
+        for (int d = 0; d < D; ++d) {
+          const double change = o.dt * a[d];
+          const double held = o.mass_scaling * m_i * a[d] - t[1 + D + d] - f_ext[d] - f_damp[d];
+          wall -= held * (t[1 + d] * inverse_mass + 0.5 * change) * o.dt;
+        }
+        walls += wall;
+        lost -= 2 * wall;
+      }
+      mapping += 0.5 * lost;
+      if (o.monitor) {
+        Vec<D> f, v;
+        for (int d = 0; d < D; ++d) {
+          f[d] = t[1 + D + d] + f_ext[d];
+          v[d] = t[1 + d] * inverse_mass;
+        }
+        if (c >= 0) {
+          const Constraint<D>& constraint = body.conditions.constraints[static_cast<std::size_t>(c)];
+          const bool pressed = constraint.has_wall && body.conditions.pressed[static_cast<std::size_t>(c)];
+          f = unsupported_part<D>(constraint, pressed, f);
+          f_ext = free_part(constraint, f_ext);
+          v = free_part(constraint, v);
+        }
+        sums.out_of_balance2 += dot(f, f);
+        sums.external2 += dot(f_ext, f_ext);
+        const double speed2 = dot(v, v);
+        sums.kinetic += 0.5 * m_i * speed2;
+        // A NaN must win, or an unstable run would look calm.
+        if (!(speed2 <= sums.speed2)) {
+          sums.speed2 = speed2;
+          sums.fastest = i;
+        }
+      }
+    }
+    for (int k = 0; k < layout.count_motion_rows(i); ++k) {
+      double* row = &body.nodes.motion[static_cast<std::size_t>(layout.motion_row(i, k)) * motion_stride<D>];
+      for (int d = 0; d < D; ++d) row[d] = a[d];
+    }
+  }
+  sums.damped += damped;
+  sums.walls += walls;
+  sums.mapping += mapping;
+}
+
+/// Adds Δt Σ_j M_ij a_j of block `b` to the momentum of its nodes.
+template <class B>
+TALUS_KERNEL void remap_block(B& body, int b, double dt) {
+  constexpr int D = B::dimension, width = B::width;
+  using T = typename B::Lanes;
+  const int* rows = &body.layout->connectivity[static_cast<std::size_t>(b) * (D + 1) * width];
+  const double* moments = &body.elements.moments[static_cast<std::size_t>(b) * moment_size<D> * width];
+  T a[D + 1][D], change[D + 1][D], m[moment_size<D>];
+  TALUS_UNROLL
+  for (int k = 0; k <= D; ++k) load_rows<D, motion_stride<D>>(body.nodes.motion.data(), rows + k * width, a[k]);
+  TALUS_UNROLL
+  for (int q = 0; q < moment_size<D>; ++q) m[q] = load<T>(moments + q * width);
+  remap_element<D, T>(m, a, dt, change);
+  TALUS_UNROLL
+  for (int k = 0; k <= D; ++k) add_to_sums<D, 1>(body, b, k, change[k]);
+}
+
+/// v of the nodes [begin, end) after the remap; empties their sums. Adds to `works` what external forces do, and what
+/// is lost in the mapping [J].
+template <class B, int D = B::dimension>
+TALUS_PORTABLE void remap_nodes(B& body, const StepOptions<D>& o, int begin, int end, std::array<double, 2>& works) {
+  const auto& layout = *body.layout;
+  const double cutoff = 1e-12 * body.smallest_mass;
+  const bool loaded = !body.nodes.load.empty();
+  double work = 0, lost = 0;
+  for (int i = begin; i < end; ++i) {
+    const int* node_rows = &layout.node_rows[static_cast<std::size_t>(layout.row_start[i])];
+    const int copies = layout.row_start[i + 1] - layout.row_start[i];
+    double t[1 + 2 * D];
+    sum_rows<1 + 2 * D, sums_stride>(body.nodes.sums, node_rows, copies, t);
+    Vec<D> v{};
+    if (t[0] > cutoff) {
+      const double inverse = 1 / t[0];
+      for (int d = 0; d < D; ++d) v[d] = t[1 + d] * inverse;
+      const int constraint = body.conditions.constraint_of_node[i];
+      if (constraint >= 0) {
+        v = constrain_remapped(body.conditions, constraint, v, body.time + o.dt);
+      }
+      const double* a = &body.nodes.motion[static_cast<std::size_t>(layout.motion_row(i, 0)) * motion_stride<D>];
+      for (int d = 0; d < D; ++d) {
+        lost += t[1 + D + d] * v[d] - a[d] * t[1 + d];
+        work += (t[0] * o.gravity[d] + (loaded ? body.nodes.load[i][d] : 0.0)) * v[d];
+      }
+    }
+    for (int k = 0; k < layout.count_motion_rows(i); ++k) {
+      const auto row = static_cast<std::size_t>(layout.motion_row(i, k));
+      if constexpr (B::adds_to_sums) {
+        TALUS_UNROLL
+        for (int q = 0; q < sums_stride; ++q) body.nodes.sums[row * sums_stride + static_cast<std::size_t>(q)] = 0;
+      }
+      double* motion = &body.nodes.motion[row * motion_stride<D>];
+      for (int d = 0; d < D; ++d) motion[D + d] = v[d];
+    }
+    if (!o.moving) {
+      for (int d = 0; d < D; ++d) body.nodes.displacement[i][d] += o.dt * v[d];
+    }
+  }
+  works[0] += o.dt * work;
+  works[1] += o.dt * (0.5 * lost + work);
+}
+
+}  // namespace talus::mpm
