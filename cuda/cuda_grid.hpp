@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A GPU as a grid (mpm/device/host_grid.hpp tells what that is). All goes through one stream, in its order.
+
+#include <cub/cub.cuh>
+
+#include <new>
+#include <string>
+
+#include "base/error.hpp"
+#include "mpm/device/host_grid.hpp"
+
+namespace talus::mpm::device {
+
+/// Throws Error where a call of CUDA failed; std::bad_alloc when it found no memory.
+inline void require(cudaError_t code) {
+  if (code == cudaSuccess) return;
+  if (code == cudaErrorMemoryAllocation) throw std::bad_alloc();
+  throw Error(ExitCode::interrupted, std::string("the GPU failed: ") + cudaGetErrorString(code));
+}
+
+template <class Kernel>
+__global__ void run_kernel(Kernel kernel, int n) {
+  const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
+  if (i < n) kernel(i);
+}
+
+class CudaGrid {
+ public:
+  CudaGrid() = default;
+  CudaGrid(CudaGrid&& other) noexcept : scratch_(std::exchange(other.scratch_, nullptr)), room_(other.room_) {}
+  ~CudaGrid() { cudaFree(scratch_); }
+
+  static void* allocate(std::size_t bytes) {
+    void* p = nullptr;
+    require(cudaMalloc(&p, bytes));
+    return p;
+  }
+  static void release(void* p) { cudaFree(p); }
+  static void clear(void* p, std::size_t bytes) { require(cudaMemsetAsync(p, 0, bytes)); }
+  static void bring(void* device, const void* host, std::size_t bytes) {
+    require(cudaMemcpy(device, host, bytes, cudaMemcpyHostToDevice));
+  }
+  static void fetch(void* host, const void* device, std::size_t bytes) {
+    require(cudaMemcpy(host, device, bytes, cudaMemcpyDeviceToHost));
+  }
+
+  template <class Kernel>
+  void launch(int n, const Kernel& kernel) const {
+    run_kernel<<<(n + block_threads - 1) / block_threads, block_threads>>>(kernel, n);
+    require(cudaGetLastError());
+  }
+  int scan(const int* counts, int* starts, int n) {
+    std::size_t bytes = 0;
+    require(cub::DeviceScan::ExclusiveSum(nullptr, bytes, counts, starts, n));
+    require(cub::DeviceScan::ExclusiveSum(find_room(bytes), bytes, counts, starts, n));
+    int last[2];
+    fetch(&last[0], starts + n - 1, sizeof(int));
+    fetch(&last[1], counts + n - 1, sizeof(int));
+    return last[0] + last[1];
+  }
+  void sort(const unsigned* keys, unsigned* sorted, int* order, int n) {
+    const std::size_t list = sizeof(int) * static_cast<std::size_t>(n);
+    std::size_t bytes = 0;
+    require(cub::DeviceRadixSort::SortPairs(nullptr, bytes, keys, sorted, order, order, n));
+    const std::size_t before = (bytes + 255) / 256 * 256;
+    char* room = static_cast<char*>(find_room(before + list));
+    int* unsorted = reinterpret_cast<int*>(room + before);
+    require(cudaMemcpyAsync(unsorted, order, list, cudaMemcpyDeviceToDevice));
+    require(cub::DeviceRadixSort::SortPairs(room, bytes, keys, sorted, unsorted, order, n));
+  }
+
+ private:
+  void* find_room(std::size_t bytes) {
+    if (bytes > room_) {
+      require(cudaFree(std::exchange(scratch_, nullptr)));
+      room_ = 0;
+      scratch_ = allocate(bytes);
+      room_ = bytes;
+    }
+    return scratch_;
+  }
+
+  void* scratch_ = nullptr;
+  std::size_t room_ = 0;
+};
+
+}  // namespace talus::mpm::device

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A GPU that takes a body through its steps, as the engine sees it. It is a module of its own that shares no packs with
+// the rest: what goes there and comes back are the plain arrays below, in the order that its threads want.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "mpm/device/device_laws.hpp"
+#include "mpm/device/thread_body.hpp"
+#include "mpm/step/loads.hpp"
+
+namespace talus::mpm {
+
+/// What a device needs of a body, and what changes there. Arrays [block][…][lane] have blocks of device_width elements.
+template <int D>
+struct DeviceImage {
+  static constexpr int stress_size = PointFields<D>::stress_size;
+
+  DeviceMesh<D> mesh;  ///< in the host's memory
+  std::vector<int> connectivity, row_start, node_rows;
+  std::vector<double> gradients, volumes;
+  std::vector<StoredLaw> laws;
+  std::vector<int> constraint_of_node;
+  std::vector<Constraint<D>> constraints;
+  View<const std::int64_t> reach_start;  ///< empty: soil softens element by element
+  View<const int> reach_element;
+  View<const double> reach_weight;
+  View<const std::uint8_t> material;  ///< by point number
+  std::vector<double> held_saturation;
+  double smallest_mass = 0;
+
+  // What changes.
+  int fields = 0, point_count = 0;  ///< of a slot; point numbers
+  std::vector<std::int64_t> block_start;
+  std::vector<int> block_capacity;
+  std::vector<double> data, count;  ///< [slot][field][lane]; [block][lane]
+  std::vector<int> id;              ///< [slot][lane]
+  std::vector<std::array<double, stress_size>> strain_offset;
+  std::vector<double> strain, fill_limit, apart, rough, plastic_dilation, softened, softening_volume, lent;
+  std::vector<double> motion;         ///< [node][motion_stride]
+  std::vector<double> sums, moments;  ///< these only come back: [node][sums_stride], [block][moment_size][lane]
+  std::vector<Vec<D>> displacement;
+  double motion_step = 0;
+
+  int blocks() const { return static_cast<int>(block_start.size()); }
+};
+
+/// What a step is given beside its options.
+template <int D>
+struct DeviceInput {
+  double time = 0;                   ///< at its start [s]
+  View<const Vec<D>> load;           ///< forces of tractions at the nodes then [N]; empty: none
+  bool load_is_new = false;          ///< else it is that of the last step
+  std::vector<GivenFactor> factors;  ///< of what moves nodes
+};
+
+/// A point that left the grid in a step.
+template <int D>
+struct Departed {
+  int id, element;  ///< the last one
+  double mass;      ///< [kg]
+  Vec<D> xi, velocity;
+};
+
+/// What a step did.
+template <int D>
+struct DeviceOutput {
+  Work work;
+  Monitor monitor;  ///< of steps that are monitored
+  std::vector<Departed<D>> departed;
+};
+
+template <int D>
+class Device {
+ public:
+  virtual ~Device() = default;
+  /// Takes the body over, and takes the nodes' sums anew from its points. Throws std::bad_alloc when the device has no
+  /// room for it.
+  virtual void take(const DeviceImage<D>& image, const StepOptions<D>& options) = 0;
+  virtual DeviceOutput<D> step(const DeviceInput<D>& input, const StepOptions<D>& options) = 0;
+  /// fade_unseen(); returns what is lost [J].
+  virtual double fade_unseen() = 0;
+  /// What has changed.
+  virtual void give_back(DeviceImage<D>& image) = 0;
+  /// find_critical_step() of soil of one phase, without mass scaling.
+  virtual StepSquare find_step_square() = 0;
+  virtual std::vector<PointPlace<D>> locate(const std::vector<int>& points) = 0;
+};
+
+/// Where devices come from: what the module of a GPU makes.
+class DeviceMaker {
+ public:
+  virtual ~DeviceMaker() = default;
+  virtual std::unique_ptr<Device<2>> make_2d() = 0;
+  virtual std::unique_ptr<Device<3>> make_3d() = 0;
+};
+
+}  // namespace talus::mpm

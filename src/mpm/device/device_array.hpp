@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// An array in the memory of a device.
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "mpm/device/thread_body.hpp"
+
+namespace talus::mpm::device {
+
+template <class Grid, class T>
+class DeviceArray {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  DeviceArray() = default;
+  DeviceArray(const DeviceArray&) = delete;
+  DeviceArray& operator=(const DeviceArray&) = delete;
+  DeviceArray(DeviceArray&& other) noexcept { swap(other); }
+  DeviceArray& operator=(DeviceArray&& other) noexcept {
+    DeviceArray(std::move(other)).swap(*this);
+    return *this;
+  }
+  ~DeviceArray() {
+    if (start_ != nullptr) Grid::release(start_);
+  }
+  void swap(DeviceArray& other) noexcept {
+    std::swap(start_, other.start_);
+    std::swap(size_, other.size_);
+    std::swap(room_, other.room_);
+  }
+
+  std::size_t size() const { return size_; }
+  /// What is in it is lost, and what is there then may be anything.
+  void resize(std::size_t size) {
+    if (size > room_) {
+      if (start_ != nullptr) Grid::release(std::exchange(start_, nullptr));
+      room_ = 0;
+      start_ = static_cast<T*>(Grid::allocate(size * sizeof(T)));
+      room_ = size;
+    }
+    size_ = size;
+  }
+  /// All bytes zero.
+  void assign_zeros(std::size_t size) {
+    resize(size);
+    Grid::clear(start_, size * sizeof(T));
+  }
+  void bring(const T* host, std::size_t size) {
+    resize(size);
+    Grid::bring(start_, host, size * sizeof(T));
+  }
+  template <class Host>
+  void bring(const Host& host) {
+    bring(host.data(), host.size());
+  }
+  std::vector<T> fetch() const {
+    std::vector<T> host(size_);
+    Grid::fetch(host.data(), start_, size_ * sizeof(T));
+    return host;
+  }
+  T fetch_first() const {
+    T first;
+    Grid::fetch(&first, start_, sizeof(T));
+    return first;
+  }
+  View<T> view() const { return {start_, size_}; }
+  View<const T> read() const { return {start_, size_}; }
+
+ private:
+  T* start_ = nullptr;
+  std::size_t size_ = 0, room_ = 0;
+};
+
+}  // namespace talus::mpm::device

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A body in the memory of a device, and its steps: which kernels run, one after the other. Grid: HostGrid or CudaGrid.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "mpm/device/device_array.hpp"
+#include "mpm/device/device_kernels.hpp"
+#include "mpm/device/fade_kernels.hpp"
+#include "mpm/device/relocation_kernels.hpp"
+
+namespace talus::mpm::device {
+
+/// Slots beyond those in use that a block gets.
+inline constexpr int spare_slots = 1;
+
+/// Where the slots of blocks begin, and behind the last one their sum.
+inline std::vector<std::int64_t> find_starts(const std::vector<int>& capacity) {
+  std::vector<std::int64_t> starts{0};
+  for (const int slots : capacity) starts.push_back(starts.back() + slots);
+  return starts;
+}
+
+template <class Grid, int D>
+class DeviceBody : public Device<D> {
+ public:
+  explicit DeviceBody(Grid grid) : grid_(std::move(grid)) {}
+
+  void take(const DeviceImage<D>& image, const StepOptions<D>& options) override {
+    take_mesh(image);
+    take_points(image);
+    take_fields(image);
+    const std::size_t lanes = image.count.size();
+    change_.assign_zeros(lanes);
+    leaving_.assign_zeros(lanes);
+    first_.resize(lanes);
+    arrivals_.assign_zeros(lanes);
+    average_.resize(2 * lanes);
+    node_accounts_.assign_zeros(static_cast<std::size_t>(body_.node_count));
+    element_accounts_.assign_zeros(lanes);
+    if (options.mixed) launch(body_.element_count, UpdateSurface<D>{body_, change_.view()});
+    launch(body_.element_count, SumAnew<D>{body_, options, true, change_.view(), element_accounts_.view()});
+  }
+
+  DeviceOutput<D> step(const DeviceInput<D>& input, const StepOptions<D>& o) override {
+    take_conditions(input);
+    launch(body_.node_count, SolveNode<D>{body_, o, node_accounts_.view()});
+    launch(body_.element_count, RemapElement<D>{body_, o.dt});
+    launch(body_.node_count, RemapNode<D>{body_, o, node_accounts_.view()});
+    body_.nodes.motion_step = o.dt;
+    if (o.smoothing != input::Smoothing::none) {
+      launch(body_.element_count, AverageElement<D>{body_, o, average_.view()});
+      launch(body_.node_count, AverageNode<D>{body_, average_.read()});
+    }
+    if (!body_.elements.lent.empty()) {
+      launch(body_.element_count, LendSoftening<D>{body_, reach_});
+      launch(body_.element_count, ClearSoftening{body_.elements});
+    }
+    advance(o);
+    DeviceOutput<D> output;
+    relocate(o, output.departed);
+    const NodeAccount nodes = add_up(node_accounts_);
+    const ElementAccount elements = add_up(element_accounts_);
+    output.work.external = nodes.external;
+    output.work.damped = nodes.piece.damped;
+    output.work.walls = nodes.piece.walls;
+    output.work.mapping = nodes.piece.mapping + elements.shared;
+    output.work.dissipated = elements.dissipated;
+    output.monitor = {std::sqrt(nodes.piece.out_of_balance2), std::sqrt(nodes.piece.external2), nodes.piece.kinetic,
+                      std::sqrt(nodes.piece.speed2), nodes.piece.fastest};
+    return output;
+  }
+
+  double fade_unseen() override {
+    const auto nodes = static_cast<std::size_t>(body_.node_count),
+               elements = static_cast<std::size_t>(body_.element_count);
+    velocity_.resize(nodes * fade_stride);
+    direction_.resize(nodes * D);
+    product_.resize(elements * (D + 1) * D);
+    const FadeRows<D> rows{velocity_.view(), direction_.view(), product_.view()};
+    launch(body_.node_count, StartFading<D>{body_, rows});
+    for (const FadeWeights& weights : list_fade_weights()) {
+      launch(body_.element_count, MultiplyMass<D>{body_, rows});
+      launch(body_.node_count, ImproveVelocity<D>{body_, rows, weights});
+    }
+    launch(body_.element_count, FadeElement<D>{body_, rows, element_accounts_.view()});
+    return add_up(element_accounts_).shared;
+  }
+
+  void give_back(DeviceImage<D>& image) override {
+    sums_of_nodes_.resize(static_cast<std::size_t>(body_.node_count) * sums_stride);
+    launch(body_.node_count, SumNode<D>{body_, sums_of_nodes_.view()});
+    image.sums = sums_of_nodes_.fetch();
+    image.block_start = block_start_.fetch();
+    image.block_capacity = capacity_;
+    image.data = data_.fetch();
+    image.count = count_.fetch();
+    image.id = id_.fetch();
+    image.strain_offset = strain_offset_.fetch();
+    for (const auto& [of_image, array] : list_fields()) image.*of_image = (this->*array).fetch();
+    image.moments = moments_.fetch();
+    image.motion = motion_.fetch();
+    image.displacement = displacement_.fetch();
+    image.motion_step = body_.nodes.motion_step;
+  }
+
+  StepSquare find_step_square() override {
+    squares_.resize(static_cast<std::size_t>(body_.element_count));
+    launch(body_.element_count, FindStep<D>{body_, squares_.view()});
+    return add_up(squares_);
+  }
+
+  std::vector<PointPlace<D>> locate(const std::vector<int>& points) override {
+    Array<int> wanted;
+    Array<PointPlace<D>> places;
+    wanted.bring(points);
+    places.resize(points.size());
+    launch(static_cast<int>(points.size()), Locate<D>{body_, wanted.read(), places.view()});
+    return places.fetch();
+  }
+
+ private:
+  using P = PointFields<D>;
+  template <class T>
+  using Array = DeviceArray<Grid, T>;
+
+  template <class Kernel>
+  void launch(int n, const Kernel& kernel) {
+    if (n > 0) grid_.launch(n, kernel);
+  }
+
+  /// The sum of an array, in an order that does not depend on which threads run together.
+  template <class S>
+  S add_up(const Array<S>& values) {
+    static constexpr int widths[] = {16384, 128, 1};
+    View<const S> from = values.read();
+    S sum;
+    for (std::size_t i = 0; i < std::size(widths); ++i) {
+      partial_[i].resize(static_cast<std::size_t>(widths[i]) * sizeof(S));
+      const View<S> sums{reinterpret_cast<S*>(partial_[i].view().start), static_cast<std::size_t>(widths[i])};
+      launch(widths[i], AddUp<S>{from, sums, widths[i]});
+      from = {sums.start, sums.count};
+    }
+    Grid::fetch(&sum, from.start, sizeof(S));
+    return sum;
+  }
+
+  /// The arrays of elements that change, in the image and here.
+  using Field = std::pair<std::vector<double> DeviceImage<D>::*, DeviceArray<Grid, double> DeviceBody::*>;
+  static std::array<Field, 8> list_fields() {
+    using I = DeviceImage<D>;
+    return {{{&I::strain, &DeviceBody::strain_},
+             {&I::fill_limit, &DeviceBody::fill_limit_},
+             {&I::apart, &DeviceBody::apart_},
+             {&I::rough, &DeviceBody::rough_},
+             {&I::plastic_dilation, &DeviceBody::plastic_dilation_},
+             {&I::softened, &DeviceBody::softened_},
+             {&I::softening_volume, &DeviceBody::softening_volume_},
+             {&I::lent, &DeviceBody::lent_}}};
+  }
+
+  void take_mesh(const DeviceImage<D>& image) {
+    places_.bring(image.mesh.nodes);
+    elements_.bring(image.mesh.elements);
+    neighbours_.bring(image.mesh.neighbours);
+    mesh_volumes_.bring(image.mesh.volumes);
+    altitudes_.bring(image.mesh.altitudes);
+    mesh_gradients_.bring(image.mesh.gradients);
+    body_.grid = {places_.read(),       elements_.read(),  neighbours_.read(),
+                  mesh_volumes_.read(), altitudes_.read(), mesh_gradients_.read()};
+    body_.element_count = static_cast<int>(elements_.size());
+    body_.node_count = static_cast<int>(places_.size());
+    connectivity_.bring(image.connectivity);
+    gradients_.bring(image.gradients);
+    volumes_.bring(image.volumes);
+    row_start_.bring(image.row_start);
+    node_rows_.bring(image.node_rows);
+    static_cast<DeviceLayout<D>&>(body_.layout) = {connectivity_.read(), gradients_.read(), volumes_.read(),
+                                                   row_start_.read(), node_rows_.read()};
+    reach_start_.bring(image.reach_start);
+    reach_element_.bring(image.reach_element);
+    reach_weight_.bring(image.reach_weight);
+    reach_ = {reach_start_.read(), reach_element_.read(), reach_weight_.read()};
+  }
+
+  void take_points(const DeviceImage<D>& image) {
+    host_laws_ = image.laws;
+    laws_.bring(image.laws);
+    body_.laws = {laws_.view().start, static_cast<std::uint32_t>(laws_.size())};
+    data_.bring(image.data);
+    id_.bring(image.id);
+    block_start_.bring(image.block_start);
+    block_capacity_.bring(image.block_capacity);
+    capacity_ = image.block_capacity;
+    count_.bring(image.count);
+    material_.bring(image.material);
+    strain_offset_.bring(image.strain_offset);
+    std::vector<int> element(static_cast<std::size_t>(image.point_count), -1);
+    std::vector<std::int64_t> place(element.size(), -1);
+    for (std::size_t b = 0; b < image.block_start.size(); ++b) {
+      for (std::int64_t i = 0; i < static_cast<std::int64_t>(image.block_capacity[b]) * device_width; ++i) {
+        const std::int64_t at = image.block_start[b] * device_width + i;
+        const int point = image.id[static_cast<std::size_t>(at)];
+        if (point < 0) continue;
+        element[static_cast<std::size_t>(point)] =
+            static_cast<int>(b) * device_width + static_cast<int>(i % device_width);
+        place[static_cast<std::size_t>(point)] = at;
+      }
+    }
+    element_.bring(element);
+    place_.bring(place);
+    DevicePoints<D>& points = body_.points;
+    points.fields = image.fields;
+    points.data = data_.view();
+    points.id = id_.view();
+    points.block_start = block_start_.read();
+    points.block_capacity = block_capacity_.read();
+    points.count = count_.view();
+    points.element = element_.view();
+    points.place = place_.view();
+    points.material = material_.read();
+    points.strain_offset = strain_offset_.view();
+  }
+
+  void take_fields(const DeviceImage<D>& image) {
+    for (const auto& [of_image, array] : list_fields()) (this->*array).bring(image.*of_image);
+    held_saturation_.bring(image.held_saturation);
+    moments_.assign_zeros(image.count.size() * moment_size<D>);
+    body_.elements = {moments_.view(), strain_.view(),           fill_limit_.view(), apart_.view(),
+                      rough_.view(),   plastic_dilation_.view(), softened_.view(),   softening_volume_.view(),
+                      lent_.view(),    held_saturation_.view()};
+    sums_.assign_zeros(image.count.size() * (D + 1) * sums_stride);
+    motion_.bring(image.motion);
+    smoothed_.assign_zeros(places_.size());
+    displacement_.bring(image.displacement);
+    load_.resize(0);
+    body_.nodes = {sums_.view(), motion_.view(),       smoothed_.view(),
+                   load_.read(), displacement_.view(), image.motion_step};
+    body_.smallest_mass = image.smallest_mass;
+    constraint_of_node_.bring(image.constraint_of_node);
+    constraints_.bring(image.constraints);
+    pressed_.assign_zeros(image.constraints.size());
+  }
+
+  void take_conditions(const DeviceInput<D>& input) {
+    body_.time = input.time;
+    if (input.load_is_new) load_.bring(input.load);
+    body_.nodes.load = load_.read();
+    factors_.bring(input.factors);
+    body_.conditions = {constraint_of_node_.read(), constraints_.read(), pressed_.view(), factors_.read()};
+  }
+
+  void advance(const StepOptions<D>& o) {
+    const auto run = [&](const auto& law) {
+      using Law = std::decay_t<decltype(law)>;
+      launch(body_.element_count, AdvanceElement<D, Law>{body_, o, law, leaving_.view(), element_accounts_.view()});
+    };
+    if (host_laws_.size() > 1) {
+      int states = 0;
+      for (const StoredLaw& law : host_laws_) states = std::max(states, law.states);
+      run(AnyLaw{static_cast<std::uint32_t>((std::uint64_t{1} << host_laws_.size()) - 1), states});
+    } else {
+      host_laws_.front().visit([&]<class L>(const L& law) { run(OneLaw<L>{law}); });
+    }
+  }
+
+  void relocate(const StepOptions<D>& o, std::vector<Departed<D>>& departed) {
+    if (!o.moving) return;
+    const int count = grid_.scan(leaving_.view().start, first_.view().start, body_.element_count);
+    if (count == 0) return;
+    const Movers movers = make_room_for_movers(count);
+    launch(body_.element_count, TakeOut<D>{body_, leaving_.read(), first_.read(), movers, change_.view()});
+    signals_.assign_zeros(1);
+    launch(count, Walk<D>{body_, movers, signals_.view()});
+    grid_.sort(movers.to.start, movers.sorted.start, movers.order.start, count);
+    const View<const unsigned> sorted{movers.sorted.start, movers.sorted.count};
+    launch(count, AskForRoom<D>{body_, sorted, arrivals_.view(), signals_.view()});
+    const Signals signals = signals_.fetch_first();
+    if (signals.leave_grid != 0) list_departed(count, departed);
+    if (signals.overflow != 0) grow();
+    launch(count, PutIn<D>{body_, movers, arrivals_.view(), change_.view()});
+    if (o.mixed) launch(body_.element_count, UpdateSurface<D>{body_, change_.view()});
+    launch(body_.element_count, SumAnew<D>{body_, o, false, change_.view(), element_accounts_.view()});
+  }
+
+  Movers make_room_for_movers(int count) {
+    const auto n = static_cast<std::size_t>(count);
+    mover_fields_.resize(n * static_cast<std::size_t>(body_.points.fields));
+    mover_id_.resize(n);
+    mover_from_.resize(n);
+    mover_to_.resize(n);
+    mover_order_.resize(n);
+    mover_sorted_.resize(n);
+    return {mover_fields_.view(), mover_id_.view(),    mover_from_.view(),
+            mover_to_.view(),     mover_order_.view(), mover_sorted_.view()};
+  }
+
+  /// Points that left the grid, in the order in which they were taken out.
+  void list_departed(int count, std::vector<Departed<D>>& departed) {
+    const std::vector<unsigned> to = mover_to_.fetch();
+    const std::vector<int> id = mover_id_.fetch(), from = mover_from_.fetch();
+    const std::vector<double> fields = mover_fields_.fetch();
+    const auto stride = static_cast<std::size_t>(count);
+    for (std::size_t m = 0; m < stride; ++m) {
+      if (to[m] != static_cast<unsigned>(body_.element_count)) continue;
+      Departed<D> point{id[m], from[m], fields[P::mass * stride + m], {}, {}};
+      for (std::size_t d = 0; d < D; ++d) {
+        point.xi[d] = fields[(P::xi + d) * stride + m];
+        point.velocity[d] = fields[(P::velocity + d) * stride + m];
+      }
+      departed.push_back(point);
+    }
+  }
+
+  /// Room for the points that come, in blocks that have too little; the others keep theirs.
+  void grow() {
+    Array<int> room;
+    room.resize(capacity_.size());
+    launch(static_cast<int>(capacity_.size()), CountRoom<D>{body_, arrivals_.read(), room.view()});
+    const std::vector<int> needed = room.fetch();
+    for (std::size_t b = 0; b < needed.size(); ++b)
+      if (needed[b] > capacity_[b]) capacity_[b] = needed[b] + spare_slots;
+    Array<double> data;
+    Array<int> id;
+    std::vector<std::int64_t> start = find_starts(capacity_);
+    const auto slots = static_cast<std::size_t>(start.back());
+    data.assign_zeros(slots * static_cast<std::size_t>(body_.points.fields) * device_width);
+    id.bring(std::vector<int>(slots * device_width, -1));
+    start.pop_back();
+    Array<std::int64_t> block_start;
+    block_start.bring(start);
+    DevicePoints<D> grown = body_.points;
+    grown.data = data.view();
+    grown.id = id.view();
+    grown.block_start = block_start.read();
+    launch(body_.element_count, MoveSlots<D>{body_, grown});
+    data_.swap(data);
+    id_.swap(id);
+    block_start_.swap(block_start);
+    block_capacity_.bring(capacity_);
+    grown.block_capacity = block_capacity_.read();
+    body_.points = grown;
+  }
+
+  Grid grid_;
+  ThreadBody<D> body_;
+  std::vector<StoredLaw> host_laws_;
+  std::vector<int> capacity_;  ///< [block] slots
+  SofteningList reach_;
+
+  // The mesh.
+  Array<int> connectivity_, row_start_, node_rows_;
+  Array<double> gradients_, volumes_, mesh_volumes_, altitudes_;
+  Array<Vec<D>> places_;
+  Array<std::array<int, D + 1>> elements_, neighbours_;
+  Array<std::array<double, D * D>> mesh_gradients_;
+  // The points.
+  Array<double> data_, count_;
+  Array<int> id_, block_capacity_, element_;
+  Array<std::int64_t> block_start_, place_;
+  Array<std::uint8_t> material_;
+  Array<std::array<double, P::stress_size>> strain_offset_;
+  Array<StoredLaw> laws_;
+  // Elements and nodes.
+  Array<double> moments_, strain_, fill_limit_, apart_, rough_, plastic_dilation_, softened_, softening_volume_, lent_,
+      held_saturation_;
+  Array<double> sums_, motion_, smoothed_, average_, sums_of_nodes_;
+  Array<Vec<D>> load_, displacement_;
+  Array<std::int64_t> reach_start_;
+  Array<int> reach_element_;
+  Array<double> reach_weight_;
+  // Conditions.
+  Array<int> constraint_of_node_;
+  Array<Constraint<D>> constraints_;
+  Array<std::uint8_t> pressed_;
+  Array<GivenFactor> factors_;
+  // Of a step.
+  Array<int> leaving_, first_, arrivals_, change_;
+  Array<double> velocity_, direction_, product_;  // of fading
+  Array<NodeAccount> node_accounts_;
+  Array<ElementAccount> element_accounts_;
+  Array<StepSquare> squares_;
+  Array<Signals> signals_;
+  Array<unsigned char> partial_[3];
+  Array<double> mover_fields_;
+  Array<int> mover_id_, mover_from_, mover_order_;
+  Array<unsigned> mover_to_, mover_sorted_;
+};
+
+}  // namespace talus::mpm::device

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "mpm/device/device_image.hpp"
+
+#include <algorithm>
+
+#include "mpm/body/slots.hpp"
+#include "mpm/step/softening.hpp"
+
+namespace talus::mpm {
+namespace {
+
+std::size_t find_place(int e, int size, int i, int width) {
+  return (static_cast<std::size_t>(e / width) * static_cast<std::size_t>(size) + static_cast<std::size_t>(i)) *
+             static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(e % width);
+}
+
+/// An array [block][size][lane] of the body, in the blocks of a device; empty where it is.
+std::vector<double> widen(const AlignedVector<double>& field, int elements, int size) {
+  if (field.empty()) return {};
+  const int blocks = (elements + device_width - 1) / device_width;
+  std::vector<double> wide(static_cast<std::size_t>(blocks) * static_cast<std::size_t>(size) * device_width, 0.0);
+  for (int e = 0; e < elements; ++e)
+    for (int i = 0; i < size; ++i)
+      wide[find_place(e, size, i, device_width)] = field[find_place(e, size, i, lane_width)];
+  return wide;
+}
+void narrow(const std::vector<double>& wide, int elements, int size, AlignedVector<double>& field) {
+  if (field.empty()) return;
+  for (int e = 0; e < elements; ++e)
+    for (int i = 0; i < size; ++i)
+      field[find_place(e, size, i, lane_width)] = wide[find_place(e, size, i, device_width)];
+}
+
+template <class T>
+View<const T> look_at(const std::vector<T>& list) {
+  return {list.data(), list.size()};
+}
+
+template <int D>
+void lay_out(const Body<D>& body, DeviceImage<D>& image) {
+  const mesh::Mesh<D>& mesh = body.mesh();
+  const int elements = mesh.element_count(), blocks = (elements + device_width - 1) / device_width;
+  image.mesh = {look_at(mesh.nodes),   look_at(mesh.elements),  look_at(mesh.neighbours),
+                look_at(mesh.volumes), look_at(mesh.altitudes), look_at(mesh.gradients)};
+  const std::size_t lanes = static_cast<std::size_t>(blocks) * device_width;
+  image.connectivity.resize(lanes * (D + 1));
+  image.gradients.assign(lanes * D * D, 0.0);
+  image.volumes.assign(lanes, 0.0);
+  image.row_start.assign(mesh.nodes.size() + 1, 0);
+  for (int e = 0; e < static_cast<int>(lanes); ++e) {
+    for (int k = 0; k <= D; ++k) {
+      const int node = mesh.elements[std::min(e, elements - 1)][k];
+      image.connectivity[find_place(e, D + 1, k, device_width)] = node;
+      if (e < elements) ++image.row_start[node + 1];
+    }
+    if (e >= elements) continue;
+    for (int i = 0; i < D * D; ++i) image.gradients[find_place(e, D * D, i, device_width)] = mesh.gradients[e][i];
+    image.volumes[e] = mesh.volumes[e];
+  }
+  for (std::size_t i = 0; i + 1 < image.row_start.size(); ++i) image.row_start[i + 1] += image.row_start[i];
+  image.node_rows.resize(static_cast<std::size_t>(elements) * (D + 1));
+  std::vector<int> next(image.row_start.begin(), image.row_start.end() - 1);
+  for (int e = 0; e < elements; ++e)
+    for (int k = 0; k <= D; ++k) image.node_rows[next[mesh.elements[e][k]]++] = e * (D + 1) + k;
+}
+
+template <int D>
+void copy_points(const Body<D>& body, DeviceImage<D>& image) {
+  const Points<D>& points = body.points;
+  const int elements = body.mesh().element_count(), blocks = (elements + device_width - 1) / device_width;
+  image.fields = points.fields;
+  image.point_count = points.size();
+  image.count = widen(points.count, elements, 1);
+  image.block_start.clear();
+  image.block_capacity.clear();
+  std::int64_t slots = 0;
+  for (int b = 0; b < blocks; ++b) {
+    const auto first = image.count.begin() + static_cast<std::ptrdiff_t>(b) * device_width;
+    const int most = static_cast<int>(*std::max_element(first, first + device_width));
+    image.block_start.push_back(slots);
+    image.block_capacity.push_back(most == 0 ? 0 : most + 1);
+    slots += image.block_capacity.back();
+  }
+  image.data.assign(static_cast<std::size_t>(slots) * static_cast<std::size_t>(points.fields) * device_width, 0.0);
+  image.id.assign(static_cast<std::size_t>(slots) * device_width, -1);
+  for (int e = 0; e < elements; ++e) {
+    for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {
+      const std::int64_t from = points.block_start[e / lane_width] + k, to = image.block_start[e / device_width] + k;
+      const double* p = points.slot(from) + e % lane_width;
+      double* q = &image.data[static_cast<std::size_t>(to * points.fields * device_width + e % device_width)];
+      for (int f = 0; f < points.fields; ++f) q[f * device_width] = p[f * lane_width];
+      image.id[static_cast<std::size_t>(to * device_width + e % device_width)] =
+          points.id[static_cast<std::size_t>(from * lane_width + e % lane_width)];
+    }
+  }
+  image.material = {points.material.data(), points.material.size()};
+  image.strain_offset.assign(points.strain_offset.begin(), points.strain_offset.end());
+}
+
+/// The fields of elements that change, [block][size][lane].
+template <int D, class Work>
+void for_fields(Elements<D>& elements, DeviceImage<D>& image, Work&& work) {
+  work(elements.strain, image.strain, PointFields<D>::stress_size);
+  work(elements.fill_limit, image.fill_limit, 1);
+  work(elements.apart, image.apart, 1);
+  work(elements.rough, image.rough, 1);
+  work(elements.plastic_dilation, image.plastic_dilation, 1);
+  work(elements.softened, image.softened, 1);
+  work(elements.softening_volume, image.softening_volume, 1);
+  work(elements.lent, image.lent, 1);
+}
+
+template <int D>
+void read_points(const DeviceImage<D>& image, Body<D>& body) {
+  Points<D>& points = body.points;
+  const int elements = body.mesh().element_count();
+  std::vector<int> used(static_cast<std::size_t>(body.layout->blocks), 0);
+  for (int e = 0; e < elements; ++e)
+    used[e / lane_width] = std::max(used[e / lane_width], static_cast<int>(image.count[e]));
+  allocate_slots(points, used);
+  std::fill(points.element.begin(), points.element.end(), -1);
+  std::fill(points.place.begin(), points.place.end(), -1);
+  for (int e = 0; e < elements; ++e) {
+    for (int k = 0; k < static_cast<int>(image.count[e]); ++k) {
+      const std::int64_t slot = image.block_start[e / device_width] + k;
+      const double* p = &image.data[static_cast<std::size_t>(slot * image.fields * device_width + e % device_width)];
+      Record<D> r;
+      r.id = image.id[static_cast<std::size_t>(slot * device_width + e % device_width)];
+      r.element = e;
+      for (int f = 0; f < image.fields; ++f) r.fields[f] = p[f * device_width];
+      insert_point(points, r);
+    }
+  }
+  std::copy(image.strain_offset.begin(), image.strain_offset.end(), points.strain_offset.begin());
+}
+
+/// The sums of a node go into its first row: the others are added to it.
+template <int D>
+void read_nodes(const DeviceImage<D>& image, Body<D>& body) {
+  const Layout<D>& layout = *body.layout;
+  Nodes<D>& nodes = body.nodes;
+  std::fill(nodes.sums.begin(), nodes.sums.end(), 0.0);
+  for (int i = 0; i < body.mesh().node_count(); ++i) {
+    for (int k = 0; k < layout.count_motion_rows(i); ++k) {
+      const auto row = static_cast<std::size_t>(layout.motion_row(i, k)), from = static_cast<std::size_t>(i);
+      if (k == 0) std::copy_n(&image.sums[from * sums_stride], sums_stride, &nodes.sums[row * sums_stride]);
+      std::copy_n(&image.motion[from * motion_stride<D>], motion_stride<D>, &nodes.motion[row * motion_stride<D>]);
+    }
+  }
+  nodes.displacement = image.displacement;
+  nodes.motion_step = image.motion_step;
+}
+
+}  // namespace
+
+template <int D>
+DeviceImage<D> make_device_image(const Body<D>& body) {
+  DeviceImage<D> image;
+  lay_out(body, image);
+  copy_points(body, image);
+  const int elements = body.mesh().element_count();
+  for_fields(const_cast<Elements<D>&>(body.elements), image,
+             [&](const AlignedVector<double>& field, std::vector<double>& wide, int size) {
+               wide = widen(field, elements, size);
+             });
+  image.held_saturation = widen(body.elements.held_saturation, elements, 1);
+  for (const material::Law& law : body.laws) image.laws.push_back(store_law(law));
+  image.constraint_of_node = body.conditions.constraint_of_node;
+  image.constraints = body.conditions.constraints;
+  if (body.softening_reach) {
+    image.reach_start = look_at(body.softening_reach->start);
+    image.reach_element = look_at(body.softening_reach->element);
+    image.reach_weight = look_at(body.softening_reach->weight);
+  }
+  image.smallest_mass = body.smallest_mass;
+  image.motion.resize(body.mesh().nodes.size() * motion_stride<D>);
+  for (int i = 0; i < body.mesh().node_count(); ++i)
+    std::copy_n(&body.nodes.motion[static_cast<std::size_t>(body.layout->motion_row(i, 0)) * motion_stride<D>],
+                motion_stride<D>, &image.motion[static_cast<std::size_t>(i) * motion_stride<D>]);
+  image.displacement = body.nodes.displacement;
+  image.motion_step = body.nodes.motion_step;
+  return image;
+}
+
+template <int D>
+void read_device_image(const DeviceImage<D>& image, Body<D>& body) {
+  read_points(image, body);
+  const int elements = body.mesh().element_count();
+  for_fields(body.elements, const_cast<DeviceImage<D>&>(image),
+             [&](AlignedVector<double>& field, const std::vector<double>& wide, int size) {
+               narrow(wide, elements, size, field);
+             });
+  narrow(image.moments, elements, moment_size<D>, body.elements.moments);
+  read_nodes(image, body);
+  gather_loads(body);
+}
+
+#define TALUS_INSTANTIATE(D)                                    \
+  template DeviceImage<D> make_device_image<D>(const Body<D>&); \
+  template void read_device_image<D>(const DeviceImage<D>&, Body<D>&);
+TALUS_INSTANTIATE(2)
+TALUS_INSTANTIATE(3)
+#undef TALUS_INSTANTIATE
+
+}  // namespace talus::mpm

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Between a body and the arrays that a device has.
+
+#include "mpm/device/device.hpp"
+
+namespace talus::mpm {
+
+template <int D>
+DeviceImage<D> make_device_image(const Body<D>& body);
+
+/// What changed on the device, into the body that the image was made of. Its work, time and losses are the caller's.
+template <int D>
+void read_device_image(const DeviceImage<D>& image, Body<D>& body);
+
+}  // namespace talus::mpm

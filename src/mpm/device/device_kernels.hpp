@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The lines of a step, thread by thread: what a GPU runs, and the CPU in its place. A kernel is a plain struct whose
+// operator() is the work of one thread; which threads run together, and in which order, must not matter to it.
+
+#include "mpm/device/device.hpp"
+#include "mpm/device/thread_body.hpp"
+#include "mpm/step/average_lines.hpp"
+#include "mpm/step/dry_block.hpp"
+#include "mpm/step/element_lines.hpp"
+#include "mpm/step/node_lines.hpp"
+#include "mpm/step/softening.hpp"
+
+namespace talus::mpm::device {
+
+/// What the nodes sum up in a step.
+struct NodeAccount {
+  PieceSums piece;
+  double external = 0;  ///< work of gravity and tractions [J]
+
+  TALUS_PORTABLE void add(const NodeAccount& next) {
+    piece.add(next.piece);
+    external += next.external;
+  }
+};
+
+/// What the elements do.
+struct ElementAccount {
+  double dissipated = 0;  ///< plastic work [J]
+  double shared = 0;      ///< elastic energy lost where points share their stress [J]
+
+  TALUS_PORTABLE void add(const ElementAccount& next) {
+    dissipated += next.dissipated;
+    shared += next.shared;
+  }
+};
+
+/// solve_momentum() of a node.
+template <int D>
+struct SolveNode {
+  ThreadBody<D> body;
+  StepOptions<D> options;
+  View<NodeAccount> accounts;
+
+  TALUS_PORTABLE void operator()(int i) const {
+    ThreadBody<D> mine = body;
+    NodeAccount account;
+    solve_nodes(mine, options, i, i + 1, account.piece);
+    accounts[static_cast<std::size_t>(i)] = account;
+  }
+};
+
+/// The remap's share of an element.
+template <int D>
+struct RemapElement {
+  ThreadBody<D> body;
+  double dt;
+
+  TALUS_PORTABLE void operator()(int e) const {
+    ThreadBody<D> mine = body.for_element(e);
+    if (count_slots(mine.points, e / device_width) > 0) remap_block(mine, e / device_width, dt);
+  }
+};
+
+/// remap_momentum() of a node.
+template <int D>
+struct RemapNode {
+  ThreadBody<D> body;
+  StepOptions<D> options;
+  View<NodeAccount> accounts;
+
+  TALUS_PORTABLE void operator()(int i) const {
+    ThreadBody<D> mine = body;
+    std::array<double, 2> works{};
+    remap_nodes(mine, options, i, i + 1, works);
+    NodeAccount& account = accounts[static_cast<std::size_t>(i)];
+    account.external = works[0];
+    account.piece.mapping += works[1];
+  }
+};
+
+/// What an element gives to the averages of its nodes: `parts` [element][2].
+template <int D>
+struct AverageElement {
+  ThreadBody<D> body;
+  StepOptions<D> options;
+  View<double> parts;
+
+  TALUS_PORTABLE void operator()(int e) const {
+    const ThreadBody<D> mine = body.for_element(e);
+    double* own = &parts[2 * static_cast<std::size_t>(e)];
+    own[0] = own[1] = 0;
+    if (count_slots(mine.points, e / device_width) > 0) find_average_parts(mine, e / device_width, options, own);
+  }
+};
+
+template <int D>
+struct AverageNode {
+  ThreadBody<D> body;
+  View<const double> parts;
+
+  TALUS_PORTABLE void operator()(int i) const {
+    double sum[2] = {};
+    for (int r = body.layout->row_start[i]; r < body.layout->row_start[i + 1]; ++r) {
+      const double* of_element = &parts[2 * static_cast<std::size_t>(body.layout->node_rows[r] / (D + 1))];
+      sum[0] += of_element[0];
+      sum[1] += of_element[1];
+    }
+    body.nodes.smoothed[static_cast<std::size_t>(i)] = sum[1] > 0 ? sum[0] / sum[1] : 0;
+  }
+};
+
+/// The pass over the points of a thread's element.
+template <int D>
+struct ThreadPass {
+  static constexpr int dimension = D;
+  using B = ThreadBody<D>;
+  template <class Law>
+  using Block = DryBlock<ThreadPass, Law>;
+  B& body;
+  const StepOptions<D>& options;
+  double dissipated = 0;  ///< plastic work [J]
+  int leaving = 0;        ///< points that left the element
+
+  TALUS_PORTABLE ThreadPass(B& b, const StepOptions<D>& o) : body(b), options(o) {}
+  TALUS_KERNEL bool is_stable() const { return options.smoothing == input::Smoothing::stable; }
+  TALUS_KERNEL void note_full(const BlockPlace<B>&, bool) {}
+  TALUS_KERNEL void note_movers(const BlockPlace<B>&, int, bool) { ++leaving; }
+  /// What the element gives to its nodes, in the place of the last step's.
+  TALUS_KERNEL void give_rows(const BlockPlace<B>& at, const double out[D + 1][1 + 2 * D]) const {
+    TALUS_UNROLL
+    for (int k = 0; k <= D; ++k) {
+      double* row = sums_row(body, at.b * device_width + body.lane, k);
+      TALUS_UNROLL
+      for (int c = 0; c < 1 + 2 * D; ++c) row[c] = out[k][c];
+    }
+  }
+};
+
+/// Any of the laws of the body.
+struct AnyLaw {
+  std::uint32_t present;
+  int states;
+};
+
+/// advance_points() of an element whose soils follow `law`: OneLaw or AnyLaw.
+template <int D, class Law>
+struct AdvanceElement {
+  ThreadBody<D> body;
+  StepOptions<D> options;
+  Law law;
+  View<int> leaving;
+  View<ElementAccount> accounts;
+
+  TALUS_PORTABLE void operator()(int e) const {
+    ThreadBody<D> mine = body.for_element(e);
+    const int b = e / device_width;
+    ThreadPass<D> pass(mine, options);
+    if (count_slots(mine.points, b) > 0) {
+      if constexpr (std::is_same_v<Law, AnyLaw>)
+        advance(pass, ManyLaws<DeviceLaws>{&mine.laws, law.present, law.states}, b);
+      else
+        advance(pass, law, b);
+    }
+    leaving[static_cast<std::size_t>(e)] = pass.leaving;
+    accounts[static_cast<std::size_t>(e)] = {pass.dissipated, 0};
+  }
+
+ private:
+  template <class L>
+  TALUS_PORTABLE void advance(ThreadPass<D>& pass, const L& l, int b) const {
+    const bool apart = is_apart(pass.body, static_cast<std::size_t>(b) * device_width);
+    if (options.mixed)
+      apart ? advance_block<true, true>(pass, l, b) : advance_block<true, false>(pass, l, b);
+    else
+      apart ? advance_block<false, true>(pass, l, b) : advance_block<false, false>(pass, l, b);
+  }
+};
+
+/// lend_softening() of an element, and then the end of what softened.
+template <int D>
+struct LendSoftening {
+  ThreadBody<D> body;
+  SofteningList reach;
+
+  TALUS_PORTABLE void operator()(int e) const {
+    body.elements.lent[static_cast<std::size_t>(e)] = find_lent(reach, body.elements, static_cast<std::size_t>(e));
+  }
+};
+struct ClearSoftening {
+  DeviceElements elements;
+
+  TALUS_PORTABLE void operator()(int e) const {
+    elements.softened[static_cast<std::size_t>(e)] = elements.softening_volume[static_cast<std::size_t>(e)] = 0;
+  }
+};
+
+/// find_critical_step() of an element.
+template <int D>
+struct FindStep {
+  ThreadBody<D> body;
+  View<StepSquare> squares;
+
+  TALUS_PORTABLE void operator()(int e) const { squares[static_cast<std::size_t>(e)] = find_step_square(body, e); }
+};
+
+/// The sums of a node, for the host.
+template <int D>
+struct SumNode {
+  ThreadBody<D> body;
+  View<double> sums;  ///< [node][sums_stride]
+
+  TALUS_PORTABLE void operator()(int i) const {
+    double* t = &sums[static_cast<std::size_t>(i) * sums_stride];
+    for (int q = 0; q < sums_stride; ++q) t[q] = 0;
+    const int first = body.layout->row_start[i], count = body.layout->row_start[i + 1] - first;
+    if (count > 0) sum_rows<1 + 2 * D, sums_stride>(body.nodes.sums, &body.layout->node_rows[first], count, t);
+  }
+};
+
+/// Where points are.
+template <int D>
+struct Locate {
+  ThreadBody<D> body;
+  View<const int> points;
+  View<PointPlace<D>> places;
+
+  TALUS_PORTABLE void operator()(int i) const {
+    const auto id = static_cast<std::size_t>(points[static_cast<std::size_t>(i)]);
+    PointPlace<D> place;
+    place.element = body.points.element[id];
+    if (place.element >= 0) {
+      const std::int64_t at = body.points.place[id];
+      const double* p = body.points.slot(at / device_width) + at % device_width;
+      for (int d = 0; d < D; ++d) place.xi[d] = p[(PointFields<D>::xi + d) * device_width];
+    }
+    places[static_cast<std::size_t>(i)] = place;
+  }
+};
+
+/// Sums of `values` in a fixed order: thread t of `threads` takes every threads-th of them.
+template <class S>
+struct AddUp {
+  View<const S> values;
+  View<S> sums;
+  int threads;
+
+  TALUS_PORTABLE void operator()(int t) const {
+    S sum;
+    for (std::size_t i = static_cast<std::size_t>(t); i < values.count; i += static_cast<std::size_t>(threads))
+      sum.add(values[i]);
+    sums[static_cast<std::size_t>(t)] = sum;
+  }
+};
+
+}  // namespace talus::mpm::device

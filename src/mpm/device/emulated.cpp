@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The device that is none: the kernels of a GPU on this processor, for tests.
+
+#include "mpm/device/emulated.hpp"
+
+#include "mpm/device/device_body.hpp"
+#include "mpm/device/host_grid.hpp"
+
+namespace talus::mpm {
+
+template <int D>
+std::unique_ptr<Device<D>> make_emulated_device(bool backwards) {
+  return std::make_unique<device::DeviceBody<device::HostGrid, D>>(device::HostGrid{backwards});
+}
+
+template std::unique_ptr<Device<2>> make_emulated_device<2>(bool);
+template std::unique_ptr<Device<3>> make_emulated_device<3>(bool);
+
+}  // namespace talus::mpm

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Relocation thread by thread. Points that left their element are taken out of it in the order of the elements, find
+// their new one each for itself, and are put in sorted by it, so that where a point stands depends on nothing but the
+// body. Elements that changed have their sums taken anew.
+
+#include "mpm/device/thread_body.hpp"
+#include "mpm/step/element_lines.hpp"
+#include "mpm/step/walk.hpp"
+
+namespace talus::mpm::device {
+
+/// Points on their way, [mover].
+struct Movers {
+  View<double> fields;  ///< [field][mover]
+  View<int> id, from;
+  View<unsigned> to;      ///< new element; the number of elements: none, outside the grid
+  View<int> order;        ///< movers sorted by `to`
+  View<unsigned> sorted;  ///< `to` in that order
+};
+
+/// Why an element's sums are taken anew, as bits.
+enum Change : int { lost_points = 1, got_points = 2, changed_surface = 4 };
+
+/// What the host is told.
+struct Signals {
+  int leave_grid = 0;  ///< some points do
+  int overflow = 0;    ///< some block has no room for those that come
+};
+
+/// Takes the points that left an element out of it.
+template <int D>
+struct TakeOut {
+  using P = PointFields<D>;
+  ThreadBody<D> body;
+  View<const int> leaving, first;  ///< [element] how many, and the number of the first
+  Movers movers;
+  View<int> change;
+
+  TALUS_PORTABLE void operator()(int e) const {
+    change[static_cast<std::size_t>(e)] = 0;
+    if (leaving[static_cast<std::size_t>(e)] == 0) return;
+    change[static_cast<std::size_t>(e)] = lost_points;
+    const std::int64_t begin = body.points.block_start[static_cast<std::size_t>(e / device_width)];
+    const int lane = e % device_width;
+    double& count = body.points.count[static_cast<std::size_t>(e)];
+    int to = first[static_cast<std::size_t>(e)];
+    // Backwards, so that the last point, which fills a gap, is never one that still has to go.
+    for (int k = static_cast<int>(count) - 1; k >= 0; --k) {
+      const double* p = body.points.slot(begin + k) + lane;
+      double xi[D];
+      for (int d = 0; d < D; ++d) xi[d] = p[(P::xi + d) * device_width];
+      if (!(smallest_shape<D>(xi) < 0)) continue;
+      note(begin + k, lane, to++, e);
+      count -= 1;
+      fill_gap(begin + k, begin + static_cast<std::int64_t>(count), lane);
+    }
+  }
+
+ private:
+  TALUS_PORTABLE void note(std::int64_t slot, int lane, int m, int e) const {
+    const double* p = body.points.slot(slot) + lane;
+    for (int f = 0; f < body.points.fields; ++f)
+      movers.fields[static_cast<std::size_t>(f) * movers.id.count + static_cast<std::size_t>(m)] = p[f * device_width];
+    movers.id[static_cast<std::size_t>(m)] = body.points.id[static_cast<std::size_t>(slot * device_width + lane)];
+    movers.from[static_cast<std::size_t>(m)] = e;
+  }
+  TALUS_PORTABLE void fill_gap(std::int64_t hole, std::int64_t last, int lane) const {
+    int& id = body.points.id[static_cast<std::size_t>(last * device_width + lane)];
+    if (hole != last) {
+      double* to = body.points.slot(hole) + lane;
+      const double* from = body.points.slot(last) + lane;
+      for (int f = 0; f < body.points.fields; ++f) to[f * device_width] = from[f * device_width];
+      body.points.id[static_cast<std::size_t>(hole * device_width + lane)] = id;
+      body.points.place[static_cast<std::size_t>(id)] = hole * device_width + lane;
+    }
+    id = -1;
+  }
+};
+
+/// Finds the new element of a mover.
+template <int D>
+struct Walk {
+  ThreadBody<D> body;
+  Movers movers;
+  View<Signals> signals;
+
+  TALUS_PORTABLE void operator()(int m) const {
+    const auto at = static_cast<std::size_t>(m);
+    const std::size_t stride = movers.id.count;
+    double* fields = &movers.fields[at];
+    double xi[D];
+    for (int d = 0; d < D; ++d) xi[d] = fields[static_cast<std::size_t>(PointFields<D>::xi + d) * stride];
+    int element = movers.from[at];
+    const bool stays = find_new_element<D>(body.mesh(), element, xi);
+    for (int d = 0; d < D; ++d) fields[static_cast<std::size_t>(PointFields<D>::xi + d) * stride] = xi[d];
+    movers.to[at] = static_cast<unsigned>(stays ? element : body.element_count);
+    movers.order[at] = m;
+    const auto id = static_cast<std::size_t>(movers.id[at]);
+    if (stays) {
+      hand_over(id, movers.from[at], element);
+      return;
+    }
+    movers.from[at] = element;  // where it left the grid
+    body.points.element[id] = -1;
+    body.points.place[id] = -1;
+    signals[0].leave_grid = 1;
+  }
+
+ private:
+  /// Strain is summed in the elements.
+  TALUS_PORTABLE void hand_over(std::size_t id, int from, int to) const {
+    constexpr int NS = PointFields<D>::stress_size;
+    const auto read = [this](int e, int i) {
+      return body.elements
+          .strain[static_cast<std::size_t>((e / device_width * NS + i) * device_width + e % device_width)];
+    };
+    auto& offset = body.points.strain_offset[id];
+    for (int i = 0; i < NS; ++i) offset[static_cast<std::size_t>(i)] += read(from, i) - read(to, i);
+  }
+};
+
+/// The movers that come to one element: the run of equal ones that begins with the sorted mover `m`; nothing (0) where
+/// none begins there.
+TALUS_PORTABLE inline int count_run(const View<const unsigned>& sorted, int m, unsigned elements) {
+  const unsigned to = sorted[static_cast<std::size_t>(m)];
+  if (to == elements || (m > 0 && sorted[static_cast<std::size_t>(m - 1)] == to)) return 0;
+  int length = 1;
+  while (static_cast<std::size_t>(m + length) < sorted.count && sorted[static_cast<std::size_t>(m + length)] == to)
+    ++length;
+  return length;
+}
+
+/// Whether there is room for those that come; `room` [block] is how many slots a block needs.
+template <int D>
+struct AskForRoom {
+  ThreadBody<D> body;
+  View<const unsigned> sorted;
+  View<int> arrivals;
+  View<Signals> signals;
+
+  TALUS_PORTABLE void operator()(int m) const {
+    const int length = count_run(sorted, m, static_cast<unsigned>(body.element_count));
+    if (length == 0) return;
+    const std::size_t e = sorted[static_cast<std::size_t>(m)];
+    arrivals[e] = length;
+    const int needed = static_cast<int>(body.points.count[e]) + length;
+    if (needed > body.points.block_capacity[e / device_width]) signals[0].overflow = 1;
+  }
+};
+
+/// Slots that a block needs.
+template <int D>
+struct CountRoom {
+  ThreadBody<D> body;
+  View<const int> arrivals;
+  View<int> room;
+
+  TALUS_PORTABLE void operator()(int b) const {
+    int most = 0;
+    for (int lane = 0; lane < device_width; ++lane) {
+      const auto e = static_cast<std::size_t>(b) * device_width + static_cast<std::size_t>(lane);
+      const int needed = static_cast<int>(body.points.count[e]) + arrivals[e];
+      most = needed > most ? needed : most;
+    }
+    room[static_cast<std::size_t>(b)] = most;
+  }
+};
+
+/// Copies the points of an element to where its block begins now.
+template <int D>
+struct MoveSlots {
+  ThreadBody<D> body;  ///< as it was
+  DevicePoints<D> to;
+
+  TALUS_PORTABLE void operator()(int e) const {
+    const auto b = static_cast<std::size_t>(e / device_width);
+    const int lane = e % device_width;
+    for (int k = 0; k < static_cast<int>(body.points.count[static_cast<std::size_t>(e)]); ++k) {
+      const std::int64_t old = body.points.block_start[b] + k, now = to.block_start[b] + k;
+      const double* from = body.points.slot(old) + lane;
+      double* there = to.slot(now) + lane;
+      for (int f = 0; f < to.fields; ++f) there[f * device_width] = from[f * device_width];
+      const int id = body.points.id[static_cast<std::size_t>(old * device_width + lane)];
+      to.id[static_cast<std::size_t>(now * device_width + lane)] = id;
+      body.points.place[static_cast<std::size_t>(id)] = now * device_width + lane;
+    }
+  }
+};
+
+/// Puts the movers of an element behind its points.
+template <int D>
+struct PutIn {
+  ThreadBody<D> body;
+  Movers movers;
+  View<int> arrivals, change;
+
+  TALUS_PORTABLE void operator()(int m) const {
+    const View<const unsigned> sorted{movers.sorted.start, movers.sorted.count};
+    const int length = count_run(sorted, m, static_cast<unsigned>(body.element_count));
+    if (length == 0) return;
+    const std::size_t e = sorted[static_cast<std::size_t>(m)], stride = movers.id.count;
+    const int lane = static_cast<int>(e % device_width);
+    double& count = body.points.count[e];
+    for (int i = 0; i < length; ++i) {
+      const auto mover = static_cast<std::size_t>(movers.order[static_cast<std::size_t>(m + i)]);
+      const std::int64_t slot = body.points.block_start[e / device_width] + static_cast<std::int64_t>(count);
+      double* p = body.points.slot(slot) + lane;
+      for (int f = 0; f < body.points.fields; ++f)
+        p[f * device_width] = movers.fields[static_cast<std::size_t>(f) * stride + mover];
+      const int id = movers.id[mover];
+      body.points.id[static_cast<std::size_t>(slot * device_width + lane)] = id;
+      body.points.element[static_cast<std::size_t>(id)] = static_cast<int>(e);
+      body.points.place[static_cast<std::size_t>(id)] = slot * device_width + lane;
+      count += 1;
+    }
+    arrivals[e] = 0;
+    change[e] |= got_points;
+  }
+};
+
+/// With mixed integration: which elements count as full at the surface.
+template <int D>
+struct UpdateSurface {
+  ThreadBody<D> body;
+  View<int> change;
+
+  TALUS_PORTABLE void operator()(int e) const {
+    ThreadBody<D> mine = body;
+    if (update_fill_limit(mine, e)) change[static_cast<std::size_t>(e)] |= changed_surface;
+  }
+};
+
+/// The sums of an element that changed, from its points. `all`: of every element, after the body was brought here.
+template <int D>
+struct SumAnew {
+  ThreadBody<D> body;
+  StepOptions<D> options;
+  bool all;
+  View<int> change;
+  View<ElementAccount> accounts;
+
+  TALUS_PORTABLE void operator()(int e) const {
+    const int why = change[static_cast<std::size_t>(e)];
+    if (!all && why == 0) return;
+    ThreadBody<D> mine = body;
+    for (int k = 0; k <= D; ++k) {
+      double* row = sums_row(mine, e, k);
+      for (int c = 0; c < sums_stride; ++c) row[c] = 0;
+    }
+    double* moments =
+        &mine.elements.moments[static_cast<std::size_t>(e / device_width) * moment_size<D> * device_width +
+                               static_cast<std::size_t>(e % device_width)];
+    for (int i = 0; i < moment_size<D>; ++i) moments[i * device_width] = 0;
+    if (all || (why & (lost_points | got_points)) != 0) note_gaps(mine, options, e);
+    gather_points(mine, options, e);
+    if (mine.points.count[static_cast<std::size_t>(e)] == 0)
+      mine.elements.plastic_dilation[static_cast<std::size_t>(e)] = mine.elements.rough[static_cast<std::size_t>(e)] =
+          0;
+    if (!all && (why & (got_points | changed_surface)) != 0)
+      accounts[static_cast<std::size_t>(e)].shared = find_sharing_loss(mine, options, e);
+  }
+};
+
+}  // namespace talus::mpm::device

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The body on a GPU as its threads see it: pointers into the memory of the device, under the names that Body gives its
+// arrays, so that the lines of the step are the same source for both. A thread takes one element: with the arrays
+// [block][…][lane] shifted to its lane it reads and writes single doubles where the CPU has packs. Blocks have 32
+// lanes, so that neighbouring threads reach neighbouring numbers. Each element has a row of its own for the sums of
+// each of its nodes, and a node adds the rows of its elements up in their order: no two threads ever write to one
+// place.
+
+#include "mpm/body/body.hpp"
+#include "mpm/device/device_laws.hpp"
+#include "mpm/step/element_lines.hpp"
+#include "mpm/step/kernels.hpp"
+
+namespace talus::mpm {
+
+/// Elements of a block on a device.
+inline constexpr int device_width = 32;
+
+/// Where something is stored, and for how many; the memory is someone else's.
+template <class T>
+struct View {
+  T* start = nullptr;
+  std::size_t count = 0;
+
+  TALUS_PORTABLE T* data() const { return start; }
+  TALUS_PORTABLE std::size_t size() const { return count; }
+  TALUS_PORTABLE bool empty() const { return count == 0; }
+  TALUS_PORTABLE T& operator[](std::size_t i) const { return start[i]; }
+  /// From the lane on that is a thread's.
+  TALUS_PORTABLE void shift(int lane) { start += lane; }
+};
+
+/// What mesh::Mesh has, as far as a step needs it.
+template <int D>
+struct DeviceMesh {
+  View<const Vec<D>> nodes;
+  View<const std::array<int, D + 1>> elements, neighbours;
+  View<const double> volumes, altitudes;
+  View<const std::array<double, D * D>> gradients;
+};
+
+template <int D>
+struct DeviceLayout {
+  View<const int> connectivity;           ///< [block][D+1][lane] node
+  View<const double> gradients, volumes;  ///< as in Layout
+  View<const int> row_start, node_rows;   ///< rows of the sums of node i: node_rows[row_start[i] … row_start[i+1])
+
+  /// Motion and averages have one row per node.
+  TALUS_PORTABLE int count_motion_rows(int /*node*/) const { return 1; }
+  TALUS_PORTABLE int motion_row(int node, int /*k*/) const { return node; }
+};
+
+template <int D>
+struct DevicePoints : PointFields<D> {
+  int fields = 0;
+  View<double> data;
+  View<int> id;
+  View<const std::int64_t> block_start;
+  View<const int> block_capacity;
+  View<double> count;
+  // By point number.
+  View<int> element;
+  View<std::int64_t> place;
+  View<const std::uint8_t> material;
+  View<std::array<double, PointFields<D>::stress_size>> strain_offset;
+
+  TALUS_PORTABLE double* slot(std::int64_t s) const { return data.start + s * fields * device_width; }
+};
+
+/// A thread has no slots but those with points of its element.
+template <int D>
+TALUS_KERNEL int count_slots(const DevicePoints<D>& points, int b) {
+  return static_cast<int>(points.count[static_cast<std::size_t>(b) * device_width]);
+}
+
+struct DeviceElements {
+  View<double> moments, strain, fill_limit, apart, rough, plastic_dilation, softened, softening_volume, lent,
+      held_saturation;
+};
+
+template <int D>
+struct DeviceNodes {
+  View<double> sums;          ///< [element][D+1][sums_stride]
+  View<double> motion;        ///< [node][motion_stride]
+  View<double> smoothed;      ///< [node]
+  View<const Vec<D>> load;    ///< [node]
+  View<Vec<D>> displacement;  ///< [node]
+  double motion_step = 0;
+};
+
+/// SofteningReach.
+struct SofteningList {
+  View<const std::int64_t> start;
+  View<const int> element;
+  View<const double> weight;
+};
+
+/// The value at the end of the step of what moves nodes.
+struct GivenFactor {
+  double value;
+  TALUS_PORTABLE double at(double /*time*/) const { return value; }
+};
+
+template <int D>
+struct DeviceConditions {
+  View<const int> constraint_of_node;
+  View<const Constraint<D>> constraints;
+  View<std::uint8_t> pressed;
+  View<const GivenFactor> factors;
+};
+
+/// A pointer that is its own target.
+template <class T>
+struct Inside : T {
+  TALUS_PORTABLE const T* operator->() const { return this; }
+  TALUS_PORTABLE const T& operator*() const { return *this; }
+};
+
+template <int D>
+struct ThreadBody {
+  static constexpr int dimension = D, width = device_width;
+  static constexpr bool adds_to_sums = false;
+  using Lanes = double;
+
+  Inside<DeviceLayout<D>> layout;
+  DeviceMesh<D> grid;
+  DeviceLaws laws;
+  DeviceConditions<D> conditions;
+  DevicePoints<D> points;
+  DeviceElements elements;
+  DeviceNodes<D> nodes;
+  double time = 0, smallest_mass = 0;
+  int element_count = 0, node_count = 0;
+  int lane = 0;  ///< that the arrays [block][…][lane] are shifted to
+
+  TALUS_PORTABLE const DeviceMesh<D>& mesh() const { return grid; }
+
+  /// The body for the thread of element `e`, which is in lane 0 of its block there.
+  TALUS_PORTABLE ThreadBody for_element(int e) const {
+    ThreadBody mine = *this;
+    mine.lane = e % width;
+    mine.layout.connectivity.shift(mine.lane);
+    mine.layout.gradients.shift(mine.lane);
+    mine.layout.volumes.shift(mine.lane);
+    mine.points.data.shift(mine.lane);
+    mine.points.id.shift(mine.lane);
+    mine.points.count.shift(mine.lane);
+    DeviceElements& of = mine.elements;
+    for (View<double>* field : {&of.moments, &of.strain, &of.fill_limit, &of.apart, &of.rough, &of.plastic_dilation,
+                                &of.softened, &of.softening_volume, &of.lent, &of.held_saturation})
+      field->shift(mine.lane);
+    return mine;
+  }
+};
+
+/// The row of the sums of the k-th node of element `e`.
+template <int D>
+TALUS_PORTABLE double* sums_row(ThreadBody<D>& body, int e, int k) {
+  return &body.nodes.sums[(static_cast<std::size_t>(e) * (D + 1) + static_cast<std::size_t>(k)) * sums_stride];
+}
+
+/// Adds N values from column First on to the sums of the k-th node of the thread's element in block `b`.
+template <int N, int First, int D>
+TALUS_KERNEL void add_to_sums(ThreadBody<D>& body, int b, int k, const double* values) {
+  double* row = sums_row(body, b * device_width + body.lane, k) + First;
+  TALUS_UNROLL
+  for (int c = 0; c < N; ++c) row[c] += values[c];
+}
+
+}  // namespace talus::mpm
