@@ -6,8 +6,10 @@
 
 #include <new>
 #include <string>
+#include <utility>
 
 #include "base/error.hpp"
+#include "mpm/device/device.hpp"
 #include "mpm/device/host_grid.hpp"
 
 namespace talus::mpm::device {
@@ -16,7 +18,9 @@ namespace talus::mpm::device {
 inline void require(cudaError_t code) {
   if (code == cudaSuccess) return;
   if (code == cudaErrorMemoryAllocation) throw std::bad_alloc();
-  throw Error(ExitCode::interrupted, std::string("the GPU failed: ") + cudaGetErrorString(code));
+  throw Error(ExitCode::interrupted, std::string("the GPU failed (") + cudaGetErrorString(code) +
+                                         "); --resume goes on from the last checkpoint, on the processor without "
+                                         "--device gpu");
 }
 
 template <class Kernel>
@@ -31,6 +35,11 @@ class CudaGrid {
   CudaGrid(CudaGrid&& other) noexcept : scratch_(std::exchange(other.scratch_, nullptr)), room_(other.room_) {}
   ~CudaGrid() { cudaFree(scratch_); }
 
+  static DeviceMemory find_memory() {
+    DeviceMemory memory;
+    require(cudaMemGetInfo(&memory.free, &memory.total));
+    return memory;
+  }
   static void* allocate(std::size_t bytes) {
     void* p = nullptr;
     require(cudaMalloc(&p, bytes));

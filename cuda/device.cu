@@ -5,10 +5,31 @@
 #include "mpm/device/device_body.hpp"
 
 namespace talus::mpm {
+namespace device {
+
+struct Nothing {
+  TALUS_PORTABLE void operator()(int) const {}
+};
+
+}  // namespace device
 namespace {
 
 class CudaMaker : public DeviceMaker {
  public:
+  std::string find_name(std::string& why) override {
+    int count = 0;
+    cudaDeviceProp properties{};
+    cudaError_t code = cudaGetDeviceCount(&count);
+    if (code == cudaSuccess && count > 0) code = cudaGetDeviceProperties(&properties, 0);
+    // The first kernel says whether this module was compiled for such a device.
+    if (code == cudaSuccess && count > 0) {
+      device::run_kernel<<<1, 1>>>(device::Nothing{}, 1);
+      code = cudaDeviceSynchronize();
+    }
+    if (code == cudaSuccess && count > 0) return properties.name;
+    why = code == cudaSuccess ? "it sees none" : cudaGetErrorString(code);
+    return "";
+  }
   std::unique_ptr<Device<2>> make_2d() override {
     return std::make_unique<device::DeviceBody<device::CudaGrid, 2>>(device::CudaGrid());
   }
@@ -20,7 +41,7 @@ class CudaMaker : public DeviceMaker {
 }  // namespace
 }  // namespace talus::mpm
 
-extern "C" talus::mpm::DeviceMaker* talus_make_devices() {
-  static talus::mpm::CudaMaker maker;
-  return &maker;
+/// nullptr where the program has another layout of what goes between it and this module.
+extern "C" talus::mpm::DeviceMaker* talus_make_devices(std::size_t layout) {
+  return layout == talus::mpm::device_layout ? new talus::mpm::CudaMaker : nullptr;
 }

@@ -28,6 +28,7 @@ struct RunCommand {
   CaseOptions input;
   std::string folder;
   int threads = 0;
+  std::string device = "cpu";
   bool resume = false, overwrite = false, quiet = false, no_report = false, strict = false;
 };
 
@@ -110,8 +111,16 @@ void check_programs() {
   }
 }
 
+run::DeviceKind find_device(const std::string& word) {
+  if (word == "gpu") return run::DeviceKind::gpu;
+  if (word == "emulated") return run::DeviceKind::emulated;
+  if (word == "cpu") return run::DeviceKind::cpu;
+  throw Error(ExitCode::wrong_input,
+              fmt::format("--device {}: expected cpu, gpu, or emulated (the kernels of a GPU on the processor)", word));
+}
+
 void run(RunCommand command) {
-  join_ranks(std::filesystem::read_symlink("/proc/self/exe").parent_path().string());
+  join_ranks();
   check_programs();
   const Ranks& ranks = get_ranks();
   if (ranks.rank() > 0) command.quiet = command.no_report = true;
@@ -124,6 +133,7 @@ void run(RunCommand command) {
   options.folder =
       command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_results" : command.folder;
   options.threads = command.threads > 0 ? command.threads : ranks.size() > 1 ? 1 : default_threads();
+  options.device = find_device(command.device);
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;
@@ -146,6 +156,7 @@ void add_run(CLI::App& app) {
   command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _results)");
   command.take("--threads", options->threads, "Threads to use (default: all cores; of several ranks each has one)")
       .positive();
+  command.take("--device", options->device, "What takes material points through their steps: cpu (default) or gpu");
   const Argument resume = command.flag("--resume", options->resume, "Go on with an interrupted run in the same folder");
   command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);
   command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "base/ranks.hpp"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/modules.hpp"
 
 namespace talus {
 namespace {
@@ -59,23 +59,18 @@ int count_started() {
   return 1;
 }
 
-void join_ranks(const std::string& program_folder) {
+void join_ranks() {
   const int count = count_started();
   if (count <= 1) return;
+  std::string why;
   // Symbols of MPI are looked up by plugins that it loads itself.
-  void* library = nullptr;
-  for (const char* folder : {"", "/../lib/talus"})
-    if (library == nullptr)
-      library = dlopen((program_folder + folder + "/libtalus_ranks.so").c_str(), RTLD_NOW | RTLD_GLOBAL);
-  if (library == nullptr)
+  void* maker = load_module("libtalus_ranks.so", "talus_make_ranks", true, why);
+  if (maker == nullptr)
     throw Error(ExitCode::wrong_input,
                 fmt::format("this run was started on {} ranks, and this program was built without MPI: build it with "
                             "-DTALUS_MPI=ON, or start it alone ({})",
-                            count, dlerror()));
-  using Make = Ranks* (*)();
-  const auto make = reinterpret_cast<Make>(dlsym(library, "talus_make_ranks"));
-  if (make == nullptr) throw Error(ExitCode::wrong_input, "libtalus_ranks.so is of another version");
-  current().reset(make());
+                            count, why));
+  current().reset(reinterpret_cast<Ranks* (*)()>(maker)());
 }
 
 RankGroup::RankGroup(int groups) : number_(get_ranks().rank() * groups / get_ranks().size()) {

@@ -87,9 +87,8 @@ Ranks& get_ranks();
 int count_started();
 
 /// To be called first: finds out whether mpiexec, or srun, started this process beside others, and joins them. Throws
-/// Error (wrong_input) where it did and this program was built without MPI. The module stands beside the program, or in
-/// ../lib/talus from there.
-void join_ranks(const std::string& program_folder);
+/// Error (wrong_input) where it did and this program was built without MPI.
+void join_ranks();
 /// Leaves the others; nothing is sent any more.
 void leave_ranks();
 

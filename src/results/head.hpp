@@ -30,6 +30,7 @@ struct Provenance {
   std::string program, version, commit, compiler, build_type, architecture, level, machine, started, case_file,
       input_hash;
   int lane_width = 0, threads = 0;
+  std::string device;  ///< that took the points through their steps; empty: the processor did
 };
 template <class V, As<Provenance> R>
 void describe(V& v, R& r) {
@@ -43,6 +44,7 @@ void describe(V& v, R& r) {
   v.key("lane_width", r.lane_width, {"", "doubles in a pack"});
   v.key("machine", r.machine, {"", "machine"});
   v.key("threads", r.threads, {"", "threads"});
+  v.key("device", r.device, {"", "the device that took the points through their steps; empty: the processor did"});
   v.key("started", r.started, {"", "when the run began, UTC"});
   v.key("case_file", r.case_file, {"", "case file"});
   v.key("input_hash", r.input_hash, {"", "hash of what the results depend on"});

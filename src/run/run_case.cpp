@@ -28,6 +28,7 @@
 #include "run/forecast/forecast.hpp"
 #include "run/head.hpp"
 #include "run/lem/slice_run.hpp"
+#include "run/mpm/choose_device.hpp"
 #include "run/mpm/point_run.hpp"
 #include "run/named_results.hpp"
 #include "run/run_folder.hpp"
@@ -100,6 +101,7 @@ class CaseRun {
     if (has_points && has_bounds) check_bounds(data);
     if (input::uses(data, Method::lem)) slices_.emplace(data, alone, options_, hash_);
     run_ = begin_result(loaded_, hash_, options_.threads);
+    run_.provenance.device = tell_device();
     releases_ = has_points && data.timeline && data.timeline->release;
     if (releases_) {
       check_points(data);
@@ -368,6 +370,7 @@ results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& o
   const std::string hash = input::hash_input(loaded.echo);
   ground::DesignValues design = ground::apply_partial_factors(loaded.data);
   refuse_above_memory(loaded);
+  const ChosenDevice device(design.data, options.device);
   check_folder(loaded.data.initial, options);
   FolderLock lock(options.folder);
   lock.take_existing();

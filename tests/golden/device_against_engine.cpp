@@ -7,10 +7,12 @@
 #include <cmath>
 #include <string>
 
+#include "base/error.hpp"
 #include "golden/plain_translation.hpp"
 #include "mpm/body/observe.hpp"
 #include "mpm/device/device_stepper.hpp"
 #include "mpm/device/emulated.hpp"
+#include "support/clay_block.hpp"
 
 namespace talus {
 namespace {
@@ -18,7 +20,7 @@ namespace {
 using namespace golden;
 
 template <int D>
-mpm::StepOptions<D> make_options(const mpm::Body<D>& body, const Variant& v,
+mpm::StepOptions<D> make_options(const mpm::Body<D>& body, const PlainVariant& v,
                                  const std::type_identity_t<Vec<D>>& gravity) {
   mpm::StepOptions<D> options;
   options.dt = 0.4 * mpm::find_critical_step(body, 1.0).dt;
@@ -106,7 +108,7 @@ void compare(mpm::Body<D> body, const mpm::StepOptions<D>& options, const std::s
 }
 
 template <int D>
-void compare(const reference::Body<D>& plain, const Variant& v, int steps) {
+void compare(const reference::Body<D>& plain, const PlainVariant& v, int steps) {
   const mpm::Body<D> body = golden::translate(plain, 3);
   Vec<D> gravity;
   for (int d = 0; d < D; ++d) gravity[d] = plain.gravity[d];
@@ -115,12 +117,126 @@ void compare(const reference::Body<D>& plain, const Variant& v, int steps) {
   compare(body, options, v.name, steps, v.fade_interval);
 }
 
+/// What the device has after `steps`, brought back.
+template <int D>
+mpm::Body<D> run_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options, int steps, bool backwards) {
+  mpm::gather_nodal_sums(body, options);
+  mpm::DeviceStepper<D> device(mpm::make_emulated_device<D>({.backwards = backwards}));
+  for (int s = 0; s < steps; ++s) device.step(body, options);
+  device.fade_unseen(body);
+  device.bring_back(body);
+  return body;
+}
+
+/// A slope in whose blocks two soils lie.
+reference::Body<2> make_mixed_slope() {
+  auto plain = set_in_motion(reference::make_slope<2>());
+  reference::Material other = plain.materials[0];
+  other.plastic = false;
+  other.young_modulus *= 2;
+  plain.materials.push_back(other);
+  for (auto& p : plain.points) p.material = std::sin(3 * p.x[0]) > 0.5 ? 1 : 0;
+  return plain;
+}
+
 TEST(DeviceAgainstEngine, PlaneSlopeIsTheSamePointByPoint) {
-  for (const Variant& v : all_variants()) compare(set_in_motion(reference::make_slope<2>()), v, 100);
+  for (const PlainVariant& v : all_variants()) compare(set_in_motion(reference::make_slope<2>()), v, 100);
 }
 
 TEST(DeviceAgainstEngine, SpatialSlopeIsTheSamePointByPoint) {
-  for (const Variant& v : all_variants()) compare(set_in_motion(reference::make_slope<3>()), v, 100);
+  for (const PlainVariant& v : all_variants()) compare(set_in_motion(reference::make_slope<3>()), v, 100);
+}
+
+TEST(DeviceAgainstEngine, TwoMaterialsInOneElementAreTheSame) {
+  for (const PlainVariant& v : all_variants()) compare(make_mixed_slope(), v, 100);
+}
+
+TEST(DeviceAgainstEngine, SandThatComesApartAndIsPressedAgainIsTheSame) {
+  for (const PlainVariant& v : all_variants()) {
+    auto plain = reference::make_slope<2>();
+    plain.materials[0].cohesion = plain.materials[0].tensile_strength = 0;
+    plain.gravity *= 20;
+    for (auto& p : plain.points) p.v[1] = 2 * p.x[1];
+    compare(plain, v, 150);
+  }
+}
+
+TEST(DeviceAgainstEngine, WallThatIsPushedInIsTheSame) {
+  auto plane = reference::make_slope<2>();
+  auto spatial = reference::make_slope<3>();
+  reference::push_left_wall(plane.mesh, plane.constraints);
+  reference::push_left_wall(spatial.mesh, spatial.constraints);
+  for (const PlainVariant& v : all_variants()) {
+    compare(plane, v, 100);
+    compare(spatial, v, 40);
+  }
+}
+
+TEST(DeviceAgainstEngine, LandslideThroughManyElementsOverfillsBlocksAndIsTheSame) {
+  auto plain = reference::make_slope<2>();
+  for (auto& p : plain.points) p.v[0] = 4 * p.x[1];
+  compare(plain, {"fast", true, reference::Smoothing::none, true, false, 1}, 250);
+}
+
+TEST(DeviceAgainstEngine, OrderOfThreadsChangesNoBit) {
+  const mpm::Body<2> body = golden::translate(make_mixed_slope(), 3);
+  for (const PlainVariant& v : all_variants()) {
+    const mpm::StepOptions<2> options = make_options(body, v, {0, -9.81});
+    const mpm::Body<2> forwards = run_on_device(body, options, 60, false),
+                       backwards = run_on_device(body, options, 60, true);
+    EXPECT_EQ(forwards.points.data, backwards.points.data) << v.name;
+    EXPECT_EQ(forwards.points.id, backwards.points.id) << v.name;
+    EXPECT_EQ(forwards.nodes.sums, backwards.nodes.sums) << v.name;
+    EXPECT_EQ(forwards.work.mapping, backwards.work.mapping) << v.name;
+  }
+}
+
+TEST(DeviceAgainstEngine, FrictionalWallsTractionsAndDampingAreTheSame) {
+  auto plain = set_in_motion(reference::make_slope<3>());
+  mpm::Body<3> body = golden::translate(plain, 3);
+  mpm::Load<3> on_points{true, {}, {}}, on_nodes{false, {}, {}};
+  for (int i = 0; i < 20; ++i) on_points.entries.push_back({3 * i, {200, -100, 0}});
+  for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
+    if (i % 7 == 0) on_nodes.entries.push_back({static_cast<int>(i), {0, -30, 10}});
+    if (body.mesh().nodes[i][1] > 1e-9) continue;
+    mpm::Constraint<3>& floor = support::get_constraint(body, i);
+    floor = {};
+    floor.has_wall = true;
+    floor.wall_normal = {0, -1, 0};
+    floor.friction = 0.3;
+  }
+  body.conditions.loads = {on_points, on_nodes};
+  mpm::StepOptions<3> options = make_options(body, all_variants()[3], {0, -9.81, 0});
+  options.monitor = true;
+  // Not at rest, where the sign of a velocity is round-off.
+  options.damping = 0.02;
+  compare(body, options, "walls", 100);
+}
+
+TEST(DeviceAgainstEngine, ClayThatSoftensOverALengthIsTheSame) {
+  for (const bool moving : {false, true}) {
+    mpm::Body<2> body = support::make_clay_block<2>(6, 0.3);
+    mpm::StepOptions<2> options = support::make_block_options(body);
+    options.moving = moving;
+    options.damping = 0;
+    options.monitor = true;
+    compare(body, options, moving ? "moving clay" : "clay", 100);
+  }
+}
+
+TEST(DeviceAgainstEngine, DeviceWithoutRoomSaysWhatWouldFit) {
+  mpm::Body<2> body = golden::translate(reference::make_slope<2>(), 3);
+  const mpm::StepOptions<2> options = make_options(body, all_variants()[0], {0, -9.81});
+  mpm::gather_nodal_sums(body, options);
+  mpm::DeviceStepper<2> device(mpm::make_emulated_device<2>({.memory = 100'000}));
+  try {
+    device.step(body, options);
+    FAIL() << "there is no room";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::no_memory);
+    EXPECT_NE(std::string(error.what()).find("would fit"), std::string::npos) << error.what();
+  }
+  mpm::make_emulated_device<2>({});  // all memory again
 }
 
 }  // namespace

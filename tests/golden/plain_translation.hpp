@@ -68,7 +68,7 @@ mpm::Body<D> translate(const reference::Body<D>& plain, int chunks) {
   return body;
 }
 
-struct Variant {
+struct PlainVariant {
   std::string name;
   bool mixed;
   reference::Smoothing smoothing;
@@ -91,7 +91,7 @@ inline input::Smoothing translate(reference::Smoothing s) {
   return input::Smoothing::none;
 }
 
-inline std::vector<Variant> all_variants() {
+inline std::vector<PlainVariant> all_variants() {
   using enum reference::Smoothing;
   return {{"points", false, none, false, false, 1},       {"points objective", false, none, true, false, 1},
           {"mixed", true, none, true, false, 1},          {"mixed scaled", true, none, true, false, 4},

@@ -144,6 +144,7 @@ struct Monitor {
 /// Wall time spent in the lines of the step [s].
 struct Timing {
   double solve_momentum = 0, remap_momentum = 0, smooth_strain = 0, advance_points = 0, relocate = 0;
+  double device = 0, transfer = 0;  ///< whole steps on a device, and bringing the body there and back
 
   Timing& operator+=(const Timing& other) {
     solve_momentum += other.solve_momentum;
@@ -151,6 +152,8 @@ struct Timing {
     smooth_strain += other.smooth_strain;
     advance_points += other.advance_points;
     relocate += other.relocate;
+    device += other.device;
+    transfer += other.transfer;
     return *this;
   }
 };

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "mpm/device/device_laws.hpp"
@@ -28,6 +29,7 @@ struct DeviceImage {
   View<const int> reach_element;
   View<const double> reach_weight;
   View<const std::uint8_t> material;  ///< by point number
+  View<const Vec<D>> reference;       ///< by point number
   std::vector<double> held_saturation;
   double smallest_mass = 0;
 
@@ -72,6 +74,11 @@ struct DeviceOutput {
   std::vector<Departed<D>> departed;
 };
 
+/// Memory of a device [bytes].
+struct DeviceMemory {
+  std::size_t free = 0, total = 0;
+};
+
 template <int D>
 class Device {
  public:
@@ -86,6 +93,8 @@ class Device {
   virtual void give_back(DeviceImage<D>& image) = 0;
   /// find_critical_step() of soil of one phase, without mass scaling.
   virtual StepSquare find_step_square() = 0;
+  virtual double find_largest_displacement() = 0;
+  virtual DeviceMemory find_memory() = 0;
   virtual std::vector<PointPlace<D>> locate(const std::vector<int>& points) = 0;
 };
 
@@ -93,8 +102,14 @@ class Device {
 class DeviceMaker {
  public:
   virtual ~DeviceMaker() = default;
+  /// Of the device; empty where there is none, and `why` says what was the matter.
+  virtual std::string find_name(std::string& why) = 0;
   virtual std::unique_ptr<Device<2>> make_2d() = 0;
   virtual std::unique_ptr<Device<3>> make_3d() = 0;
 };
+
+/// Sizes of what goes between the program and a module: they differ between builds that must not meet.
+inline constexpr std::size_t device_layout =
+    sizeof(DeviceImage<2>) + 31 * (sizeof(StepOptions<3>) + 31 * (sizeof(DeviceOutput<3>) + 31 * sizeof(StoredLaw)));
 
 }  // namespace talus::mpm

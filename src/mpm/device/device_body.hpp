@@ -112,6 +112,14 @@ class DeviceBody : public Device<D> {
     return add_up(squares_);
   }
 
+  double find_largest_displacement() override {
+    farthest_.resize(static_cast<std::size_t>(body_.element_count));
+    launch(body_.element_count, FindFarthest<D>{body_, reference_.read(), farthest_.view()});
+    return std::sqrt(add_up(farthest_).square);
+  }
+
+  DeviceMemory find_memory() override { return grid_.find_memory(); }
+
   std::vector<PointPlace<D>> locate(const std::vector<int>& points) override {
     Array<int> wanted;
     Array<PointPlace<D>> places;
@@ -196,6 +204,7 @@ class DeviceBody : public Device<D> {
     capacity_ = image.block_capacity;
     count_.bring(image.count);
     material_.bring(image.material);
+    reference_.bring(image.reference);
     strain_offset_.bring(image.strain_offset);
     std::vector<int> element(static_cast<std::size_t>(image.point_count), -1);
     std::vector<std::int64_t> place(element.size(), -1);
@@ -255,7 +264,12 @@ class DeviceBody : public Device<D> {
   void advance(const StepOptions<D>& o) {
     const auto run = [&](const auto& law) {
       using Law = std::decay_t<decltype(law)>;
-      launch(body_.element_count, AdvanceElement<D, Law>{body_, o, law, leaving_.view(), element_accounts_.view()});
+      if (o.mixed)
+        launch(body_.element_count,
+               AdvanceElement<D, Law, true>{body_, o, law, leaving_.view(), element_accounts_.view()});
+      else
+        launch(body_.element_count,
+               AdvanceElement<D, Law, false>{body_, o, law, leaving_.view(), element_accounts_.view()});
     };
     if (host_laws_.size() > 1) {
       int states = 0;
@@ -382,6 +396,8 @@ class DeviceBody : public Device<D> {
   Array<NodeAccount> node_accounts_;
   Array<ElementAccount> element_accounts_;
   Array<StepSquare> squares_;
+  Array<Farthest> farthest_;
+  Array<Vec<D>> reference_;
   Array<Signals> signals_;
   Array<unsigned char> partial_[3];
   Array<double> mover_fields_;

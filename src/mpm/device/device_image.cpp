@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "mpm/body/slots.hpp"
 #include "mpm/step/softening.hpp"
 
@@ -66,7 +67,7 @@ void lay_out(const Body<D>& body, DeviceImage<D>& image) {
 }
 
 template <int D>
-void copy_points(const Body<D>& body, DeviceImage<D>& image) {
+void copy_points(const Body<D>& body, int threads, DeviceImage<D>& image) {
   const Points<D>& points = body.points;
   const int elements = body.mesh().element_count(), blocks = (elements + device_width - 1) / device_width;
   image.fields = points.fields;
@@ -84,17 +85,20 @@ void copy_points(const Body<D>& body, DeviceImage<D>& image) {
   }
   image.data.assign(static_cast<std::size_t>(slots) * static_cast<std::size_t>(points.fields) * device_width, 0.0);
   image.id.assign(static_cast<std::size_t>(slots) * device_width, -1);
-  for (int e = 0; e < elements; ++e) {
-    for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {
-      const std::int64_t from = points.block_start[e / lane_width] + k, to = image.block_start[e / device_width] + k;
-      const double* p = points.slot(from) + e % lane_width;
-      double* q = &image.data[static_cast<std::size_t>(to * points.fields * device_width + e % device_width)];
-      for (int f = 0; f < points.fields; ++f) q[f * device_width] = p[f * lane_width];
-      image.id[static_cast<std::size_t>(to * device_width + e % device_width)] =
-          points.id[static_cast<std::size_t>(from * lane_width + e % lane_width)];
+  parallel_for(blocks, threads, [&](int b) {
+    for (int e = b * device_width; e < std::min(elements, (b + 1) * device_width); ++e) {
+      for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {
+        const std::int64_t from = points.block_start[e / lane_width] + k, to = image.block_start[b] + k;
+        const double* p = points.slot(from) + e % lane_width;
+        double* q = &image.data[static_cast<std::size_t>(to * points.fields * device_width + e % device_width)];
+        for (int f = 0; f < points.fields; ++f) q[f * device_width] = p[f * lane_width];
+        image.id[static_cast<std::size_t>(to * device_width + e % device_width)] =
+            points.id[static_cast<std::size_t>(from * lane_width + e % lane_width)];
+      }
     }
-  }
+  });
   image.material = {points.material.data(), points.material.size()};
+  image.reference = {points.reference.data(), points.reference.size()};
   image.strain_offset.assign(points.strain_offset.begin(), points.strain_offset.end());
 }
 
@@ -111,8 +115,20 @@ void for_fields(Elements<D>& elements, DeviceImage<D>& image, Work&& work) {
   work(elements.lent, image.lent, 1);
 }
 
+/// The k-th point of element `e`, which is in block `b`, from fields with the stride of a device.
 template <int D>
-void read_points(const DeviceImage<D>& image, Body<D>& body) {
+void put_point(Points<D>& points, int b, int e, int k, int id, const double* from) {
+  const std::int64_t slot = points.block_start[b] + k, place = slot * lane_width + e % lane_width;
+  double* to = points.slot(slot) + e % lane_width;
+  for (int f = 0; f < points.fields; ++f) to[f * lane_width] = from[f * device_width];
+  points.id[static_cast<std::size_t>(place)] = id;
+  points.element[id] = e;
+  points.place[id] = place;
+  points.block_materials[b] |= 1u << points.material[id];
+}
+
+template <int D>
+void read_points(const DeviceImage<D>& image, int threads, Body<D>& body) {
   Points<D>& points = body.points;
   const int elements = body.mesh().element_count();
   std::vector<int> used(static_cast<std::size_t>(body.layout->blocks), 0);
@@ -121,17 +137,18 @@ void read_points(const DeviceImage<D>& image, Body<D>& body) {
   allocate_slots(points, used);
   std::fill(points.element.begin(), points.element.end(), -1);
   std::fill(points.place.begin(), points.place.end(), -1);
-  for (int e = 0; e < elements; ++e) {
-    for (int k = 0; k < static_cast<int>(image.count[e]); ++k) {
-      const std::int64_t slot = image.block_start[e / device_width] + k;
-      const double* p = &image.data[static_cast<std::size_t>(slot * image.fields * device_width + e % device_width)];
-      Record<D> r;
-      r.id = image.id[static_cast<std::size_t>(slot * device_width + e % device_width)];
-      r.element = e;
-      for (int f = 0; f < image.fields; ++f) r.fields[f] = p[f * device_width];
-      insert_point(points, r);
+  parallel_for(body.layout->blocks, threads, [&](int b) {
+    for (int e = b * lane_width; e < std::min(elements, (b + 1) * lane_width); ++e) {
+      for (int k = 0; k < static_cast<int>(image.count[e]); ++k) {
+        const std::int64_t slot = image.block_start[e / device_width] + k;
+        const double* from =
+            &image.data[static_cast<std::size_t>(slot * image.fields * device_width + e % device_width)];
+        put_point(points, b, e, k, image.id[static_cast<std::size_t>(slot * device_width + e % device_width)], from);
+      }
+      points.count[e] = image.count[e];
     }
-  }
+    points.block_used[b] = used[b];
+  });
   std::copy(image.strain_offset.begin(), image.strain_offset.end(), points.strain_offset.begin());
 }
 
@@ -155,10 +172,10 @@ void read_nodes(const DeviceImage<D>& image, Body<D>& body) {
 }  // namespace
 
 template <int D>
-DeviceImage<D> make_device_image(const Body<D>& body) {
+DeviceImage<D> make_device_image(const Body<D>& body, int threads) {
   DeviceImage<D> image;
   lay_out(body, image);
-  copy_points(body, image);
+  copy_points(body, threads, image);
   const int elements = body.mesh().element_count();
   for_fields(const_cast<Elements<D>&>(body.elements), image,
              [&](const AlignedVector<double>& field, std::vector<double>& wide, int size) {
@@ -184,8 +201,8 @@ DeviceImage<D> make_device_image(const Body<D>& body) {
 }
 
 template <int D>
-void read_device_image(const DeviceImage<D>& image, Body<D>& body) {
-  read_points(image, body);
+void read_device_image(const DeviceImage<D>& image, int threads, Body<D>& body) {
+  read_points(image, threads, body);
   const int elements = body.mesh().element_count();
   for_fields(body.elements, const_cast<DeviceImage<D>&>(image),
              [&](AlignedVector<double>& field, const std::vector<double>& wide, int size) {
@@ -196,9 +213,28 @@ void read_device_image(const DeviceImage<D>& image, Body<D>& body) {
   gather_loads(body);
 }
 
-#define TALUS_INSTANTIATE(D)                                    \
-  template DeviceImage<D> make_device_image<D>(const Body<D>&); \
-  template void read_device_image<D>(const DeviceImage<D>&, Body<D>&);
+template <int D>
+std::size_t count_bytes(const DeviceImage<D>& image) {
+  const auto of = [](const auto&... lists) { return ((lists.size() * sizeof *lists.data()) + ...); };
+  const std::size_t lanes = image.count.size(), nodes = image.mesh.nodes.size(), numbers = sizeof(double);
+  const std::size_t element_work = moment_size<D> + (D + 1) * sums_stride + (D + 1) * D + 2 + 2 + 2,
+                    node_work = 1 + 2 * sums_stride + D + 16;
+  return of(image.mesh.nodes, image.mesh.elements, image.mesh.neighbours, image.mesh.volumes, image.mesh.altitudes,
+            image.mesh.gradients) +
+         of(image.connectivity, image.row_start, image.node_rows, image.gradients, image.volumes, image.reach_start,
+            image.reach_element, image.reach_weight) +
+         of(image.material, image.reference, image.held_saturation, image.data, image.count, image.id,
+            image.strain_offset, image.strain) +
+         of(image.fill_limit, image.apart, image.rough, image.plastic_dilation, image.softened, image.softening_volume,
+            image.lent, image.motion, image.displacement) +
+         static_cast<std::size_t>(image.point_count) * (sizeof(int) + sizeof(std::int64_t)) +
+         lanes * element_work * numbers + nodes * node_work * numbers;
+}
+
+#define TALUS_INSTANTIATE(D)                                         \
+  template std::size_t count_bytes<D>(const DeviceImage<D>&);        \
+  template DeviceImage<D> make_device_image<D>(const Body<D>&, int); \
+  template void read_device_image<D>(const DeviceImage<D>&, int, Body<D>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

@@ -144,7 +144,7 @@ struct AnyLaw {
 };
 
 /// advance_points() of an element whose soils follow `law`: OneLaw or AnyLaw.
-template <int D, class Law>
+template <int D, class Law, bool Mixed>
 struct AdvanceElement {
   ThreadBody<D> body;
   StepOptions<D> options;
@@ -170,10 +170,7 @@ struct AdvanceElement {
   template <class L>
   TALUS_PORTABLE void advance(ThreadPass<D>& pass, const L& l, int b) const {
     const bool apart = is_apart(pass.body, static_cast<std::size_t>(b) * device_width);
-    if (options.mixed)
-      apart ? advance_block<true, true>(pass, l, b) : advance_block<true, false>(pass, l, b);
-    else
-      apart ? advance_block<false, true>(pass, l, b) : advance_block<false, false>(pass, l, b);
+    apart ? advance_block<Mixed, true>(pass, l, b) : advance_block<Mixed, false>(pass, l, b);
   }
 };
 
@@ -202,6 +199,51 @@ struct FindStep {
   View<StepSquare> squares;
 
   TALUS_PORTABLE void operator()(int e) const { squares[static_cast<std::size_t>(e)] = find_step_square(body, e); }
+};
+
+/// The largest displacement of the points of an element, squared; what is no number is larger than all.
+struct Farthest {
+  double square = 0;  ///< [m²]
+  TALUS_PORTABLE void add(const Farthest& other) {
+    if (!(other.square <= square)) square = other.square;
+  }
+};
+template <int D>
+struct FindFarthest {
+  ThreadBody<D> body;
+  View<const Vec<D>> reference;
+  View<Farthest> farthest;
+
+  TALUS_PORTABLE void operator()(int e) const {
+    Farthest most;
+    const DevicePoints<D>& points = body.points;
+    for (int k = 0; k < static_cast<int>(points.count[static_cast<std::size_t>(e)]); ++k) {
+      const std::int64_t slot = points.block_start[static_cast<std::size_t>(e / device_width)] + k;
+      const double* p = points.slot(slot) + e % device_width;
+      const int id = points.id[static_cast<std::size_t>(slot * device_width + e % device_width)];
+      most.add({find_square(e, p, reference[static_cast<std::size_t>(id)])});
+    }
+    farthest[static_cast<std::size_t>(e)] = most;
+  }
+
+ private:
+  TALUS_PORTABLE double find_square(int e, const double* p, const Vec<D>& from) const {
+    Vec<D> xi{};
+    double first = 1, square = 0;
+    for (int k = 0; k < D; ++k) {
+      xi[k] = p[(PointFields<D>::xi + k) * device_width];
+      first -= xi[k];
+    }
+    const Vec<D> x = mesh::find_place(body.mesh(), e, xi);
+    for (int d = 0; d < D; ++d) {
+      double u = x[d] - from[d];
+      for (int k = 0; k <= D; ++k)
+        u += (k == 0 ? first : xi[k - 1]) *
+             body.nodes.displacement[static_cast<std::size_t>(body.mesh().elements[static_cast<std::size_t>(e)][k])][d];
+      square += u * u;
+    }
+    return square;
+  }
 };
 
 /// The sums of a node, for the host.

@@ -1,27 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "mpm/device/device_stepper.hpp"
 
-#include <cmath>
-#include <type_traits>
+#include <fmt/format.h>
 
+#include <cmath>
+#include <new>
+
+#include "base/error.hpp"
+#include "mpm/body/observe.hpp"
 #include "mpm/device/device_image.hpp"
 #include "mpm/step/loads.hpp"
+#include "mpm/step/stopwatch.hpp"
 
 namespace talus::mpm {
 
 template <int D>
-std::string find_hindrance(const Body<D>& body, const StepOptions<D>& /*options*/) {
-  if (body.water.is_wet()) return "its pore water moves";
-  for (std::size_t m = 0; m < body.laws.size(); ++m)
-    if (std::holds_alternative<material::External>(body.laws[m]))
-      return "material '" + body.material_names[m] + "' is calculated by a library of its own";
-  return "";
-}
-
-template <int D>
 void DeviceStepper<D>::take(const Body<D>& body, const StepOptions<D>& options) {
-  image_ = make_device_image(body);
-  device_->take(image_, options);
+  const DeviceMemory memory = device_->find_memory();
+  image_ = make_device_image(body, options.threads);
+  try {
+    device_->take(image_, options);
+  } catch (const std::bad_alloc&) {
+    const double needed = static_cast<double>(count_bytes(image_)), gigabyte = 1e9;
+    const auto free = static_cast<double>(memory.free);
+    throw Error(
+        ExitCode::no_memory,
+        fmt::format("the device has {:.3g} GB free, and these {} points need about {:.3g}: about {:.2g} would "
+                    "fit. Larger elements need less; without --device the processor calculates the case",
+                    free / gigabyte, body.points.size(), needed / gigabyte, body.points.size() * free / needed));
+  }
   device_has_body_ = true;
   load_is_known_ = false;
 }
@@ -44,9 +51,12 @@ DeviceInput<D> DeviceStepper<D>::make_input(const Body<D>& body, const StepOptio
 
 template <int D>
 void DeviceStepper<D>::step(Body<D>& body, const StepOptions<D>& options) {
-  if (!device_has_body_) take(body, options);
+  Stopwatch timed;
+  if (!device_has_body_) timed(body.timing.transfer, [&] { take(body, options); });
   host_is_up_to_date_ = false;
-  const DeviceOutput<D> output = device_->step(make_input(body, options), options);
+  threads_ = options.threads;
+  DeviceOutput<D> output;
+  timed(body.timing.device, [&] { output = device_->step(make_input(body, options), options); });
   body.time += options.dt;
   ++body.step_count;
   body.work.external += output.work.external;
@@ -64,28 +74,34 @@ void DeviceStepper<D>::step(Body<D>& body, const StepOptions<D>& options) {
 
 template <int D>
 void DeviceStepper<D>::fade_unseen(Body<D>& body) {
-  body.work.mapping += device_->fade_unseen();
+  Stopwatch()(body.timing.device, [&] { body.work.mapping += device_->fade_unseen(); });
   host_is_up_to_date_ = false;
 }
 
 template <int D>
 void DeviceStepper<D>::bring_back(Body<D>& body) {
   if (host_is_up_to_date_) return;
-  device_->give_back(image_);
-  read_device_image(image_, body);
+  Stopwatch()(body.timing.transfer, [&] {
+    device_->give_back(image_);
+    read_device_image(image_, threads_, body);
+  });
   host_is_up_to_date_ = true;
 }
 
 template <int D>
-CriticalStep DeviceStepper<D>::find_critical_step(const Body<D>& body, const StepOptions<D>& options) {
-  if (!device_has_body_) take(body, options);
-  const StepSquare least = device_->find_step_square();
+CriticalStep DeviceStepper<D>::find_critical_step(Body<D>& body, const StepOptions<D>& options) {
+  if (!device_has_body_) return mpm::find_critical_step(body, options);
+  StepSquare least;
+  Stopwatch()(body.timing.device, [&] { least = device_->find_step_square(); });
   return {std::sqrt(least.dt2 * options.mass_scaling), least.element};
 }
 
-#define TALUS_INSTANTIATE(D)                                                     \
-  template std::string find_hindrance<D>(const Body<D>&, const StepOptions<D>&); \
-  template class DeviceStepper<D>;
+template <int D>
+double DeviceStepper<D>::find_largest_displacement(const Body<D>& body) {
+  return device_has_body_ ? device_->find_largest_displacement() : mpm::find_largest_displacement(body).value;
+}
+
+#define TALUS_INSTANTIATE(D) template class DeviceStepper<D>;
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

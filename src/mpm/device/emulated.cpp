@@ -9,11 +9,11 @@
 namespace talus::mpm {
 
 template <int D>
-std::unique_ptr<Device<D>> make_emulated_device(bool backwards) {
-  return std::make_unique<device::DeviceBody<device::HostGrid, D>>(device::HostGrid{backwards});
+std::unique_ptr<Device<D>> make_emulated_device(const Emulation& how) {
+  return std::make_unique<device::DeviceBody<device::HostGrid, D>>(device::HostGrid(how));
 }
 
-template std::unique_ptr<Device<2>> make_emulated_device<2>(bool);
-template std::unique_ptr<Device<3>> make_emulated_device<3>(bool);
+template std::unique_ptr<Device<2>> make_emulated_device<2>(const Emulation&);
+template std::unique_ptr<Device<3>> make_emulated_device<3>(const Emulation&);
 
 }  // namespace talus::mpm

@@ -6,8 +6,12 @@
 
 namespace talus::mpm {
 
-/// `backwards`: threads run in the opposite order, which must change nothing.
+struct Emulation {
+  bool backwards = false;  ///< threads run in the opposite order, which must change nothing
+  std::size_t memory = 0;  ///< that the device has [bytes]; 0: all there is
+};
+
 template <int D>
-std::unique_ptr<Device<D>> make_emulated_device(bool backwards = false);
+std::unique_ptr<Device<D>> make_emulated_device(const Emulation& how = {});
 
 }  // namespace talus::mpm

@@ -4,6 +4,8 @@
 // grid has memory, launches kernels, and knows two algorithms; cuda/cuda_grid.hpp is the other one.
 
 #include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -11,21 +13,36 @@
 #include <numeric>
 #include <vector>
 
+#include "mpm/device/emulated.hpp"
+
 namespace talus::mpm::device {
 
 /// Threads of a block.
 inline constexpr int block_threads = 128;
 
-struct HostGrid {
-  /// Blocks and threads from the last to the first: the results must be the same bits.
-  bool backwards = false;
+class HostGrid {
+ public:
+  explicit HostGrid(const Emulation& how) : backwards_(how.backwards) {
+    room_ = how.memory > 0 ? how.memory : SIZE_MAX;
+  }
 
   static void* allocate(std::size_t bytes) {
-    void* p = std::malloc(std::max<std::size_t>(bytes, 1));
-    if (p == nullptr) throw std::bad_alloc();
-    return p;
+    const std::size_t whole = bytes + sizeof(std::max_align_t);
+    if (whole > find_free()) throw std::bad_alloc();
+    auto* start = static_cast<std::max_align_t*>(std::malloc(whole));
+    if (start == nullptr) throw std::bad_alloc();
+    std::memcpy(start, &whole, sizeof whole);
+    used_ += whole;
+    return start + 1;
   }
-  static void release(void* p) { std::free(p); }
+  static void release(void* p) {
+    auto* start = static_cast<std::max_align_t*>(p) - 1;
+    std::size_t whole = 0;
+    std::memcpy(&whole, start, sizeof whole);
+    used_ -= whole;
+    std::free(start);
+  }
+  static DeviceMemory find_memory() { return {find_free(), room_}; }
   static void clear(void* p, std::size_t bytes) { std::memset(p, 0, bytes); }
   static void bring(void* device, const void* host, std::size_t bytes) { std::memcpy(device, host, bytes); }
   static void fetch(void* host, const void* device, std::size_t bytes) { std::memcpy(host, device, bytes); }
@@ -36,8 +53,8 @@ struct HostGrid {
     const int blocks = (n + block_threads - 1) / block_threads;
     for (int block = 0; block < blocks; ++block) {
       for (int thread = 0; thread < block_threads; ++thread) {
-        const int i = (backwards ? blocks - 1 - block : block) * block_threads +
-                      (backwards ? block_threads - 1 - thread : thread);
+        const int i = (backwards_ ? blocks - 1 - block : block) * block_threads +
+                      (backwards_ ? block_threads - 1 - thread : thread);
         if (i < n) kernel(i);
       }
     }
@@ -60,6 +77,14 @@ struct HostGrid {
     const std::vector<int> before(order, order + n);
     for (int i = 0; i < n; ++i) order[i] = before[static_cast<std::size_t>(by[static_cast<std::size_t>(i)])];
   }
+
+ private:
+  static std::size_t find_free() { return room_ - std::min<std::size_t>(room_, used_); }
+
+  /// Blocks and threads run from the last to the first: the results must be the same bits.
+  bool backwards_;
+  // Of the device that there is only one of [bytes].
+  static inline std::atomic<std::size_t> room_ = SIZE_MAX, used_ = 0;
 };
 
 }  // namespace talus::mpm::device

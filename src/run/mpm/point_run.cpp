@@ -17,6 +17,7 @@
 #include "mesh/quality.hpp"
 #include "mpm/body/observe.hpp"
 #include "results/json.hpp"
+#include "run/mpm/choose_device.hpp"
 #include "run/mpm/moving_soil.hpp"
 #include "run/mpm/narrow_band.hpp"
 #include "run/mpm/record/checkpoint.hpp"
@@ -109,6 +110,11 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
                     seepage->undecided));
   if (origin_) tell_origin(*origin_, run);
   origin_.reset();  // it is as large as the body
+  if (const std::vector<std::string> left = list_left_to_processor(data_); !left.empty())
+    warnings_.push_back(
+        fmt::format("the device does not calculate pore water that moves: the processor did the "
+                    "stages {}",
+                    fmt::join(left, ", ")));
   if (body_.conditions.constraints.empty())
     warnings_.push_back("no boundary holds the soil; without [[boundary]] it falls out of the box");
   profile_bin_ = mesh::measure_quality(body_.mesh()).mean_size;
@@ -197,6 +203,8 @@ std::vector<results::TimedPart> PointRun<D>::list_parts(double cpu) const {
   add("smooth_strain", "smoothing of the strain", steps.smooth_strain);
   add("advance_points", "material points: motion, strain, stress", steps.advance_points);
   add("relocate", "points that changed their element", steps.relocate);
+  add("device", "steps on the device", steps.device);
+  add("transfer", "the body on its way to the device and back", steps.transfer);
   add("other", "loads, time step, rest, meshes of trials, output", cpu - known);
   return parts;
 }

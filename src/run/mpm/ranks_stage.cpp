@@ -67,7 +67,7 @@ void check_equal(const mpm::Body<D>& body) {
 
 /// Which hooks rank 0 has: all ranks must come to them.
 struct Hooked {
-  bool output = false, look = false, save_last_good = false, mark = false;
+  bool output = false, look = false, tell = false, save_last_good = false, mark = false;
 };
 
 /// A stage of a body that rank 0 has as a whole, or every rank (`all_have_it`); elsewhere `whole` is null.
@@ -112,6 +112,16 @@ class SharedStage {
         balance_->leave_out([&] { record(share, [&] { hooks_.look(*whole_, s); }); });
       };
     }
+    if (hooked_.tell) {
+      shared.tell_is_due = [this] {
+        bool due = hooks_.tell_is_due && hooks_.tell_is_due();
+        balance_->leave_out([&] { broadcast(due); });
+        return due;
+      };
+      shared.tell = [this](const mpm::Body<D>& share, const StageState& s, double moved) {
+        if (hooks_.tell) hooks_.tell(share, s, moved);
+      };
+    }
     if (hooked_.save_last_good)
       shared.save_last_good = [this](const mpm::Body<D>& share, const StageState& s) {
         std::string saved;
@@ -143,8 +153,8 @@ class SharedStage {
 
 template <int D>
 Hooked find_hooked(const StageHooks<D>& hooks) {
-  return {static_cast<bool>(hooks.output), static_cast<bool>(hooks.look), static_cast<bool>(hooks.save_last_good),
-          static_cast<bool>(hooks.mark)};
+  return {static_cast<bool>(hooks.output), static_cast<bool>(hooks.look), static_cast<bool>(hooks.tell),
+          static_cast<bool>(hooks.save_last_good), static_cast<bool>(hooks.mark)};
 }
 
 enum class Request { stage, stage_on_another_mesh, leave };

@@ -18,6 +18,7 @@
 #include "run/mpm/start/even_inertia.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "run/mpm/start/stand_in.hpp"
+#include "run/mpm/stepper.hpp"
 
 namespace talus::run {
 namespace {
@@ -259,6 +260,18 @@ bool has_rested(const mpm::Body<D>& body, const StagePlan<D>& plan, StageState& 
   return false;
 }
 
+/// What is done every look_interval steps. Returns whether a point has moved farther than the plan allows.
+template <int D>
+bool look(Stepper<D>& stepper, mpm::Body<D>& body, const StageState& state, const StagePlan<D>& plan,
+          const StageHooks<D>& hooks) {
+  if (hooks.look && (!hooks.look_is_due || hooks.look_is_due())) hooks.look(stepper.bring_back(), state);
+  const bool tells = hooks.tell && hooks.tell_is_due();
+  if (!tells && plan.failed_displacement <= 0) return false;
+  const double moved = find_largest(body, stepper.find_largest_displacement());
+  if (tells) hooks.tell(body, state, moved);
+  return plan.failed_displacement > 0 && moved > plan.failed_displacement;
+}
+
 }  // namespace
 
 template <int D>
@@ -283,6 +296,7 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
   }
   const double end = state.start_time + plan.duration;
   mpm::CriticalStep critical = find_critical_step(body, plan);
+  Stepper<D> stepper(body);
   GoodStates<D> good(wanted, hooks);
   // That of the start: later densities may be those of an explosion.
   if (state.wave_speed == 0) state.wave_speed = find_wave_speed(body, plan);
@@ -298,13 +312,14 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     plan = calm_down(wanted, state.setbacks.size(), body.water.is_wet());
     options = make_options(plan);
     mpm::gather_nodal_sums(body, options);  // smoothing may have changed
+    stepper.note_change();
   };
   const int step_interval = find_step_interval(body);
 
   for (;;) {
     if (state.steps % step_interval == 0) {
-      critical = find_critical_step(body, plan);
-      if (critical.element < 0) return results::StageEnd::time;  // nothing is left on the grid
+      critical = stepper.find_critical_step(plan, options);
+      if (critical.element < 0) return stepper.end(results::StageEnd::time);  // nothing is left on the grid
       state.dt = plan.step.courant * critical.dt;
       if (!(critical.dt >= smallest_step)) {
         recover(find_swollen<D>(body, critical.element));
@@ -313,24 +328,21 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     }
     if (state.steps % look_interval == 0) {
       if (hooks.rebalance) hooks.rebalance(body);
-      if (state.steps % (look_interval * looks_per_copy) == 0) good.keep(body, state);
-      if (hooks.look && (!hooks.look_is_due || hooks.look_is_due())) hooks.look(body, state);
-      if (plan.failed_displacement > 0 &&
-          find_largest(body, mpm::find_largest_displacement(body).value) > plan.failed_displacement)
-        return results::StageEnd::failed;
+      if (state.steps % (look_interval * looks_per_copy) == 0) good.keep(stepper.bring_back(), state);
+      if (look(stepper, body, state, plan, hooks)) return stepper.end(results::StageEnd::failed);
     }
-    if (hooks.output && body.time >= state.next_output) hooks.output(body, state);
+    if (hooks.output && body.time >= state.next_output) hooks.output(stepper.bring_back(), state);
     const double left = end - body.time;
-    if (left <= 1e-12 * plan.duration) return results::StageEnd::time;
+    if (left <= 1e-12 * plan.duration) return stepper.end(results::StageEnd::time);
     options.dt = std::min(state.dt, left);
     options.gravity = find_stage_gravity(plan, state, body.time);
     options.monitor = state.steps % monitor_interval == 0;
     const std::size_t lost_before = body.lost.size();
-    mpm::step(body, options);
+    stepper.step(options);
     ++state.steps;
     // At the end of a step, before the look: a checkpoint has what faded. In so many steps a wave crosses as many
     // elements.
-    if (plan.step.fade_unseen && options.moving && state.steps % look_interval == 0) mpm::fade_unseen(body, options);
+    if (plan.step.fade_unseen && options.moving && state.steps % look_interval == 0) stepper.fade_unseen(options);
     watch_external_models(body, plan, save_last_good);
     if (const auto runaway =
             find_runaway(body, options.monitor, lost_before, unstable_speed_ratio * state.wave_speed)) {
@@ -339,7 +351,7 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
     }
     if (!options.monitor) continue;
     state.largest_speed = std::max(state.largest_speed, body.monitor.speed);
-    if (plan.until_rest && has_rested(body, plan, state)) return results::StageEnd::rest;
+    if (plan.until_rest && has_rested(body, plan, state)) return stepper.end(results::StageEnd::rest);
   }
 }
 

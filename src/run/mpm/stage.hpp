@@ -63,10 +63,13 @@ template <int D>
 struct StageHooks {
   /// Called when body.time reaches state.next_output, which it must advance.
   std::function<void(const mpm::Body<D>&, StageState&)> output;
-  /// Called every look_interval steps where look_is_due, or where that is empty: progress, checkpoints. May throw to
-  /// end the run.
+  /// Called every look_interval steps where look_is_due, or where that is empty: checkpoints. May throw to end the run.
   std::function<void(const mpm::Body<D>&, const StageState&)> look;
   std::function<bool()> look_is_due;
+  /// The same for progress, which needs less: of the body only time, step count and monitor are up to date. `moved`:
+  /// the largest displacement of a point [m].
+  std::function<void(const mpm::Body<D>&, const StageState&, double moved)> tell;
+  std::function<bool()> tell_is_due;  ///< where there is `tell`
   /// Called every look_interval steps. May put another body in place, which goes on with the same numbers: with other
   /// parts of the soil on this rank.
   std::function<void(mpm::Body<D>&)> rebalance;

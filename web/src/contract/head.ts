@@ -32,6 +32,7 @@ export interface Provenance {
   /** Of the instruction set; packages give equal bits where it is equal. */
   level: string;
   lane_width: number;
+  device: string;
   machine: string;
   threads: number;
   started: string;

@@ -55,6 +55,7 @@ export function ProvenancePart() {
               ],
               ["Lane width", provenance.lane_width > 0 && `${provenance.lane_width} numbers at a time`],
               ["Machine", provenance.machine && `${provenance.machine}, ${formatCount(provenance.threads, "thread")}`],
+              ["Device", provenance.device],
               ["Started", provenance.started && formatDate(provenance.started)],
               ["Case file", provenance.case_file && <code>{provenance.case_file}</code>],
               ["Input hash", provenance.input_hash && <code>{provenance.input_hash}</code>],

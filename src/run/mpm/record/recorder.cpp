@@ -187,6 +187,8 @@ StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const 
   hooks.output = [this](const mpm::Body<D>& b, StageState& s) { on_output(b, s); };
   hooks.look_is_due = [this] { return is_look_due(); };
   hooks.look = [this](const mpm::Body<D>& b, const StageState& s) { on_look(b, s); };
+  hooks.tell_is_due = [this] { return settings_.progress && settings_.progress->is_due(); };
+  hooks.tell = [this](const mpm::Body<D>& b, const StageState& s, double moved) { show_progress(b, s, moved); };
   hooks.mark = [this] { return mark(); };
   hooks.save_last_good = [this](const mpm::Body<D>& b, const StageState& s) {
     // Where --resume goes on, with a smaller Courant number for instance.
@@ -339,8 +341,7 @@ void Recorder<D>::on_output(const mpm::Body<D>& body, StageState& state) {
 
 template <int D>
 bool Recorder<D>::is_look_due() const {
-  return is_interrupted() || std::chrono::steady_clock::now() >= next_checkpoint_ ||
-         (settings_.progress && settings_.progress->is_due());
+  return is_interrupted() || std::chrono::steady_clock::now() >= next_checkpoint_;
 }
 
 template <int D>
@@ -359,11 +360,10 @@ void Recorder<D>::on_look(const mpm::Body<D>& body, const StageState& state) {
                        std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                            std::chrono::duration<double>(settings_.data->output.checkpoint_interval));
   }
-  if (settings_.progress && settings_.progress->is_due()) show_progress(body, state);
 }
 
 template <int D>
-void Recorder<D>::show_progress(const mpm::Body<D>& body, const StageState& state) {
+void Recorder<D>::show_progress(const mpm::Body<D>& body, const StageState& state, double moved) {
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - leg_start_).count();
   const double speed = elapsed > 0 ? static_cast<double>(state.steps - leg_start_steps_) / elapsed : 0;
   const double left = plan_->duration - (body.time - state.start_time);
@@ -373,8 +373,8 @@ void Recorder<D>::show_progress(const mpm::Body<D>& body, const StageState& stat
   settings_.progress->show(
       {fmt::format("{}{}: {:.3f} of {}{:g} s, {:.0f} steps/s, {} left, u_max {:.4g} {}, E_kin {:.3g} J",
                    settings_.label, plan_->name, time, plan_->until_rest ? "at most " : "", plan_->duration, speed,
-                   remaining, mpm::find_largest_displacement(body).value / displacement,
-                   settings_.data->output.displacement_unit, body.monitor.kinetic_energy),
+                   remaining, moved / displacement, settings_.data->output.displacement_unit,
+                   body.monitor.kinetic_energy),
        settings_.label, plan_->name, time, plan_->duration});
 }
 

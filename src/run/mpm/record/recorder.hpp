@@ -59,7 +59,7 @@ class Recorder {
   bool is_look_due() const;
   void on_look(const mpm::Body<D>& body, const StageState& state);
   GoBack<D> mark();
-  void show_progress(const mpm::Body<D>& body, const StageState& state);
+  void show_progress(const mpm::Body<D>& body, const StageState& state, double moved);
 
   RecorderSettings settings_;
   StateFields states_;

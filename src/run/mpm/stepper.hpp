@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What takes the body of a stage through its steps: this processor, or the device of the run.
+
+#include <optional>
+#include <utility>
+
+#include "mpm/body/observe.hpp"
+#include "mpm/device/device_choice.hpp"
+#include "mpm/device/device_stepper.hpp"
+#include "run/mpm/stage.hpp"
+
+namespace talus::run {
+
+/// Between steps the body is up to date after bring_back() only; time, step count, work, losses and what the last step
+/// was monitored for always are.
+template <int D>
+class Stepper {
+ public:
+  explicit Stepper(mpm::Body<D>& body) : body_(body) {
+    if (body.water.is_wet()) return;  // devices know one phase
+    if (auto device = mpm::make_device<D>()) device_.emplace(std::move(device));
+  }
+
+  void step(const mpm::StepOptions<D>& options) { device_ ? device_->step(body_, options) : mpm::step(body_, options); }
+  void fade_unseen(const mpm::StepOptions<D>& options) {
+    device_ ? device_->fade_unseen(body_) : mpm::fade_unseen(body_, options);
+  }
+  mpm::CriticalStep find_critical_step(const StagePlan<D>& plan, const mpm::StepOptions<D>& options) {
+    return device_ ? device_->find_critical_step(body_, options) : run::find_critical_step(body_, plan);
+  }
+  double find_largest_displacement() {
+    return device_ ? device_->find_largest_displacement(body_) : mpm::find_largest_displacement(body_).value;
+  }
+  mpm::Body<D>& bring_back() {
+    if (device_) device_->bring_back(body_);
+    return body_;
+  }
+  /// The body was changed here, or another is in its place.
+  void note_change() {
+    if (device_) device_->note_change();
+  }
+  /// The end of the stage, with the body as it is then.
+  results::StageEnd end(results::StageEnd how) {
+    bring_back();
+    return how;
+  }
+
+ private:
+  mpm::Body<D>& body_;
+  std::optional<mpm::DeviceStepper<D>> device_;
+};
+
+}  // namespace talus::run

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// A run on a device gives the results of one on the processor, and its checkpoints go on there. The device is the
+// emulated one: the kernels of a GPU on this processor.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "output/files/frames_reader.hpp"
+#include "support/child.hpp"
+#include "support/slopes.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A bank that slides. Without damping, whose sign of a velocity near zero is round-off.
+const std::string bank =
+    support::write_slope("bank", {"geometry.box=[[0, 0], [20, 8]]",
+                                  "geometry.polygon.soil.points=[[0, 0], [20, 0], [20, 2], [14, 2], [6, 7], [0, 7]]",
+                                  "mesh.size=0.8", "materials.silt.young_modulus=20 MPa", "materials.silt.cohesion=3",
+                                  "materials.silt.friction_angle=22"}) +
+    R"(
+[[stage]]
+name = "gravity"
+duration = 3
+damping = 0
+cohesion = "100 kPa"
+gravity_ramp = 0.5
+[[stage]]
+name = "slide"
+duration = 1.5
+damping = 0
+strength_factor = 1.4
+reset_displacement = true
+[output]
+frame_interval = 0.5
+checkpoint_interval = 0.02
+)";
+
+class DeviceRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("talus_device_" + std::to_string(getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "case.toml") << bank;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  pid_t start(const std::string& result, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"talus", "run", (folder_ / "case.toml").string(), "-o", (folder_ / result).string(),
+                                   "-q"};
+    words.insert(words.end(), more.begin(), more.end());
+    const pid_t child = fork();
+    if (child == 0) {
+      std::vector<char*> arguments;
+      for (std::string& word : words) arguments.push_back(word.data());
+      arguments.push_back(nullptr);
+      execv(TALUS_PROGRAM, arguments.data());
+      _exit(127);
+    }
+    return child;
+  }
+  static int wait_for(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+  nlohmann::json read_summary(const std::string& result) const {
+    std::ifstream file(folder_ / result / "summary.json");
+    return nlohmann::json::parse(file);
+  }
+
+  /// Positions of all points in all frames, to a share of the size of the bank: slides amplify round-off.
+  void expect_close(const std::string& a, const std::string& b, double tolerance) const {
+    const output::ResultsReader first(folder_ / a), second(folder_ / b);
+    ASSERT_EQ(first.times().size(), second.times().size());
+    for (int i = 0; i < first.size(); ++i) {
+      const output::Frame p = first.read(i), q = second.read(i);
+      ASSERT_EQ(p.ids, q.ids);
+      for (std::size_t k = 0; k < p.positions.size(); ++k)
+        EXPECT_NEAR(p.positions[k], q.positions[k], tolerance) << "frame " << i;
+    }
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(DeviceRun, GivesTheResultsOfTheProcessor) {
+  ASSERT_EQ(wait_for(start("here", {"--threads", "1"})), 0);
+  ASSERT_EQ(wait_for(start("there", {"--device", "emulated"})), 0);
+  expect_close("here", "there", 1e-7);
+  EXPECT_EQ(read_summary("there")["provenance"]["device"], "emulated");
+  EXPECT_EQ(read_summary("here")["provenance"]["device"], "");
+  const auto work = [this](const char* result) {
+    return read_summary(result)["budgets"]["external_work"].get<double>();
+  };
+  EXPECT_NEAR(work("here"), work("there"), 1e-7 * std::abs(work("here")));
+}
+
+TEST_F(DeviceRun, ItsCheckpointGoesOnOnTheProcessor) {
+  ASSERT_EQ(wait_for(start("here", {})), 0);
+  const pid_t child = start("there", {"--device", "emulated"});
+  support::wait_for_file(folder_ / "there" / "checkpoint.h5", child);
+  kill(child, SIGKILL);
+  ASSERT_EQ(wait_for(child), -SIGKILL) << "the case must be long enough to be killed";
+  ASSERT_EQ(wait_for(start("there", {"--resume"})), 0);
+  expect_close("here", "there", 1e-7);
+}
+
+/// What the program says, and its exit code.
+std::pair<std::string, int> tell(const std::string& arguments) {
+  FILE* pipe = popen(("'" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
+  std::string said;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said.push_back(static_cast<char>(c));
+  return {said, WEXITSTATUS(pclose(pipe))};
+}
+
+TEST_F(DeviceRun, UnknownOrAbsentDeviceIsASentenceAndNothingIsWritten) {
+  const std::string run = "run '" + (folder_ / "case.toml").string() + "' -o '" + (folder_ / "none").string() + "' ";
+  const auto [unknown, code] = tell(run + "--device abacus");
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(unknown.find("expected cpu, gpu, or emulated"), std::string::npos) << unknown;
+  EXPECT_FALSE(fs::exists(folder_ / "none"));
+  const auto [absent, ended] = tell(run + "--device gpu");
+  if (ended == 0) GTEST_SKIP() << "there is a GPU here";
+  EXPECT_EQ(ended, 2);
+  EXPECT_NE(absent.find("--device gpu: "), std::string::npos) << absent;
+  EXPECT_FALSE(fs::exists(folder_ / "none")) << absent;
+}
+
+}  // namespace
+}  // namespace talus
