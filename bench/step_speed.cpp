@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Million point-steps per second of the engine on the yardstick's slope.
 //   step_speed D CASE THREADS [WARM STEPS REPEATS] [FLAG...]
-// CASE is small, mid or large. Flags: mixed, smooth, stable, objective; rooted (the rooted-soil model); wet (pore
-// water, unsaturated above the level) or saturated (S = 1 everywhere), and with them net (damping), explicit (drag),
-// pressure (smoothing), seepage (surfaces that no water enters), seeps (pressures at the nodes, in steps of the drained
-// soil: with the rounds and iterations of its solver); parts (wall time by lines of the step), state
-// (extremes of the points before timing). Single-threaded runs are timed in CPU time, threaded ones in wall time.
+// CASE is small, mid or large, or huge: five million points, for devices. Flags: mixed, smooth, stable, objective;
+// rooted (the rooted-soil model); wet (pore water, unsaturated above the level) or saturated (S = 1 everywhere), and
+// with them net (damping), explicit (drag), pressure (smoothing), seepage (surfaces that no water enters), seeps
+// (pressures at the nodes, in steps of the drained soil: with the rounds and iterations of its solver); parts (wall
+// time by lines of the step), state (extremes of the points before timing); gpu or emulated (the device of --device, in
+// wall time). Single-threaded runs are timed in CPU time, threaded ones in wall time.
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "mpm/body/observe.hpp"
+#include "mpm/device/device_choice.hpp"
+#include "mpm/device/device_stepper.hpp"
 #include "wet_yardstick.hpp"
 
 namespace {
@@ -55,7 +60,7 @@ template <int D>
 talus::bench::Yardstick<D> make_case(const std::string& name, int threads, const std::set<std::string>& flags) {
   const bool saturated = flags.contains("saturated"), wet = saturated || flags.contains("wet"),
              rooted = flags.contains("rooted");
-  const int chunks = threads > 1 || name == "large" ? 0 : 1;
+  const int chunks = threads > 1 || name == "large" || name == "huge" ? 0 : 1;
   auto y = wet ? talus::bench::make_wet_yardstick<D>(name, chunks, saturated, rooted)
                : talus::bench::make_yardstick<D>(name, chunks, rooted);
   y.options.threads = threads;
@@ -115,22 +120,49 @@ void print_solver(talus::bench::Yardstick<D>& y) {
              iterations / steps);
 }
 
+/// Steps of the body here, or on the device that the flags name.
+template <int D>
+class Steps {
+ public:
+  Steps(talus::bench::Yardstick<D>& y, const std::set<std::string>& flags) : y_(y) {
+    if (flags.contains("gpu")) talus::mpm::use_gpu();
+    if (flags.contains("emulated")) talus::mpm::use_emulated_device();
+    if (auto device = talus::mpm::make_device<D>()) device_.emplace(std::move(device));
+  }
+  bool on_device() const { return device_.has_value(); }
+  void run(int count) {
+    for (int s = 0; s < count; ++s)
+      device_ ? device_->step(y_.body, y_.options) : talus::mpm::step(y_.body, y_.options);
+  }
+  void end() {
+    if (device_) device_->bring_back(y_.body);
+  }
+
+ private:
+  talus::bench::Yardstick<D>& y_;
+  std::optional<talus::mpm::DeviceStepper<D>> device_;
+};
+
 template <int D>
 void run(const std::string& name, int threads, int warm, int steps, int repeats, const std::set<std::string>& flags) {
   auto y = make_case<D>(name, threads, flags);
-  for (int s = 0; s < warm; ++s) talus::mpm::step(y.body, y.options);
+  Steps<D> stepper(y, flags);
+  const bool wall = threads > 1 || stepper.on_device();
+  stepper.run(warm);
+  stepper.end();
   if (flags.contains("state")) print_state(y.body);
   y.body.timing = {};
   double best = 1e30;
   for (int r = 0; r < repeats; ++r) {
-    const double start = read_clock(threads > 1);
-    for (int s = 0; s < steps; ++s) talus::mpm::step(y.body, y.options);
-    best = std::min(best, (read_clock(threads > 1) - start) / steps);
+    const double start = read_clock(wall);
+    stepper.run(steps);
+    best = std::min(best, (read_clock(wall) - start) / steps);
   }
   const double points = y.body.points.size();
   fmt::print("talus D={} {} points={} threads={} chunks={} : best {:.2f} Mpps, {:.1f} us/step, {} bytes/point\n", D,
              name, y.body.points.size(), threads, y.body.layout->chunks, points / best * 1e-6, best * 1e6,
              memory_per_point(y.body));
+  if (stepper.on_device()) fmt::print("on the device: {}\n", talus::mpm::get_device_name());
   if (y.options.mixture) print_solver(y);
   if (flags.contains("parts")) print_parts(y.body.timing, steps * repeats);
 }
@@ -143,7 +175,7 @@ int main(int count, char** arguments) {
   };
   const int dimension = number(1, 2);
   const std::string name = count > 2 ? arguments[2] : "small";
-  const bool large = name == "large";
+  const bool large = name == "large" || name == "huge";
   const int threads = number(3, 1), warm = number(4, large ? 10 : 200), steps = number(5, large ? 10 : 1000),
             repeats = number(6, 5);
   const std::set<std::string> flags(arguments + 1, arguments + count);

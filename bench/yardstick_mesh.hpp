@@ -22,10 +22,12 @@ template <int D>
 YardstickCase yardstick_case(const std::string& name) {
   static const std::map<std::string, YardstickCase> plane{{"small", {{73, 21, 0}, 1.0, 1792, 3}},
                                                           {"mid", {{292, 84, 0}, 0.25, 28672, 3}},
-                                                          {"large", {{998, 287, 0}, 0.0731, 334300, 3}}};
+                                                          {"large", {{998, 287, 0}, 0.0731, 334300, 3}},
+                                                          {"huge", {{2232, 642, 0}, 0.0327, 1671500, 3}}};
   static const std::map<std::string, YardstickCase> space{{"small", {{24, 10, 4}, 1.0, 2600, 4}},
                                                           {"mid", {{60, 25, 10}, 0.4, 40000, 4}},
-                                                          {"large", {{110, 46, 19}, 0.22, 250000, 4}}};
+                                                          {"large", {{110, 46, 19}, 0.22, 250000, 4}},
+                                                          {"huge", {{188, 79, 33}, 0.1287, 1250000, 4}}};
   return D == 2 ? plane.at(name) : space.at(name);
 }
 

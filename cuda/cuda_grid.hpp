@@ -8,19 +8,16 @@
 #include <string>
 #include <utility>
 
-#include "base/error.hpp"
 #include "mpm/device/device.hpp"
 #include "mpm/device/host_grid.hpp"
 
 namespace talus::mpm::device {
 
-/// Throws Error where a call of CUDA failed; std::bad_alloc when it found no memory.
+/// Throws where a call of CUDA failed: std::bad_alloc when it found no memory.
 inline void require(cudaError_t code) {
   if (code == cudaSuccess) return;
   if (code == cudaErrorMemoryAllocation) throw std::bad_alloc();
-  throw Error(ExitCode::interrupted, std::string("the GPU failed (") + cudaGetErrorString(code) +
-                                         "); --resume goes on from the last checkpoint, on the processor without "
-                                         "--device gpu");
+  throw_lost(cudaGetErrorString(code));
 }
 
 template <class Kernel>

@@ -16,7 +16,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
+#include "input/read.hpp"
+#include "mpm/device/device_choice.hpp"
 #include "output/files/frames_reader.hpp"
+#include "run/run_case.hpp"
 #include "support/child.hpp"
 #include "support/slopes.hpp"
 
@@ -116,6 +120,24 @@ TEST_F(DeviceRun, ItsCheckpointGoesOnOnTheProcessor) {
   support::wait_for_file(folder_ / "there" / "checkpoint.h5", child);
   kill(child, SIGKILL);
   ASSERT_EQ(wait_for(child), -SIGKILL) << "the case must be long enough to be killed";
+  ASSERT_EQ(wait_for(start("there", {"--resume"})), 0);
+  expect_close("here", "there", 1e-7);
+}
+
+TEST_F(DeviceRun, ThatLosesItsDeviceGoesOnOnTheProcessor) {
+  ASSERT_EQ(wait_for(start("here", {})), 0);
+  const input::LoadedCase loaded = input::read_case((folder_ / "case.toml").string(), {});
+  run::RunOptions options;
+  options.folder = folder_ / "there";
+  mpm::use_emulated_device({.launches = 5'000});
+  try {
+    run::run_case(loaded, options);
+    FAIL() << "the device must have failed";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::interrupted);
+    EXPECT_NE(std::string(error.what()).find("--resume"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(fs::exists(folder_ / "there" / "checkpoint.h5"));
   ASSERT_EQ(wait_for(start("there", {"--resume"})), 0);
   expect_close("here", "there", 1e-7);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "mpm/device/device_laws.hpp"
 #include "mpm/device/thread_body.hpp"
 #include "mpm/step/loads.hpp"
@@ -97,6 +98,13 @@ class Device {
   virtual DeviceMemory find_memory() = 0;
   virtual std::vector<PointPlace<D>> locate(const std::vector<int>& points) = 0;
 };
+
+/// A device that does not answer any more ends the run as an interruption does.
+[[noreturn]] inline void throw_lost(const std::string& why) {
+  throw Error(ExitCode::interrupted, "the device failed (" + why +
+                                         "); --resume goes on from the last checkpoint, without --device on the "
+                                         "processor");
+}
 
 /// Where devices come from: what the module of a GPU makes.
 class DeviceMaker {

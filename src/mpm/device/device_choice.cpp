@@ -3,20 +3,19 @@
 
 #include "base/error.hpp"
 #include "base/modules.hpp"
-#include "mpm/device/emulated.hpp"
 
 namespace talus::mpm {
 namespace {
 
 class Emulator : public DeviceMaker {
  public:
-  explicit Emulator(std::size_t memory) : memory_(memory) {}
+  explicit Emulator(const Emulation& how) : how_(how) {}
   std::string find_name(std::string&) override { return "emulated"; }
-  std::unique_ptr<Device<2>> make_2d() override { return make_emulated_device<2>({.memory = memory_}); }
-  std::unique_ptr<Device<3>> make_3d() override { return make_emulated_device<3>({.memory = memory_}); }
+  std::unique_ptr<Device<2>> make_2d() override { return make_emulated_device<2>(how_); }
+  std::unique_ptr<Device<3>> make_3d() override { return make_emulated_device<3>(how_); }
 
  private:
-  std::size_t memory_;
+  Emulation how_;
 };
 
 struct Choice {
@@ -45,8 +44,8 @@ void use_gpu() {
   current() = {std::move(maker), name};
 }
 
-void use_emulated_device(std::size_t memory) {
-  current() = {std::make_shared<Emulator>(memory), "emulated"};
+void use_emulated_device(const Emulation& how) {
+  current() = {std::make_shared<Emulator>(how), "emulated"};
 }
 
 void use_no_device() {

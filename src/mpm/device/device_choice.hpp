@@ -2,14 +2,14 @@
 #pragma once
 // Which device takes the bodies of this process through their steps.
 
-#include "mpm/device/device.hpp"
+#include "mpm/device/emulated.hpp"
 
 namespace talus::mpm {
 
 /// From now on a GPU does. Throws Error (wrong_input) where there is none.
 void use_gpu();
-/// The kernels of a GPU run on this processor. `memory`: bytes that it has, for tests; 0: all there are.
-void use_emulated_device(std::size_t memory = 0);
+/// The kernels of a GPU run on this processor.
+void use_emulated_device(const Emulation& how = {});
 /// This processor does again.
 void use_no_device();
 

@@ -9,6 +9,7 @@ namespace talus::mpm {
 struct Emulation {
   bool backwards = false;  ///< threads run in the opposite order, which must change nothing
   std::size_t memory = 0;  ///< that the device has [bytes]; 0: all there is
+  int launches = 0;        ///< after so many kernels the device is lost; 0: never
 };
 
 template <int D>

@@ -22,7 +22,7 @@ inline constexpr int block_threads = 128;
 
 class HostGrid {
  public:
-  explicit HostGrid(const Emulation& how) : backwards_(how.backwards) {
+  explicit HostGrid(const Emulation& how) : backwards_(how.backwards), launches_(how.launches) {
     room_ = how.memory > 0 ? how.memory : SIZE_MAX;
   }
 
@@ -49,7 +49,8 @@ class HostGrid {
 
   /// Runs kernel(i) for all i below n.
   template <class Kernel>
-  void launch(int n, const Kernel& kernel) const {
+  void launch(int n, const Kernel& kernel) {
+    if (launches_ > 0 && --launches_ == 0) throw_lost("as it was told to");
     const int blocks = (n + block_threads - 1) / block_threads;
     for (int block = 0; block < blocks; ++block) {
       for (int thread = 0; thread < block_threads; ++thread) {
@@ -83,6 +84,7 @@ class HostGrid {
 
   /// Blocks and threads run from the last to the first: the results must be the same bits.
   bool backwards_;
+  int launches_;  ///< until the device is lost
   // Of the device that there is only one of [bytes].
   static inline std::atomic<std::size_t> room_ = SIZE_MAX, used_ = 0;
 };
