@@ -13,9 +13,8 @@ void* load_module(const std::string& name, const char* maker, bool global, std::
   std::error_code ignored;
   const std::string program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().string();
   void* library = nullptr;
-  for (const char* folder : {"/", "/../lib/talus/"})
-    if (library == nullptr)
-      library = dlopen((program + folder + name).c_str(), RTLD_NOW | (global ? RTLD_GLOBAL : RTLD_LOCAL));
+  for (std::string path : {program + "/", program + "/../lib/talus/"})
+    if (library == nullptr) library = dlopen(path.append(name).c_str(), RTLD_NOW | (global ? RTLD_GLOBAL : RTLD_LOCAL));
   if (library == nullptr) {
     why = dlerror();
     return nullptr;

@@ -49,8 +49,9 @@ struct MultiplyMass {
     double value[D + 1][D], out[D + 1][D] = {};
     if (count_slots(mine.points, e / device_width) > 0)
       multiply_mass(mine, mine.elements.moments, rows.u, e / device_width, value, out);
+    double* product = &rows.product[static_cast<std::size_t>(e) * (D + 1) * D];
     for (int k = 0; k <= D; ++k)
-      for (int d = 0; d < D; ++d) rows.product[static_cast<std::size_t>((e * (D + 1) + k) * D + d)] = out[k][d];
+      for (int d = 0; d < D; ++d) product[k * D + d] = out[k][d];
   }
 };
 
@@ -64,12 +65,15 @@ struct ImproveVelocity {
     double t[1 + D], Mu[D] = {};
     sum_momentum(body, i, t);
     const double inverse = t[0] > 1e-12 * body.smallest_mass ? 1 / t[0] : 0;
-    for (int r = body.layout->row_start[i]; r < body.layout->row_start[i + 1]; ++r)
-      for (int d = 0; d < D; ++d) Mu[d] += rows.product[static_cast<std::size_t>(body.layout->node_rows[r] * D + d)];
+    for (int r = body.layout->row_start[i]; r < body.layout->row_start[i + 1]; ++r) {
+      const double* product = &rows.product[static_cast<std::size_t>(body.layout->node_rows[r]) * D];
+      for (int d = 0; d < D; ++d) Mu[d] += product[d];
+    }
+    double* u = &rows.u[static_cast<std::size_t>(i) * fade_stride];
+    double* direction = &rows.direction[static_cast<std::size_t>(i) * D];
     for (int d = 0; d < D; ++d) {
-      double& direction = rows.direction[static_cast<std::size_t>(i * D + d)];
-      direction = weights.keep * direction + weights.step * (t[1 + d] - Mu[d]) * inverse;
-      rows.u[static_cast<std::size_t>(i * fade_stride + d)] += direction;
+      direction[d] = weights.keep * direction[d] + weights.step * (t[1 + d] - Mu[d]) * inverse;
+      u[d] += direction[d];
     }
   }
 };

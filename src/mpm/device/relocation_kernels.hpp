@@ -111,23 +111,24 @@ struct Walk {
   /// Strain is summed in the elements.
   TALUS_PORTABLE void hand_over(std::size_t id, int from, int to) const {
     constexpr int NS = PointFields<D>::stress_size;
-    const auto read = [this](int e, int i) {
-      return body.elements
-          .strain[static_cast<std::size_t>((e / device_width * NS + i) * device_width + e % device_width)];
+    const auto begin = [this](int e) {
+      return &body.elements.strain[static_cast<std::size_t>(e / device_width) * NS * device_width] + e % device_width;
     };
+    const double *before = begin(from), *after = begin(to);
     auto& offset = body.points.strain_offset[id];
-    for (int i = 0; i < NS; ++i) offset[static_cast<std::size_t>(i)] += read(from, i) - read(to, i);
+    for (int i = 0; i < NS; ++i)
+      offset[static_cast<std::size_t>(i)] += before[i * device_width] - after[i * device_width];
   }
 };
 
 /// The movers that come to one element: the run of equal ones that begins with the sorted mover `m`; nothing (0) where
 /// none begins there.
 TALUS_PORTABLE inline int count_run(const View<const unsigned>& sorted, int m, unsigned elements) {
-  const unsigned to = sorted[static_cast<std::size_t>(m)];
-  if (to == elements || (m > 0 && sorted[static_cast<std::size_t>(m - 1)] == to)) return 0;
+  const unsigned* here = sorted.start + m;
+  const unsigned* end = sorted.start + sorted.count;
+  if (*here == elements || (m > 0 && here[-1] == *here)) return 0;
   int length = 1;
-  while (static_cast<std::size_t>(m + length) < sorted.count && sorted[static_cast<std::size_t>(m + length)] == to)
-    ++length;
+  while (here + length < end && here[length] == *here) ++length;
   return length;
 }
 
@@ -203,7 +204,7 @@ struct PutIn {
     const int lane = static_cast<int>(e % device_width);
     double& count = body.points.count[e];
     for (int i = 0; i < length; ++i) {
-      const auto mover = static_cast<std::size_t>(movers.order[static_cast<std::size_t>(m + i)]);
+      const auto mover = static_cast<std::size_t>(movers.order.start[m + i]);
       const std::int64_t slot = body.points.block_start[e / device_width] + static_cast<std::int64_t>(count);
       double* p = body.points.slot(slot) + lane;
       for (int f = 0; f < body.points.fields; ++f)

@@ -64,7 +64,7 @@ AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const
     }
     give(i);
   });
-  for (const auto& [keep, step] : list_fade_weights()) {
+  for (const FadeWeights& weights : list_fade_weights()) {
     std::fill(product.begin(), product.end(), 0.0);
     for_blocks(body, threads, [&](int b, const int* at) {
       Pack value[D + 1][D], out[D + 1][D];
@@ -73,7 +73,7 @@ AlignedVector<double> solve_for_momentum(const Body<D>& body, int threads, const
     });
     for_nodes<D, fade_stride, 0>(body, threads, product, [&](int i, const double* Mu) {
       for (int d = 0; d < D; ++d) {
-        direction[i][d] = keep * direction[i][d] + step * (momentum[i][d] - Mu[d]) * inverse[i];
+        direction[i][d] = weights.keep * direction[i][d] + weights.step * (momentum[i][d] - Mu[d]) * inverse[i];
         u[i][d] += direction[i][d];
       }
       give(i);
