@@ -46,11 +46,11 @@ class DeviceArray {
   /// All bytes zero.
   void assign_zeros(std::size_t size) {
     resize(size);
-    Grid::clear(start_, size * sizeof(T));
+    if (size > 0) Grid::clear(start_, size * sizeof(T));
   }
   void bring(const T* host, std::size_t size) {
     resize(size);
-    Grid::bring(start_, host, size * sizeof(T));
+    if (size > 0) Grid::bring(start_, host, size * sizeof(T));
   }
   template <class Host>
   void bring(const Host& host) {
@@ -58,7 +58,7 @@ class DeviceArray {
   }
   std::vector<T> fetch() const {
     std::vector<T> host(size_);
-    Grid::fetch(host.data(), start_, size_ * sizeof(T));
+    if (size_ > 0) Grid::fetch(host.data(), start_, size_ * sizeof(T));
     return host;
   }
   T fetch_first() const {
