@@ -8,9 +8,9 @@
 
 namespace talus::mesh {
 
-/// ∇N_k [1/m] of local node `k` in element `e` of a finished mesh.
-template <int D>
-std::array<double, D> find_shape_gradient(const Mesh<D>& mesh, int e, int k) {
+/// ∇N_k [1/m] of local node `k` in element `e` of a finished mesh, this one or that on a GPU.
+template <template <int> class M, int D>
+TALUS_PORTABLE std::array<double, D> find_shape_gradient(const M<D>& mesh, int e, int k) {
   const std::array<double, D* D>& g = mesh.gradients[static_cast<std::size_t>(e)];
   std::array<double, D> gradient{};
   for (std::size_t d = 0; d < D; ++d) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/lane_math.hpp"
+#include "base/visit.hpp"
 #include "material/water/monotone_table.hpp"
 
 namespace talus::material {
@@ -153,8 +154,8 @@ TALUS_KERNEL SoilWater<T> find_water_on(const Curve& curve, T suction) {
 }
 
 template <class T>
-SoilWater<T> find_water(const Retention& retention, T suction) {
-  return std::visit([&](const auto& curve) { return find_water_on(curve, suction); }, retention);
+TALUS_PORTABLE SoilWater<T> find_water(const Retention& retention, T suction) {
+  return visit_kind([&](const auto& curve) { return find_water_on(curve, suction); }, retention);
 }
 /// S(s) [-] of a suction [Pa].
 template <class T>

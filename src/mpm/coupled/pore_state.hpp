@@ -33,13 +33,10 @@ PoreState<T> find_pore_state(const WaterLaw& law, T content, T guess, MaskOf<T> 
 
 /// The same for a pressure that is known.
 template <class T>
-PoreState<T> find_state_at_pressure(const WaterLaw& law, T pressure);
-
-/// χ of Bishop's stress at a pressure and its saturation [-].
-double find_chi(const WaterLaw& law, double pressure, double saturation);
+TALUS_PORTABLE PoreState<T> find_state_at_pressure(const WaterLaw& law, T pressure);
 
 /// ρ_w g/k of the saturated soil: force per volume and Darcy's flux [N s/m⁴].
-inline double find_saturated_resistance(const WaterLaw& law, double conductivity_factor) {
+TALUS_PORTABLE inline double find_saturated_resistance(const WaterLaw& law, double conductivity_factor) {
   return law.density * law.drag_gravity / (law.conductivity * conductivity_factor);
 }
 

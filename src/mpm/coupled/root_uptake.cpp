@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Roots draw water from elements through the same surplus by which elements exchange it (T16.4).
 
-#include "mpm/coupled/root_uptake.hpp"
+#include "mpm/coupled/root_lines.hpp"
 
 #include <algorithm>
 
@@ -11,20 +11,6 @@
 
 namespace talus::mpm {
 namespace {
-
-/// At most this share of an element's water is drawn at once, whatever the rate.
-constexpr double most_drawn = 0.05;
-
-/// Weights of the points of element `e`.
-template <int D>
-double sum_weights(const Body<D>& body, const RootUptake& uptake, int e) {
-  const Points<D>& points = body.points;
-  const int b = e / lane_width, lane = e % lane_width, count = static_cast<int>(points.count[e]);
-  double sum = 0;
-  for (int k = 0; k < count; ++k)
-    sum += uptake.weight[points.id[static_cast<std::size_t>((points.block_start[b] + k) * lane_width + lane)]];
-  return sum;
-}
 
 /// Calls take(e, volume) with what roots draw [m³] from each wet element in `dt` seconds, and counts it. `water_in(e)`:
 /// what the element has [m³].
@@ -38,15 +24,8 @@ void draw(Body<D>& body, int threads, double dt, WaterIn&& water_in, Take&& take
   for_chunks(body, threads, [&](int c) {
     const int end = std::min(layout.chunk_start[c + 1] * lane_width, body.mesh().element_count());
     for (int e = layout.chunk_start[c] * lane_width; e < end; ++e) {
-      if (body.points.count[e] == 0 || !(water.volume[e] > 0)) continue;
-      double volume = 0;  // [m³]
-      for (std::size_t q = 0; q < rates.size(); ++q) {
-        if (rates[q] == 0) continue;
-        const double share = water.uptakes[q].reduction.evaluate(water.mean_pressure[e]).value;
-        if (share > 0) volume += share * rates[q] * dt * sum_weights(body, water.uptakes[q], e);
-      }
+      const double volume = find_draw(body, water.uptakes, rates, dt, e, [&] { return water_in(e); });
       if (volume == 0) continue;
-      volume = std::min(volume, most_drawn * water_in(e));
       take(e, volume);
       drawn[static_cast<std::size_t>(c)] += water.density * volume;
     }

@@ -3,54 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "mesh/shape_gradient.hpp"
 #include "mpm/body/share.hpp"
 #include "mpm/coupled/coupled_step.hpp"
-#include "mpm/coupled/water_surface.hpp"
+#include "mpm/coupled/surface_lines.hpp"
 
 namespace talus::mpm {
 namespace {
 
 constexpr double closed_share = 1e-9;
 
-/// What an element holds, as all ranks know it where the surface is looked for.
-enum class Content : char { nothing, dry_soil, wet_soil };
-
 template <int D>
 std::vector<Content> find_contents_of_all(const Body<D>& body) {
   std::vector<Content> own;
   const auto [begin, end] = own_elements(body);
-  for (int e = begin; e < end; ++e)
-    own.push_back(body.water.volume[e] > 0   ? Content::wet_soil
-                  : body.points.count[e] > 0 ? Content::dry_soil
-                                             : Content::nothing);
+  for (int e = begin; e < end; ++e) own.push_back(find_content(body, e));
   return join_lists(body, std::move(own));
 }
 
-/// Whether the water of node `i` may not move along the unit vector `n`.
-template <int D>
-bool is_held(const Water<D>& water, int i, const std::type_identity_t<Vec<D>>& n) {
-  const int c = water.constraint_of_node[i];
-  return c >= 0 && norm(remove_fixed<D>(water.constraints[c].fixed, water.constraints[c].fixed_count, n)) < 1e-9;
-}
-
-/// Whether the nodes of the side opposite node `k` of element `e` all hold the water along its normal.
-template <int D>
-bool is_closed(const Body<D>& body, int e, int k) {
-  const auto& nodes = body.mesh().elements[e];
-  Vec<D> normal = mesh::find_shape_gradient(body.mesh(), e, k);
-  const double length = norm(normal);
-  for (double& c : normal) c /= length;
-  bool closed = true;
-  for (int i = 0; i <= D; ++i) closed = closed && (i == k || is_held(body.water, nodes[i], normal));
-  return closed;
-}
-
-/// Of each element without wet soil whether it is outside. Where shear parts the points of a thin band, elements inside
-/// the soil are left without one: such a gap is no surface, and no water leaves there. A group of neighbours is outside
-/// when one of them touches no wet soil, holds dry soil, or has a side of the mesh that lets water through.
+/// Of each element without wet soil whether it is outside, by itself or through its neighbours.
 template <int D>
 std::vector<std::uint8_t> find_outside(const Body<D>& body, const std::vector<Content>& contents) {
   const mesh::Mesh<D>& mesh = body.mesh();
@@ -67,13 +38,7 @@ std::vector<std::uint8_t> find_outside(const Body<D>& body, const std::vector<Co
     found.push_back(e);
   };
   for (int e = 0; e < mesh.element_count(); ++e) {
-    if (is_wet(e)) continue;
-    bool is_far = true, lets_through = false;
-    for (int k = 0; k <= D; ++k) {
-      is_far = is_far && !touches[mesh.elements[e][k]];
-      lets_through = lets_through || (mesh.neighbours[e][k] < 0 && !is_closed(body, e, k));
-    }
-    if (is_far || lets_through || contents[e] == Content::dry_soil) add(e);
+    if (is_outside_by_itself(body, e, contents[e], touches)) add(e);
   }
   while (!found.empty()) {
     const int e = found.back();
@@ -98,10 +63,8 @@ void find_open_sides(Body<D>& body) {
   for (int e = 0; e < mesh.element_count(); ++e) {
     if (contents[e] != Content::wet_soil) continue;
     for (int k = 0; k <= D; ++k) {
-      const int behind = mesh.neighbours[e][k];
-      if ((behind >= 0 && !outside[behind]) || is_closed(body, e, k)) continue;
-      OpenSide<D> side{e, k, mesh::find_shape_gradient(mesh, e, k)};
-      for (double& c : side.share) c *= -mesh.volumes[e];
+      if (!is_open(body, e, k, outside)) continue;
+      const OpenSide<D> side{e, k, find_side_share(mesh, e, k)};
       for (int i = 0; i <= D; ++i) {
         const int node = mesh.elements[e][i];
         for (int d = 0; d < D; ++d) {
@@ -141,40 +104,6 @@ void find_suctions(Body<D>& body) {
   }
 }
 
-/// What the points of an element fill of it: Σ V N_i of wet points [m³], and whether it is integrated as a whole.
-template <int D>
-struct Filling : std::array<double, D + 2> {
-  bool is_full() const { return this->back() != 0; }
-
-  Filling() : std::array<double, D + 2>{} {}
-  Filling(const Body<D>& body, int e, bool mixed) : Filling() {
-    auto& moment = *this;
-    using P = Points<D>;
-    const P& points = body.points;
-    const std::int64_t first = points.block_start[e / lane_width];
-    double all = 0;
-    int material = -1;
-    bool uniform = true;
-    for (int k = 0; k < static_cast<int>(points.count[e]); ++k) {
-      const double* p = points.slot(first + k) + e % lane_width;
-      const int m = points.material[points.id[static_cast<std::size_t>((first + k) * lane_width + e % lane_width)]];
-      const double v = p[P::volume * lane_width];
-      all += v;
-      uniform = uniform && (k == 0 || m == material);
-      material = m;
-      if (!body.water.laws[m].wet) continue;
-      double rest = 1;
-      for (int d = 0; d < D; ++d) {
-        const double xi = p[(P::xi + d) * lane_width];
-        moment[d + 1] += v * xi;
-        rest -= xi;
-      }
-      moment[0] += v * rest;
-    }
-    this->back() = mixed && uniform && all > body.elements.fill_limit[e] ? 1 : 0;
-  }
-};
-
 /// Those of the elements with open sides. Several ranks exchange them before they are asked for.
 template <int D>
 class Fillings {
@@ -185,11 +114,11 @@ class Fillings {
     const auto [begin, end] = own_elements(body);
     for (const OpenSide<D>& side : body.water.open_sides)
       if (side.element >= begin && side.element < end)
-        known_[static_cast<std::size_t>(side.element)] = Filling<D>(body, side.element, mixed);
+        known_[static_cast<std::size_t>(side.element)] = find_filling(body, side.element, mixed);
     update_elements(body, known_);
   }
   Filling<D> find(int e) const {
-    return known_.empty() ? Filling<D>(body_, e, mixed_) : known_[static_cast<std::size_t>(e)];
+    return known_.empty() ? find_filling(body_, e, mixed_) : known_[static_cast<std::size_t>(e)];
   }
 
  private:
@@ -197,32 +126,6 @@ class Fillings {
   bool mixed_;
   std::vector<Filling<D>> known_;
 };
-
-/// The soil of an element that is not full ends inside it, and so does the pressure outside. On the sides where other
-/// soil is behind, nothing changes: ∮ p̂ N_i n dA over the soil's surface differs from that over the element's by
-/// ∫ div(p̂ N_i) dV over what the soil does not fill.
-template <int D>
-void load_inside(Body<D>& body, int e, const Filling<D>& filling, const double (&pressure)[D + 1]) {
-  Water<D>& water = body.water;
-  const mesh::Mesh<D>& mesh = body.mesh();
-  Vec<D> gradient[D + 1];
-  for (int k = 0; k <= D; ++k) gradient[k] = mesh::find_shape_gradient(mesh, e, k);
-  const auto add = [&](std::vector<Vec<D>>& load, double most) {
-    double missing = 0;  // ∫ p̂ dV over the points less that over the element
-    Vec<D> slope{};
-    for (int k = 0; k <= D; ++k) {
-      const double p = std::min(most, pressure[k]);
-      missing += p * (filling[k] - mesh.volumes[e] / (D + 1));
-      for (int d = 0; d < D; ++d) slope[d] += p * gradient[k][d];
-    }
-    for (int k = 0; k <= D; ++k) {
-      const double share = filling[k] - mesh.volumes[e] / (D + 1);
-      for (int d = 0; d < D; ++d) load[mesh.elements[e][k]][d] += missing * gradient[k][d] + share * slope[d];
-    }
-  };
-  add(water.load, std::numeric_limits<double>::infinity());
-  add(water.mixture_load, 0.0);
-}
 
 /// Forces of the water outside, linear along a side between the pressures at its nodes, where all of them have such a
 /// condition: on the water; on the mixture when it presses.
@@ -235,36 +138,22 @@ void load_open_sides(Body<D>& body, bool mixed, double unit_weight, const std::t
   const Fillings<D> fillings(body, mixed);
   int last = -1;
   for (const OpenSide<D>& side : water.open_sides) {  // the sides of an element follow one another
-    double pressure[D + 1] = {}, sum = 0;
-    bool loaded = true;
-    int like = -1;  // the last node of the side
-    for (int i = 0; i <= D && loaded; ++i) {
-      if (i == side.opposite) continue;
-      const int node = like = mesh.elements[side.element][i];
-      const auto outer = find_outer_pressure(body, node, node, unit_weight, up);
-      loaded = outer.has_value();
-      pressure[i] = outer.value_or(0);
-      sum += pressure[i];
-    }
-    if (!loaded) continue;
+    const auto add = [&](int k, const Vec<D>& on_water, const Vec<D>& on_mixture) {
+      const int node = mesh.elements[side.element][k];
+      for (int d = 0; d < D; ++d) {
+        water.load[node][d] += on_water[d];
+        water.mixture_load[node][d] += on_mixture[d];
+      }
+    };
+    double pressure[D + 1] = {};
+    const int like = find_side_pressures(body, side.element, side.opposite, unit_weight, up, pressure);
+    if (like < 0) continue;
     if (side.element != last) {
       last = side.element;
       const Filling<D> filling = fillings.find(last);
-      double everywhere[D + 1];
-      for (int i = 0; i <= D; ++i)
-        everywhere[i] = i == side.opposite ? *find_outer_pressure(body, mesh.elements[last][i], like, unit_weight, up)
-                                           : pressure[i];
-      if (!filling.is_full()) load_inside(body, last, filling, everywhere);
+      if (!filling.is_full()) load_inside(body, last, side.opposite, filling, like, unit_weight, up, pressure, add);
     }
-    for (int i = 0; i <= D; ++i) {
-      if (i == side.opposite) continue;
-      const int node = mesh.elements[side.element][i];
-      const double mean = (sum + pressure[i]) / (D + 1);
-      for (int d = 0; d < D; ++d) {
-        water.load[node][d] += mean * side.share[d];
-        water.mixture_load[node][d] += std::min(0.0, mean) * side.share[d];
-      }
-    }
+    load_side<D>(side.opposite, side.share, pressure, add);
   }
 }
 
@@ -289,13 +178,7 @@ template <int D>
 void add_budgets(Body<D>& body, std::vector<SurfaceBudget>& by_chunk) {
   std::vector<SurfaceBudget>& all = body.water.budgets;
   complete_chunks(body, by_chunk, all.size());
-  for (std::size_t i = 0; i < by_chunk.size(); ++i) {
-    SurfaceBudget& budget = all[i % all.size()];
-    budget.entered += by_chunk[i].entered;
-    budget.left += by_chunk[i].left;
-    budget.supplied += by_chunk[i].supplied;
-    budget.runoff += by_chunk[i].runoff;
-  }
+  for (std::size_t i = 0; i < by_chunk.size(); ++i) all[i % all.size()].add(by_chunk[i]);
 }
 
 template void add_budgets<2>(Body<2>&, std::vector<SurfaceBudget>&);

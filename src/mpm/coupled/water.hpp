@@ -58,6 +58,11 @@ struct SurfaceCondition {
   double suction_limit = std::numeric_limits<double>::infinity();  ///< evaporation ends there [Pa]
 };
 
+/// Its value at time `t` [s]; zero where none is given.
+inline double find_value(const SurfaceCondition& s, double t) {
+  return s.value.time.empty() ? 0.0 : s.value.at(t);
+}
+
 /// Whether it is an impervious skin: no flux at any time.
 inline bool lets_nothing_through(const SurfaceCondition& s) {
   const std::vector<double>& flux = s.value.value;
@@ -68,6 +73,13 @@ inline bool lets_nothing_through(const SurfaceCondition& s) {
 struct SurfaceBudget {
   double entered = 0, left = 0;     ///< by node and step
   double supplied = 0, runoff = 0;  ///< rain on its surface nodes, and the part of it that did not enter
+
+  TALUS_PORTABLE void add(const SurfaceBudget& other) {
+    entered += other.entered;
+    left += other.left;
+    supplied += other.supplied;
+    runoff += other.runoff;
+  }
 };
 
 /// Directions in which the water of a node does not move in space.

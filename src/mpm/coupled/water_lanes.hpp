@@ -12,8 +12,14 @@ struct OneWater {
   const WaterLaw* law;
   double conductivity_factor;
 
-  Mask is_wet(Pack /*material*/) const { return Mask(law->wet); }
-  Pack get_inverse_grain_density(Pack /*material*/) const { return {1 / law->grain_density}; }
+  template <class T>
+  TALUS_KERNEL MaskOf<T> is_wet(T /*material*/) const {
+    return MaskOf<T>(law->wet);
+  }
+  template <class T>
+  TALUS_KERNEL T get_inverse_grain_density(T /*material*/) const {
+    return T(1 / law->grain_density);
+  }
   Pack get_resistance(Pack /*material*/) const { return {find_saturated_resistance(*law, conductivity_factor)}; }
   PoreState<Pack> find(Pack content, Pack guess, Mask active, Pack /*material*/) const {
     return find_pore_state<Pack>(*law, content, guess, active);
@@ -23,28 +29,31 @@ struct OneWater {
   }
 };
 
-/// Lanes may differ; `material` holds each lane's material number.
+/// Lanes may differ; `material` holds each lane's material number. Laws: as the body has them.
+template <class Laws>
 struct ManyWaters {
-  const std::vector<WaterLaw>* laws;
+  const Laws* laws;
   std::uint32_t present;  ///< bit set of the materials in the block
   double conductivity_factor;
 
   /// Calls work(law, lanes of it) for each wet material of the block.
-  template <class Work>
-  void visit(Pack material, Work&& work) const {
+  template <class T, class Work>
+  TALUS_KERNEL void visit(T material, Work&& work) const {
     for (std::uint32_t m = 0; m < laws->size(); ++m) {
-      if ((present >> m & 1) && (*laws)[m].wet) work((*laws)[m], material == Pack(static_cast<double>(m)));
+      if ((present >> m & 1) && (*laws)[m].wet) work((*laws)[m], material == T(static_cast<double>(m)));
     }
   }
-  Mask is_wet(Pack material) const {
-    Mask wet(false);
-    visit(material, [&](const WaterLaw&, Mask mine) { wet = wet || mine; });
+  template <class T>
+  TALUS_KERNEL MaskOf<T> is_wet(T material) const {
+    MaskOf<T> wet(false);
+    visit(material, [&](const WaterLaw&, MaskOf<T> mine) { wet = wet || mine; });
     return wet;
   }
-  Pack get_inverse_grain_density(Pack material) const {
-    Pack inverse(0.0);
+  template <class T>
+  TALUS_KERNEL T get_inverse_grain_density(T material) const {
+    T inverse(0.0);
     visit(material,
-          [&](const WaterLaw& law, Mask mine) { inverse = select(mine, Pack(1 / law.grain_density), inverse); });
+          [&](const WaterLaw& law, MaskOf<T> mine) { inverse = select(mine, T(1 / law.grain_density), inverse); });
     return inverse;
   }
   /// ρ_w g/k of the saturated soil [N s/m⁴]; 0 of dry soil.
@@ -75,7 +84,7 @@ struct ManyWaters {
 
 /// The water laws that go with the constitutive law `Law` (OneLaw or ManyLaws) of a block's lanes.
 template <class Law>
-using WaterLanes = std::conditional_t<Law::is_single, OneWater, ManyWaters>;
+using WaterLanes = std::conditional_t<Law::is_single, OneWater, ManyWaters<std::vector<WaterLaw>>>;
 
 /// Those of block `b`.
 template <class Law, int D>
@@ -85,7 +94,7 @@ WaterLanes<Law> get_block_water(const Body<D>& body, int b, double conductivity_
     const auto m = present == 0 ? 0u : static_cast<unsigned>(__builtin_ctz(present));
     return OneWater{&body.water.laws[m], conductivity_factor};
   } else {
-    return ManyWaters{&body.water.laws, present, conductivity_factor};
+    return WaterLanes<Law>{&body.water.laws, present, conductivity_factor};
   }
 }
 

@@ -27,7 +27,7 @@ TALUS_KERNEL Vec<D> remove_fixed(const Vec<D>* fixed, int count, std::type_ident
 
 /// The unit vector against gravity; zero without gravity.
 template <int D>
-Vec<D> find_up(const Vec<D>& gravity) {
+TALUS_PORTABLE Vec<D> find_up(const Vec<D>& gravity) {
   const double g = norm(gravity);
   Vec<D> up{};
   for (int d = 0; d < D && g > 0; ++d) up[d] = -gravity[d] / g;
@@ -48,7 +48,7 @@ struct SurfaceNode {
 
 /// Level above which the node stands [m]; negative: it is dry.
 template <int D>
-double find_submergence(double level, const Vec<D>& up, const Vec<D>& x) {
+TALUS_PORTABLE double find_submergence(double level, const Vec<D>& up, const Vec<D>& x) {
   double height = 0;
   for (std::size_t d = 0; d < D; ++d) height += up[d] * x[d];
   return level - height;
@@ -56,10 +56,10 @@ double find_submergence(double level, const Vec<D>& up, const Vec<D>& x) {
 
 /// Flux that rain, evaporation or a given flux offer at time `t` [s] where the surface has the unit normal `normal`
 /// outwards and the soil below it this suction [Pa]; negative inwards [m/s].
-template <int D>
-double find_offered_flux(const SurfaceCondition& condition, const Vec<D>& normal, double suction,
-                         const std::type_identity_t<Vec<D>>& up, double t) {
-  const double value = condition.value.time.empty() ? 0.0 : condition.value.at(t);
+template <int D, class Condition>
+TALUS_PORTABLE double find_offered_flux(const Condition& condition, const Vec<D>& normal, double suction,
+                                        const std::type_identity_t<Vec<D>>& up, double t) {
+  const double value = find_value(condition, t);
   if (condition.kind == SurfaceKind::flux) return -value;
   if (condition.kind != SurfaceKind::rain) return 0;
   if (value >= 0) return condition.vertical ? std::min(0.0, -value * dot(up, normal)) : -value;
@@ -69,11 +69,11 @@ double find_offered_flux(const SurfaceCondition& condition, const Vec<D>& normal
 }
 
 /// Pressure of the water outside at node `i`, under the condition of node `like` [Pa]; nothing where there is none.
-template <int D>
-std::optional<double> find_outer_pressure(const Body<D>& body, int i, int like, double unit_weight,
-                                          const std::type_identity_t<Vec<D>>& up) {
-  const SurfaceCondition& c = body.water.surfaces[body.water.surface_of_node[like]];
-  const double value = c.value.time.empty() ? 0.0 : c.value.at(body.time);
+template <class B, int D = B::dimension>
+TALUS_PORTABLE std::optional<double> find_outer_pressure(const B& body, int i, int like, double unit_weight,
+                                                         const std::type_identity_t<Vec<D>>& up) {
+  const auto& c = body.water.surfaces[body.water.surface_of_node[like]];
+  const double value = find_value(c, body.time);
   if (c.kind == SurfaceKind::head)
     return -unit_weight * std::max(0.0, find_submergence<D>(value, up, body.mesh().nodes[i]));
   if (c.kind == SurfaceKind::pressure) return value;
@@ -98,7 +98,7 @@ SurfaceNode<D> find_surface_node(const Body<D>& body, int i, const double* outsi
   s.area = area;
   for (int d = 0; d < D; ++d) s.normal[d] = part[d] / area;
   s.condition = &water.surfaces[water.surface_of_node[i]];
-  const double value = s.condition->value.time.empty() ? 0.0 : s.condition->value.at(t);
+  const double value = find_value(*s.condition, t);
   switch (s.condition->kind) {
     case SurfaceKind::open:
     case SurfaceKind::pressure:

@@ -10,17 +10,17 @@
 
 namespace talus::mpm {
 
-/// The pores of the soils at one node.
+/// The pores of the soils at one node. Laws, Pores: as the body has them, [material] and [material][node].
+template <class Laws, class Pores>
 class HeldWater {
  public:
   struct Value {
     double held = 0, storage = 0;  ///< [m³]; −d held/dp [m³/Pa]
   };
 
-  HeldWater(const std::vector<WaterLaw>& laws, const std::vector<std::vector<double>>& pores, int node)
-      : laws_(laws), pores_(pores), node_(node) {}
+  TALUS_PORTABLE HeldWater(const Laws& laws, const Pores& pores, int node) : laws_(laws), pores_(pores), node_(node) {}
 
-  Value find(double p) const {
+  TALUS_PORTABLE Value find(double p) const {
     Value sum;
     visit([&](const WaterLaw& law, double pores) {
       const material::SoilWater<double> water = material::find_water(law.retention, p);
@@ -38,7 +38,7 @@ class HeldWater {
   }
 
   /// At zero pressure, and with the storage of full pores under pressure.
-  Value find_full() const {
+  TALUS_PORTABLE Value find_full() const {
     Value sum;
     visit([&](const WaterLaw& law, double pores) {
       sum.held += pores * law.full;
@@ -48,14 +48,14 @@ class HeldWater {
   }
 
   /// Whether a soil gives up water under suction; else only its compressibility does.
-  bool drains() const {
+  TALUS_PORTABLE bool drains() const {
     bool any = false;
     visit([&](const WaterLaw& law, double) { any = any || law.drains; });
     return any;
   }
 
   /// The suction at which the pores hold `water`, less than at zero pressure [Pa]: Newton's steps between bounds.
-  double find_suction(double water, double guess) const {
+  TALUS_PORTABLE double find_suction(double water, double guess) const {
     constexpr double accuracy = 1e-12;  // of the last step; what follows it is less by a square
     if (water <= 0) return driest;
     double low = 0, high = driest, p = std::clamp(guess, 1.0, driest);
@@ -73,14 +73,14 @@ class HeldWater {
 
  private:
   template <class Work>
-  void visit(Work&& work) const {
+  TALUS_PORTABLE void visit(Work&& work) const {
     for (std::size_t k = 0; k < laws_.size(); ++k)
       if (laws_[k].wet && pores_[k][static_cast<std::size_t>(node_)] > 0)
         work(laws_[k], pores_[k][static_cast<std::size_t>(node_)]);
   }
 
-  const std::vector<WaterLaw>& laws_;
-  const std::vector<std::vector<double>>& pores_;
+  const Laws& laws_;
+  const Pores& pores_;
   int node_;
 };
 
@@ -90,16 +90,18 @@ struct HeldLine {
   double pressure = 0, held = 0, storage = 1;
   bool full = false, drains = false;
 
-  double at(double p) const { return held - storage * (p - pressure); }
+  TALUS_PORTABLE double at(double p) const { return held - storage * (p - pressure); }
 
-  static HeldLine fill(const HeldWater& water) {
-    const HeldWater::Value full = water.find_full();
+  template <class Held>
+  TALUS_PORTABLE static HeldLine fill(const Held& water) {
+    const auto full = water.find_full();
     return {0, full.held, full.storage, true, true};
   }
-  static HeldLine start(const HeldWater& water, double p) {
+  template <class Held>
+  TALUS_PORTABLE static HeldLine start(const Held& water, double p) {
     const bool drains = water.drains();
     if (drains && p <= 0) return fill(water);
-    const HeldWater::Value v = water.find(p);
+    const auto v = water.find(p);
     return {p, v.held, v.storage, false, drains};
   }
 
@@ -111,7 +113,8 @@ struct HeldLine {
 
   /// Bends the line after a solution with the pressure `next`. `content`: of the pores, at the start [m³]. Returns
   /// whether it was right.
-  bool bend(const HeldWater& water, double content, double next, int round) {
+  template <class Held>
+  TALUS_PORTABLE bool bend(const Held& water, double content, double next, int round) {
     if (!drains) return true;
     if (!full && next < 0) {
       *this = fill(water);
@@ -121,12 +124,12 @@ struct HeldLine {
       if (next <= 0 || round >= draining_rounds) return true;
       full = false;
       pressure = content < water.find_full().held ? water.find_suction(content, 1) : 0;
-      const HeldWater::Value v = water.find(pressure);
+      const auto v = water.find(pressure);
       held = v.held;
       storage = v.storage;
       return false;
     }
-    const HeldWater::Value right = water.find(next);
+    const auto right = water.find(next);
     if (std::abs(at(next) - right.held) <= tolerance * water.find_full().held) return true;
     pressure = next;
     held = right.held;

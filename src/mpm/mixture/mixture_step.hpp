@@ -44,6 +44,9 @@ void predict_motion(Body<D>& body, const StepOptions<D>& options);
 template <int D>
 void solve_pressures(Body<D>& body, const StepOptions<D>& options);
 
+/// The end of a run whose pressures of `step` were not found.
+[[noreturn]] void throw_no_pressures(std::int64_t step);
+
 /// Everything that happens to the points, and the nodal sums of the next step.
 template <int D>
 MoverLists advance_points(Mixture, Body<D>& body, const StepOptions<D>& options);
