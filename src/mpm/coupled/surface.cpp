@@ -130,7 +130,7 @@ class Fillings {
 /// Forces of the water outside, linear along a side between the pressures at its nodes, where all of them have such a
 /// condition: on the water; on the mixture when it presses.
 template <int D>
-void load_open_sides(Body<D>& body, bool mixed, double unit_weight, const std::type_identity_t<Vec<D>>& up) {
+void load_open_sides(Body<D>& body, bool mixed, const OuterWater<D>& outer) {
   Water<D>& water = body.water;
   const mesh::Mesh<D>& mesh = body.mesh();
   water.load.assign(mesh.nodes.size(), Vec<D>{});
@@ -145,15 +145,14 @@ void load_open_sides(Body<D>& body, bool mixed, double unit_weight, const std::t
         water.mixture_load[node][d] += on_mixture[d];
       }
     };
-    double pressure[D + 1] = {};
-    const int like = find_side_pressures(body, side.element, side.opposite, unit_weight, up, pressure);
-    if (like < 0) continue;
+    const PressedSide<D> pressed = find_pressed_side(body, side.element, side.opposite, outer);
+    if (pressed.like < 0) continue;
     if (side.element != last) {
       last = side.element;
       const Filling<D> filling = fillings.find(last);
-      if (!filling.is_full()) load_inside(body, last, side.opposite, filling, like, unit_weight, up, pressure, add);
+      if (!filling.is_full()) load_inside(body, pressed, filling, outer, add);
     }
-    load_side<D>(side.opposite, side.share, pressure, add);
+    load_side(pressed, side.share, add);
   }
 }
 
@@ -168,7 +167,7 @@ void load_surface(Body<D>& body, const StepOptions<D>& o) {
     loads = loads || c.kind == SurfaceKind::head || c.kind == SurfaceKind::pressure;
     evaporates = evaporates || (c.kind == SurfaceKind::rain && !std::isinf(c.suction_limit));
   }
-  if (loads) load_open_sides(body, o.mixed, water.density * norm(o.gravity), find_up<D>(o.gravity));
+  if (loads) load_open_sides(body, o.mixed, OuterWater<D>(water.density, o.gravity));
   if (!evaporates) return;
   update_elements(body, water.mean_pressure);
   find_suctions(body);

@@ -120,35 +120,42 @@ TALUS_PORTABLE Filling<B::dimension> find_filling(const B& body, int e, bool mix
   return moment;
 }
 
-/// Pressures of the water outside at the nodes of the side opposite node `opposite` of element `e`, where all of them
-/// have one. Returns the last node of the side; -1: not all have.
+/// A side behind which there is water at all of its nodes.
+template <int D>
+struct PressedSide {
+  int element, opposite;
+  int like = -1;             ///< its last node; -1: there is not
+  double pressure[D + 1]{};  ///< at its nodes [Pa]
+};
+
+/// That opposite node `opposite` of element `e`.
 template <class B, int D = B::dimension>
-TALUS_PORTABLE int find_side_pressures(const B& body, int e, int opposite, double unit_weight,
-                                       const std::type_identity_t<Vec<D>>& up, double (&pressure)[D + 1]) {
-  int like = -1;
+TALUS_PORTABLE PressedSide<D> find_pressed_side(const B& body, int e, int opposite, const OuterWater<D>& outer) {
+  PressedSide<D> side{e, opposite};
   for (int i = 0; i <= D; ++i) {
     if (i == opposite) continue;
-    like = body.mesh().elements[e][i];
-    const auto outer = find_outer_pressure(body, like, like, unit_weight, up);
-    if (!outer.has_value()) return -1;
-    pressure[i] = *outer;
+    const int node = body.mesh().elements[e][i];
+    const auto pressure = find_outer_pressure(body, node, node, outer);
+    if (!pressure.has_value()) return {e, opposite};
+    side.like = node;
+    side.pressure[i] = *pressure;
   }
-  return like;
+  return side;
 }
 
 /// The soil of an element that is not full ends inside it, and so does the pressure outside. On the sides where other
 /// soil is behind, nothing changes: ∮ p̂ N_i n dA over the soil's surface differs from that over the element's by
-/// ∫ div(p̂ N_i) dV over what the soil does not fill. `pressure`: at the nodes of one of its open sides, the others
-/// under the condition of the node `like`. Calls add(k, on_water, on_mixture) with forces [N] on its nodes.
+/// ∫ div(p̂ N_i) dV over what the soil does not fill. `side`: one of its open sides, whose last node has the condition
+/// of the others. Calls add(k, on_water, on_mixture) with forces [N] on its nodes.
 template <class B, class Add, int D = B::dimension>
-TALUS_PORTABLE void load_inside(const B& body, int e, int opposite, const Filling<D>& filling, int like,
-                                double unit_weight, const std::type_identity_t<Vec<D>>& up,
-                                const double (&side_pressure)[D + 1], Add&& add) {
+TALUS_PORTABLE void load_inside(const B& body, const PressedSide<D>& side, const Filling<D>& filling,
+                                const OuterWater<D>& outer, Add&& add) {
   const auto& mesh = body.mesh();
+  const int e = side.element;
   double pressure[D + 1];
   for (int i = 0; i <= D; ++i)
     pressure[i] =
-        i == opposite ? *find_outer_pressure(body, mesh.elements[e][i], like, unit_weight, up) : side_pressure[i];
+        i == side.opposite ? *find_outer_pressure(body, mesh.elements[e][i], side.like, outer) : side.pressure[i];
   Vec<D> gradient[D + 1];
   for (int k = 0; k <= D; ++k) gradient[k] = mesh::find_shape_gradient(mesh, e, k);
   const double of_node = mesh.volumes[e] / (D + 1);
@@ -173,14 +180,13 @@ TALUS_PORTABLE void load_inside(const B& body, int e, int opposite, const Fillin
 /// Forces of the water outside on a side, linear along it between the pressures at its nodes: on the water; on the
 /// mixture when it presses. `share`: what each node has of the side [m²].
 template <int D, class Add>
-TALUS_PORTABLE void load_side(int opposite, const std::type_identity_t<Vec<D>>& share, const double (&pressure)[D + 1],
-                              Add&& add) {
+TALUS_PORTABLE void load_side(const PressedSide<D>& side, const std::type_identity_t<Vec<D>>& share, Add&& add) {
   double sum = 0;
   for (int i = 0; i <= D; ++i)
-    if (i != opposite) sum += pressure[i];
+    if (i != side.opposite) sum += side.pressure[i];
   for (int i = 0; i <= D; ++i) {
-    if (i == opposite) continue;
-    const double mean = (sum + pressure[i]) / (D + 1);
+    if (i == side.opposite) continue;
+    const double mean = (sum + side.pressure[i]) / (D + 1);
     Vec<D> on_water, on_mixture;
     for (int d = 0; d < D; ++d) {
       on_water[d] = mean * share[d];

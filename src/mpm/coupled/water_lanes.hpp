@@ -20,12 +20,17 @@ struct OneWater {
   TALUS_KERNEL T get_inverse_grain_density(T /*material*/) const {
     return T(1 / law->grain_density);
   }
-  Pack get_resistance(Pack /*material*/) const { return {find_saturated_resistance(*law, conductivity_factor)}; }
-  PoreState<Pack> find(Pack content, Pack guess, Mask active, Pack /*material*/) const {
-    return find_pore_state<Pack>(*law, content, guess, active);
+  template <class T>
+  T get_resistance(T /*material*/) const {
+    return {find_saturated_resistance(*law, conductivity_factor)};
   }
-  Pack find_saturation(Pack pressure, Pack /*material*/) const {
-    return find_state_at_pressure<Pack>(*law, pressure).saturation;
+  template <class T>
+  PoreState<T> find(T content, T guess, MaskOf<T> active, T /*material*/) const {
+    return find_pore_state<T>(*law, content, guess, active);
+  }
+  template <class T>
+  T find_saturation(T pressure, T /*material*/) const {
+    return find_state_at_pressure<T>(*law, pressure).saturation;
   }
 };
 
@@ -57,26 +62,29 @@ struct ManyWaters {
     return inverse;
   }
   /// ρ_w g/k of the saturated soil [N s/m⁴]; 0 of dry soil.
-  Pack get_resistance(Pack material) const {
-    Pack resistance(0.0);
-    visit(material, [&](const WaterLaw& law, Mask mine) {
-      resistance = select(mine, Pack(find_saturated_resistance(law, conductivity_factor)), resistance);
+  template <class T>
+  T get_resistance(T material) const {
+    T resistance(0.0);
+    visit(material, [&](const WaterLaw& law, MaskOf<T> mine) {
+      resistance = select(mine, T(find_saturated_resistance(law, conductivity_factor)), resistance);
     });
     return resistance;
   }
-  PoreState<Pack> find(Pack content, Pack guess, Mask active, Pack material) const {
-    PoreState<Pack> all{Pack(0.0), Pack(0.0), Pack(0.0), Pack(0.0), Pack(-1.0)};
-    visit(material, [&](const WaterLaw& law, Mask mine) {
+  template <class T>
+  PoreState<T> find(T content, T guess, MaskOf<T> active, T material) const {
+    PoreState<T> all{T(0.0), T(0.0), T(0.0), T(0.0), T(-1.0)};
+    visit(material, [&](const WaterLaw& law, MaskOf<T> mine) {
       mine = mine && active;
       if (!any(mine)) return;
-      all = select(mine, find_pore_state<Pack>(law, content, guess, mine), all);
+      all = select(mine, find_pore_state<T>(law, content, guess, mine), all);
     });
     return all;
   }
-  Pack find_saturation(Pack pressure, Pack material) const {
-    Pack saturation(0.0);
-    visit(material, [&](const WaterLaw& law, Mask mine) {
-      saturation = select(mine, find_state_at_pressure<Pack>(law, pressure).saturation, saturation);
+  template <class T>
+  T find_saturation(T pressure, T material) const {
+    T saturation(0.0);
+    visit(material, [&](const WaterLaw& law, MaskOf<T> mine) {
+      saturation = select(mine, find_state_at_pressure<T>(law, pressure).saturation, saturation);
     });
     return saturation;
   }

@@ -68,14 +68,23 @@ TALUS_PORTABLE double find_offered_flux(const Condition& condition, const Vec<D>
   return -value * std::clamp(left, 0.0, 1.0);
 }
 
+/// Water that stands outside.
+template <int D>
+struct OuterWater {
+  double unit_weight;  ///< [N/m³]
+  Vec<D> up;           ///< unit vector against gravity
+
+  TALUS_PORTABLE OuterWater(double density, const Vec<D>& gravity)
+      : unit_weight(density * norm(gravity)), up(find_up<D>(gravity)) {}
+};
+
 /// Pressure of the water outside at node `i`, under the condition of node `like` [Pa]; nothing where there is none.
 template <class B, int D = B::dimension>
-TALUS_PORTABLE std::optional<double> find_outer_pressure(const B& body, int i, int like, double unit_weight,
-                                                         const std::type_identity_t<Vec<D>>& up) {
+TALUS_PORTABLE std::optional<double> find_outer_pressure(const B& body, int i, int like, const OuterWater<D>& outer) {
   const auto& c = body.water.surfaces[body.water.surface_of_node[like]];
   const double value = find_value(c, body.time);
   if (c.kind == SurfaceKind::head)
-    return -unit_weight * std::max(0.0, find_submergence<D>(value, up, body.mesh().nodes[i]));
+    return -outer.unit_weight * std::max(0.0, find_submergence<D>(value, outer.up, body.mesh().nodes[i]));
   if (c.kind == SurfaceKind::pressure) return value;
   return std::nullopt;
 }

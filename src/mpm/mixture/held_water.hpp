@@ -58,7 +58,7 @@ class HeldWater {
   TALUS_PORTABLE double find_suction(double water, double guess) const {
     constexpr double accuracy = 1e-12;  // of the last step; what follows it is less by a square
     if (water <= 0) return driest;
-    double low = 0, high = driest, p = std::clamp(guess, 1.0, driest);
+    double low = 0, high = driest, p = std::clamp(guess, 1.0, high);
     for (int i = 0; i < 200; ++i) {
       const Value v = find(p);
       (v.held > water ? low : high) = p;

@@ -80,8 +80,8 @@ struct PressureLines {
     if (area == 0) return;
     SurfaceWater& of_node = s.surface[i];
     const auto& condition = water.surfaces[water.surface_of_node[i]];
-    const Vec<D> up = find_up<D>(o.gravity);
-    const double outside = find_outer_pressure(body, i, i, water.density * norm(o.gravity), up).value_or(0);
+    const OuterWater<D> outer(water.density, o.gravity);
+    const double outside = find_outer_pressure(body, i, i, outer).value_or(0);
     of_node.is_given = condition.kind == SurfaceKind::open || condition.kind == SurfaceKind::pressure || outside < 0;
     if (of_node.is_given) {
       of_node.pressure = outside;
@@ -91,7 +91,7 @@ struct PressureLines {
     of_node.is_rain = condition.kind == SurfaceKind::rain;
     Vec<D> normal = m.area[i];
     for (double& n : normal) n /= area;
-    of_node.inflow = -area * find_offered_flux<D>(condition, normal, m.pressure[i], up, body.time);
+    of_node.inflow = -area * find_offered_flux<D>(condition, normal, m.pressure[i], outer.up, body.time);
   }
 
   /// What element `e` gives to its nodes.
