@@ -33,6 +33,7 @@ struct DeviceImage {
   View<const Vec<D>> reference;       ///< by point number
   std::vector<double> held_saturation;
   double smallest_mass = 0;
+  WaterImage<D> water;
 
   // What changes.
   int fields = 0, point_count = 0;  ///< of a slot; point numbers
@@ -57,13 +58,17 @@ struct DeviceInput {
   View<const Vec<D>> load;           ///< forces of tractions at the nodes then [N]; empty: none
   bool load_is_new = false;          ///< else it is that of the last step
   std::vector<GivenFactor> factors;  ///< of what moves nodes
+  // Of water that seeps.
+  std::vector<DeviceSurface> surfaces;
+  std::vector<double> uptake_rates;  ///< of the plants [m/s]
 };
 
 /// A point that left the grid in a step.
 template <int D>
 struct Departed {
   int id, element;  ///< the last one
-  double mass;      ///< [kg]
+  double mass;      ///< of the grains [kg]
+  double water;     ///< [kg]
   Vec<D> xi, velocity;
 };
 
@@ -73,6 +78,11 @@ struct DeviceOutput {
   Work work;
   Monitor monitor;  ///< of steps that are monitored
   std::vector<Departed<D>> departed;
+  // Of water that seeps.
+  bool finds_pressures = true;
+  int rounds = 0, iterations = 0;  ///< see MixtureWater
+  std::vector<SurfaceBudget> budgets;
+  double transpired = 0, pressed_in = 0;  ///< see Water [kg]
 };
 
 /// Memory of a device [bytes].
@@ -92,7 +102,7 @@ class Device {
   virtual double fade_unseen() = 0;
   /// What has changed.
   virtual void give_back(DeviceImage<D>& image) = 0;
-  /// find_critical_step() of soil of one phase, without mass scaling.
+  /// find_critical_step() of points as heavy as soil and water, without mass scaling.
   virtual StepSquare find_step_square() = 0;
   virtual double find_largest_displacement() = 0;
   virtual DeviceMemory find_memory() = 0;
@@ -118,6 +128,7 @@ class DeviceMaker {
 
 /// Sizes of what goes between the program and a module: they differ between builds that must not meet.
 inline constexpr std::size_t device_layout =
-    sizeof(DeviceImage<2>) + 31 * (sizeof(StepOptions<3>) + 31 * (sizeof(DeviceOutput<3>) + 31 * sizeof(StoredLaw)));
+    sizeof(DeviceImage<2>) +
+    31 * (sizeof(StepOptions<3>) + 31 * (sizeof(DeviceOutput<3>) + 31 * (sizeof(StoredLaw) + 31 * sizeof(WaterLaw))));
 
 }  // namespace talus::mpm

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
-#include "mpm/device/device_array.hpp"
-#include "mpm/device/device_kernels.hpp"
+#include "mpm/device/device_water.hpp"
 #include "mpm/device/fade_kernels.hpp"
 #include "mpm/device/relocation_kernels.hpp"
 
@@ -27,12 +25,15 @@ template <class Grid, int D>
 class DeviceBody : public Device<D> {
  public:
   explicit DeviceBody(Grid grid) : grid_(std::move(grid)) {}
+  DeviceBody(const DeviceBody&) = delete;
+  DeviceBody& operator=(const DeviceBody&) = delete;
 
   void take(const DeviceImage<D>& image, const StepOptions<D>& options) override {
     take_mesh(image);
     take_points(image);
     take_fields(image);
     const std::size_t lanes = image.count.size();
+    water_.take(image.water, image.mesh.nodes.size(), lanes);
     change_.assign_zeros(lanes);
     leaving_.assign_zeros(lanes);
     first_.resize(lanes);
@@ -41,14 +42,24 @@ class DeviceBody : public Device<D> {
     node_accounts_.assign_zeros(static_cast<std::size_t>(body_.node_count));
     element_accounts_.assign_zeros(lanes);
     if (options.mixed) launch(body_.element_count, UpdateSurface<D>{body_, change_.view()});
-    launch(body_.element_count, SumAnew<D>{body_, options, true, change_.view(), element_accounts_.view()});
+    launch(body_.element_count,
+           SumAnew<D>{body_, options, true, water_.mass_field(), change_.view(), element_accounts_.view()});
   }
 
   DeviceOutput<D> step(const DeviceInput<D>& input, const StepOptions<D>& o) override {
+    DeviceOutput<D> output;
     take_conditions(input);
-    launch(body_.node_count, SolveNode<D>{body_, o, node_accounts_.view()});
+    if (water_.is_there()) {
+      water_.begin(input, o, load_.read());
+      solve_momentum(o);
+      output.finds_pressures = water_.solve(o, element_accounts_.view(), output);
+      if (!output.finds_pressures) return output;
+    }
+    solve_momentum(o);
+    if (water_.is_there()) water_.count_power(body_.nodes.motion_step, node_accounts_.view());
     launch(body_.element_count, RemapElement<D>{body_, o.dt});
     launch(body_.node_count, RemapNode<D>{body_, o, node_accounts_.view()});
+    if (water_.is_there()) water_.count_power(o.dt, node_accounts_.view());
     body_.nodes.motion_step = o.dt;
     if (o.smoothing != input::Smoothing::none) {
       launch(body_.element_count, AverageElement<D>{body_, o, average_.view()});
@@ -58,16 +69,18 @@ class DeviceBody : public Device<D> {
       launch(body_.element_count, LendSoftening<D>{body_, reach_});
       launch(body_.element_count, ClearSoftening{body_.elements});
     }
-    advance(o);
-    DeviceOutput<D> output;
+    water_.is_there() ? advance<true>(o) : advance<false>(o);
     relocate(o, output.departed);
-    const NodeAccount nodes = add_up(node_accounts_);
-    const ElementAccount elements = add_up(element_accounts_);
+    const NodeAccount nodes = sums_of_.add_up(node_accounts_);
+    const ElementAccount elements = sums_of_.add_up(element_accounts_);
     output.work.external = nodes.external;
     output.work.damped = nodes.piece.damped;
     output.work.walls = nodes.piece.walls;
     output.work.mapping = nodes.piece.mapping + elements.shared;
     output.work.dissipated = elements.dissipated;
+    output.work.pore_water = nodes.pore_water;
+    output.pressed_in = elements.pressed_in;
+    output.transpired = elements.transpired;
     output.monitor = {std::sqrt(nodes.piece.out_of_balance2), std::sqrt(nodes.piece.external2), nodes.piece.kinetic,
                       std::sqrt(nodes.piece.speed2), nodes.piece.fastest};
     return output;
@@ -85,8 +98,8 @@ class DeviceBody : public Device<D> {
       launch(body_.element_count, MultiplyMass<D>{body_, rows});
       launch(body_.node_count, ImproveVelocity<D>{body_, rows, weights});
     }
-    launch(body_.element_count, FadeElement<D>{body_, rows, element_accounts_.view()});
-    return add_up(element_accounts_).shared;
+    launch(body_.element_count, FadeElement<D>{body_, rows, water_.mass_field(), element_accounts_.view()});
+    return sums_of_.add_up(element_accounts_).shared;
   }
 
   void give_back(DeviceImage<D>& image) override {
@@ -104,18 +117,19 @@ class DeviceBody : public Device<D> {
     image.motion = motion_.fetch();
     image.displacement = displacement_.fetch();
     image.motion_step = body_.nodes.motion_step;
+    water_.give_back(image.water);
   }
 
   StepSquare find_step_square() override {
     squares_.resize(static_cast<std::size_t>(body_.element_count));
-    launch(body_.element_count, FindStep<D>{body_, squares_.view()});
-    return add_up(squares_);
+    launch(body_.element_count, FindStep<D>{body_, water_.mass_field(), squares_.view()});
+    return sums_of_.add_up(squares_);
   }
 
   double find_largest_displacement() override {
     farthest_.resize(static_cast<std::size_t>(body_.element_count));
     launch(body_.element_count, FindFarthest<D>{body_, reference_.read(), farthest_.view()});
-    return std::sqrt(add_up(farthest_).square);
+    return std::sqrt(sums_of_.add_up(farthest_).square);
   }
 
   DeviceMemory find_memory() override { return grid_.find_memory(); }
@@ -137,22 +151,6 @@ class DeviceBody : public Device<D> {
   template <class Kernel>
   void launch(int n, const Kernel& kernel) {
     if (n > 0) grid_.launch(n, kernel);
-  }
-
-  /// The sum of an array, in an order that does not depend on which threads run together.
-  template <class S>
-  S add_up(const Array<S>& values) {
-    static constexpr int widths[] = {16384, 128, 1};
-    View<const S> from = values.read();
-    S sum;
-    for (std::size_t i = 0; i < std::size(widths); ++i) {
-      partial_[i].resize(static_cast<std::size_t>(widths[i]) * sizeof(S));
-      const View<S> sums{reinterpret_cast<S*>(partial_[i].view().start), static_cast<std::size_t>(widths[i])};
-      launch(widths[i], AddUp<S>{from, sums, widths[i]});
-      from = {sums.start, sums.count};
-    }
-    Grid::fetch(&sum, from.start, sizeof(S));
-    return sum;
   }
 
   /// The arrays of elements that change, in the image and here.
@@ -261,15 +259,20 @@ class DeviceBody : public Device<D> {
     body_.conditions = {constraint_of_node_.read(), constraints_.read(), pressed_.view(), factors_.read()};
   }
 
+  void solve_momentum(const StepOptions<D>& o) {
+    launch(body_.node_count, SolveNode<D>{body_, o, node_accounts_.view()});
+  }
+
+  template <bool Wet>
   void advance(const StepOptions<D>& o) {
     const auto run = [&](const auto& law) {
       using Law = std::decay_t<decltype(law)>;
       if (o.mixed)
         launch(body_.element_count,
-               AdvanceElement<D, Law, true>{body_, o, law, leaving_.view(), element_accounts_.view()});
+               AdvanceElement<D, Law, true, Wet>{body_, o, law, leaving_.view(), element_accounts_.view()});
       else
         launch(body_.element_count,
-               AdvanceElement<D, Law, false>{body_, o, law, leaving_.view(), element_accounts_.view()});
+               AdvanceElement<D, Law, false, Wet>{body_, o, law, leaving_.view(), element_accounts_.view()});
     };
     if (host_laws_.size() > 1) {
       int states = 0;
@@ -296,7 +299,8 @@ class DeviceBody : public Device<D> {
     if (signals.overflow != 0) grow();
     launch(count, PutIn<D>{body_, movers, arrivals_.view(), change_.view()});
     if (o.mixed) launch(body_.element_count, UpdateSurface<D>{body_, change_.view()});
-    launch(body_.element_count, SumAnew<D>{body_, o, false, change_.view(), element_accounts_.view()});
+    launch(body_.element_count,
+           SumAnew<D>{body_, o, false, water_.mass_field(), change_.view(), element_accounts_.view()});
   }
 
   Movers make_room_for_movers(int count) {
@@ -319,7 +323,13 @@ class DeviceBody : public Device<D> {
     const auto stride = static_cast<std::size_t>(count);
     for (std::size_t m = 0; m < stride; ++m) {
       if (to[m] != static_cast<unsigned>(body_.element_count)) continue;
-      Departed<D> point{id[m], from[m], fields[P::mass * stride + m], {}, {}};
+      const int water = water_.mass_field();
+      Departed<D> point{id[m],
+                        from[m],
+                        fields[P::mass * stride + m],
+                        water < 0 ? 0.0 : fields[static_cast<std::size_t>(water) * stride + m],
+                        {},
+                        {}};
       for (std::size_t d = 0; d < D; ++d) {
         point.xi[d] = fields[(P::xi + d) * stride + m];
         point.velocity[d] = fields[(P::velocity + d) * stride + m];
@@ -360,6 +370,8 @@ class DeviceBody : public Device<D> {
 
   Grid grid_;
   ThreadBody<D> body_;
+  FixedSums<Grid> sums_of_{grid_};
+  DeviceWaterBody<Grid, D> water_{grid_, sums_of_, body_};
   std::vector<StoredLaw> host_laws_;
   std::vector<int> capacity_;  ///< [block] slots
   SofteningList reach_;
@@ -399,7 +411,6 @@ class DeviceBody : public Device<D> {
   Array<Farthest> farthest_;
   Array<Vec<D>> reference_;
   Array<Signals> signals_;
-  Array<unsigned char> partial_[3];
   Array<double> mover_fields_;
   Array<int> mover_id_, mover_from_, mover_order_;
   Array<unsigned> mover_to_, mover_sorted_;

@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "mpm/body/slots.hpp"
+#include "mpm/device/water_image.hpp"
 #include "mpm/step/softening.hpp"
 
 namespace talus::mpm {
@@ -197,6 +198,7 @@ DeviceImage<D> make_device_image(const Body<D>& body, int threads) {
                 motion_stride<D>, &image.motion[static_cast<std::size_t>(i) * motion_stride<D>]);
   image.displacement = body.nodes.displacement;
   image.motion_step = body.nodes.motion_step;
+  image.water = make_water_image(body);
   return image;
 }
 
@@ -210,6 +212,7 @@ void read_device_image(const DeviceImage<D>& image, int threads, Body<D>& body) 
              });
   narrow(image.moments, elements, moment_size<D>, body.elements.moments);
   read_nodes(image, body);
+  read_water_image(image.water, body);
   gather_loads(body);
 }
 
@@ -228,7 +231,7 @@ std::size_t count_bytes(const DeviceImage<D>& image) {
          of(image.fill_limit, image.apart, image.rough, image.plastic_dilation, image.softened, image.softening_volume,
             image.lent, image.motion, image.displacement) +
          static_cast<std::size_t>(image.point_count) * (sizeof(int) + sizeof(std::int64_t)) +
-         lanes * element_work * numbers + nodes * node_work * numbers;
+         lanes * element_work * numbers + nodes * node_work * numbers + count_bytes(image.water);
 }
 
 #define TALUS_INSTANTIATE(D)                                         \

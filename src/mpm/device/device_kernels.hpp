@@ -5,6 +5,7 @@
 
 #include "mpm/device/device.hpp"
 #include "mpm/device/thread_body.hpp"
+#include "mpm/mixture/mixture_block.hpp"
 #include "mpm/step/average_lines.hpp"
 #include "mpm/step/dry_block.hpp"
 #include "mpm/step/element_lines.hpp"
@@ -16,11 +17,13 @@ namespace talus::mpm::device {
 /// What the nodes sum up in a step.
 struct NodeAccount {
   PieceSums piece;
-  double external = 0;  ///< work of gravity and tractions [J]
+  double external = 0;    ///< work of gravity and tractions [J]
+  double pore_water = 0;  ///< and of the pore pressures, see Work [J]
 
   TALUS_PORTABLE void add(const NodeAccount& next) {
     piece.add(next.piece);
     external += next.external;
+    pore_water += next.pore_water;
   }
 };
 
@@ -28,10 +31,14 @@ struct NodeAccount {
 struct ElementAccount {
   double dissipated = 0;  ///< plastic work [J]
   double shared = 0;      ///< elastic energy lost where points share their stress [J]
+  double pressed_in = 0;  ///< see Water [kg]
+  double transpired = 0;  ///< by roots [kg]
 
   TALUS_PORTABLE void add(const ElementAccount& next) {
     dissipated += next.dissipated;
     shared += next.shared;
+    pressed_in += next.pressed_in;
+    transpired += next.transpired;
   }
 };
 
@@ -110,16 +117,17 @@ struct AverageNode {
   }
 };
 
-/// The pass over the points of a thread's element.
-template <int D>
+/// The pass over the points of a thread's element. Wet: with water that seeps.
+template <int D, bool Wet>
 struct ThreadPass {
   static constexpr int dimension = D;
   using B = ThreadBody<D>;
   template <class Law>
-  using Block = DryBlock<ThreadPass, Law>;
+  using Block = std::conditional_t<Wet, MixtureBlock<ThreadPass, Law>, DryBlock<ThreadPass, Law>>;
   B& body;
   const StepOptions<D>& options;
   double dissipated = 0;  ///< plastic work [J]
+  double pressed_in = 0;  ///< see Water [kg]
   int leaving = 0;        ///< points that left the element
 
   TALUS_PORTABLE ThreadPass(B& b, const StepOptions<D>& o) : body(b), options(o) {}
@@ -144,7 +152,7 @@ struct AnyLaw {
 };
 
 /// advance_points() of an element whose soils follow `law`: OneLaw or AnyLaw.
-template <int D, class Law, bool Mixed>
+template <int D, class Law, bool Mixed, bool Wet>
 struct AdvanceElement {
   ThreadBody<D> body;
   StepOptions<D> options;
@@ -155,7 +163,7 @@ struct AdvanceElement {
   TALUS_PORTABLE void operator()(int e) const {
     ThreadBody<D> mine = body.for_element(e);
     const int b = e / device_width;
-    ThreadPass<D> pass(mine, options);
+    Pass pass(mine, options);
     if (count_slots(mine.points, b) > 0) {
       if constexpr (std::is_same_v<Law, AnyLaw>)
         advance(pass, ManyLaws<DeviceLaws>{&mine.laws, law.present, law.states}, b);
@@ -163,12 +171,16 @@ struct AdvanceElement {
         advance(pass, law, b);
     }
     leaving[static_cast<std::size_t>(e)] = pass.leaving;
-    accounts[static_cast<std::size_t>(e)] = {pass.dissipated, 0};
+    ElementAccount& account = accounts[static_cast<std::size_t>(e)];  // what roots drew stays
+    account.dissipated = pass.dissipated;
+    account.shared = 0;
+    account.pressed_in = pass.pressed_in;
   }
 
  private:
+  using Pass = ThreadPass<D, Wet>;
   template <class L>
-  TALUS_PORTABLE void advance(ThreadPass<D>& pass, const L& l, int b) const {
+  TALUS_PORTABLE void advance(Pass& pass, const L& l, int b) const {
     const bool apart = is_apart(pass.body, static_cast<std::size_t>(b) * device_width);
     apart ? advance_block<Mixed, true>(pass, l, b) : advance_block<Mixed, false>(pass, l, b);
   }
@@ -196,9 +208,12 @@ struct ClearSoftening {
 template <int D>
 struct FindStep {
   ThreadBody<D> body;
+  int more_mass;  ///< field of mass that moves with the points; -1: none
   View<StepSquare> squares;
 
-  TALUS_PORTABLE void operator()(int e) const { squares[static_cast<std::size_t>(e)] = find_step_square(body, e); }
+  TALUS_PORTABLE void operator()(int e) const {
+    squares[static_cast<std::size_t>(e)] = find_step_square(body, e, more_mass);
+  }
 };
 
 /// The largest displacement of the points of an element, squared; what is no number is larger than all.
@@ -277,21 +292,6 @@ struct Locate {
       for (int d = 0; d < D; ++d) place.xi[d] = p[(PointFields<D>::xi + d) * device_width];
     }
     places[static_cast<std::size_t>(i)] = place;
-  }
-};
-
-/// Sums of `values` in a fixed order: thread t of `threads` takes every threads-th of them.
-template <class S>
-struct AddUp {
-  View<const S> values;
-  View<S> sums;
-  int threads;
-
-  TALUS_PORTABLE void operator()(int t) const {
-    S sum;
-    for (std::size_t i = static_cast<std::size_t>(t); i < values.count; i += static_cast<std::size_t>(threads))
-      sum.add(values[i]);
-    sums[static_cast<std::size_t>(t)] = sum;
   }
 };
 

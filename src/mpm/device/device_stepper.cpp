@@ -9,13 +9,31 @@
 #include "base/error.hpp"
 #include "mpm/body/observe.hpp"
 #include "mpm/device/device_image.hpp"
+#include "mpm/device/water_image.hpp"
+#include "mpm/mixture/mixture_step.hpp"
 #include "mpm/step/loads.hpp"
 #include "mpm/step/stopwatch.hpp"
 
 namespace talus::mpm {
+namespace {
+
+/// What a step did to the water's budget.
+template <int D>
+void add_water(const DeviceOutput<D>& output, Water<D>& water) {
+  water.budgets.resize(water.surfaces.size());
+  for (std::size_t i = 0; i < output.budgets.size(); ++i) water.budgets[i].add(output.budgets[i]);
+  water.transpired += output.transpired;
+  water.pressed_in += output.pressed_in;
+  water.mixture.rounds = output.rounds;
+  water.mixture.iterations = output.iterations;
+}
+
+}  // namespace
 
 template <int D>
-void DeviceStepper<D>::take(const Body<D>& body, const StepOptions<D>& options) {
+void DeviceStepper<D>::take(Body<D>& body, const StepOptions<D>& options) {
+  if (body.water.is_wet() && !body.water.mixture.graph)
+    body.water.mixture.graph = std::make_shared<const NodeGraph<D>>(make_node_graph(body.mesh()));
   const DeviceMemory memory = device_->find_memory();
   image_ = make_device_image(body, options.threads);
   try {
@@ -39,6 +57,9 @@ DeviceInput<D> DeviceStepper<D>::make_input(const Body<D>& body, const StepOptio
   input.time = body.time;
   for (const input::TimeTable& factor : body.conditions.factors)
     input.factors.push_back({factor.at(body.time + options.dt)});
+  input.surfaces = find_device_surfaces(body);
+  for (const RootUptake& uptake : body.water.uptakes)
+    input.uptake_rates.push_back(uptake.rate.at(body.time + 0.5 * options.dt));
   if (body.conditions.loads.empty()) return input;
   const std::vector<Vec<D>> load =
       find_loads<D>(body, body.time, [this](const std::vector<int>& points) { return device_->locate(points); });
@@ -57,6 +78,7 @@ void DeviceStepper<D>::step(Body<D>& body, const StepOptions<D>& options) {
   threads_ = options.threads;
   DeviceOutput<D> output;
   timed(body.timing.device, [&] { output = device_->step(make_input(body, options), options); });
+  if (!output.finds_pressures) throw_no_pressures(body.step_count);
   body.time += options.dt;
   ++body.step_count;
   body.work.external += output.work.external;
@@ -64,11 +86,14 @@ void DeviceStepper<D>::step(Body<D>& body, const StepOptions<D>& options) {
   body.work.walls += output.work.walls;
   body.work.mapping += output.work.mapping;
   body.work.dissipated += output.work.dissipated;
+  body.work.pore_water += output.work.pore_water;
+  if (body.water.is_wet()) add_water(output, body.water);
   if (options.monitor) body.monitor = output.monitor;
   for (const Departed<D>& point : output.departed) {
     Lost<D> lost{point.id, body.time, point.mass, mesh::to_global(body.mesh(), point.element, point.xi), {}};
     for (std::size_t d = 0; d < D; ++d) lost.momentum[d] = point.mass * point.velocity[d];
     body.lost.push_back(lost);
+    body.water.left_grid += point.water;
   }
 }
 

@@ -32,7 +32,7 @@ class DeviceStepper {
   double find_largest_displacement(const Body<D>& body);
 
  private:
-  void take(const Body<D>& body, const StepOptions<D>& options);
+  void take(Body<D>& body, const StepOptions<D>& options);
   DeviceInput<D> make_input(const Body<D>& body, const StepOptions<D>& options);
 
   std::unique_ptr<Device<D>> device_;

@@ -83,6 +83,7 @@ template <int D>
 struct FadeElement {
   ThreadBody<D> body;
   FadeRows<D> rows;
+  int more_mass;  ///< field of mass that moves with the points; -1: none
   View<ElementAccount> accounts;
 
   TALUS_PORTABLE void operator()(int e) const {
@@ -93,7 +94,7 @@ struct FadeElement {
       multiply_mass(mine, mine.elements.moments, rows.u, b, value, out);
       for (int k = 0; k <= D; ++k)
         for (int d = 0; d < D; ++d) sums_row(mine, e, k)[1 + d] = out[k][d];
-      fade_points(mine, b, value, {PointFields<D>::mass, PointFields<D>::velocity}, lost);
+      fade_points(mine, b, value, {PointFields<D>::mass, PointFields<D>::velocity, more_mass}, lost);
     }
     accounts[static_cast<std::size_t>(e)] = {0, lost};
   }

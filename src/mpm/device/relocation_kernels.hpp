@@ -238,6 +238,7 @@ struct SumAnew {
   ThreadBody<D> body;
   StepOptions<D> options;
   bool all;
+  int more_mass;  ///< field of mass that moves with the points; -1: none
   View<int> change;
   View<ElementAccount> accounts;
 
@@ -254,7 +255,7 @@ struct SumAnew {
                                static_cast<std::size_t>(e % device_width)];
     for (int i = 0; i < moment_size<D>; ++i) moments[i * device_width] = 0;
     if (all || (why & (lost_points | got_points)) != 0) note_gaps(mine, options, e);
-    gather_points(mine, options, e);
+    gather_points(mine, options, e, more_mass);
     if (mine.points.count[static_cast<std::size_t>(e)] == 0)
       mine.elements.plastic_dilation[static_cast<std::size_t>(e)] = mine.elements.rough[static_cast<std::size_t>(e)] =
           0;

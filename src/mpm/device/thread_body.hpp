@@ -8,7 +8,9 @@
 // place.
 
 #include "mpm/body/body.hpp"
+#include "mpm/coupled/water_lanes.hpp"
 #include "mpm/device/device_laws.hpp"
+#include "mpm/device/thread_water.hpp"
 #include "mpm/step/element_lines.hpp"
 #include "mpm/step/kernels.hpp"
 
@@ -16,20 +18,6 @@ namespace talus::mpm {
 
 /// Elements of a block on a device.
 inline constexpr int device_width = 32;
-
-/// Where something is stored, and for how many; the memory is someone else's.
-template <class T>
-struct View {
-  T* start = nullptr;
-  std::size_t count = 0;
-
-  TALUS_PORTABLE T* data() const { return start; }
-  TALUS_PORTABLE std::size_t size() const { return count; }
-  TALUS_PORTABLE bool empty() const { return count == 0; }
-  TALUS_PORTABLE T& operator[](std::size_t i) const { return start[i]; }
-  /// From the lane on that is a thread's.
-  TALUS_PORTABLE void shift(int lane) { start += lane; }
-};
 
 /// What mesh::Mesh has, as far as a step needs it.
 template <int D>
@@ -110,13 +98,6 @@ struct DeviceConditions {
   View<const GivenFactor> factors;
 };
 
-/// A pointer that is its own target.
-template <class T>
-struct Inside : T {
-  TALUS_PORTABLE const T* operator->() const { return this; }
-  TALUS_PORTABLE const T& operator*() const { return *this; }
-};
-
 template <int D>
 struct ThreadBody {
   static constexpr int dimension = D, width = device_width;
@@ -130,6 +111,7 @@ struct ThreadBody {
   DevicePoints<D> points;
   DeviceElements elements;
   DeviceNodes<D> nodes;
+  DeviceWater<D> water;
   double time = 0, smallest_mass = 0;
   int element_count = 0, node_count = 0;
   int lane = 0;  ///< that the arrays [block][…][lane] are shifted to
@@ -150,6 +132,7 @@ struct ThreadBody {
     for (View<double>* field : {&of.moments, &of.strain, &of.fill_limit, &of.apart, &of.rough, &of.plastic_dilation,
                                 &of.softened, &of.softening_volume, &of.lent, &of.held_saturation})
       field->shift(mine.lane);
+    mine.water.shift(mine.lane);
     return mine;
   }
 };
@@ -158,6 +141,26 @@ struct ThreadBody {
 template <int D>
 TALUS_PORTABLE double* sums_row(ThreadBody<D>& body, int e, int k) {
   return &body.nodes.sums[(static_cast<std::size_t>(e) * (D + 1) + static_cast<std::size_t>(k)) * sums_stride];
+}
+
+/// The row of the sums of node `i` that carries the forces of the pressures: the first one of an element with points,
+/// which the pass writes anew. nullptr: none.
+template <int D>
+TALUS_PORTABLE double* find_row_to_press(const ThreadBody<D>& body, int i) {
+  for (int r = body.layout->row_start[i]; r < body.layout->row_start[i + 1]; ++r) {
+    const int row = body.layout->node_rows[r];
+    if (body.points.count[row / (D + 1)] > 0) return &body.nodes.sums[static_cast<std::size_t>(row) * sums_stride];
+  }
+  return nullptr;
+}
+
+/// The water laws of a thread's element.
+template <class Law, int D>
+TALUS_KERNEL auto get_block_water(const ThreadBody<D>& body, int /*b*/, double conductivity_factor) {
+  if constexpr (Law::is_single)
+    return OneWater{body.water.laws.data(), conductivity_factor};
+  else
+    return ManyWaters<View<const WaterLaw>>{&body.water.laws, ~std::uint32_t{0}, conductivity_factor};
 }
 
 /// Adds N values from column First on to the sums of the k-th node of the thread's element in block `b`.

@@ -163,7 +163,8 @@ TALUS_PORTABLE void gather_points(B& body, const StepOptions<B::dimension>& opti
 }
 
 /// The square of the critical step of the points of element `e`, there and in its neighbours, which they may enter
-/// before the next look, and the element that decides it. Nothing (-1) where there is none.
+/// before the next look, and the element that decides it. Nothing (-1) where there is none. `more_mass`: field of mass
+/// that moves with the points; -1: none.
 struct StepSquare {
   double dt2 = 0;  ///< [s²], without mass scaling
   int element = -1;
@@ -172,7 +173,7 @@ struct StepSquare {
   }
 };
 template <class B>
-TALUS_PORTABLE StepSquare find_step_square(const B& body, int e) {
+TALUS_PORTABLE StepSquare find_step_square(const B& body, int e, int more_mass = -1) {
   using P = PointFields<B::dimension>;
   constexpr int NS = P::stress_size, width = B::width;
   const auto& points = body.points;
@@ -186,7 +187,8 @@ TALUS_PORTABLE StepSquare find_step_square(const B& body, int e) {
     double sigma[NS], state[material::max_state_size];
     for (int i = 0; i < NS; ++i) sigma[i] = p[(P::stress + i) * width];
     for (int i = 0; i < count_states(body.laws, soil); ++i) state[i] = p[(P::state + i) * width];
-    const double of_point = find_modulus(body.laws, soil, sigma, state) * p[P::volume * width] / p[P::mass * width];
+    const double mass = p[P::mass * width] + (more_mass < 0 ? 0.0 : p[more_mass * width]);
+    const double of_point = find_modulus(body.laws, soil, sigma, state) * p[P::volume * width] / mass;
     speed2 = speed2 < of_point ? of_point : speed2;
   }
   StepSquare least;

@@ -35,7 +35,7 @@ std::vector<std::string> list_left_to_processor(const input::Case& data) {
   const bool wet = std::any_of(data.materials.begin(), data.materials.end(),
                                [](const auto& entry) { return entry.second.water.is_wet(); });
   for (const input::Stage& stage : data.stages)
-    if (wet && stage.step.water != input::WaterMotion::held) stages.push_back(stage.name);
+    if (wet && stage.step.water == input::WaterMotion::flows) stages.push_back(stage.name);
   return stages;
 }
 

@@ -112,8 +112,8 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
   origin_.reset();  // it is as large as the body
   if (const std::vector<std::string> left = list_left_to_processor(data_); !left.empty())
     warnings_.push_back(
-        fmt::format("the device does not calculate pore water that moves: the processor did the "
-                    "stages {}",
+        fmt::format("the device does not calculate water with a velocity of its own (water = \"flows\"): the processor "
+                    "did the stages {}",
                     fmt::join(left, ", ")));
   if (body_.conditions.constraints.empty())
     warnings_.push_back("no boundary holds the soil; without [[boundary]] it falls out of the box");

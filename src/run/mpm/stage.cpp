@@ -296,7 +296,7 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
   }
   const double end = state.start_time + plan.duration;
   mpm::CriticalStep critical = find_critical_step(body, plan);
-  Stepper<D> stepper(body);
+  Stepper<D> stepper(body, plan);
   GoodStates<D> good(wanted, hooks);
   // That of the start: later densities may be those of an explosion.
   if (state.wave_speed == 0) state.wave_speed = find_wave_speed(body, plan);

@@ -17,8 +17,8 @@ namespace talus::run {
 template <int D>
 class Stepper {
  public:
-  explicit Stepper(mpm::Body<D>& body) : body_(body) {
-    if (body.water.is_wet()) return;  // devices know one phase
+  Stepper(mpm::Body<D>& body, const StagePlan<D>& plan) : body_(body) {
+    if (body.water.is_wet() && plan.step.water == input::WaterMotion::flows) return;  // devices know one velocity
     if (auto device = mpm::make_device<D>()) device_.emplace(std::move(device));
   }
 

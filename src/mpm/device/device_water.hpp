@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Pore water of a body in the memory of a device, and its part of a step. Grid: HostGrid or CudaGrid.
+
+#include "mpm/device/device.hpp"
+#include "mpm/device/pressure_kernels.hpp"
+
+namespace talus::mpm::device {
+
+template <class Grid, int D>
+class DeviceWaterBody {
+ public:
+  DeviceWaterBody(Grid& grid, FixedSums<Grid>& sums, ThreadBody<D>& body) : grid_(grid), sums_(sums), body_(body) {}
+
+  bool is_there() const { return body_.water.is_wet(); }
+  /// Of what seeps; -1: none.
+  int mass_field() const { return is_there() ? body_.water.first_field + WaterFields<D>::mass : -1; }
+
+  /// `nodes`, `lanes`: how many.
+  void take(const WaterImage<D>& image, std::size_t nodes, std::size_t lanes) {
+    body_.water = {};
+    laws_.bring(image.laws);
+    if (image.laws.empty()) return;
+    host_laws_ = image.laws;
+    surfaces_ = image.surfaces;
+    loads_ = image.loads;
+    take_conditions(image);
+    take_arrays(image, nodes, lanes);
+    surface_is_stale_ = true;
+  }
+
+  void give_back(WaterImage<D>& image) const {
+    if (!is_there()) return;
+    for (const auto& [of_image, array] : list_fields()) image.*of_image = (this->*array).fetch();
+    image.ponded = ponded_.fetch();
+  }
+
+  /// Everything before the momentum of the step: contents, surface, flow, and the pressures as they are. `tractions`:
+  /// those of the step; the nodes' load becomes theirs with what the water outside presses.
+  void begin(const DeviceInput<D>& input, const StepOptions<D>& o, View<const Vec<D>> tractions) {
+    of_step_.bring(input.surfaces);
+    body_.water.surfaces = of_step_.read();
+    rates_.bring(input.uptake_rates);
+    signals_.bring(std::vector<WaterSignals>(1));
+    launch(elements(), SumContents<D>{body_, o.mixed, signals_.view()});
+    launch(nodes(), StartNode<D>{body_, is_first_});
+    is_first_ = false;
+    if (surface_is_stale_ || signals_.fetch_first().turned != 0) find_open_sides();
+    if (loads_) launch(elements(), LoadElement<D>{body_, o, open_.read(), load_rows_.view()});
+    launch(nodes(), LoadNode<D>{body_, tractions, load_rows_.read(), load_.view()});
+    body_.nodes.load = load_.read();
+    for (std::size_t k = 0; k < host_laws_.size(); ++k)
+      if (host_laws_[k].wet) launch(nodes(), FindRelative<D>{body_, k, relative_});
+    launch(elements(), FindFlow<D>{body_, o, relative_});
+    pore_force_.assign_zeros(pore_force_.size());
+    launch(nodes(), PressNode<D>{body_});
+  }
+
+  /// The pressures of the end of the step from the momentum that was found with those of its start. False: they were
+  /// not found.
+  bool solve(const StepOptions<D>& o, View<ElementAccount> accounts, DeviceOutput<D>& output) {
+    launch(elements(), FindOwnMass<D>{body_, own_mass_.view()});
+    launch(nodes(), PredictNode<D>{body_, o, own_mass_.read()});
+    if (o.moving && uptakes_.size() > 0)
+      launch(elements(), DrawElement<D>{body_, uptakes_.read(), rates_.read(), o.dt, accounts});
+    const PressureSystem<D> system = assemble(o);
+    for_nodes<NodeLine::start_line>(system);
+    bool settled = false;
+    for (output.rounds = 1; output.rounds <= most_rounds && !settled; ++output.rounds) {
+      for_nodes<NodeLine::find_source>(system);
+      if (!solve_round(system, output.iterations)) return false;
+      signals_.bring(std::vector<WaterSignals>(1));
+      launch(nodes(), SettleNode<D>{system, output.rounds - 1, signals_.view()});
+      settled = signals_.fetch_first().settled != 0;
+    }
+    if (settled) --output.rounds;  // the last one
+    launch(nodes(), MultiplyNode<D>{system, body_.water.mixture.change, false, false});
+    for_nodes<NodeLine::find_out>(system);
+    launch(elements(), ForElements<D, ElementLine::share_water>{system});
+    for_nodes<NodeLine::keep_own>(system);
+    count_water(system, output.budgets);
+    launch(nodes(), EndNode<D>{system});
+    launch(elements(), ForElements<D, ElementLine::find_end>{system});
+    launch(nodes(), PressNode<D>{body_});
+    return true;
+  }
+
+  void count_power(double seconds, View<NodeAccount> accounts) {
+    launch(nodes(), CountPorePower<D>{body_, seconds, accounts});
+  }
+
+ private:
+  template <class T>
+  using Array = DeviceArray<Grid, T>;
+  using Field = std::pair<std::vector<double> WaterImage<D>::*, Array<double> DeviceWaterBody::*>;
+  /// Iterations between two looks at how far the gradients have come.
+  static constexpr int iterations_ahead = 4;
+
+  /// The arrays that change and come back.
+  static std::array<Field, 7> list_fields() {
+    using I = WaterImage<D>;
+    return {{{&I::volume, &DeviceWaterBody::volume_},
+             {&I::stretch, &DeviceWaterBody::stretch_},
+             {&I::mean_saturation, &DeviceWaterBody::mean_saturation_},
+             {&I::mean_pressure, &DeviceWaterBody::mean_pressure_},
+             {&I::pressure, &DeviceWaterBody::pressure_},
+             {&I::own, &DeviceWaterBody::own_},
+             {&I::change, &DeviceWaterBody::change_}}};
+  }
+
+  template <class Kernel>
+  void launch(int n, const Kernel& kernel) {
+    if (n > 0) grid_.launch(n, kernel);
+  }
+  template <NodeLine Line>
+  void for_nodes(const PressureSystem<D>& system) {
+    launch(nodes(), ForWetNodes<D, Line>{system});
+  }
+  int nodes() const { return body_.node_count; }
+  int elements() const { return body_.element_count; }
+
+  void take_conditions(const WaterImage<D>& image) {
+    surface_of_node_.bring(image.surface_of_node);
+    constraint_of_node_.bring(image.constraint_of_node);
+    constraints_.bring(image.constraints);
+    weights_.clear();
+    std::vector<DeviceUptake> uptakes = image.uptakes;
+    for (DeviceUptake& uptake : uptakes) {
+      weights_.emplace_back().bring(uptake.weight);
+      uptake.weight = weights_.back().read();
+    }
+    uptakes_.bring(uptakes);
+    node_size_.bring(image.node_size);
+    row_start_.bring(image.row_start);
+    column_.bring(image.column);
+    place_.bring(image.place);
+    DeviceWater<D>& water = body_.water;
+    water.laws = laws_.read();
+    water.density = image.density;
+    water.first_field = image.first_field;
+    water.surface_of_node = surface_of_node_.read();
+    water.constraint_of_node = constraint_of_node_.read();
+    water.constraints = constraints_.read();
+    DeviceGraph<D>& graph = water.mixture.graph;
+    graph.touch_start = body_.layout.row_start;
+    graph.element.rows = graph.local.rows = body_.layout.node_rows;
+    graph.size = node_size_.read();
+    graph.row_start = row_start_.read();
+    graph.column = column_.read();
+    graph.place = place_.read();
+  }
+
+  void take_arrays(const WaterImage<D>& image, std::size_t nodes, std::size_t lanes) {
+    for (const auto& [of_image, array] : list_fields()) (this->*array).bring(image.*of_image);
+    is_first_ = image.own.empty();
+    if (is_first_) own_.assign_zeros(nodes);
+    if (image.pressure.empty()) pressure_.bring(std::vector<double>(nodes, NAN));
+    if (image.change.empty()) change_.assign_zeros(nodes);
+    image.ponded.empty() ? ponded_.assign_zeros(nodes) : ponded_.bring(image.ponded);
+    const std::size_t soils = laws_.size();
+    DeviceMixture<D>& m = body_.water.mixture;
+    const auto put_table = [soils](Array<double>& array, std::size_t columns) {
+      array.assign_zeros(soils * columns);
+      return TableView{array.view().start, soils, columns};
+    };
+    m.pores = put_table(pores_, lanes);
+    m.volume = put_table(volumes_, lanes);
+    m.node_pores = put_table(node_pores_, nodes);
+    relative_ = put_table(relatives_, nodes);
+    const auto put = [](auto& array, std::size_t size) {
+      array.assign_zeros(size);
+      return array.view();
+    };
+    m.water = put(content_, lanes);
+    m.share = put(share_, lanes);
+    for (std::size_t d = 0; d < D; ++d) m.flux[d] = put(flux_[d], lanes);
+    m.drawn = put(drawn_, lanes);
+    m.saturated = put(saturated_, lanes);
+    m.effective = put(effective_, lanes);
+    m.coupling = put(coupling_, lanes);
+    m.conductive = put(conductive_, lanes);
+    m.soft = put(soft_, lanes);
+    m.node_water = put(node_water_, nodes);
+    m.out = put(out_, nodes);
+    m.passed = put(passed_, nodes);
+    m.mobility = put(mobility_, nodes);
+    m.velocity = put(velocity_, nodes);
+    m.acceleration = put(acceleration_, nodes);
+    m.pore_force = put(pore_force_, nodes);
+    m.area = put(area_, nodes);
+    m.pressure = pressure_.view();
+    m.own = own_.view();
+    m.change = change_.view();
+    m.ponded = ponded_.view();
+    DeviceWater<D>& water = body_.water;
+    water.volume = volume_.view();
+    water.stretch = stretch_.view();
+    water.mean_saturation = mean_saturation_.view();
+    water.mean_pressure = mean_pressure_.view();
+    touches_.resize(nodes);
+    outside_.resize(lanes);
+    open_.assign_zeros(lanes);
+    load_.resize(nodes);
+    load_rows_.assign_zeros(loads_ ? lanes * (D + 1) : 0);
+    own_mass_.resize(lanes);
+    for (Array<double>* array :
+         {&source_, &storage_, &diagonal_, &of_node_, &r_, &z_, &q_, &growth_, &drained_of_, &d_})
+      array->assign_zeros(nodes);
+    pushed_.assign_zeros(nodes);
+    fixed_.assign_zeros(nodes);
+    surface_.resize(nodes);
+    lines_.resize(nodes);
+    divergence_.resize(lanes);
+    seeping_.resize(lanes);
+    lift_.resize(lanes);
+    entries_.resize(column_.size());
+    gradients_.assign_zeros(1);
+  }
+
+  /// Only the outside's way round what it does not reach at once takes further launches.
+  void find_open_sides() {
+    surface_is_stale_ = false;
+    launch(nodes(), MarkWetNode<D>{body_, touches_.view()});
+    launch(elements(), StartOutside<D>{body_, touches_.read(), outside_.view()});
+    do {
+      signals_.bring(std::vector<WaterSignals>(1));
+      launch(elements(), SpreadOutside<D>{body_, outside_.view(), signals_.view()});
+    } while (signals_.fetch_first().spread != 0);
+    launch(elements(), FindOpenSides<D>{body_, outside_.read(), open_.view()});
+    launch(nodes(), FindArea<D>{body_, open_.read()});
+  }
+
+  PressureSystem<D> assemble(const StepOptions<D>& o) {
+    entries_.assign_zeros(entries_.size());
+    for (Array<double>* array : {&growth_, &drained_of_, &d_}) array->assign_zeros(array->size());
+    pushed_.assign_zeros(pushed_.size());
+    const PressureSystem<D> system{
+        body_,
+        o,
+        {entries_.view(), source_.view(), storage_.view(), diagonal_.view(), growth_.view(), drained_of_.view(),
+         of_node_.view(), r_.view(), z_.view(), d_.view(), q_.view(), pushed_.view(), fixed_.view(), surface_.view(),
+         lines_.view(), divergence_.view(), seeping_.view(), lift_.view()},
+        gradients_.view()};
+    launch(nodes(), SumPores<D>{system});
+    for_nodes<NodeLine::find_surface>(system);
+    launch(elements(), ForElements<D, ElementLine::assemble>{system});
+    for_nodes<NodeLine::assemble>(system);
+    for_nodes<NodeLine::find_diagonal>(system);
+    return system;
+  }
+
+  template <Scalar Meaning>
+  void sum(const PressureSystem<D>& system) {
+    constexpr int threads = FixedSums<Grid>::first_threads;
+    launch(threads, SumOverNodes<D, Meaning>{system, sums_.template get_first<Total>(), threads});
+    launch(1, TakeSum{gradients_.view(), sums_.template finish<Total>(), Meaning, system.options.pressure_tolerance});
+  }
+
+  void multiply(const PressureSystem<D>& system, View<double> x, bool searches) {
+    launch(nodes(), PushNode<D>{system, x, searches});
+    launch(nodes(), MultiplyNode<D>{system, x, true, searches});
+  }
+
+  /// Solves for the change of the pressures. Adds to `iterations`; false: not found.
+  bool solve_round(const PressureSystem<D>& system, int& iterations) {
+    const View<double> x = body_.water.mixture.change;
+    for_nodes<NodeLine::fix>(system);
+    multiply(system, x, false);
+    for_nodes<NodeLine::start_gradients>(system);
+    sum<Scalar::scale>(system);
+    sum<Scalar::first_residual>(system);
+    Gradients g = gradients_.fetch_first();
+    while (g.go_on()) {
+      for (int n = 0; n < iterations_ahead; ++n) {
+        multiply(system, d_.view(), true);
+        sum<Scalar::curvature>(system);
+        launch(nodes(), GoOn<D>{system});
+        sum<Scalar::residual>(system);
+        launch(nodes(), Turn<D>{system});
+      }
+      g = gradients_.fetch_first();
+    }
+    iterations += g.iterations;
+    if (!(g.rz <= g.wanted)) return false;  // or no number
+    multiply(system, x, false);
+    for_nodes<NodeLine::find_passed>(system);
+    return true;
+  }
+
+  void count_water(const PressureSystem<D>& system, std::vector<SurfaceBudget>& budgets) {
+    constexpr int threads = FixedSums<Grid>::first_threads;
+    for (int s = 0; s < surfaces_; ++s) {
+      launch(threads, CountWater<D>{system, s, sums_.template get_first<SurfaceBudget>(), threads});
+      budgets.push_back(sums_.fetch(sums_.template finish<SurfaceBudget>()));
+    }
+  }
+
+  Grid& grid_;
+  FixedSums<Grid>& sums_;
+  ThreadBody<D>& body_;
+  std::vector<WaterLaw> host_laws_;
+  int surfaces_ = 0;
+  bool loads_ = false, is_first_ = false, surface_is_stale_ = true;
+
+  Array<WaterLaw> laws_;
+  // Conditions and graph.
+  Array<int> surface_of_node_, constraint_of_node_, row_start_, column_, place_;
+  Array<WaterConstraint<D>> constraints_;
+  Array<DeviceSurface> of_step_;
+  Array<DeviceUptake> uptakes_;
+  std::vector<Array<double>> weights_;
+  Array<double> rates_, node_size_;
+  // By element.
+  Array<double> volume_, stretch_, mean_saturation_, mean_pressure_, pores_, volumes_, content_, share_, flux_[D],
+      drawn_, saturated_, effective_, coupling_, conductive_, soft_, divergence_;
+  Array<Vec<D>> seeping_, lift_, load_rows_;
+  Array<std::array<double, D + 1>> own_mass_;
+  Array<std::uint8_t> outside_, open_;
+  // By node.
+  Array<double> pressure_, own_, change_, node_pores_, relatives_, node_water_, out_, passed_, mobility_, source_,
+      storage_, diagonal_, growth_, drained_of_, of_node_, r_, z_, d_, q_;
+  TableView relative_;
+  Array<Vec<D>> velocity_, acceleration_, pore_force_, area_, load_, pushed_;
+  Array<std::uint8_t> ponded_, touches_, fixed_;
+  Array<SurfaceWater> surface_;
+  Array<HeldLine> lines_;
+  Array<PressureEntry<D>> entries_;
+  Array<Gradients> gradients_;
+  Array<WaterSignals> signals_;
+};
+
+}  // namespace talus::mpm::device
