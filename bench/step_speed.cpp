@@ -20,6 +20,7 @@
 
 #include "mpm/body/observe.hpp"
 #include "mpm/device/device_choice.hpp"
+#include "mpm/device/device_image.hpp"
 #include "mpm/device/device_stepper.hpp"
 #include "wet_yardstick.hpp"
 
@@ -106,20 +107,6 @@ void print_parts(const talus::mpm::Timing& t, int steps) {
       t.relocate * scale);
 }
 
-/// Of the solver for pressures, over ten more steps.
-template <int D>
-void print_solver(talus::bench::Yardstick<D>& y) {
-  constexpr int steps = 10;
-  double rounds = 0, iterations = 0;
-  for (int s = 0; s < steps; ++s) {
-    talus::mpm::step(y.body, y.options);
-    rounds += y.body.water.mixture.rounds;
-    iterations += y.body.water.mixture.iterations;
-  }
-  fmt::print("step {:.3g} s; rounds {:.1f}, iterations {:.1f} a step\n", y.options.dt, rounds / steps,
-             iterations / steps);
-}
-
 /// Steps of the body here, or on the device that the flags name.
 template <int D>
 class Steps {
@@ -143,6 +130,20 @@ class Steps {
   std::optional<talus::mpm::DeviceStepper<D>> device_;
 };
 
+/// Of the solver for pressures, over ten more steps.
+template <int D>
+void print_solver(talus::bench::Yardstick<D>& y, Steps<D>& stepper) {
+  constexpr int steps = 10;
+  double rounds = 0, iterations = 0;
+  for (int s = 0; s < steps; ++s) {
+    stepper.run(1);
+    rounds += y.body.water.mixture.rounds;
+    iterations += y.body.water.mixture.iterations;
+  }
+  fmt::print("step {:.3g} s; rounds {:.1f}, iterations {:.1f} a step\n", y.options.dt, rounds / steps,
+             iterations / steps);
+}
+
 template <int D>
 void run(const std::string& name, int threads, int warm, int steps, int repeats, const std::set<std::string>& flags) {
   auto y = make_case<D>(name, threads, flags);
@@ -162,8 +163,10 @@ void run(const std::string& name, int threads, int warm, int steps, int repeats,
   fmt::print("talus D={} {} points={} threads={} chunks={} : best {:.2f} Mpps, {:.1f} us/step, {} bytes/point\n", D,
              name, y.body.points.size(), threads, y.body.layout->chunks, points / best * 1e-6, best * 1e6,
              memory_per_point(y.body));
-  if (stepper.on_device()) fmt::print("on the device: {}\n", talus::mpm::get_device_name());
-  if (y.options.mixture) print_solver(y);
+  if (stepper.on_device())
+    fmt::print("on the device: {}, {:.0f} bytes/point\n", talus::mpm::get_device_name(),
+               static_cast<double>(count_bytes(talus::mpm::make_device_image(y.body, threads))) / points);
+  if (y.options.mixture) print_solver(y, stepper);
   if (flags.contains("parts")) print_parts(y.body.timing, steps * repeats);
 }
 

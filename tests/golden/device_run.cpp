@@ -53,6 +53,60 @@ frame_interval = 0.5
 checkpoint_interval = 0.02
 )";
 
+/// A bank in the rain, beside a pool, with grass on it, that slides.
+const std::string wet_bank =
+    support::write_slope("bank", {"geometry.box=[[0, 0], [20, 8]]",
+                                  "geometry.polygon.soil.points=[[0, 0], [20, 0], [20, 2], [14, 2], [6, 7], [0, 7]]",
+                                  "mesh.size=0.8", "materials.silt.young_modulus=20 MPa", "materials.silt.cohesion=3",
+                                  "materials.silt.friction_angle=22"}) +
+    R"(
+[materials.silt.water]
+conductivity = "1e-3 m/s"
+retention = "van_genuchten"
+reference_pressure = "8 kPa"
+lambda = 0.4
+relative_conductivity = "mualem"
+[water]
+bulk_modulus = "2.2 GPa"
+[[geometry.line]]
+name = "ground"
+points = [[0, 7], [6, 7], [10, 4.5]]
+[[geometry.line]]
+name = "shore"
+points = [[10, 4.5], [14, 2], [20, 2]]
+[[hydraulic]]
+on = "ground"
+condition = "rain"
+rate = "2000 mm/h"
+[[hydraulic]]
+on = "shore"
+condition = "total_head"
+head = "3 m"
+[[roots]]
+ground = "ground"
+depth = "1 m"
+[roots.transpiration]
+rate = "500 mm/h"
+[initial]
+pore_pressure = "water_table"
+water_table = [[0, 3], [20, 3]]
+[[stage]]
+name = "gravity"
+duration = 1
+damping = 0
+cohesion = "100 kPa"
+gravity_ramp = 0.5
+[[stage]]
+name = "slide"
+duration = 1
+damping = 0
+strength_factor = 1.6
+reset_displacement = true
+[output]
+frame_interval = 0.5
+checkpoint_interval = 0.02
+)";
+
 class DeviceRun : public testing::Test {
  protected:
   void SetUp() override {
@@ -102,6 +156,14 @@ class DeviceRun : public testing::Test {
   fs::path folder_;
 };
 
+/// What the program says, and its exit code.
+std::pair<std::string, int> tell(const std::string& arguments) {
+  FILE* pipe = popen(("'" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
+  std::string said;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said.push_back(static_cast<char>(c));
+  return {said, WEXITSTATUS(pclose(pipe))};
+}
+
 TEST_F(DeviceRun, GivesTheResultsOfTheProcessor) {
   ASSERT_EQ(wait_for(start("here", {"--threads", "1"})), 0);
   ASSERT_EQ(wait_for(start("there", {"--device", "emulated"})), 0);
@@ -112,6 +174,33 @@ TEST_F(DeviceRun, GivesTheResultsOfTheProcessor) {
     return read_summary(result)["budgets"]["external_work"].get<double>();
   };
   EXPECT_NEAR(work("here"), work("there"), 1e-7 * std::abs(work("here")));
+}
+
+TEST_F(DeviceRun, WaterAndRootsGiveTheResultsOfTheProcessor) {
+  std::ofstream(folder_ / "case.toml") << wet_bank;
+  ASSERT_EQ(wait_for(start("here", {"--threads", "1"})), 0);
+  const pid_t child = start("there", {"--device", "emulated"});
+  support::wait_for_file(folder_ / "there" / "checkpoint.h5", child);
+  kill(child, SIGKILL);
+  ASSERT_EQ(wait_for(child), -SIGKILL) << "the case must be long enough to be killed";
+  ASSERT_EQ(wait_for(start("there", {"--resume", "--device", "emulated"})), 0);
+  expect_close("here", "there", 1e-7);
+  EXPECT_EQ(read_summary("there")["messages"], read_summary("here")["messages"]);
+  const nlohmann::json here = read_summary("here")["water"], there = read_summary("there")["water"];
+  for (const char* of : {"entered", "left", "runoff", "stored", "transpired"})
+    EXPECT_NEAR(here[of].get<double>(), there[of].get<double>(), 1e-7 * here["stored"].get<double>()) << of;
+  EXPECT_GT(here["transpired"].get<double>(), 0);
+  EXPECT_GT(here["runoff"].get<double>(), 0);
+  EXPECT_LT(there["error"].get<double>(), 1e-9);
+}
+
+TEST_F(DeviceRun, LeavesWaterWithItsOwnVelocityToTheProcessorAndSaysSo) {
+  std::ofstream(folder_ / "case.toml") << wet_bank;
+  const auto [said, code] = tell("run '" + (folder_ / "case.toml").string() + "' -o '" + (folder_ / "there").string() +
+                                 "' --device emulated --set stage.0.duration=0.5 --set stage.1.duration=0.01 "
+                                 "--set stage.1.water=flows");
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_NE(said.find("velocity of its own"), std::string::npos) << said;
 }
 
 TEST_F(DeviceRun, ItsCheckpointGoesOnOnTheProcessor) {
@@ -140,14 +229,6 @@ TEST_F(DeviceRun, ThatLosesItsDeviceGoesOnOnTheProcessor) {
   EXPECT_TRUE(fs::exists(folder_ / "there" / "checkpoint.h5"));
   ASSERT_EQ(wait_for(start("there", {"--resume"})), 0);
   expect_close("here", "there", 1e-7);
-}
-
-/// What the program says, and its exit code.
-std::pair<std::string, int> tell(const std::string& arguments) {
-  FILE* pipe = popen(("'" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
-  std::string said;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said.push_back(static_cast<char>(c));
-  return {said, WEXITSTATUS(pclose(pipe))};
 }
 
 TEST_F(DeviceRun, UnknownOrAbsentDeviceIsASentenceAndNothingIsWritten) {

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Runs a body on the processor and on an emulated device, side by side.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mpm/body/observe.hpp"
+#include "mpm/device/device_stepper.hpp"
+#include "mpm/device/emulated.hpp"
+
+namespace talus::golden {
+
+/// `share` of the largest value of a field.
+struct Largest {
+  double difference = 0, value = 0;
+  void add(double a, double b) {
+    difference = std::max(difference, std::abs(a - b));
+    value = std::max(value, std::abs(a));
+  }
+};
+
+/// What the water has, to 1e-10 of the largest: of the points, of the nodes, and its budgets.
+template <int D>
+void expect_same_water(const mpm::Body<D>& engine, const mpm::Body<D>& device, const std::string& name) {
+  constexpr double tolerance = 1e-10;
+  Largest pressure, mass, velocity, of_nodes, own, budget;
+  for (int id = 0; id < engine.points.size(); ++id) {
+    if (!mpm::is_present(engine, id)) continue;
+    const auto p = mpm::view_point(engine, id), q = mpm::view_point(device, id);
+    pressure.add(p.pressure, q.pressure);
+    mass.add(p.water_mass, q.water_mass);
+    for (std::size_t d = 0; d < D; ++d) velocity.add(p.water_velocity[d], q.water_velocity[d]);
+  }
+  const mpm::MixtureWater<D>&m = engine.water.mixture, &n = device.water.mixture;
+  ASSERT_EQ(m.pressure.size(), n.pressure.size());
+  for (std::size_t i = 0; i < m.pressure.size(); ++i) {
+    ASSERT_EQ(std::isnan(m.pressure[i]), std::isnan(n.pressure[i])) << name << ", node " << i;
+    if (!std::isnan(m.pressure[i])) of_nodes.add(m.pressure[i], n.pressure[i]);
+    own.add(m.own[i], n.own[i]);
+  }
+  EXPECT_EQ(m.ponded, n.ponded) << name;
+  EXPECT_EQ(m.rounds, n.rounds) << name;
+  EXPECT_NEAR(m.iterations, n.iterations, 2 * m.rounds) << name;  // round-off may decide which one is near enough
+  for (std::size_t i = 0; i < engine.water.budgets.size(); ++i)
+    for (const auto part : {&mpm::SurfaceBudget::entered, &mpm::SurfaceBudget::left, &mpm::SurfaceBudget::supplied,
+                            &mpm::SurfaceBudget::runoff})
+      budget.add(engine.water.budgets[i].*part, device.water.budgets[i].*part);
+  budget.add(engine.water.transpired, device.water.transpired);
+  budget.add(engine.water.pressed_in, device.water.pressed_in);
+  budget.add(engine.water.left_grid, device.water.left_grid);
+  for (const Largest& of : {pressure, mass, velocity, of_nodes, own, budget})
+    EXPECT_LE(of.difference, tolerance * of.value) << name;
+  const double energy = std::abs(engine.work.external) + std::abs(engine.work.pore_water);
+  EXPECT_NEAR(engine.work.pore_water, device.work.pore_water, tolerance * energy) << name;
+}
+
+/// All that points and nodes have, to 1e-10 of the largest.
+template <int D>
+void expect_same(const mpm::Body<D>& engine, const mpm::Body<D>& device, const std::string& name) {
+  constexpr double tolerance = 1e-10;
+  Largest position, velocity, stress, strain, volume;
+  EXPECT_EQ(engine.points.element, device.points.element) << name;
+  for (int id = 0; id < engine.points.size(); ++id) {
+    ASSERT_EQ(mpm::is_present(engine, id), mpm::is_present(device, id)) << name;
+    if (!mpm::is_present(engine, id)) continue;
+    const auto p = mpm::view_point(engine, id), q = mpm::view_point(device, id);
+    for (std::size_t d = 0; d < D; ++d) {
+      position.add(p.position[d], q.position[d]);
+      velocity.add(p.velocity[d], q.velocity[d]);
+    }
+    for (std::size_t i = 0; i < p.stress.size(); ++i) {
+      stress.add(p.stress[i], q.stress[i]);
+      strain.add(p.strain[i], q.strain[i]);
+    }
+    volume.add(p.volume, q.volume);
+    for (std::size_t i = 0; i < p.state.size(); ++i)
+      EXPECT_NEAR(p.state[i], q.state[i], tolerance * std::max(1.0, std::abs(p.state[i]))) << name;
+  }
+  for (const Largest& of : {position, velocity, stress, strain, volume})
+    EXPECT_LE(of.difference, tolerance * std::max(of.value, 1e-3)) << name;
+  const double energy = std::abs(engine.work.external) + engine.work.dissipated + std::abs(engine.work.walls);
+  for (const auto part :
+       {&mpm::Work::external, &mpm::Work::damped, &mpm::Work::dissipated, &mpm::Work::walls, &mpm::Work::mapping})
+    EXPECT_NEAR(engine.work.*part, device.work.*part, tolerance * energy) << name;
+  EXPECT_EQ(engine.lost.size(), device.lost.size()) << name;
+  if (engine.water.is_wet()) expect_same_water(engine, device, name);
+  EXPECT_EQ(engine.step_count, device.step_count);
+  EXPECT_NEAR(engine.monitor.kinetic_energy, device.monitor.kinetic_energy, tolerance * engine.monitor.kinetic_energy)
+      << name;
+  EXPECT_NEAR(engine.monitor.out_of_balance, device.monitor.out_of_balance, tolerance * engine.monitor.external)
+      << name;
+  EXPECT_NEAR(engine.monitor.speed, device.monitor.speed, tolerance * engine.monitor.speed) << name;
+}
+
+/// Steps a body here and on the device.
+template <int D>
+void compare_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options, const std::string& name, int steps,
+                       int fade_interval = 0) {
+  mpm::gather_nodal_sums(body, options);
+  mpm::Body<D> there = body;
+  mpm::DeviceStepper<D> device(mpm::make_emulated_device<D>());
+  for (int s = 0; s < steps; ++s) {
+    mpm::step(body, options);
+    device.step(there, options);
+    if (fade_interval == 0 || s % fade_interval != 0) continue;
+    mpm::fade_unseen(body, options);
+    device.fade_unseen(there);
+  }
+  const mpm::CriticalStep here = mpm::find_critical_step(body, options),
+                          found = device.find_critical_step(there, options);
+  EXPECT_NEAR(here.dt, found.dt, 1e-10 * here.dt);
+  EXPECT_EQ(here.element, found.element);
+  device.bring_back(there);
+  expect_same(body, there, name);
+  // What came back goes on here as if it had never been away.
+  for (int s = 0; s < 10; ++s) {
+    mpm::step(body, options);
+    mpm::step(there, options);
+  }
+  expect_same(body, there, name + ", after the return");
+}
+
+}  // namespace talus::golden
