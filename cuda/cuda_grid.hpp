@@ -16,6 +16,7 @@ namespace talus::mpm::device {
 /// Throws where a call of CUDA failed: std::bad_alloc when it found no memory.
 inline void require(cudaError_t code) {
   if (code == cudaSuccess) return;
+  cudaGetLastError();  // or the next launch would report it again
   if (code == cudaErrorMemoryAllocation) throw std::bad_alloc();
   throw_lost(cudaGetErrorString(code));
 }

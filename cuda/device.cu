@@ -24,7 +24,8 @@ class CudaMaker : public DeviceMaker {
     // The first kernel says whether this module was compiled for such a device.
     if (code == cudaSuccess && count > 0) {
       device::run_kernel<<<1, 1>>>(device::Nothing{}, 1);
-      code = cudaDeviceSynchronize();
+      code = cudaGetLastError();
+      if (code == cudaSuccess) code = cudaDeviceSynchronize();
     }
     if (code == cudaSuccess && count > 0) return properties.name;
     why = code == cudaSuccess ? "it sees none" : cudaGetErrorString(code);

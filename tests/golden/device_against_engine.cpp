@@ -9,6 +9,8 @@
 #include "base/error.hpp"
 #include "golden/device_comparison.hpp"
 #include "golden/plain_translation.hpp"
+#include "mpm/body/node_rows.hpp"
+#include "mpm/step/element_lines.hpp"
 #include "support/clay_block.hpp"
 
 namespace talus {
@@ -145,6 +147,23 @@ TEST(DeviceAgainstEngine, ClayThatSoftensOverALengthIsTheSame) {
     options.monitor = true;
     compare_on_device(body, options, moving ? "moving clay" : "clay", 100);
   }
+}
+
+/// Wherever it is among the nodes: an unstable run must not look calm.
+TEST(DeviceAgainstEngine, WhatIsNoNumberWinsAmongSpeedsAndSteps) {
+  mpm::PieceSums all;
+  all.note_speed(NAN, 7);
+  all.add({});
+  all.note_speed(1, 8);
+  EXPECT_TRUE(std::isnan(all.speed2));
+  EXPECT_EQ(all.fastest, 7);
+  mpm::StepSquare least;
+  least.add({1, 3});
+  least.add({NAN, 4});
+  least.add({0.5, 5});
+  least.add({});
+  EXPECT_TRUE(std::isnan(least.dt2));
+  EXPECT_EQ(least.element, 4);
 }
 
 TEST(DeviceAgainstEngine, DeviceWithoutRoomSaysWhatWouldFit) {

@@ -3,6 +3,7 @@
 // Node loops: pieces of nodes, sums over the rows of a node, and what a constraint leaves of a force.
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/rows.hpp"
 #include "mpm/body/share.hpp"
@@ -72,7 +73,7 @@ struct PieceSums {
 
   /// A NaN must win, or an unstable run would look calm.
   TALUS_PORTABLE void note_speed(double of_node2, int node) {
-    if (of_node2 <= speed2) return;
+    if (of_node2 <= speed2 || std::isnan(speed2)) return;
     speed2 = of_node2;
     fastest = node;
   }

@@ -37,7 +37,7 @@ class DeviceArray {
   void resize(std::size_t size) {
     if (size > room_) {
       if (start_ != nullptr) Grid::release(std::exchange(start_, nullptr));
-      room_ = 0;
+      room_ = size_ = 0;
       start_ = static_cast<T*>(Grid::allocate(size * sizeof(T)));
       room_ = size;
     }

@@ -2,6 +2,8 @@
 #pragma once
 // What element_force.hpp declares, for a body B here or on a GPU: element by element, whatever the lanes.
 
+#include <cmath>
+
 #include "mpm/step/element_force.hpp"
 #include "mpm/step/kernels.hpp"
 #include "mpm/step/laws.hpp"
@@ -169,7 +171,8 @@ struct StepSquare {
   double dt2 = 0;  ///< [s²], without mass scaling
   int element = -1;
   TALUS_PORTABLE void add(const StepSquare& other) {
-    if (other.element >= 0 && (element < 0 || other.dt2 < dt2)) *this = other;
+    if (other.element < 0 || std::isnan(dt2)) return;
+    if (element < 0 || !(other.dt2 >= dt2)) *this = other;
   }
 };
 template <class B>
@@ -189,7 +192,7 @@ TALUS_PORTABLE StepSquare find_step_square(const B& body, int e, int more_mass =
     for (int i = 0; i < count_states(body.laws, soil); ++i) state[i] = p[(P::state + i) * width];
     const double mass = p[P::mass * width] + (more_mass < 0 ? 0.0 : p[more_mass * width]);
     const double of_point = find_modulus(body.laws, soil, sigma, state) * p[P::volume * width] / mass;
-    speed2 = speed2 < of_point ? of_point : speed2;
+    if (!(of_point <= speed2) && !std::isnan(speed2)) speed2 = of_point;  // what is no number must win
   }
   StepSquare least;
   if (speed2 == 0) return least;

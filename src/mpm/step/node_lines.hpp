@@ -120,11 +120,7 @@ TALUS_PORTABLE void solve_nodes(B& body, const StepOptions<D>& o, int begin, int
         sums.external2 += dot(f_ext, f_ext);
         const double speed2 = dot(v, v);
         sums.kinetic += 0.5 * m_i * speed2;
-        // A NaN must win, or an unstable run would look calm.
-        if (!(speed2 <= sums.speed2)) {
-          sums.speed2 = speed2;
-          sums.fastest = i;
-        }
+        sums.note_speed(speed2, i);
       }
     }
     for (int k = 0; k < layout.count_motion_rows(i); ++k) {
