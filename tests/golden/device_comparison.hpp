@@ -96,6 +96,34 @@ void expect_same(const mpm::Body<D>& engine, const mpm::Body<D>& device, const s
   EXPECT_NEAR(engine.monitor.speed, device.monitor.speed, tolerance * engine.monitor.speed) << name;
 }
 
+/// What a row of a history tells.
+template <int D>
+void expect_same_observation(const mpm::Observation<D>& engine, const mpm::Observation<D>& device,
+                             const std::string& name) {
+  constexpr double tolerance = 1e-10;
+  const mpm::Totals<D>&t = engine.totals, &u = device.totals;
+  EXPECT_EQ(t.points, u.points) << name;
+  for (const auto part : {&mpm::Totals<D>::mass, &mpm::Totals<D>::water, &mpm::Totals<D>::kinetic,
+                          &mpm::Totals<D>::potential, &mpm::Totals<D>::elastic})
+    EXPECT_NEAR(t.*part, u.*part, tolerance * std::abs(t.*part)) << name;
+  for (std::size_t d = 0; d < D; ++d) EXPECT_NEAR(t.centre[d], u.centre[d], tolerance * norm(t.centre)) << name;
+  for (const auto part : {&mpm::WaterState<D>::mass, &mpm::WaterState<D>::largest_suction})
+    EXPECT_NEAR(engine.water.*part, device.water.*part, tolerance * std::abs(engine.water.*part)) << name;
+  if (engine.water.mass > 0) {
+    EXPECT_NEAR(engine.water.largest_pressure, device.water.largest_pressure,
+                tolerance * std::abs(engine.water.largest_pressure))
+        << name;
+  }
+  EXPECT_NEAR(engine.largest_displacement, device.largest_displacement, tolerance * engine.largest_displacement + 1e-14)
+      << name;
+  ASSERT_EQ(engine.points.size(), device.points.size());
+  for (std::size_t i = 0; i < engine.points.size(); ++i) {
+    EXPECT_EQ(engine.points[i].element, device.points[i].element) << name;
+    for (std::size_t d = 0; d < D; ++d)
+      EXPECT_NEAR(engine.points[i].position[d], device.points[i].position[d], 1e-10) << name;
+  }
+}
+
 /// Steps a body here and on the device.
 template <int D>
 void compare_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options, const std::string& name, int steps,
@@ -114,6 +142,8 @@ void compare_on_device(mpm::Body<D> body, const mpm::StepOptions<D>& options, co
                           found = device.find_critical_step(there, options);
   EXPECT_NEAR(here.dt, found.dt, 1e-10 * here.dt);
   EXPECT_EQ(here.element, found.element);
+  expect_same_observation(mpm::observe(body, options.gravity, {0, 1}), device.observe(there, options.gravity, {0, 1}),
+                          name);
   device.bring_back(there);
   expect_same(body, there, name);
   // What came back goes on here as if it had never been away.

@@ -83,7 +83,7 @@ void expect_to_dry_as_in_seepage(const input::StepSettings& settings, double clo
   const mesh::Mesh<2> mesh = make_column_mesh();
   auto body = make_still_body<2>(data, mesh);
   EXPECT_EQ(body.water.transpired, 0) << "held water";
-  const double before = run::find_water_state(body).mass;
+  const double before = mpm::find_water_state(body).mass;
   run_plan(body, make_stage<2>(data, body, duration, settings));
   EXPECT_LT(std::abs(run::tell_water(data, body, before).error), 1e-11) << "65 000 steps";
 
@@ -131,7 +131,7 @@ TEST(SeasonEngine, UnreducedUptakeIsTheRateTimesTheGroundIn2DAnd3D) {
     for (const input::StepSettings& settings : {flowing, alone, seeping}) {
       auto body = run::prepare<D>(data, mesh);
       auto plan = make_stage<D>(data, body, 0.05, settings);
-      const double before = run::find_water_state(body).mass;
+      const double before = mpm::find_water_state(body).mass;
       run::StageState state;
       run::run_stage<D>(body, plan, state);
       const double whole = 1e-3 * ground * body.time;
@@ -147,7 +147,7 @@ TEST(SeasonEngine, UnreducedUptakeIsTheRateTimesTheGroundIn2DAnd3D) {
 TEST(SeasonEngine, FrozenSoilDrawsNothingAfterAStageThatDid) {
   const input::Case data = make_planted_case<2>(1e-3, -0.4);
   auto body = run::prepare<2>(data, make_column_mesh());
-  const double before = run::find_water_state(body).mass;
+  const double before = mpm::find_water_state(body).mass;
   run_plan(body, make_stage<2>(data, body, 0.05, seeping));
   const double drawn = body.water.transpired;
   EXPECT_GT(drawn, 0);

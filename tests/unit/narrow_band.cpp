@@ -66,12 +66,16 @@ TEST(NarrowBand, IsWatchedAtEachOutput) {
   const mpm::Body<2> thin = make_sheared(1, 0.2), thick = make_sheared(4, 0.2), none = make_sheared(1, 0.01);
   int outputs = 0;
   run::StageHooks<2> hooks;
-  hooks.output = [&](const mpm::Body<2>&, run::StageState&) { ++outputs; };
+  hooks.output = [&](run::Pause<2>&, run::StageState&) { ++outputs; };
   hooks = run::watch_bands(none, hooks);
   run::StageState state;
-  hooks.output(none, state);
+  const auto record = [&](const mpm::Body<2>& body) {
+    run::PauseHere<2> here(body);
+    hooks.output(here, state);
+  };
+  record(none);
   EXPECT_EQ(state.soft_band, 0);
-  for (const auto* body : {&thick, &thin, &thick}) hooks.output(*body, state);
+  for (const auto* body : {&thick, &thin, &thick}) record(*body);
   EXPECT_NEAR(state.soft_band, 1, 0.1);
   EXPECT_NEAR(state.soft_size, support::block_width / across, 1e-12);
   EXPECT_EQ(outputs, 4);

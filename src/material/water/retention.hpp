@@ -159,7 +159,7 @@ TALUS_PORTABLE SoilWater<T> find_water(const Retention& retention, T suction) {
 }
 /// S(s) [-] of a suction [Pa].
 template <class T>
-T saturation(const Retention& retention, T suction) {
+TALUS_PORTABLE T saturation(const Retention& retention, T suction) {
   return find_water(retention, suction).saturation;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 // Reading a body: single points and sums.
 
+#include <limits>
+
 #include "mpm/step/critical_step.hpp"
 #include "mpm/step/step.hpp"
 
@@ -52,8 +54,60 @@ struct Totals {
   double kinetic = 0, potential = 0, elastic = 0;  ///< of both; potential: -Σ m g·x
   Vec<D> momentum{}, centre{};                     ///< [kg m/s], centre of mass [m]
   int points = 0;
+
+  /// Those of more points; the centres are sums yet, weighed with the masses.
+  TALUS_PORTABLE void add(const Totals& more) {
+    mass += more.mass;
+    water += more.water;
+    kinetic += more.kinetic;
+    potential += more.potential;
+    elastic += more.elastic;
+    for (int d = 0; d < D; ++d) {
+      momentum[d] += more.momentum[d];
+      centre[d] += more.centre[d];
+    }
+    points += more.points;
+  }
+  void find_centre() {
+    if (!(mass > 0)) return;
+    for (double& c : centre) c /= mass;
+  }
 };
 template <int D>
 Totals<D> sum_points(const Body<D>& body, const std::type_identity_t<Vec<D>>& gravity);
+
+/// The water in the pores, and the extremes of its pressure over the points.
+template <int D>
+struct WaterState {
+  double mass = 0;                                                     ///< [kg]
+  double largest_pressure = -std::numeric_limits<double>::infinity();  ///< positive in compression [Pa]
+  double largest_suction = 0;                                          ///< [Pa]; 0 when there is none
+  Vec<D> place{};                                                      ///< of the greatest suction [m]
+
+  TALUS_PORTABLE void add_point(const PointView<D>& p) {
+    if (p.wet) add({p.water_mass, -p.pressure, p.pressure, p.position});
+  }
+  TALUS_PORTABLE void add(const WaterState& more) {
+    mass += more.mass;
+    if (more.largest_pressure > largest_pressure) largest_pressure = more.largest_pressure;
+    if (!(more.largest_suction > largest_suction)) return;
+    largest_suction = more.largest_suction;
+    place = more.place;
+  }
+};
+template <int D>
+WaterState<D> find_water_state(const Body<D>& body);
+
+/// What histories tell of a body.
+template <int D>
+struct Observation {
+  Totals<D> totals;
+  WaterState<D> water;               ///< of a body with water
+  double largest_displacement = 0;   ///< [m]
+  std::vector<PointView<D>> points;  ///< those asked for; without an element where they have left the grid
+};
+template <int D>
+Observation<D> observe(const Body<D>& body, const std::type_identity_t<Vec<D>>& gravity,
+                       const std::vector<int>& points);
 
 }  // namespace talus::mpm

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "mpm/body/observe.hpp"
 #include "mpm/device/device_laws.hpp"
 #include "mpm/device/thread_body.hpp"
 #include "mpm/step/loads.hpp"
@@ -107,6 +108,7 @@ class Device {
   virtual double find_largest_displacement() = 0;
   virtual DeviceMemory find_memory() = 0;
   virtual std::vector<PointPlace<D>> locate(const std::vector<int>& points) = 0;
+  virtual Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) = 0;
 };
 
 /// A device that does not answer any more ends the run as an interruption does.
@@ -126,8 +128,11 @@ class DeviceMaker {
   virtual std::unique_ptr<Device<3>> make_3d() = 0;
 };
 
+/// To be raised with the functions of Device and DeviceMaker.
+inline constexpr std::size_t device_interface = 2;
 /// Sizes of what goes between the program and a module: they differ between builds that must not meet.
 inline constexpr std::size_t device_layout =
+    device_interface + 31 * (sizeof(DeviceInput<3>) + 31 * sizeof(PointView<3>)) + 31 * sizeof(Observation<3>) +
     sizeof(DeviceImage<2>) +
     31 * (sizeof(StepOptions<3>) + 31 * (sizeof(DeviceOutput<3>) + 31 * (sizeof(StoredLaw) + 31 * sizeof(WaterLaw))));
 

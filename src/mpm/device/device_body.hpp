@@ -127,9 +127,24 @@ class DeviceBody : public Device<D> {
   }
 
   double find_largest_displacement() override {
-    farthest_.resize(static_cast<std::size_t>(body_.element_count));
-    launch(body_.element_count, FindFarthest<D>{body_, reference_.read(), farthest_.view()});
-    return std::sqrt(sums_of_.add_up(farthest_).square);
+    constexpr int threads = FixedSums<Grid>::first_threads;
+    launch(threads, FindFarthest<D>{body_, sums_of_.template get_first<Farthest>(), threads});
+    return std::sqrt(sums_of_.fetch(sums_of_.template finish<Farthest>()).square);
+  }
+
+  Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) override {
+    constexpr int threads = FixedSums<Grid>::first_threads;
+    launch(threads, SeePoints<D>{body_, gravity, sums_of_.template get_first<Seen<D>>(), threads});
+    const Seen<D> seen = sums_of_.fetch(sums_of_.template finish<Seen<D>>());
+    Observation<D> observation{seen.totals, seen.water, std::sqrt(seen.farthest.square), {}};
+    observation.totals.find_centre();
+    Array<int> wanted;
+    Array<PointView<D>> views;
+    wanted.bring(points);
+    views.resize(points.size());
+    launch(static_cast<int>(points.size()), SeePoint<D>{body_, wanted.read(), views.view()});
+    observation.points = views.fetch();
+    return observation;
   }
 
   DeviceMemory find_memory() override { return grid_.find_memory(); }
@@ -228,6 +243,7 @@ class DeviceBody : public Device<D> {
     points.element = element_.view();
     points.place = place_.view();
     points.material = material_.read();
+    points.reference = reference_.read();
     points.strain_offset = strain_offset_.view();
   }
 
@@ -408,7 +424,6 @@ class DeviceBody : public Device<D> {
   Array<NodeAccount> node_accounts_;
   Array<ElementAccount> element_accounts_;
   Array<StepSquare> squares_;
-  Array<Farthest> farthest_;
   Array<Vec<D>> reference_;
   Array<Signals> signals_;
   Array<double> mover_fields_;

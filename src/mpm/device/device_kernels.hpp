@@ -3,6 +3,7 @@
 // The lines of a step, thread by thread: what a GPU runs, and the CPU in its place. A kernel is a plain struct whose
 // operator() is the work of one thread; which threads run together, and in which order, must not matter to it.
 
+#include "mpm/body/observe_lines.hpp"
 #include "mpm/device/device.hpp"
 #include "mpm/device/thread_body.hpp"
 #include "mpm/mixture/mixture_block.hpp"
@@ -220,44 +221,80 @@ struct FindStep {
 struct Farthest {
   double square = 0;  ///< [m²]
   TALUS_PORTABLE void add(const Farthest& other) {
-    if (!(other.square <= square)) square = other.square;
+    if (!(other.square <= square) && !std::isnan(square)) square = other.square;
   }
 };
+
+/// What histories tell of the points, as they are added up.
+template <int D>
+struct Seen {
+  Totals<D> totals;
+  WaterState<D> water;
+  Farthest farthest;
+
+  TALUS_PORTABLE void add(const Seen& other) {
+    totals.add(other.totals);
+    water.add(other.water);
+    farthest.add(other.farthest);
+  }
+};
+
+/// Calls work(id) for the points of every threads-th element, from element `t` on.
+template <int D, class Work>
+TALUS_PORTABLE void for_points(const ThreadBody<D>& body, int t, int threads, Work&& work) {
+  for (int e = t; e < body.element_count; e += threads) {
+    const std::int64_t first = body.points.block_start[static_cast<std::size_t>(e / device_width)];
+    for (int k = 0; k < static_cast<int>(body.points.count[static_cast<std::size_t>(e)]); ++k)
+      work(body.points.id[static_cast<std::size_t>((first + k) * device_width + e % device_width)]);
+  }
+}
+
+/// The first rounds of FixedSums over the points: of the largest displacement, and of all that histories tell.
 template <int D>
 struct FindFarthest {
   ThreadBody<D> body;
-  View<const Vec<D>> reference;
-  View<Farthest> farthest;
+  View<Farthest> sums;
+  int threads;
 
-  TALUS_PORTABLE void operator()(int e) const {
+  TALUS_PORTABLE void operator()(int t) const {
     Farthest most;
-    const DevicePoints<D>& points = body.points;
-    for (int k = 0; k < static_cast<int>(points.count[static_cast<std::size_t>(e)]); ++k) {
-      const std::int64_t slot = points.block_start[static_cast<std::size_t>(e / device_width)] + k;
-      const double* p = points.slot(slot) + e % device_width;
-      const int id = points.id[static_cast<std::size_t>(slot * device_width + e % device_width)];
-      most.add({find_square(e, p, reference[static_cast<std::size_t>(id)])});
-    }
-    farthest[static_cast<std::size_t>(e)] = most;
+    for_points(body, t, threads, [&](int id) {
+      const Vec<D> u = find_displacement(body, id, read_xi(body, find_fields(body, id)));
+      most.add({dot(u, u)});
+    });
+    sums[static_cast<std::size_t>(t)] = most;
   }
+};
+template <int D>
+struct SeePoints {
+  ThreadBody<D> body;
+  Vec<D> gravity;
+  View<Seen<D>> sums;
+  int threads;
 
- private:
-  TALUS_PORTABLE double find_square(int e, const double* p, const Vec<D>& from) const {
-    Vec<D> xi{};
-    double first = 1, square = 0;
-    for (int k = 0; k < D; ++k) {
-      xi[k] = p[(PointFields<D>::xi + k) * device_width];
-      first -= xi[k];
-    }
-    const Vec<D> x = mesh::find_place(body.mesh(), e, xi);
-    for (int d = 0; d < D; ++d) {
-      double u = x[d] - from[d];
-      for (int k = 0; k <= D; ++k)
-        u += (k == 0 ? first : xi[k - 1]) *
-             body.nodes.displacement[static_cast<std::size_t>(body.mesh().elements[static_cast<std::size_t>(e)][k])][d];
-      square += u * u;
-    }
-    return square;
+  TALUS_PORTABLE void operator()(int t) const {
+    Seen<D> seen;
+    for_points(body, t, threads, [&](int id) {
+      const PointView<D> p = look_at_point(body, id);
+      add_point(body, p, gravity, seen.totals);
+      seen.water.add_point(p);
+      seen.farthest.add({dot(p.displacement, p.displacement)});
+    });
+    sums[static_cast<std::size_t>(t)] = seen;
+  }
+};
+
+/// Points by number; those that left the grid have no element.
+template <int D>
+struct SeePoint {
+  ThreadBody<D> body;
+  View<const int> points;
+  View<PointView<D>> views;
+
+  TALUS_PORTABLE void operator()(int i) const {
+    const int id = points[static_cast<std::size_t>(i)];
+    const bool is_there = body.points.element[static_cast<std::size_t>(id)] >= 0;
+    views[static_cast<std::size_t>(i)] = is_there ? look_at_point(body, id) : PointView<D>();
   }
 };
 

@@ -126,6 +126,11 @@ double DeviceStepper<D>::find_largest_displacement(const Body<D>& body) {
   return device_has_body_ ? device_->find_largest_displacement() : mpm::find_largest_displacement(body).value;
 }
 
+template <int D>
+Observation<D> DeviceStepper<D>::observe(const Body<D>& body, const Vec<D>& gravity, const std::vector<int>& points) {
+  return device_has_body_ ? device_->observe(gravity, points) : mpm::observe(body, gravity, points);
+}
+
 #define TALUS_INSTANTIATE(D) template class DeviceStepper<D>;
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -28,6 +28,8 @@ class DeviceStepper {
   }
   /// find_critical_step().
   CriticalStep find_critical_step(Body<D>& body, const StepOptions<D>& options);
+  /// mpm::observe().
+  Observation<D> observe(const Body<D>& body, const Vec<D>& gravity, const std::vector<int>& points);
   /// Of a point that is on the grid, from its reference [m].
   double find_largest_displacement(const Body<D>& body);
 

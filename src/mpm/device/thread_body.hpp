@@ -51,6 +51,7 @@ struct DevicePoints : PointFields<D> {
   View<int> element;
   View<std::int64_t> place;
   View<const std::uint8_t> material;
+  View<const Vec<D>> reference;
   View<std::array<double, PointFields<D>::stress_size>> strain_offset;
 
   TALUS_PORTABLE double* slot(std::int64_t s) const { return data.start + s * fields * device_width; }

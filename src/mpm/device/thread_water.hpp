@@ -50,6 +50,7 @@ struct DeviceGraph {
 
 template <int D>
 struct DeviceMixture {
+  static constexpr bool is_used = true;  ///< water that seeps is all that a device knows
   Inside<DeviceGraph<D>> graph;
   // By node, from step to step.
   View<double> pressure, own, change;

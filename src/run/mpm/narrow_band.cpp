@@ -115,9 +115,9 @@ StageHooks<D> watch_bands(const mpm::Body<D>& body, StageHooks<D> hooks) {
   if (std::none_of(body.laws.begin(), body.laws.end(),
                    [](const material::Law& law) { return material::get_traits(law).softens; }))
     return hooks;
-  hooks.output = [record = std::move(hooks.output)](const mpm::Body<D>& b, StageState& state) {
-    record(b, state);
-    const auto band = find_soft_band(b);
+  hooks.output = [record = std::move(hooks.output)](Pause<D>& now, StageState& state) {
+    record(now, state);
+    const auto band = find_soft_band(now.whole());
     if (!band) return;
     state.soft_band = state.soft_band > 0 ? std::min(state.soft_band, band->thickness) : band->thickness;
     state.soft_size = std::max(state.soft_size, band->size);

@@ -95,7 +95,7 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
   std::optional<fem::SeepageResult<D>> seepage;
   body_ = run::prepare<D>(data_, std::move(mesh), 0, &seepage, &season_);
   work_before_ = body_.work;
-  if (body_.water.is_wet()) initial_water_ = find_water_state(body_).mass;
+  if (body_.water.is_wet()) initial_water_ = mpm::find_water_state(body_).mass;
   preparation_ = find_seconds(start);
   slope_height_ = find_slope_height(body_, data_.gravity);
   run.mesh = tell_mesh(body_);

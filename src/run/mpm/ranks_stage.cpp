@@ -96,9 +96,12 @@ class SharedStage {
     StageHooks<D> shared;
     shared.rebalance = [this](mpm::Body<D>& share) { balance_->look(share); };
     if (hooked_.output)
-      shared.output = [this](const mpm::Body<D>& share, StageState& s) {
+      shared.output = [this](Pause<D>& now, StageState& s) {
         balance_->leave_out([&] {
-          record(share, [&] { hooks_.output(*whole_, s); });
+          record(now.whole(), [&] {
+            PauseHere<D> here(*whole_);
+            hooks_.output(here, s);
+          });
           for (double* told : {&s.next_output, &s.soft_band, &s.soft_size}) broadcast(*told);
         });
       };

@@ -331,7 +331,7 @@ results::StageEnd run_stage(mpm::Body<D>& body, const StagePlan<D>& wanted, Stag
       if (state.steps % (look_interval * looks_per_copy) == 0) good.keep(stepper.bring_back(), state);
       if (look(stepper, body, state, plan, hooks)) return stepper.end(results::StageEnd::failed);
     }
-    if (hooks.output && body.time >= state.next_output) hooks.output(stepper.bring_back(), state);
+    if (hooks.output && body.time >= state.next_output) hooks.output(stepper, state);
     const double left = end - body.time;
     if (left <= 1e-12 * plan.duration) return stepper.end(results::StageEnd::time);
     options.dt = std::min(state.dt, left);

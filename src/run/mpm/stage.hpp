@@ -11,6 +11,7 @@
 #include "mpm/step/critical_step.hpp"
 #include "mpm/step/step.hpp"
 #include "results/trial.hpp"
+#include "run/mpm/pause.hpp"
 
 namespace talus::run {
 
@@ -62,7 +63,7 @@ using GoBack = std::function<void(const mpm::Body<D>&, const StageState&, const 
 template <int D>
 struct StageHooks {
   /// Called when body.time reaches state.next_output, which it must advance.
-  std::function<void(const mpm::Body<D>&, StageState&)> output;
+  std::function<void(Pause<D>&, StageState&)> output;
   /// Called every look_interval steps where look_is_due, or where that is empty: checkpoints. May throw to end the run.
   std::function<void(const mpm::Body<D>&, const StageState&)> look;
   std::function<bool()> look_is_due;
@@ -90,6 +91,11 @@ mpm::StepOptions<D> make_options(const StagePlan<D>& plan);
 /// Largest stable step [s] for Courant number 1 as the plan calculates, and the element that decides it.
 template <int D>
 mpm::CriticalStep find_critical_step(const mpm::Body<D>& body, const StagePlan<D>& plan);
+
+template <int D>
+mpm::CriticalStep PauseHere<D>::find_critical_step(const StagePlan<D>& plan) {
+  return run::find_critical_step(body_, plan);
+}
 
 /// Advances the body to the end of the stage. Pore pressures that the plan holds are held (drained.hpp); inertia is
 /// evened where the plan says so. `state` fresh or from a checkpoint; body strength must be set. A stage that becomes

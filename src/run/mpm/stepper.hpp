@@ -15,7 +15,7 @@ namespace talus::run {
 /// Between steps the body is up to date after bring_back() only; time, step count, work, losses and what the last step
 /// was monitored for always are.
 template <int D>
-class Stepper {
+class Stepper : public Pause<D> {
  public:
   Stepper(mpm::Body<D>& body, const StagePlan<D>& plan) : body_(body) {
     if (body.water.is_wet() && plan.step.water == input::WaterMotion::flows) return;  // devices know one velocity
@@ -31,6 +31,14 @@ class Stepper {
   }
   double find_largest_displacement() {
     return device_ ? device_->find_largest_displacement(body_) : mpm::find_largest_displacement(body_).value;
+  }
+  const mpm::Body<D>& known() override { return body_; }
+  const mpm::Body<D>& whole() override { return bring_back(); }
+  mpm::Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) override {
+    return device_ ? device_->observe(body_, gravity, points) : mpm::observe(body_, gravity, points);
+  }
+  mpm::CriticalStep find_critical_step(const StagePlan<D>& plan) override {
+    return find_critical_step(plan, make_options(plan));
   }
   mpm::Body<D>& bring_back() {
     if (device_) device_->bring_back(body_);

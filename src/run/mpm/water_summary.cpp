@@ -44,7 +44,7 @@ results::WaterBudget tell_water(const input::Case& data, const mpm::Body<D>& bod
     told.surfaces.push_back(
         {names[i], find_condition(water.surfaces[i].kind), b.entered, b.left, b.supplied, b.runoff});
   }
-  const WaterState<D> state = find_water_state(body);
+  const mpm::WaterState<D> state = mpm::find_water_state(body);
   told.stored = state.mass;
   told.lost_between = water.lost_between;
   told.left_grid = water.left_grid;

@@ -184,7 +184,7 @@ StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const 
   next_checkpoint_ = leg_start_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                       std::chrono::duration<double>(settings_.data->output.checkpoint_interval));
   StageHooks<D> hooks;
-  hooks.output = [this](const mpm::Body<D>& b, StageState& s) { on_output(b, s); };
+  hooks.output = [this](Pause<D>& now, StageState& s) { on_output(now, s); };
   hooks.look_is_due = [this] { return is_look_due(); };
   hooks.look = [this](const mpm::Body<D>& b, const StageState& s) { on_look(b, s); };
   hooks.tell_is_due = [this] { return settings_.progress && settings_.progress->is_due(); };
@@ -202,7 +202,8 @@ StageHooks<D> Recorder<D>::begin_leg(int index, const StagePlan<D>& plan, const 
 
 template <int D>
 void Recorder<D>::end_leg(const mpm::Body<D>& body, bool saves) {
-  write_rows(body);
+  PauseHere<D> here(body);
+  write_rows(here);
   write_frame(body);
   if (saves) {
     StageState fresh;
@@ -218,18 +219,19 @@ void Recorder<D>::finish(bool done) {
 }
 
 template <int D>
-void Recorder<D>::write_rows(const mpm::Body<D>& body) {
+void Recorder<D>::write_rows(Pause<D>& now) {
+  const mpm::Body<D>& body = now.known();
   if (!history_ || body.time <= last_row_) return;
   last_row_ = body.time;
   const double length = units::get_si_factor(settings_.data->output.length_unit);
   const double displacement = units::get_si_factor(settings_.data->output.displacement_unit);
-  const double stress = units::get_si_factor(settings_.data->output.stress_unit);
-  const auto t = mpm::sum_points(body, plan_->gravity);
+  const mpm::Observation<D> seen = now.observe(plan_->gravity, monitor_points_);
+  const mpm::Totals<D>& t = seen.totals;
   const double ratio = body.monitor.external > 0 ? body.monitor.out_of_balance / body.monitor.external : 0;
   const mpm::Work work = body.work - settings_.work_before;
   std::vector<double> row{body.time,
                           static_cast<double>(body.step_count),
-                          body.step_count > 0 ? plan_->step.courant * find_critical_step(body, *plan_).dt : 0.0,
+                          body.step_count > 0 ? plan_->step.courant * now.find_critical_step(*plan_).dt : 0.0,
                           t.kinetic,
                           t.potential,
                           t.elastic,
@@ -244,21 +246,26 @@ void Recorder<D>::write_rows(const mpm::Body<D>& body) {
                           t.mass};
   for (const double p : t.momentum) row.push_back(p);
   for (const double x : t.centre) row.push_back(x / length);
-  row.push_back(mpm::find_largest_displacement(body).value / displacement);
+  row.push_back(seen.largest_displacement / displacement);
   if (water_) {
     row.insert(row.end(), {work.drag, work.pore_water});
-    water_->append(body, row);
+    water_->append(body, seen.water, row);
   }
   history_->append(row);
-  if (!monitors_) return;
-  row = {body.time};
-  for (const int id : monitor_points_) {
-    if (!mpm::is_present(body, id)) {
+  if (monitors_) write_monitors(body, seen.points);
+}
+
+template <int D>
+void Recorder<D>::write_monitors(const mpm::Body<D>& body, const std::vector<mpm::PointView<D>>& points) {
+  const double displacement = units::get_si_factor(settings_.data->output.displacement_unit);
+  const double stress = units::get_si_factor(settings_.data->output.stress_unit);
+  std::vector<double> row{body.time};
+  for (const mpm::PointView<D>& p : points) {
+    if (p.element < 0) {
       row.insert(row.end(), 2 * D + (water_ ? 6 : 4) + states_.list().size(), std::numeric_limits<double>::quiet_NaN());
       continue;
     }
     constexpr int NS = material::stress_size<D>;
-    const auto p = mpm::view_point(body, id);
     for (const double u : p.displacement) row.push_back(u / displacement);
     row.push_back(norm(p.displacement) / displacement);
     for (const double v : p.velocity) row.push_back(v);
@@ -323,18 +330,19 @@ GoBack<D> Recorder<D>::mark() {
 }
 
 template <int D>
-void Recorder<D>::on_output(const mpm::Body<D>& body, StageState& state) {
+void Recorder<D>::on_output(Pause<D>& now, StageState& state) {
+  const double time = now.known().time;
   constexpr double never = std::numeric_limits<double>::infinity();
-  if (history_ && body.time >= next_row_) {
-    write_rows(body);
+  if (history_ && time >= next_row_) {
+    write_rows(now);
     next_row_ += row_interval_;
-    if (next_row_ <= body.time) next_row_ = body.time + row_interval_;
+    if (next_row_ <= time) next_row_ = time + row_interval_;
   }
   const bool frames = results_ && settings_.frame_interval > 0;
-  if (frames && body.time >= next_frame_) {
-    write_frame(body);
+  if (frames && time >= next_frame_) {
+    write_frame(now.whole());
     next_frame_ += settings_.frame_interval;
-    if (next_frame_ <= body.time) next_frame_ = body.time + settings_.frame_interval;
+    if (next_frame_ <= time) next_frame_ = time + settings_.frame_interval;
   }
   state.next_output = std::min(history_ ? next_row_ : never, frames ? next_frame_ : never);
 }

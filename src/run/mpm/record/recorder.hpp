@@ -52,10 +52,11 @@ class Recorder {
  private:
   Recorder(const RecorderSettings& settings, const mpm::Body<D>& body);
   void open_histories(bool resumes);
-  void write_rows(const mpm::Body<D>& body);
+  void write_rows(Pause<D>& now);
+  void write_monitors(const mpm::Body<D>& body, const std::vector<mpm::PointView<D>>& points);
   void write_frame(const mpm::Body<D>& body);
   void write_checkpoint(const mpm::Body<D>& body, const StageState& state, int leg, const std::string& name) const;
-  void on_output(const mpm::Body<D>& body, StageState& state);
+  void on_output(Pause<D>& now, StageState& state);
   bool is_look_due() const;
   void on_look(const mpm::Body<D>& body, const StageState& state);
   GoBack<D> mark();

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "base/units.hpp"
-#include "mpm/body/observe.hpp"
 
 namespace talus::run {
 
@@ -20,24 +18,6 @@ std::vector<std::string> name_surfaces(const std::vector<mpm::SurfaceCondition>&
     names.push_back(name);
   }
   return names;
-}
-
-template <int D>
-WaterState<D> find_water_state(const mpm::Body<D>& body) {
-  WaterState<D> state;
-  state.largest_pressure = -std::numeric_limits<double>::infinity();
-  for (int id = 0; id < body.points.size(); ++id) {
-    if (!mpm::is_present(body, id)) continue;
-    const auto p = mpm::view_point(body, id);
-    if (!p.wet) continue;
-    state.mass += p.water_mass;
-    state.largest_pressure = std::max(state.largest_pressure, -p.pressure);
-    if (p.pressure > state.largest_suction) {
-      state.largest_suction = p.pressure;
-      state.place = p.position;
-    }
-  }
-  return state;
 }
 
 template <int D>
@@ -72,8 +52,7 @@ std::vector<output::Column> WaterRecord<D>::list_columns() const {
 }
 
 template <int D>
-void WaterRecord<D>::append(const mpm::Body<D>& body, std::vector<double>& row) {
-  const WaterState<D> state = find_water_state(body);
+void WaterRecord<D>::append(const mpm::Body<D>& body, const mpm::WaterState<D>& state, std::vector<double>& row) {
   row.insert(row.end(), {state.mass, state.largest_pressure / stress_, state.largest_suction / stress_});
   const double share = body.time > time_ ? 1 / (density_ * (body.time - time_)) : 0;
   for (std::size_t i = 0; i < names_.size(); ++i) {
@@ -102,11 +81,7 @@ void WaterRecord<D>::restore(const std::vector<double>& saved) {
   transpired_ = saved.back();
 }
 
-#define TALUS_INSTANTIATE(D)                                       \
-  template WaterState<D> find_water_state<D>(const mpm::Body<D>&); \
-  template class WaterRecord<D>;
-TALUS_INSTANTIATE(2)
-TALUS_INSTANTIATE(3)
-#undef TALUS_INSTANTIATE
+template class WaterRecord<2>;
+template class WaterRecord<3>;
 
 }  // namespace talus::run

@@ -6,24 +6,13 @@
 #include <vector>
 
 #include "input/case/case.hpp"
-#include "mpm/body/body.hpp"
+#include "mpm/body/observe.hpp"
 #include "output/files/history.hpp"
 
 namespace talus::run {
 
 /// Names of the conditions at surfaces, made different where they are not.
 std::vector<std::string> name_surfaces(const std::vector<mpm::SurfaceCondition>& surfaces);
-
-/// The water in the pores, and the extremes of its pressure over the points.
-template <int D>
-struct WaterState {
-  double mass = 0;              ///< [kg]
-  double largest_pressure = 0;  ///< positive in compression [Pa]
-  double largest_suction = 0;   ///< [Pa]; 0 when there is none
-  Vec<D> place{};               ///< of the greatest suction [m]
-};
-template <int D>
-WaterState<D> find_water_state(const mpm::Body<D>& body);
 
 /// Columns of water and their rows; flows are means since the row before.
 template <int D>
@@ -32,7 +21,7 @@ class WaterRecord {
   WaterRecord(const input::Case& data, const mpm::Body<D>& body);
   std::vector<output::Column> list_columns() const;
   /// Appends the values of the columns to `row`, and starts the next interval.
-  void append(const mpm::Body<D>& body, std::vector<double>& row);
+  void append(const mpm::Body<D>& body, const mpm::WaterState<D>& state, std::vector<double>& row);
   /// The start of the interval, for a checkpoint.
   std::vector<double> save() const;
   void restore(const std::vector<double>& saved);

@@ -56,9 +56,10 @@ results::StageEnd run_stand_in(mpm::Body<D>& stand_in, mpm::Body<D>& body, const
                                const StageHooks<D>& hooks) {
   StageHooks<D> inner;
   if (hooks.output) {
-    inner.output = [&](const mpm::Body<D>& b, StageState& s) {
-      copy_from_stand_in(b, body);
-      hooks.output(body, s);
+    inner.output = [&](Pause<D>& now, StageState& s) {
+      copy_from_stand_in(now.whole(), body);
+      PauseHere<D> here(body);
+      hooks.output(here, s);
     };
   }
   if (hooks.look) {
