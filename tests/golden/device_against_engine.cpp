@@ -149,6 +149,30 @@ TEST(DeviceAgainstEngine, ClayThatSoftensOverALengthIsTheSame) {
   }
 }
 
+TEST(DeviceAgainstEngine, DeviceWhoseMemoryRunsOutOnTheWaySaysHowToGoOn) {
+  mpm::Body<2> body = golden::translate(reference::make_slope<2>(), 3);
+  const mpm::StepOptions<2> options = make_options(body, all_variants()[0], {0, -9.81});
+  mpm::gather_nodal_sums(body, options);
+  bool steps = false;
+  for (std::size_t memory = 100'000; !steps; memory += 4'000) {  // the least with which a step is done
+    mpm::DeviceStepper<2> device(mpm::make_emulated_device<2>({.memory = memory}));
+    try {
+      device.step(body, options);
+    } catch (const Error&) {
+      continue;
+    }
+    steps = true;
+    try {
+      device.fade_unseen(body);
+      FAIL() << "there is no room for what fades";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::no_memory);
+      EXPECT_NE(std::string(error.what()).find("--resume"), std::string::npos) << error.what();
+    }
+  }
+  mpm::make_emulated_device<2>({});  // all memory again
+}
+
 /// Wherever it is among the nodes: an unstable run must not look calm.
 TEST(DeviceAgainstEngine, WhatIsNoNumberWinsAmongSpeedsAndSteps) {
   mpm::PieceSums all;

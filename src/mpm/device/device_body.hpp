@@ -366,8 +366,8 @@ class DeviceBody : public Device<D> {
     Array<int> id;
     std::vector<std::int64_t> start = find_starts(capacity_);
     const auto slots = static_cast<std::size_t>(start.back());
-    data.assign_zeros(slots * static_cast<std::size_t>(body_.points.fields) * device_width);
-    id.bring(std::vector<int>(slots * device_width, -1));
+    data.resize(slots * static_cast<std::size_t>(body_.points.fields) * device_width);  // none reads behind `count`
+    id.resize(slots * device_width);
     start.pop_back();
     Array<std::int64_t> block_start;
     block_start.bring(start);

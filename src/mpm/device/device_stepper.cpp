@@ -28,6 +28,18 @@ void add_water(const DeviceOutput<D>& output, Water<D>& water) {
   water.mixture.iterations = output.iterations;
 }
 
+/// What the device does, in words where its memory runs out on the way: blocks that grow need room beside them.
+template <class Work>
+auto run_there(const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw Error(ExitCode::no_memory,
+                "the device ran out of memory in the run; --resume goes on from the last checkpoint, without --device "
+                "on the processor. Larger elements need less");
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -77,7 +89,8 @@ void DeviceStepper<D>::step(Body<D>& body, const StepOptions<D>& options) {
   host_is_up_to_date_ = false;
   threads_ = options.threads;
   DeviceOutput<D> output;
-  timed(body.timing.device, [&] { output = device_->step(make_input(body, options), options); });
+  timed(body.timing.device,
+        [&] { output = run_there([&] { return device_->step(make_input(body, options), options); }); });
   if (!output.finds_pressures) throw_no_pressures(body.step_count);
   body.time += options.dt;
   ++body.step_count;
@@ -99,7 +112,7 @@ void DeviceStepper<D>::step(Body<D>& body, const StepOptions<D>& options) {
 
 template <int D>
 void DeviceStepper<D>::fade_unseen(Body<D>& body) {
-  Stopwatch()(body.timing.device, [&] { body.work.mapping += device_->fade_unseen(); });
+  Stopwatch()(body.timing.device, [&] { body.work.mapping += run_there([&] { return device_->fade_unseen(); }); });
   host_is_up_to_date_ = false;
 }
 
@@ -107,7 +120,7 @@ template <int D>
 void DeviceStepper<D>::bring_back(Body<D>& body) {
   if (host_is_up_to_date_) return;
   Stopwatch()(body.timing.transfer, [&] {
-    device_->give_back(image_);
+    run_there([&] { device_->give_back(image_); });
     read_device_image(image_, threads_, body);
   });
   host_is_up_to_date_ = true;
@@ -117,18 +130,20 @@ template <int D>
 CriticalStep DeviceStepper<D>::find_critical_step(Body<D>& body, const StepOptions<D>& options) {
   if (!device_has_body_) return mpm::find_critical_step(body, options);
   StepSquare least;
-  Stopwatch()(body.timing.device, [&] { least = device_->find_step_square(); });
+  Stopwatch()(body.timing.device, [&] { least = run_there([&] { return device_->find_step_square(); }); });
   return {std::sqrt(least.dt2 * options.mass_scaling), least.element};
 }
 
 template <int D>
 double DeviceStepper<D>::find_largest_displacement(const Body<D>& body) {
-  return device_has_body_ ? device_->find_largest_displacement() : mpm::find_largest_displacement(body).value;
+  if (!device_has_body_) return mpm::find_largest_displacement(body).value;
+  return run_there([&] { return device_->find_largest_displacement(); });
 }
 
 template <int D>
 Observation<D> DeviceStepper<D>::observe(const Body<D>& body, const Vec<D>& gravity, const std::vector<int>& points) {
-  return device_has_body_ ? device_->observe(gravity, points) : mpm::observe(body, gravity, points);
+  if (!device_has_body_) return mpm::observe(body, gravity, points);
+  return run_there([&] { return device_->observe(gravity, points); });
 }
 
 #define TALUS_INSTANTIATE(D) template class DeviceStepper<D>;
