@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+// What a variant holds, where std::visit() is not to be had: on a GPU.
 
 #include <cstddef>
 #include <variant>
