@@ -29,13 +29,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::string soil = support::write_slope(
+    "bank", {"geometry.box=[[0, 0], [20, 8]]",
+             "geometry.polygon.soil.points=[[0, 0], [20, 0], [20, 2], [14, 2], [6, 7], [0, 7]]", "mesh.size=0.8",
+             "materials.silt.young_modulus=20 MPa", "materials.silt.cohesion=3", "materials.silt.friction_angle=22"});
+
 /// A bank that slides. Without damping, whose sign of a velocity near zero is round-off.
-const std::string bank =
-    support::write_slope("bank", {"geometry.box=[[0, 0], [20, 8]]",
-                                  "geometry.polygon.soil.points=[[0, 0], [20, 0], [20, 2], [14, 2], [6, 7], [0, 7]]",
-                                  "mesh.size=0.8", "materials.silt.young_modulus=20 MPa", "materials.silt.cohesion=3",
-                                  "materials.silt.friction_angle=22"}) +
-    R"(
+const std::string bank = soil +
+                         R"(
 [[stage]]
 name = "gravity"
 duration = 3
@@ -54,12 +55,8 @@ checkpoint_interval = 0.02
 )";
 
 /// A bank in the rain, beside a pool, with grass on it, that slides.
-const std::string wet_bank =
-    support::write_slope("bank", {"geometry.box=[[0, 0], [20, 8]]",
-                                  "geometry.polygon.soil.points=[[0, 0], [20, 0], [20, 2], [14, 2], [6, 7], [0, 7]]",
-                                  "mesh.size=0.8", "materials.silt.young_modulus=20 MPa", "materials.silt.cohesion=3",
-                                  "materials.silt.friction_angle=22"}) +
-    R"(
+const std::string wet_bank = soil +
+                             R"(
 [materials.silt.water]
 conductivity = "1e-3 m/s"
 retention = "van_genuchten"
