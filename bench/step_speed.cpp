@@ -113,7 +113,7 @@ class Steps {
  public:
   Steps(talus::bench::Yardstick<D>& y, const std::set<std::string>& flags) : y_(y) {
     if (flags.contains("gpu")) talus::mpm::use_gpu();
-    if (flags.contains("emulated")) talus::mpm::use_emulated_device();
+    if (flags.contains("emulated")) talus::mpm::use_emulated_device({.threads = y.options.threads});
     if (auto device = talus::mpm::make_device<D>()) device_.emplace(std::move(device));
   }
   bool on_device() const { return device_.has_value(); }

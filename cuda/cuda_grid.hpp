@@ -3,6 +3,7 @@
 // A GPU as a grid (mpm/device/host_grid.hpp tells what that is). All goes through one stream, in its order.
 
 #include <cub/cub.cuh>
+#include <thrust/iterator/counting_iterator.h>
 
 #include <new>
 #include <string>
@@ -26,6 +27,16 @@ __global__ void run_kernel(Kernel kernel, int n) {
   const int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
   if (i < n) kernel(i);
 }
+
+/// Sums of what has add().
+template <class S>
+struct Add {
+  __host__ __device__ S operator()(const S& a, const S& b) const {
+    S sum = a;
+    sum.add(b);
+    return sum;
+  }
+};
 
 class CudaGrid {
  public:
@@ -57,14 +68,18 @@ class CudaGrid {
     run_kernel<<<(n + block_threads - 1) / block_threads, block_threads>>>(kernel, n);
     require(cudaGetLastError());
   }
-  int scan(const int* counts, int* starts, int n) {
+  /// CUB promises the same order from run to run on one kind of device.
+  template <class S, class Summand>
+  void sum(int n, const Summand& summand, S* sum) {
+    const thrust::counting_iterator<int> first(0);
+    std::size_t bytes = 0;
+    require(cub::DeviceReduce::TransformReduce(nullptr, bytes, first, sum, n, Add<S>{}, summand, S{}));
+    require(cub::DeviceReduce::TransformReduce(find_room(bytes), bytes, first, sum, n, Add<S>{}, summand, S{}));
+  }
+  void scan(const int* counts, int* starts, int n) {
     std::size_t bytes = 0;
     require(cub::DeviceScan::ExclusiveSum(nullptr, bytes, counts, starts, n));
     require(cub::DeviceScan::ExclusiveSum(find_room(bytes), bytes, counts, starts, n));
-    int last[2];
-    fetch(&last[0], starts + n - 1, sizeof(int));
-    fetch(&last[1], counts + n - 1, sizeof(int));
-    return last[0] + last[1];
   }
   void sort(const unsigned* keys, unsigned* sorted, int* order, int n) {
     const std::size_t list = sizeof(int) * static_cast<std::size_t>(n);

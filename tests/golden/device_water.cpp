@@ -110,9 +110,9 @@ TEST(DeviceWater, WaterThatRootsDrawIsTheSame) {
 
 /// Water that the device has after `steps`, brought back.
 template <int D>
-mpm::Body<D> run_on_device(WetCase<D> made, int steps, bool backwards) {
+mpm::Body<D> run_on_device(WetCase<D> made, int steps, const mpm::Emulation& how) {
   mpm::gather_nodal_sums(made.body, made.options);
-  mpm::DeviceStepper<D> device(mpm::make_emulated_device<D>({.backwards = backwards}));
+  mpm::DeviceStepper<D> device(mpm::make_emulated_device<D>(how));
   for (int s = 0; s < steps; ++s) device.step(made.body, made.options);
   device.bring_back(made.body);
   return made.body;
@@ -120,11 +120,14 @@ mpm::Body<D> run_on_device(WetCase<D> made, int steps, bool backwards) {
 
 TEST(DeviceWater, OrderOfThreadsChangesNoBit) {
   const WetCase<2> made = make_case(make_many_conditions<2>(), {.name = "stable", .smoothing = Smoothing::stable});
-  const mpm::Body<2> forwards = run_on_device(made, 60, false), backwards = run_on_device(made, 60, true);
-  EXPECT_EQ(forwards.points.data, backwards.points.data);
-  EXPECT_EQ(forwards.points.id, backwards.points.id);
-  EXPECT_EQ(forwards.water.mixture.own, backwards.water.mixture.own);
-  EXPECT_EQ(forwards.work.pore_water, backwards.work.pore_water);
+  const mpm::Body<2> forwards = run_on_device(made, 60, {}), backwards = run_on_device(made, 60, {.backwards = true}),
+                     together = run_on_device(made, 60, {.threads = 2});
+  for (const mpm::Body<2>* other : {&backwards, &together}) {
+    EXPECT_EQ(forwards.points.data, other->points.data);
+    EXPECT_EQ(forwards.points.id, other->points.id);
+    EXPECT_EQ(forwards.water.mixture.own, other->water.mixture.own);
+    EXPECT_EQ(forwards.work.pore_water, other->work.pore_water);
+  }
 }
 
 }  // namespace

@@ -16,6 +16,15 @@
 
 namespace talus::mpm {
 
+/// Slots beyond those in use that a block has.
+inline constexpr int spare_slots = 1;
+/// The slots that blocks have, and more behind them for those that will have to grow.
+constexpr std::size_t find_room(std::size_t slots) {
+  return slots + slots / 8 + 32;
+}
+/// Room for points on their way at the start: one in so many of all.
+inline constexpr std::size_t mover_share = 32;
+
 /// What a device needs of a body, and what changes there. Arrays [block][…][lane] have blocks of device_width elements.
 template <int D>
 struct DeviceImage {

@@ -33,16 +33,22 @@ class DeviceArray {
   }
 
   std::size_t size() const { return size_; }
+  std::size_t room() const { return room_; }
+  /// Room for `size`; what is in it is lost where there was less.
+  void reserve(std::size_t size) {
+    if (size <= room_) return;
+    if (start_ != nullptr) Grid::release(std::exchange(start_, nullptr));
+    room_ = size_ = 0;
+    start_ = static_cast<T*>(Grid::allocate(size * sizeof(T)));
+    room_ = size;
+  }
   /// What is in it is lost, and what is there then may be anything.
   void resize(std::size_t size) {
-    if (size > room_) {
-      if (start_ != nullptr) Grid::release(std::exchange(start_, nullptr));
-      room_ = size_ = 0;
-      start_ = static_cast<T*>(Grid::allocate(size * sizeof(T)));
-      room_ = size;
-    }
+    reserve(size);
     size_ = size;
   }
+  /// What is in it stays; there must be room.
+  void extend(std::size_t size) { size_ = size; }
   /// All bytes zero.
   void assign_zeros(std::size_t size) {
     resize(size);
@@ -56,16 +62,21 @@ class DeviceArray {
   void bring(const Host& host) {
     bring(host.data(), host.size());
   }
-  std::vector<T> fetch() const {
-    std::vector<T> host(size_);
+  void fetch(std::vector<T>& host) const {
+    host.resize(size_);
     if (size_ > 0) Grid::fetch(host.data(), start_, size_ * sizeof(T));
+  }
+  std::vector<T> fetch() const {
+    std::vector<T> host;
+    fetch(host);
     return host;
   }
-  T fetch_first() const {
-    T first;
-    Grid::fetch(&first, start_, sizeof(T));
-    return first;
+  T fetch_one(std::size_t i) const {
+    T one;
+    Grid::fetch(&one, start_ + i, sizeof(T));
+    return one;
   }
+  T fetch_first() const { return fetch_one(0); }
   View<T> view() const { return {start_, size_}; }
   View<const T> read() const { return {start_, size_}; }
 

@@ -11,16 +11,6 @@
 
 namespace talus::mpm::device {
 
-/// Slots beyond those in use that a block gets.
-inline constexpr int spare_slots = 1;
-
-/// Where the slots of blocks begin, and behind the last one their sum.
-inline std::vector<std::int64_t> find_starts(const std::vector<int>& capacity) {
-  std::vector<std::int64_t> starts{0};
-  for (const int slots : capacity) starts.push_back(starts.back() + slots);
-  return starts;
-}
-
 template <class Grid, int D>
 class DeviceBody : public Device<D> {
  public:
@@ -34,13 +24,15 @@ class DeviceBody : public Device<D> {
     take_fields(image);
     const std::size_t lanes = image.count.size();
     water_.take(image.water, image.mesh.nodes.size(), lanes);
+    make_room(image);
     change_.assign_zeros(lanes);
-    leaving_.assign_zeros(lanes);
-    first_.resize(lanes);
+    leaving_.assign_zeros(lanes + 1);  // the last one is nobody's: a scan puts the sum there
+    first_.resize(lanes + 1);
     arrivals_.assign_zeros(lanes);
     average_.resize(2 * lanes);
     node_accounts_.assign_zeros(static_cast<std::size_t>(body_.node_count));
     element_accounts_.assign_zeros(lanes);
+    account_.resize(1);
     if (options.mixed) launch(body_.element_count, UpdateSurface<D>{body_, change_.view()});
     launch(body_.element_count,
            SumAnew<D>{body_, options, true, water_.mass_field(), change_.view(), element_accounts_.view()});
@@ -71,8 +63,10 @@ class DeviceBody : public Device<D> {
     }
     water_.is_there() ? advance<true>(o) : advance<false>(o);
     relocate(o, output.departed);
-    const NodeAccount nodes = sums_of_.add_up(node_accounts_);
-    const ElementAccount elements = sums_of_.add_up(element_accounts_);
+    add_up(node_accounts_, &StepAccount::nodes);
+    add_up(element_accounts_, &StepAccount::elements);
+    const auto [nodes, elements] = account_.fetch_first();
+    if (water_.is_there()) output.budgets = water_.fetch_budgets();
     output.work.external = nodes.external;
     output.work.damped = nodes.piece.damped;
     output.work.walls = nodes.piece.walls;
@@ -87,11 +81,6 @@ class DeviceBody : public Device<D> {
   }
 
   double fade_unseen() override {
-    const auto nodes = static_cast<std::size_t>(body_.node_count),
-               elements = static_cast<std::size_t>(body_.element_count);
-    velocity_.resize(nodes * fade_stride);
-    direction_.resize(nodes * D);
-    product_.resize(elements * (D + 1) * D);
     const FadeRows<D> rows{velocity_.view(), direction_.view(), product_.view()};
     launch(body_.node_count, StartFading<D>{body_, rows});
     for (const FadeWeights& weights : list_fade_weights()) {
@@ -99,63 +88,53 @@ class DeviceBody : public Device<D> {
       launch(body_.node_count, ImproveVelocity<D>{body_, rows, weights});
     }
     launch(body_.element_count, FadeElement<D>{body_, rows, water_.mass_field(), element_accounts_.view()});
-    return sums_of_.add_up(element_accounts_).shared;
+    add_up(element_accounts_, &StepAccount::elements);
+    return account_.fetch_first().elements.shared;
   }
 
   void give_back(DeviceImage<D>& image) override {
-    sums_of_nodes_.resize(static_cast<std::size_t>(body_.node_count) * sums_stride);
     launch(body_.node_count, SumNode<D>{body_, sums_of_nodes_.view()});
-    image.sums = sums_of_nodes_.fetch();
-    image.block_start = block_start_.fetch();
-    image.block_capacity = capacity_;
-    image.data = data_.fetch();
-    image.count = count_.fetch();
-    image.id = id_.fetch();
-    image.strain_offset = strain_offset_.fetch();
-    for (const auto& [of_image, array] : list_fields()) image.*of_image = (this->*array).fetch();
-    image.moments = moments_.fetch();
-    image.motion = motion_.fetch();
-    image.displacement = displacement_.fetch();
+    sums_of_nodes_.fetch(image.sums);
+    block_start_.fetch(image.block_start);
+    block_capacity_.fetch(image.block_capacity);
+    data_.fetch(image.data);
+    count_.fetch(image.count);
+    id_.fetch(image.id);
+    strain_offset_.fetch(image.strain_offset);
+    for (const auto& [of_image, array] : list_fields()) (this->*array).fetch(image.*of_image);
+    moments_.fetch(image.moments);
+    motion_.fetch(image.motion);
+    displacement_.fetch(image.displacement);
     image.motion_step = body_.nodes.motion_step;
     water_.give_back(image.water);
   }
 
   StepSquare find_step_square() override {
-    squares_.resize(static_cast<std::size_t>(body_.element_count));
-    launch(body_.element_count, FindStep<D>{body_, water_.mass_field(), squares_.view()});
-    return sums_of_.add_up(squares_);
+    return sum_elements<StepSquare>(StepOfElement<D>{body_, water_.mass_field()});
   }
 
   double find_largest_displacement() override {
-    constexpr int threads = FixedSums<Grid>::first_threads;
-    launch(threads, FindFarthest<D>{body_, sums_of_.template get_first<Farthest>(), threads});
-    return std::sqrt(sums_of_.fetch(sums_of_.template finish<Farthest>()).square);
+    return std::sqrt(sum_elements<Farthest>(FarthestOfElement<D>{body_}).square);
   }
 
   Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) override {
-    constexpr int threads = FixedSums<Grid>::first_threads;
-    launch(threads, SeePoints<D>{body_, gravity, sums_of_.template get_first<Seen<D>>(), threads});
-    const Seen<D> seen = sums_of_.fetch(sums_of_.template finish<Seen<D>>());
+    const auto seen = sum_elements<Seen<D>>(SeenInElement<D>{body_, gravity});
     Observation<D> observation{seen.totals, seen.water, std::sqrt(seen.farthest.square), {}};
     observation.totals.find_centre();
-    Array<int> wanted;
-    Array<PointView<D>> views;
-    wanted.bring(points);
-    views.resize(points.size());
-    launch(static_cast<int>(points.size()), SeePoint<D>{body_, wanted.read(), views.view()});
-    observation.points = views.fetch();
+    wanted_.bring(points);
+    views_.resize(points.size());
+    launch(static_cast<int>(points.size()), SeePoint<D>{body_, wanted_.read(), views_.view()});
+    observation.points = views_.fetch();
     return observation;
   }
 
   DeviceMemory find_memory() override { return grid_.find_memory(); }
 
   std::vector<PointPlace<D>> locate(const std::vector<int>& points) override {
-    Array<int> wanted;
-    Array<PointPlace<D>> places;
-    wanted.bring(points);
-    places.resize(points.size());
-    launch(static_cast<int>(points.size()), Locate<D>{body_, wanted.read(), places.view()});
-    return places.fetch();
+    wanted_.bring(points);
+    located_.resize(points.size());
+    launch(static_cast<int>(points.size()), Locate<D>{body_, wanted_.read(), located_.view()});
+    return located_.fetch();
   }
 
  private:
@@ -166,6 +145,26 @@ class DeviceBody : public Device<D> {
   template <class Kernel>
   void launch(int n, const Kernel& kernel) {
     if (n > 0) grid_.launch(n, kernel);
+  }
+
+  /// What a step did.
+  struct StepAccount {
+    NodeAccount nodes;
+    ElementAccount elements;
+  };
+  /// The sum of an array, into its place in account_.
+  template <class S>
+  void add_up(const Array<S>& list, S StepAccount::*sum) {
+    grid_.sum(static_cast<int>(list.size()), Listed<S>{list.read()}, &(account_.view().start->*sum));
+  }
+  /// A sum over the elements, fetched.
+  template <class S, class Summand>
+  S sum_elements(const Summand& summand) {
+    sum_.resize(sizeof(S));
+    grid_.sum(body_.element_count, summand, reinterpret_cast<S*>(sum_.view().start));
+    S sum;
+    Grid::fetch(&sum, sum_.view().start, sizeof sum);
+    return sum;
   }
 
   /// The arrays of elements that change, in the image and here.
@@ -210,11 +209,14 @@ class DeviceBody : public Device<D> {
     host_laws_ = image.laws;
     laws_.bring(image.laws);
     body_.laws = {laws_.view().start, static_cast<std::uint32_t>(laws_.size())};
+    capacity_ = image.block_capacity;
+    const std::size_t room = find_room(image.id.size() / device_width);
+    data_.reserve(room * static_cast<std::size_t>(image.fields) * device_width);
     data_.bring(image.data);
+    id_.reserve(room * device_width);
     id_.bring(image.id);
     block_start_.bring(image.block_start);
     block_capacity_.bring(image.block_capacity);
-    capacity_ = image.block_capacity;
     count_.bring(image.count);
     material_.bring(image.material);
     reference_.bring(image.reference);
@@ -299,9 +301,26 @@ class DeviceBody : public Device<D> {
     }
   }
 
+  /// What the steps need beside the body, so that memory that is too little is found before them.
+  void make_room(const DeviceImage<D>& image) {
+    const auto nodes = static_cast<std::size_t>(body_.node_count);
+    velocity_.resize(nodes * fade_stride);
+    direction_.resize(nodes * D);
+    product_.resize(image.count.size() * (D + 1) * D);
+    sums_of_nodes_.resize(nodes * sums_stride);
+    room_.resize(capacity_.size());
+    reserve_movers(static_cast<std::size_t>(image.point_count) / mover_share);
+  }
+  void reserve_movers(std::size_t n) {
+    mover_fields_.reserve(n * static_cast<std::size_t>(body_.points.fields));
+    for (Array<int>* list : {&mover_id_, &mover_from_, &mover_order_}) list->reserve(n);
+    for (Array<unsigned>* list : {&mover_to_, &mover_sorted_}) list->reserve(n);
+  }
+
   void relocate(const StepOptions<D>& o, std::vector<Departed<D>>& departed) {
     if (!o.moving) return;
-    const int count = grid_.scan(leaving_.view().start, first_.view().start, body_.element_count);
+    grid_.scan(leaving_.view().start, first_.view().start, body_.element_count + 1);
+    const int count = first_.fetch_one(static_cast<std::size_t>(body_.element_count));
     if (count == 0) return;
     const Movers movers = make_room_for_movers(count);
     launch(body_.element_count, TakeOut<D>{body_, leaving_.read(), first_.read(), movers, change_.view()});
@@ -321,6 +340,7 @@ class DeviceBody : public Device<D> {
 
   Movers make_room_for_movers(int count) {
     const auto n = static_cast<std::size_t>(count);
+    if (n > mover_id_.room()) reserve_movers(n + n / 4);
     mover_fields_.resize(n * static_cast<std::size_t>(body_.points.fields));
     mover_id_.resize(n);
     mover_from_.resize(n);
@@ -354,42 +374,64 @@ class DeviceBody : public Device<D> {
     }
   }
 
-  /// Room for the points that come, in blocks that have too little; the others keep theirs.
+  /// Room for the points that come: blocks that have too little get a new place behind the others.
   void grow() {
-    Array<int> room;
-    room.resize(capacity_.size());
-    launch(static_cast<int>(capacity_.size()), CountRoom<D>{body_, arrivals_.read(), room.view()});
-    const std::vector<int> needed = room.fetch();
-    for (std::size_t b = 0; b < needed.size(); ++b)
-      if (needed[b] > capacity_[b]) capacity_[b] = needed[b] + spare_slots;
+    room_.resize(capacity_.size());
+    launch(static_cast<int>(capacity_.size()), CountRoom<D>{body_, arrivals_.read(), room_.view()});
+    const std::vector<int> needed = room_.fetch();
+    std::vector<MovedBlock> full;
+    auto end = static_cast<std::int64_t>(id_.size() / device_width);
+    for (std::size_t b = 0; b < needed.size(); ++b) {
+      if (needed[b] <= capacity_[b]) continue;
+      capacity_[b] = needed[b] + spare_slots;
+      full.push_back({static_cast<int>(b), capacity_[b], end});
+      end += capacity_[b];
+    }
+    const auto slots = static_cast<std::size_t>(end);
+    if (slots * device_width > id_.room()) return pack();
+    data_.extend(slots * static_cast<std::size_t>(body_.points.fields) * device_width);
+    id_.extend(slots * device_width);
+    body_.points.data = data_.view();
+    body_.points.id = id_.view();
+    move_blocks(full, body_.points);
+  }
+
+  /// All blocks behind each other in new arrays: the old places of those that moved are given up.
+  void pack() {
+    std::vector<MovedBlock> all;
+    std::int64_t end = 0;
+    for (std::size_t b = 0; b < capacity_.size(); ++b) {
+      all.push_back({static_cast<int>(b), capacity_[b], end});
+      end += capacity_[b];
+    }
     Array<double> data;
     Array<int> id;
-    std::vector<std::int64_t> start = find_starts(capacity_);
-    const auto slots = static_cast<std::size_t>(start.back());
-    data.resize(slots * static_cast<std::size_t>(body_.points.fields) * device_width);  // none reads behind `count`
-    id.resize(slots * device_width);
-    start.pop_back();
-    Array<std::int64_t> block_start;
-    block_start.bring(start);
-    DevicePoints<D> grown = body_.points;
-    grown.data = data.view();
-    grown.id = id.view();
-    grown.block_start = block_start.read();
-    launch(body_.element_count, MoveSlots<D>{body_, grown});
+    const auto slots = static_cast<std::size_t>(end), fields = static_cast<std::size_t>(body_.points.fields);
+    data.reserve(find_room(slots) * fields * device_width);
+    data.extend(slots * fields * device_width);  // none reads behind `count`
+    id.reserve(find_room(slots) * device_width);
+    id.extend(slots * device_width);
+    DevicePoints<D> packed = body_.points;
+    packed.data = data.view();
+    packed.id = id.view();
+    move_blocks(all, packed);
     data_.swap(data);
     id_.swap(id);
-    block_start_.swap(block_start);
-    block_capacity_.bring(capacity_);
-    grown.block_capacity = block_capacity_.read();
-    body_.points = grown;
+    body_.points.data = packed.data;
+    body_.points.id = packed.id;
+  }
+
+  void move_blocks(const std::vector<MovedBlock>& blocks, const DevicePoints<D>& to) {
+    moved_.bring(blocks);
+    launch(static_cast<int>(blocks.size()) * device_width, MoveSlots<D>{body_, moved_.read(), to});
+    launch(static_cast<int>(blocks.size()), NoteMoved{moved_.read(), block_start_.view(), block_capacity_.view()});
   }
 
   Grid grid_;
   ThreadBody<D> body_;
-  FixedSums<Grid> sums_of_{grid_};
-  DeviceWaterBody<Grid, D> water_{grid_, sums_of_, body_};
+  DeviceWaterBody<Grid, D> water_{grid_, body_};
   std::vector<StoredLaw> host_laws_;
-  std::vector<int> capacity_;  ///< [block] slots
+  std::vector<int> capacity_;  ///< of block_capacity_
   SofteningList reach_;
 
   // The mesh.
@@ -419,11 +461,17 @@ class DeviceBody : public Device<D> {
   Array<std::uint8_t> pressed_;
   Array<GivenFactor> factors_;
   // Of a step.
-  Array<int> leaving_, first_, arrivals_, change_;
+  Array<int> leaving_, first_, arrivals_, change_, room_;
+  Array<MovedBlock> moved_;
   Array<double> velocity_, direction_, product_;  // of fading
   Array<NodeAccount> node_accounts_;
   Array<ElementAccount> element_accounts_;
-  Array<StepSquare> squares_;
+  Array<StepAccount> account_;
+  Array<unsigned char> sum_;
+  // Of points that are asked for.
+  Array<int> wanted_;
+  Array<PointView<D>> views_;
+  Array<PointPlace<D>> located_;
   Array<Vec<D>> reference_;
   Array<Signals> signals_;
   Array<double> mover_fields_;

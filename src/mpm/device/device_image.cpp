@@ -81,7 +81,7 @@ void copy_points(const Body<D>& body, int threads, DeviceImage<D>& image) {
     const auto first = image.count.begin() + static_cast<std::ptrdiff_t>(b) * device_width;
     const int most = static_cast<int>(*std::max_element(first, first + device_width));
     image.block_start.push_back(slots);
-    image.block_capacity.push_back(most == 0 ? 0 : most + 1);
+    image.block_capacity.push_back(most == 0 ? 0 : most + spare_slots);
     slots += image.block_capacity.back();
   }
   image.data.assign(static_cast<std::size_t>(slots) * static_cast<std::size_t>(points.fields) * device_width, 0.0);
@@ -220,6 +220,9 @@ template <int D>
 std::size_t count_bytes(const DeviceImage<D>& image) {
   const auto of = [](const auto&... lists) { return ((lists.size() * sizeof *lists.data()) + ...); };
   const std::size_t lanes = image.count.size(), nodes = image.mesh.nodes.size(), numbers = sizeof(double);
+  const std::size_t points = static_cast<std::size_t>(image.point_count), slots = image.id.size() / device_width,
+                    slot = device_width * (static_cast<std::size_t>(image.fields) * numbers + sizeof(int)),
+                    mover = static_cast<std::size_t>(image.fields) * numbers + 5 * sizeof(int);
   const std::size_t element_work = moment_size<D> + (D + 1) * sums_stride + (D + 1) * D + 2 + 2 + 2,
                     node_work = 1 + 2 * sums_stride + D + 16;
   return of(image.mesh.nodes, image.mesh.elements, image.mesh.neighbours, image.mesh.volumes, image.mesh.altitudes,
@@ -230,8 +233,9 @@ std::size_t count_bytes(const DeviceImage<D>& image) {
             image.strain_offset, image.strain) +
          of(image.fill_limit, image.apart, image.rough, image.plastic_dilation, image.softened, image.softening_volume,
             image.lent, image.motion, image.displacement) +
-         static_cast<std::size_t>(image.point_count) * (sizeof(int) + sizeof(std::int64_t)) +
-         lanes * element_work * numbers + nodes * node_work * numbers + count_bytes(image.water);
+         points * (sizeof(int) + sizeof(std::int64_t)) + (find_room(slots) - slots) * slot +
+         points / mover_share * mover + lanes * element_work * numbers + nodes * node_work * numbers +
+         count_bytes(image.water);
 }
 
 #define TALUS_INSTANTIATE(D)                                         \

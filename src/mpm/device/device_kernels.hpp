@@ -205,16 +205,22 @@ struct ClearSoftening {
   }
 };
 
+// Summands: what the i-th one adds to a sum over all (`sum` of a grid).
+
+template <class S>
+struct Listed {
+  View<const S> list;
+
+  TALUS_PORTABLE S operator()(int i) const { return list[static_cast<std::size_t>(i)]; }
+};
+
 /// find_critical_step() of an element.
 template <int D>
-struct FindStep {
+struct StepOfElement {
   ThreadBody<D> body;
   int more_mass;  ///< field of mass that moves with the points; -1: none
-  View<StepSquare> squares;
 
-  TALUS_PORTABLE void operator()(int e) const {
-    squares[static_cast<std::size_t>(e)] = find_step_square(body, e, more_mass);
-  }
+  TALUS_PORTABLE StepSquare operator()(int e) const { return find_step_square(body, e, more_mass); }
 };
 
 /// The largest displacement of the points of an element, squared; what is no number is larger than all.
@@ -239,48 +245,41 @@ struct Seen {
   }
 };
 
-/// Calls work(id) for the points of every threads-th element, from element `t` on.
+/// Calls work(id) for the points of element `e`.
 template <int D, class Work>
-TALUS_PORTABLE void for_points(const ThreadBody<D>& body, int t, int threads, Work&& work) {
-  for (int e = t; e < body.element_count; e += threads) {
-    const std::int64_t first = body.points.block_start[static_cast<std::size_t>(e / device_width)];
-    for (int k = 0; k < static_cast<int>(body.points.count[static_cast<std::size_t>(e)]); ++k)
-      work(body.points.id[static_cast<std::size_t>((first + k) * device_width + e % device_width)]);
-  }
+TALUS_PORTABLE void for_points(const ThreadBody<D>& body, int e, Work&& work) {
+  const std::int64_t first = body.points.block_start[static_cast<std::size_t>(e / device_width)];
+  for (int k = 0; k < static_cast<int>(body.points.count[static_cast<std::size_t>(e)]); ++k)
+    work(body.points.id[static_cast<std::size_t>((first + k) * device_width + e % device_width)]);
 }
 
-/// The first rounds of FixedSums over the points: of the largest displacement, and of all that histories tell.
 template <int D>
-struct FindFarthest {
+struct FarthestOfElement {
   ThreadBody<D> body;
-  View<Farthest> sums;
-  int threads;
 
-  TALUS_PORTABLE void operator()(int t) const {
+  TALUS_PORTABLE Farthest operator()(int e) const {
     Farthest most;
-    for_points(body, t, threads, [&](int id) {
+    for_points(body, e, [&](int id) {
       const Vec<D> u = find_displacement(body, id, read_xi(body, find_fields(body, id)));
       most.add({dot(u, u)});
     });
-    sums[static_cast<std::size_t>(t)] = most;
+    return most;
   }
 };
 template <int D>
-struct SeePoints {
+struct SeenInElement {
   ThreadBody<D> body;
   Vec<D> gravity;
-  View<Seen<D>> sums;
-  int threads;
 
-  TALUS_PORTABLE void operator()(int t) const {
+  TALUS_PORTABLE Seen<D> operator()(int e) const {
     Seen<D> seen;
-    for_points(body, t, threads, [&](int id) {
+    for_points(body, e, [&](int id) {
       const PointView<D> p = look_at_point(body, id);
       add_point(body, p, gravity, seen.totals);
       seen.water.add_point(p);
       seen.farthest.add({dot(p.displacement, p.displacement)});
     });
-    sums[static_cast<std::size_t>(t)] = seen;
+    return seen;
   }
 };
 

@@ -3,6 +3,7 @@
 // Pore water of a body in the memory of a device, and its part of a step. Grid: HostGrid or CudaGrid.
 
 #include "mpm/device/device.hpp"
+#include "mpm/device/device_array.hpp"
 #include "mpm/device/pressure_kernels.hpp"
 
 namespace talus::mpm::device {
@@ -10,7 +11,7 @@ namespace talus::mpm::device {
 template <class Grid, int D>
 class DeviceWaterBody {
  public:
-  DeviceWaterBody(Grid& grid, FixedSums<Grid>& sums, ThreadBody<D>& body) : grid_(grid), sums_(sums), body_(body) {}
+  DeviceWaterBody(Grid& grid, ThreadBody<D>& body) : grid_(grid), body_(body) {}
 
   bool is_there() const { return body_.water.is_wet(); }
   /// Of what seeps; -1: none.
@@ -31,8 +32,8 @@ class DeviceWaterBody {
 
   void give_back(WaterImage<D>& image) const {
     if (!is_there()) return;
-    for (const auto& [of_image, array] : list_fields()) image.*of_image = (this->*array).fetch();
-    image.ponded = ponded_.fetch();
+    for (const auto& [of_image, array] : list_fields()) (this->*array).fetch(image.*of_image);
+    ponded_.fetch(image.ponded);
   }
 
   /// Everything before the momentum of the step: contents, surface, flow, and the pressures as they are. `tractions`:
@@ -41,7 +42,7 @@ class DeviceWaterBody {
     of_step_.bring(input.surfaces);
     body_.water.surfaces = of_step_.read();
     rates_.bring(input.uptake_rates);
-    signals_.bring(std::vector<WaterSignals>(1));
+    signals_.assign_zeros(1);
     launch(elements(), SumContents<D>{body_, o.mixed, signals_.view()});
     launch(nodes(), StartNode<D>{body_, is_first_});
     is_first_ = false;
@@ -68,22 +69,25 @@ class DeviceWaterBody {
     bool settled = false;
     for (output.rounds = 1; output.rounds <= most_rounds && !settled; ++output.rounds) {
       for_nodes<NodeLine::find_source>(system);
-      if (!solve_round(system, output.iterations)) return false;
-      signals_.bring(std::vector<WaterSignals>(1));
-      launch(nodes(), SettleNode<D>{system, output.rounds - 1, signals_.view()});
-      settled = signals_.fetch_first().settled != 0;
+      const Gradients found = solve_round(system, output.rounds - 1);
+      if (!found.are_there()) return false;  // or no number
+      output.iterations += found.iterations;
+      settled = found.unsettled == 0;
     }
     if (settled) --output.rounds;  // the last one
-    launch(nodes(), MultiplyNode<D>{system, body_.water.mixture.change, false, false});
+    launch(nodes(), MultiplyNode<D>{system, body_.water.mixture.change, false, When::always});
     for_nodes<NodeLine::find_out>(system);
     launch(elements(), ForElements<D, ElementLine::share_water>{system});
     for_nodes<NodeLine::keep_own>(system);
-    count_water(system, output.budgets);
+    for (int s = 0; s < surfaces_; ++s) grid_.sum(nodes(), WaterOfNode<D>{system, s}, budgets_.view().start + s);
     launch(nodes(), EndNode<D>{system});
     launch(elements(), ForElements<D, ElementLine::find_end>{system});
     launch(nodes(), PressNode<D>{body_});
     return true;
   }
+
+  /// What passed the surfaces in the step.
+  std::vector<SurfaceBudget> fetch_budgets() const { return budgets_.fetch(); }
 
   void count_power(double seconds, View<NodeAccount> accounts) {
     launch(nodes(), CountPorePower<D>{body_, seconds, accounts});
@@ -93,8 +97,8 @@ class DeviceWaterBody {
   template <class T>
   using Array = DeviceArray<Grid, T>;
   using Field = std::pair<std::vector<double> WaterImage<D>::*, Array<double> DeviceWaterBody::*>;
-  /// Iterations between two looks at how far the gradients have come.
-  static constexpr int iterations_ahead = 4;
+  /// The fewest iterations between two looks at how far the gradients have come.
+  static constexpr int iterations_ahead = 2;
 
   /// The arrays that change and come back.
   static std::array<Field, 7> list_fields() {
@@ -132,6 +136,7 @@ class DeviceWaterBody {
     uptakes_.bring(uptakes);
     node_size_.bring(image.node_size);
     row_start_.bring(image.row_start);
+    row_ends_.bring(image.row_ends);
     column_.bring(image.column);
     place_.bring(image.place);
     DeviceWater<D>& water = body_.water;
@@ -146,6 +151,7 @@ class DeviceWaterBody {
     graph.element.rows = graph.local.rows = body_.layout.node_rows;
     graph.size = node_size_.read();
     graph.row_start = row_start_.read();
+    graph.row_ends = row_ends_.read();
     graph.column = column_.read();
     graph.place = place_.read();
   }
@@ -203,8 +209,7 @@ class DeviceWaterBody {
     load_.resize(nodes);
     load_rows_.assign_zeros(loads_ ? lanes * (D + 1) : 0);
     own_mass_.resize(lanes);
-    for (Array<double>* array :
-         {&source_, &storage_, &diagonal_, &of_node_, &r_, &z_, &q_, &growth_, &drained_of_, &d_})
+    for (Array<double>* array : {&source_, &storage_, &diagonal_, &of_node_, &r_, &z_, &q_, &grown_, &drained_of_, &d_})
       array->assign_zeros(nodes);
     pushed_.assign_zeros(nodes);
     fixed_.assign_zeros(nodes);
@@ -214,7 +219,9 @@ class DeviceWaterBody {
     seeping_.resize(lanes);
     lift_.resize(lanes);
     entries_.resize(column_.size());
+    push_.resize(column_.size());
     gradients_.assign_zeros(1);
+    budgets_.resize(static_cast<std::size_t>(surfaces_));
   }
 
   /// Only the outside's way round what it does not reach at once takes further launches.
@@ -223,7 +230,7 @@ class DeviceWaterBody {
     launch(nodes(), MarkWetNode<D>{body_, touches_.view()});
     launch(elements(), StartOutside<D>{body_, touches_.read(), outside_.view()});
     do {
-      signals_.bring(std::vector<WaterSignals>(1));
+      signals_.assign_zeros(1);
       launch(elements(), SpreadOutside<D>{body_, outside_.view(), signals_.view()});
     } while (signals_.fetch_first().spread != 0);
     launch(elements(), FindOpenSides<D>{body_, outside_.read(), open_.view()});
@@ -232,14 +239,14 @@ class DeviceWaterBody {
 
   PressureSystem<D> assemble(const StepOptions<D>& o) {
     entries_.assign_zeros(entries_.size());
-    for (Array<double>* array : {&growth_, &drained_of_, &d_}) array->assign_zeros(array->size());
-    pushed_.assign_zeros(pushed_.size());
+    for (Array<double>* array : {&grown_, &drained_of_, &d_}) array->assign_zeros(array->size());
+    for (Array<Vec<D>>* array : {&push_, &pushed_}) array->assign_zeros(array->size());
     const PressureSystem<D> system{
         body_,
         o,
-        {entries_.view(), source_.view(), storage_.view(), diagonal_.view(), growth_.view(), drained_of_.view(),
-         of_node_.view(), r_.view(), z_.view(), d_.view(), q_.view(), pushed_.view(), fixed_.view(), surface_.view(),
-         lines_.view(), divergence_.view(), seeping_.view(), lift_.view()},
+        {entries_.view(), push_.view(), source_.view(), storage_.view(), diagonal_.view(), grown_.view(),
+         drained_of_.view(), of_node_.view(), r_.view(), z_.view(), d_.view(), q_.view(), pushed_.view(), fixed_.view(),
+         surface_.view(), lines_.view(), divergence_.view(), seeping_.view(), lift_.view()},
         gradients_.view()};
     launch(nodes(), SumPores<D>{system});
     for_nodes<NodeLine::find_surface>(system);
@@ -250,61 +257,56 @@ class DeviceWaterBody {
   }
 
   template <Scalar Meaning>
-  void sum(const PressureSystem<D>& system) {
-    constexpr int threads = FixedSums<Grid>::first_threads;
-    launch(threads, SumOverNodes<D, Meaning>{system, sums_.template get_first<Total>(), threads});
-    launch(1, TakeSum{gradients_.view(), sums_.template finish<Total>(), Meaning, system.options.pressure_tolerance});
+  void sum(const PressureSystem<D>& system, Total Gradients::*total) {
+    grid_.sum(nodes(), OfNode<D, Meaning>{system}, &(gradients_.view().start->*total));
+  }
+  void take_residual(const PressureSystem<D>& system, bool first) {
+    sum<Scalar::residual>(system, &Gradients::residual);
+    launch(1, TakeResidual{gradients_.view(), first, system.options.pressure_tolerance});
   }
 
-  void multiply(const PressureSystem<D>& system, View<double> x, bool searches) {
-    launch(nodes(), PushNode<D>{system, x, searches});
-    launch(nodes(), MultiplyNode<D>{system, x, true, searches});
+  void multiply(const PressureSystem<D>& system, View<double> x, When when) {
+    launch(nodes(), PushNode<D>{system, x, when});
+    launch(nodes(), MultiplyNode<D>{system, x, true, when});
   }
 
-  /// Solves for the change of the pressures. Adds to `iterations`; false: not found.
-  bool solve_round(const PressureSystem<D>& system, int& iterations) {
+  /// Solves for the change of the pressures, and has surface and lines fit it.
+  Gradients solve_round(const PressureSystem<D>& system, int round) {
     const View<double> x = body_.water.mixture.change;
     for_nodes<NodeLine::fix>(system);
-    multiply(system, x, false);
+    multiply(system, x, When::always);
     for_nodes<NodeLine::start_gradients>(system);
-    sum<Scalar::scale>(system);
-    sum<Scalar::first_residual>(system);
-    Gradients g = gradients_.fetch_first();
-    while (g.go_on()) {
-      for (int n = 0; n < iterations_ahead; ++n) {
-        multiply(system, d_.view(), true);
-        sum<Scalar::curvature>(system);
+    sum<Scalar::scale>(system, &Gradients::scale);
+    take_residual(system, true);
+    Gradients g;
+    int& expected = iterations_of_round_[static_cast<std::size_t>(round)];
+    do {
+      // Most of what the last step took, and then a few; those that are not needed do nothing.
+      for (int n = 0; n < std::max(3 * expected / 4 - g.iterations, iterations_ahead); ++n) {
+        multiply(system, d_.view(), When::on_the_way);
+        sum<Scalar::curvature>(system, &Gradients::curvature);
         launch(nodes(), GoOn<D>{system});
-        sum<Scalar::residual>(system);
+        take_residual(system, false);
         launch(nodes(), Turn<D>{system});
       }
+      multiply(system, x, When::there);
+      launch(nodes(), SettleNode<D>{system, round});
       g = gradients_.fetch_first();
-    }
-    iterations += g.iterations;
-    if (!(g.rz <= g.wanted)) return false;  // or no number
-    multiply(system, x, false);
-    for_nodes<NodeLine::find_passed>(system);
-    return true;
-  }
-
-  void count_water(const PressureSystem<D>& system, std::vector<SurfaceBudget>& budgets) {
-    constexpr int threads = FixedSums<Grid>::first_threads;
-    for (int s = 0; s < surfaces_; ++s) {
-      launch(threads, CountWater<D>{system, s, sums_.template get_first<SurfaceBudget>(), threads});
-      budgets.push_back(sums_.fetch(sums_.template finish<SurfaceBudget>()));
-    }
+    } while (g.go_on());
+    expected = g.iterations;
+    return g;
   }
 
   Grid& grid_;
-  FixedSums<Grid>& sums_;
   ThreadBody<D>& body_;
   std::vector<WaterLaw> host_laws_;
   int surfaces_ = 0;
+  std::array<int, most_rounds> iterations_of_round_{};
   bool loads_ = false, is_first_ = false, surface_is_stale_ = true;
 
   Array<WaterLaw> laws_;
   // Conditions and graph.
-  Array<int> surface_of_node_, constraint_of_node_, row_start_, column_, place_;
+  Array<int> surface_of_node_, constraint_of_node_, row_start_, row_ends_, column_, place_;
   Array<WaterConstraint<D>> constraints_;
   Array<DeviceSurface> of_step_;
   Array<DeviceUptake> uptakes_;
@@ -318,14 +320,17 @@ class DeviceWaterBody {
   Array<std::uint8_t> outside_, open_;
   // By node.
   Array<double> pressure_, own_, change_, node_pores_, relatives_, node_water_, out_, passed_, mobility_, source_,
-      storage_, diagonal_, growth_, drained_of_, of_node_, r_, z_, d_, q_;
+      storage_, diagonal_, grown_, drained_of_, of_node_, r_, z_, d_, q_;
   TableView relative_;
   Array<Vec<D>> velocity_, acceleration_, pore_force_, area_, load_, pushed_;
   Array<std::uint8_t> ponded_, touches_, fixed_;
   Array<SurfaceWater> surface_;
   Array<HeldLine> lines_;
+  // The matrix.
   Array<PressureEntry<D>> entries_;
+  Array<Vec<D>> push_;
   Array<Gradients> gradients_;
+  Array<SurfaceBudget> budgets_;
   Array<WaterSignals> signals_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The kernels of a GPU on this processor, one thread after the other: slow, and the same numbers.
+// The kernels of a GPU on this processor: slow, and the same numbers.
 
 #include "mpm/device/device.hpp"
 
@@ -8,6 +8,7 @@ namespace talus::mpm {
 
 struct Emulation {
   bool backwards = false;  ///< threads run in the opposite order, which must change nothing
+  int threads = 1;         ///< of the processor, which share the blocks of a launch among them
   std::size_t memory = 0;  ///< that the device has [bytes]; 0: all there is
   int launches = 0;        ///< after so many kernels the device is lost; 0: never
 };

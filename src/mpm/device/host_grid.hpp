@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The CPU in the place of a GPU: the grid and its blocks are loops. With it the kernels are tested where no GPU is. A
-// grid has memory, launches kernels, and knows two algorithms; cuda/cuda_grid.hpp is the other one.
+// grid has memory, launches kernels, and knows three algorithms; cuda/cuda_grid.hpp is the other one.
 
 #include <algorithm>
 #include <atomic>
@@ -13,6 +13,7 @@
 #include <numeric>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "mpm/device/emulated.hpp"
 
 namespace talus::mpm::device {
@@ -22,7 +23,7 @@ inline constexpr int block_threads = 128;
 
 class HostGrid {
  public:
-  explicit HostGrid(const Emulation& how) : backwards_(how.backwards), launches_(how.launches) {
+  explicit HostGrid(const Emulation& how) : backwards_(how.backwards), threads_(how.threads), launches_(how.launches) {
     room_ = how.memory > 0 ? how.memory : SIZE_MAX;
   }
 
@@ -50,25 +51,32 @@ class HostGrid {
   /// Runs kernel(i) for all i below n.
   template <class Kernel>
   void launch(int n, const Kernel& kernel) {
-    if (launches_ > 0 && --launches_ == 0) throw_lost("as it was told to");
+    count_launch();
     const int blocks = (n + block_threads - 1) / block_threads;
-    for (int block = 0; block < blocks; ++block) {
+    parallel_for(blocks, threads_, [&](int block) {
       for (int thread = 0; thread < block_threads; ++thread) {
         const int i = (backwards_ ? blocks - 1 - block : block) * block_threads +
                       (backwards_ ? block_threads - 1 - thread : thread);
         if (i < n) kernel(i);
       }
-    }
+    });
   }
-  /// starts[i] = counts[0] + … + counts[i - 1]; returns the sum of all n.
-  static int scan(const int* counts, int* starts, int n) {
-    int sum = 0;
-    for (int i = 0; i < n; ++i) {
-      starts[i] = sum;
-      sum += counts[i];
-    }
-    return sum;
+  /// Adds summand(i) up for all i below n, in an order that is the same every time; the sum goes into the device's
+  /// memory at `sum`.
+  template <class S, class Summand>
+  void sum(int n, const Summand& summand, S* sum) {
+    count_launch();
+    const int blocks = (n + block_threads - 1) / block_threads;
+    std::vector<S> parts(static_cast<std::size_t>(blocks));
+    parallel_for(blocks, threads_, [&](int block) {
+      const int end = std::min(n, (block + 1) * block_threads);
+      for (int i = block * block_threads; i < end; ++i) parts[static_cast<std::size_t>(block)].add(summand(i));
+    });
+    *sum = S{};
+    for (const S& part : parts) sum->add(part);
   }
+  /// starts[i] = counts[0] + … + counts[i - 1] for all i below n.
+  static void scan(const int* counts, int* starts, int n) { std::exclusive_scan(counts, counts + n, starts, 0); }
   /// Sorts the n `order`s by their keys, those of equal ones as they were; `sorted`: the keys.
   static void sort(const unsigned* keys, unsigned* sorted, int* order, int n) {
     std::vector<int> by(static_cast<std::size_t>(n));
@@ -80,10 +88,14 @@ class HostGrid {
   }
 
  private:
+  void count_launch() {
+    if (launches_ > 0 && --launches_ == 0) throw_lost("as it was told to");
+  }
   static std::size_t find_free() { return room_ - std::min<std::size_t>(room_, used_); }
 
   /// Blocks and threads run from the last to the first: the results must be the same bits.
   bool backwards_;
+  int threads_;
   int launches_;  ///< until the device is lost
   // Of the device that there is only one of [bytes].
   static inline std::atomic<std::size_t> room_ = SIZE_MAX, used_ = 0;

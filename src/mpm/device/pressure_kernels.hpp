@@ -3,21 +3,31 @@
 // The equation of the nodal pressures thread by thread. What the conjugate gradients need of sums stays on the device:
 // once they have come near enough, the launches that follow do nothing, and the host looks now and then.
 
-#include "mpm/device/fixed_sums.hpp"
 #include "mpm/device/water_kernels.hpp"
 #include "mpm/mixture/pressure_lines.hpp"
 
 namespace talus::mpm::device {
 
+/// A number to be summed.
+struct Total {
+  double value = 0;
+  TALUS_PORTABLE void add(const Total& other) { value += other.value; }
+};
+
 /// Where the gradients stand.
 struct Gradients {
-  double wanted = 0;        ///< square of the residual that is near enough
-  double rz = 0, last = 0;  ///< that of now, and that of the iteration before
-  double curvature = 0;
+  Total scale, residual, curvature;  ///< as they were summed last
+  double wanted = 0;                 ///< square of the residual that is near enough
+  double rz = 0, last = 0;           ///< that of now, and that of the iteration before
   int iterations = 0;
+  int unsettled = 0;  ///< a line or the surface does not fit the solution
 
   TALUS_PORTABLE bool go_on() const { return rz > wanted && iterations < most_iterations; }
+  TALUS_PORTABLE bool are_there() const { return rz <= wanted; }
 };
+
+/// When a launch does what it is for.
+enum class When { always, on_the_way, there };
 
 /// What the kernels of the equation work on.
 template <int D>
@@ -31,6 +41,9 @@ struct PressureSystem {
 
   TALUS_PORTABLE Lines lines() const { return {body, arrays, options}; }
   TALUS_PORTABLE bool is_wet(int i) const { return arrays.pores[i] > 0; }
+  TALUS_PORTABLE bool is_now(When when) const {
+    return when == When::always || (when == When::there ? gradients[0].are_there() : gradients[0].go_on());
+  }
 };
 
 // The lines by their names: the stubs of nvcc do not know pointers to members.
@@ -42,7 +55,6 @@ enum class NodeLine {
   find_source,
   fix,
   start_gradients,
-  find_passed,
   find_out,
   keep_own
 };
@@ -63,7 +75,6 @@ struct ForWetNodes {
     if constexpr (Line == NodeLine::find_source) lines.find_source(i);
     if constexpr (Line == NodeLine::fix) lines.fix_node(i);
     if constexpr (Line == NodeLine::start_gradients) lines.start_gradients(i);
-    if constexpr (Line == NodeLine::find_passed) lines.find_passed(i);
     if constexpr (Line == NodeLine::find_out) lines.find_out(i);
     if constexpr (Line == NodeLine::keep_own) lines.keep_own(i);
   }
@@ -93,77 +104,58 @@ template <int D>
 struct PushNode {
   PressureSystem<D> system;
   View<double> x;
-  bool searches;  ///< only while the gradients go on
+  When when;
 
   TALUS_PORTABLE void operator()(int j) const {
-    if (system.is_wet(j) && (!searches || system.gradients[0].go_on())) system.lines().push(x, j);
+    if (system.is_wet(j) && system.is_now(when)) system.lines().push(x, j);
   }
 };
 template <int D>
 struct MultiplyNode {
   PressureSystem<D> system;
   View<double> x;
-  bool whole, searches;
+  bool whole;
+  When when;
 
   TALUS_PORTABLE void operator()(int i) const {
-    if (system.is_wet(i) && (!searches || system.gradients[0].go_on())) system.lines().multiply(x, whole, i);
+    if (system.is_wet(i) && system.is_now(when)) system.lines().multiply(x, whole, i);
   }
 };
 
-/// Sums that the gradients need.
-enum class Scalar { scale, first_residual, curvature, residual };
+/// Sums over the wet nodes that the gradients need.
+enum class Scalar { scale, residual, curvature };
 
-/// One over the wet nodes, as the first round of FixedSums: of thread t of `threads`.
 template <int D, Scalar Meaning>
-struct SumOverNodes {
+struct OfNode {
   PressureSystem<D> system;
-  View<Total> sums;
-  int threads;
 
-  TALUS_PORTABLE void operator()(int t) const {
+  TALUS_PORTABLE Total operator()(int i) const {
+    if (!system.is_wet(i)) return {};
     const auto lines = system.lines();
-    Total sum;
-    for (int i = t; i < system.body.node_count; i += threads) {
-      if (!system.is_wet(i)) continue;
-      if constexpr (Meaning == Scalar::scale)
-        sum.add({lines.find_scale(i)});
-      else if constexpr (Meaning == Scalar::curvature)
-        sum.add({lines.find_curvature(i)});
-      else
-        sum.add({lines.find_residual(i)});
-    }
-    sums[static_cast<std::size_t>(t)] = sum;
+    if constexpr (Meaning == Scalar::scale) return {lines.find_scale(i)};
+    if constexpr (Meaning == Scalar::residual) return {lines.find_residual(i)};
+    if constexpr (Meaning == Scalar::curvature) return {lines.find_curvature(i)};
   }
 };
 
-/// Notes what a sum says; one thread.
-struct TakeSum {
+/// Takes the residual as that of now; one thread. First: before the first iteration.
+struct TakeResidual {
   View<Gradients> gradients;
-  View<const Total> sum;
-  Scalar meaning;
+  bool first;
   double tolerance;
 
   TALUS_PORTABLE void operator()(int) const {
     Gradients& g = gradients[0];
-    const double value = sum[0].value;
-    switch (meaning) {
-      case Scalar::scale:
-        g.wanted = tolerance * tolerance * value;
-        break;
-      case Scalar::first_residual:
-        g.rz = value;
-        g.iterations = 0;
-        break;
-      case Scalar::curvature:
-        g.curvature = value;
-        break;
-      case Scalar::residual:
-        if (!g.go_on()) break;
-        g.last = g.rz;
-        g.rz = value;
-        ++g.iterations;
-        break;
+    if (first) {
+      g.wanted = tolerance * tolerance * g.scale.value;
+      g.iterations = g.unsettled = 0;
+    } else if (g.go_on()) {
+      g.last = g.rz;
+      ++g.iterations;
+    } else {
+      return;
     }
+    g.rz = g.residual.value;
   }
 };
 
@@ -173,7 +165,7 @@ struct GoOn {
 
   TALUS_PORTABLE void operator()(int i) const {
     const Gradients& g = system.gradients[0];
-    if (system.is_wet(i) && g.go_on()) system.lines().go_on(g.rz / g.curvature, i);
+    if (system.is_wet(i) && g.go_on()) system.lines().go_on(g.rz / g.curvature.value, i);
   }
 };
 template <int D>
@@ -186,17 +178,18 @@ struct Turn {
   }
 };
 
-/// Surface and lines after a solution.
+/// What passes the surface, and surface and lines after a solution, once it is there.
 template <int D>
 struct SettleNode {
   PressureSystem<D> system;
   int round;
-  View<WaterSignals> signals;
 
   TALUS_PORTABLE void operator()(int i) const {
-    if (!system.is_wet(i)) return;
-    const bool settled = system.lines().settle_surface(i), right = system.lines().bend_line(i, round);
-    if (!settled || !right) signals[0].settled = 0;
+    if (!system.is_wet(i) || !system.is_now(When::there)) return;
+    const auto lines = system.lines();
+    lines.find_passed(i);
+    const bool settled = lines.settle_surface(i), right = lines.bend_line(i, round);
+    if (!settled || !right) raise(system.gradients[0].unsettled);
   }
 };
 
@@ -211,19 +204,15 @@ struct EndNode {
   }
 };
 
-/// Water that passes the surface with the condition `surface`, as the first round of FixedSums.
+/// Water that passes the surface with the condition `surface` at a node, a summand.
 template <int D>
-struct CountWater {
+struct WaterOfNode {
   PressureSystem<D> system;
   int surface;
-  View<SurfaceBudget> sums;
-  int threads;
 
-  TALUS_PORTABLE void operator()(int t) const {
-    SurfaceBudget sum;
-    for (int i = t; i < system.body.node_count; i += threads)
-      if (system.is_wet(i) && system.body.water.surface_of_node[i] == surface) sum.add(system.lines().count_water(i));
-    sums[static_cast<std::size_t>(t)] = sum;
+  TALUS_PORTABLE SurfaceBudget operator()(int i) const {
+    const bool counts = system.is_wet(i) && system.body.water.surface_of_node[i] == surface;
+    return counts ? system.lines().count_water(i) : SurfaceBudget();
   }
 };
 

@@ -4,6 +4,8 @@
 // their new one each for itself, and are put in sorted by it, so that where a point stands depends on nothing but the
 // body. Elements that changed have their sums taken anew.
 
+#include "base/flag.hpp"
+#include "mpm/device/device_kernels.hpp"
 #include "mpm/device/thread_body.hpp"
 #include "mpm/step/element_lines.hpp"
 #include "mpm/step/walk.hpp"
@@ -104,7 +106,7 @@ struct Walk {
     movers.from[at] = element;  // where it left the grid
     body.points.element[id] = -1;
     body.points.place[id] = -1;
-    signals[0].leave_grid = 1;
+    raise(signals[0].leave_grid);
   }
 
  private:
@@ -146,7 +148,7 @@ struct AskForRoom {
     const std::size_t e = sorted[static_cast<std::size_t>(m)];
     arrivals[e] = length;
     const int needed = static_cast<int>(body.points.count[e]) + length;
-    if (needed > body.points.block_capacity[e / device_width]) signals[0].overflow = 1;
+    if (needed > body.points.block_capacity[e / device_width]) raise(signals[0].overflow);
   }
 };
 
@@ -168,17 +170,26 @@ struct CountRoom {
   }
 };
 
-/// Copies the points of an element to where its block begins now.
+/// A block and the place that it gets.
+struct MovedBlock {
+  int block, capacity;
+  std::int64_t start;
+};
+
+/// Copies the points of the lanes of blocks to where these begin now: thread t takes a lane of one.
 template <int D>
 struct MoveSlots {
   ThreadBody<D> body;  ///< as it was
+  View<const MovedBlock> blocks;
   DevicePoints<D> to;
 
-  TALUS_PORTABLE void operator()(int e) const {
-    const auto b = static_cast<std::size_t>(e / device_width);
-    const int lane = e % device_width;
-    for (int k = 0; k < static_cast<int>(body.points.count[static_cast<std::size_t>(e)]); ++k) {
-      const std::int64_t old = body.points.block_start[b] + k, now = to.block_start[b] + k;
+  TALUS_PORTABLE void operator()(int t) const {
+    const MovedBlock& moved = blocks[static_cast<std::size_t>(t / device_width)];
+    const int lane = t % device_width;
+    const auto b = static_cast<std::size_t>(moved.block);
+    const int count = static_cast<int>(body.points.count[b * device_width + static_cast<std::size_t>(lane)]);
+    for (int k = 0; k < count; ++k) {
+      const std::int64_t old = body.points.block_start[b] + k, now = moved.start + k;
       const double* from = body.points.slot(old) + lane;
       double* there = to.slot(now) + lane;
       for (int f = 0; f < to.fields; ++f) there[f * device_width] = from[f * device_width];
@@ -186,6 +197,19 @@ struct MoveSlots {
       to.id[static_cast<std::size_t>(now * device_width + lane)] = id;
       body.points.place[static_cast<std::size_t>(id)] = now * device_width + lane;
     }
+  }
+};
+
+/// What the blocks themselves say of it then.
+struct NoteMoved {
+  View<const MovedBlock> blocks;
+  View<std::int64_t> block_start;
+  View<int> block_capacity;
+
+  TALUS_PORTABLE void operator()(int i) const {
+    const MovedBlock& moved = blocks[static_cast<std::size_t>(i)];
+    block_start[static_cast<std::size_t>(moved.block)] = moved.start;
+    block_capacity[static_cast<std::size_t>(moved.block)] = moved.capacity;
   }
 };
 

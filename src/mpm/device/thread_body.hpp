@@ -16,9 +16,6 @@
 
 namespace talus::mpm {
 
-/// Elements of a block on a device.
-inline constexpr int device_width = 32;
-
 /// What mesh::Mesh has, as far as a step needs it.
 template <int D>
 struct DeviceMesh {

@@ -30,7 +30,8 @@ TALUS_PORTABLE inline bool lets_nothing_through(const DeviceSurface& s) {
   return s.is_skin;
 }
 
-/// NodeGraph. The touches of a node are the rows of its sums.
+/// NodeGraph. The touches of a node are the rows of its sums. The entries of a row stand a stride apart, beside those
+/// of the other rows of their slice, so that neighbouring threads read neighbours.
 template <int D>
 struct DeviceGraph {
   struct Element {
@@ -45,7 +46,10 @@ struct DeviceGraph {
   Element element;
   Local local;
   View<const double> size;
-  View<const int> row_start, column, place;
+  View<const int> row_start, row_ends, column, place;
+
+  static constexpr int row_stride = device_width;
+  TALUS_PORTABLE int row_end(int i) const { return row_ends[i]; }
 };
 
 template <int D>
@@ -101,7 +105,7 @@ struct WaterImage {
   View<const WaterConstraint<D>> constraints;
   bool loads = false;            ///< water stands outside, or presses
   View<const double> node_size;  ///< NodeGraph
-  View<const int> row_start, column, place;
+  std::vector<int> row_start, row_ends, column, place;
   std::vector<DeviceUptake> uptakes;
   // What changes.
   std::vector<double> volume, stretch, mean_saturation, mean_pressure;  ///< [lane]

@@ -8,6 +8,9 @@
 
 namespace talus::mpm {
 
+/// Elements of a block on a device, and rows of a slice of a matrix: the threads of a warp.
+inline constexpr int device_width = 32;
+
 /// Where something is stored, and for how many; the memory is someone else's.
 template <class T>
 struct View {

@@ -30,6 +30,28 @@ void for_fields(Water<D>& water, WaterImage<D>& image, Work&& work) {
   work(water.mean_pressure, image.mean_pressure);
 }
 
+/// The graph's rows in slices: entry k of each row, then entry k + 1 of each. Short rows leave gaps.
+template <int D>
+void slice_rows(const NodeGraph<D>& graph, WaterImage<D>& image) {
+  const int nodes = static_cast<int>(graph.size.size());
+  std::vector<int> now(graph.column.size());  // the place of an entry here
+  int begin = 0;
+  for (int first = 0; first < nodes; first += device_width) {
+    int longest = 0;
+    for (int i = first; i < std::min(nodes, first + device_width); ++i) {
+      const int length = graph.row_end(i) - graph.row_start[i];
+      for (int k = 0; k < length; ++k) now[graph.row_start[i] + k] = begin + i - first + k * device_width;
+      image.row_start.push_back(begin + i - first);
+      image.row_ends.push_back(image.row_start.back() + length * device_width);
+      longest = std::max(longest, length);
+    }
+    begin += longest * device_width;
+  }
+  image.column.assign(static_cast<std::size_t>(begin), 0);
+  for (std::size_t n = 0; n < now.size(); ++n) image.column[now[n]] = graph.column[n];
+  for (const int place : graph.place) image.place.push_back(now[place]);
+}
+
 bool loads(const SurfaceCondition& c) {
   return c.kind == SurfaceKind::head || c.kind == SurfaceKind::pressure;
 }
@@ -51,9 +73,7 @@ WaterImage<D> make_water_image(const Body<D>& body) {
   image.constraints = look_at(water.constraints);
   const NodeGraph<D>& graph = *water.mixture.graph;
   image.node_size = look_at(graph.size);
-  image.row_start = look_at(graph.row_start);
-  image.column = look_at(graph.column);
-  image.place = look_at(graph.place);
+  slice_rows(graph, image);
   for (const RootUptake& uptake : water.uptakes) image.uptakes.push_back({uptake.reduction, look_at(uptake.weight)});
   for_fields(const_cast<Water<D>&>(water), image, [&](const AlignedVector<double>& field, std::vector<double>& there) {
     there = lengthen(field, body.mesh().element_count());
@@ -90,10 +110,11 @@ std::size_t count_bytes(const WaterImage<D>& image) {
   std::size_t weights = 0;
   for (const DeviceUptake& uptake : image.uptakes) weights += uptake.weight.size() * sizeof(double);
   return of(image.surface_of_node, image.constraint_of_node, image.constraints, image.node_size, image.row_start,
-            image.column, image.place) +
+            image.row_ends, image.column, image.place) +
          of(image.volume, image.stretch, image.mean_saturation, image.mean_pressure) + weights +
          (lanes * element_work + nodes * (node_work + 3)) * sizeof(double) +
-         nodes * (sizeof(SurfaceWater) + sizeof(HeldLine)) + image.column.size() * sizeof(PressureEntry<D>);
+         nodes * (sizeof(SurfaceWater) + sizeof(HeldLine)) +
+         image.column.size() * (sizeof(PressureEntry<D>) + sizeof(Vec<D>));
 }
 
 template <int D>

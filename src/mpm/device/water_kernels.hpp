@@ -3,6 +3,7 @@
 // Pore water of the mixture thread by thread, but for the equation of the pressures: contents, surface, coefficients
 // of the flow, and forces.
 
+#include "base/flag.hpp"
 #include "mpm/coupled/root_lines.hpp"
 #include "mpm/coupled/surface_lines.hpp"
 #include "mpm/device/device_kernels.hpp"
@@ -11,11 +12,10 @@
 
 namespace talus::mpm::device {
 
-/// What the host is told. Threads write nothing but 1.
+/// What the host is told.
 struct WaterSignals {
-  int turned = 0;   ///< an element has lost its last wet point or received its first one
-  int spread = 0;   ///< the outside has reached a further element
-  int settled = 1;  ///< lines and surface fit the solution; threads write 0
+  int turned = 0;  ///< an element has lost its last wet point or received its first one
+  int spread = 0;  ///< the outside has reached a further element
 };
 
 template <int D>
@@ -26,7 +26,7 @@ struct SumContents {
 
   TALUS_PORTABLE void operator()(int e) const {
     const bool was = body.water.volume[static_cast<std::size_t>(e)] > 0;
-    if (sum_element(body, e, mixed) != was) signals[0].turned = 1;
+    if (sum_element(body, e, mixed) != was) raise(signals[0].turned);
   }
 };
 
@@ -78,11 +78,11 @@ struct SpreadOutside {
   View<WaterSignals> signals;
 
   TALUS_PORTABLE void operator()(int e) const {
-    if (outside[static_cast<std::size_t>(e)] || body.water.volume[static_cast<std::size_t>(e)] > 0) return;
+    if (is_raised(outside[static_cast<std::size_t>(e)]) || body.water.volume[static_cast<std::size_t>(e)] > 0) return;
     for (int n : body.mesh().neighbours[static_cast<std::size_t>(e)]) {
-      if (n < 0 || !outside[static_cast<std::size_t>(n)]) continue;
-      outside[static_cast<std::size_t>(e)] = 1;
-      signals[0].spread = 1;
+      if (n < 0 || !is_raised(outside[static_cast<std::size_t>(n)])) continue;
+      raise(outside[static_cast<std::size_t>(e)]);
+      raise(signals[0].spread);
       return;
     }
   }

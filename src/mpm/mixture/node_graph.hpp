@@ -14,8 +14,11 @@ struct NodeGraph {
   // Touch t is element `element[t]`, of which the node is local node `local[t]`; those of node i: touch_start[i] …
   std::vector<int> touch_start, element, local;
   std::vector<double> size;            ///< of the elements round a node [m]
-  std::vector<int> row_start, column;  ///< entries of row i: row_start[i] …; the first is the diagonal
+  std::vector<int> row_start, column;  ///< entries of row i: row_start[i] … row_end(i); the first is the diagonal
   std::vector<int> place;              ///< [touch][D+1]: the entry of the row that is the column of the element's node
+
+  static constexpr int row_stride = 1;
+  int row_end(int i) const { return row_start[i + 1]; }
 };
 
 template <int D>

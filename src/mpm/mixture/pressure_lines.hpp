@@ -28,19 +28,20 @@ struct SurfaceWater {
   double inflow = 0;    ///< offered [m³/s]
 };
 
-/// What the pressure at node j does to node i.
+/// What the pressure at node j does to the water of node i.
 template <int D>
 struct PressureEntry {
   double through = 0;  ///< flow [m³/Pa]
-  Vec<D> push{};       ///< force [m²]
   Vec<D> growth{};     ///< of the pores at i with the displacement of j [m²]
 };
 
 /// One step's equation: matrix, sources, and its solution. Array: a list here, a view on a GPU.
 template <int D, template <class> class Array>
 struct PressureArrays {
-  Array<PressureEntry<D>> entries;  ///< as the graph's columns
-  Array<double> source, storage, diagonal, growth, drained, pores;
+  // As the graph's columns, in two lists: the products read one after the other.
+  Array<PressureEntry<D>> entries;
+  Array<Vec<D>> push;  ///< force of the pressure at node j on node i [m²]
+  Array<double> source, storage, diagonal, grown, drained, pores;
   Array<double> r, z, d, q;  ///< of the conjugate gradients
   Array<Vec<D>> pushed;
   Array<std::uint8_t> fixed;
@@ -126,19 +127,19 @@ struct PressureLines {
       const int e = graph.element[t], local = graph.local[t];
       if (!(body.water.volume[e] > 0)) continue;
       const Vec<D> b = mesh::find_shape_gradient(mesh, e, local);
-      s.growth[i] += o.dt * m.saturated[e] * s.divergence[e] / (D + 1);
+      s.grown[i] += o.dt * m.saturated[e] * s.divergence[e] / (D + 1);
       s.drained[i] += m.drawn[e] / (D + 1) - o.dt * dot(b, s.flux[e]);
       const double squeeze = m.coupling[e] / (D + 1);
       for (int k = 0; k <= D; ++k) {
         const Vec<D> other = mesh::find_shape_gradient(mesh, e, k);
         const double same = k == local ? 1.0 : 0.0;
-        PressureEntry<D>& entry = s.entries[static_cast<std::size_t>(
-            graph.place[static_cast<std::size_t>(t) * (D + 1) + static_cast<std::size_t>(k)])];
-        entry.through +=
+        const auto n =
+            static_cast<std::size_t>(graph.place[static_cast<std::size_t>(t) * (D + 1) + static_cast<std::size_t>(k)]);
+        s.entries[n].through +=
             o.dt * m.conductive[e] * dot(b, other) + m.soft[e] / ((D + 1) * (D + 2)) * (same - 1.0 / (D + 1));
         for (int d = 0; d < D; ++d) {
-          entry.push[d] += squeeze * b[d];
-          entry.growth[d] += squeeze * other[d];
+          s.push[n][d] += squeeze * b[d];
+          s.entries[n].growth[d] += squeeze * other[d];
         }
       }
     }
@@ -148,7 +149,7 @@ struct PressureLines {
     const auto& m = body.water.mixture;
     const auto& graph = *m.graph;
     s.diagonal[i] = s.entries[graph.row_start[i]].through;
-    for (int n = graph.row_start[i]; n < graph.row_start[i + 1]; ++n) {
+    for (int n = graph.row_start[i]; n < graph.row_end(i); n += graph.row_stride) {
       const int j = graph.column[n];
       s.diagonal[i] += m.mobility[j] * dot(hold(j, s.entries[n].growth), s.entries[n].growth);
     }
@@ -157,7 +158,7 @@ struct PressureLines {
   TALUS_PORTABLE void start_line(int i) const { s.lines[i] = HeldLine::start(held(i), body.water.mixture.pressure[i]); }
   TALUS_PORTABLE void find_source(int i) const {
     const auto& m = body.water.mixture;
-    s.source[i] = s.growth[i] + s.drained[i];
+    s.source[i] = s.grown[i] + s.drained[i];
     s.storage[i] = s.lines[i].storage;
     s.source[i] += s.lines[i].at(m.pressure[i]) - m.node_water[i];
   }
@@ -173,8 +174,8 @@ struct PressureLines {
     const auto& m = body.water.mixture;
     const auto& graph = *m.graph;
     Vec<D> push{};
-    for (int n = graph.row_start[j]; n < graph.row_start[j + 1]; ++n)
-      for (int d = 0; d < D; ++d) push[d] += x[graph.column[n]] * s.entries[n].push[d];
+    for (int n = graph.row_start[j]; n < graph.row_end(j); n += graph.row_stride)
+      for (int d = 0; d < D; ++d) push[d] += x[graph.column[n]] * s.push[n][d];
     push = hold(j, push);
     for (int d = 0; d < D; ++d) s.pushed[j][d] = m.mobility[j] * push[d];
   }
@@ -183,7 +184,7 @@ struct PressureLines {
   TALUS_PORTABLE void multiply(const X& x, bool whole, int i) const {
     const auto& graph = *body.water.mixture.graph;
     double sum = whole ? s.storage[i] * x[i] : 0.0;
-    for (int n = graph.row_start[i]; n < graph.row_start[i + 1]; ++n) {
+    for (int n = graph.row_start[i]; n < graph.row_end(i); n += graph.row_stride) {
       const int j = graph.column[n];
       sum += s.entries[n].through * x[j];
       if (whole) sum += dot(s.entries[n].growth, s.pushed[j]);

@@ -24,7 +24,7 @@ class PressureEquation {
   PressureEquation(Body<D>& body, const StepOptions<D>& o)
       : body_(body), water_(body.water), m_(body.water.mixture), mesh_(body.mesh()), o_(o) {
     const std::size_t nodes = mesh_.nodes.size();
-    for (auto* field : {&s_.source, &s_.storage, &s_.diagonal, &s_.growth, &s_.drained, &s_.r, &s_.z, &s_.d, &s_.q})
+    for (auto* field : {&s_.source, &s_.storage, &s_.diagonal, &s_.grown, &s_.drained, &s_.r, &s_.z, &s_.d, &s_.q})
       field->assign(nodes, 0.0);
     s_.fixed.assign(nodes, 0);
     s_.pushed.assign(nodes, {});
@@ -33,6 +33,7 @@ class PressureEquation {
     s_.flux.assign(mesh_.elements.size(), {});
     s_.lift = s_.flux;
     s_.entries.assign(m_.graph->column.size(), {});
+    s_.push.assign(m_.graph->column.size(), {});
     s_.surface.assign(nodes, {});
     s_.lines.assign(nodes, {});
     for (int i = 0; i < mesh_.node_count(); ++i) lines_.sum_pores(i);
