@@ -8,6 +8,7 @@
 
 #include "bind.hpp"
 #include "drive.hpp"
+#include "run/mpm/choose_device.hpp"
 #include "run/run_case.hpp"
 #include "study/job_folder.hpp"
 #include "study/jobs.hpp"
@@ -27,8 +28,9 @@ Options make_options(const std::filesystem::path& folder, int threads, bool resu
 }
 
 void run(const input::LoadedCase& loaded, const std::filesystem::path& folder, int threads, bool resume, bool overwrite,
-         const py::object& callback) {
+         const py::object& callback, const std::string& device) {
   auto options = make_options<run::RunOptions>(folder, threads, resume, overwrite);
+  options.device = run::find_device_kind(device);
   const auto work = [&](Progress& progress) {
     options.progress = &progress;
     run::run_case(loaded, options);

@@ -27,6 +27,7 @@ def run(
     resume: bool,
     overwrite: bool,
     callback: Optional[Callable[[str, str, str, float, float], object]],
+    device: str,
 ) -> None: ...
 
 def study(

@@ -47,6 +47,7 @@ def run(
     overwrite: bool = False,
     progress: Optional[Callable[[Progress], object]] = None,
     report: bool = True,
+    device: str = "cpu",
 ) -> Results:
     """Calculates a case, or a case file, into `folder` as `talus run` does, and returns the results.
 
@@ -57,6 +58,7 @@ def run(
         meanwhile. When it returns False or raises an exception, the state is saved and Interrupted is raised, with that
         exception as its cause; `resume=True` goes on from there.
     report: write `folder`/report.html at the end, also of a run that was stopped.
+    device: "cpu", "gpu" (the manual's "Calculate on a GPU" says what that needs) or "emulated", as --device has them.
 
     Ctrl-C saves the state as well before KeyboardInterrupt is raised. One run at a time in a process.
     Raises InputError, FolderExists, Unstable, CannotWrite with the sentences of the command line.
@@ -64,7 +66,7 @@ def run(
     arguments = _check_arguments(folder, threads, resume, overwrite, progress)
     loaded = _get_case(case)._load()
     with _closing_report(arguments[0], report):
-        _core.run(loaded, *arguments)
+        _core.run(loaded, *arguments, device)
     return Results(arguments[0])
 
 

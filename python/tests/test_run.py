@@ -37,6 +37,14 @@ def test_the_same_bits_as_the_command_line(reduction, tmp_path, command_line):
     assert results.summary["provenance"]["input_hash"] == theirs.summary["provenance"]["input_hash"]
 
 
+def test_a_device_is_the_one_that_was_asked_for(slope, tmp_path):
+    results = talus.run(slope(), tmp_path / "there", device="emulated", threads=2)
+    assert results.summary["provenance"]["device"] == "emulated"
+    with pytest.raises(talus.InputError, match="expected cpu, gpu, or emulated"):
+        talus.run(slope(), tmp_path / "nowhere", device="abacus")
+    assert not (tmp_path / "nowhere").exists()
+
+
 @pytest.mark.parametrize("how", ["returning False", "raising"])
 def test_stopped_from_the_callback_and_resumed(how, slope, tmp_path):
     case = long_slope(slope)

@@ -18,6 +18,7 @@
 #include "base/ranks.hpp"
 #include "base/version.hpp"
 #include "run/digest.hpp"
+#include "run/mpm/choose_device.hpp"
 #include "run/run_case.hpp"
 #include "run/run_folder.hpp"
 
@@ -111,14 +112,6 @@ void check_programs() {
   }
 }
 
-run::DeviceKind find_device(const std::string& word) {
-  if (word == "gpu") return run::DeviceKind::gpu;
-  if (word == "emulated") return run::DeviceKind::emulated;
-  if (word == "cpu") return run::DeviceKind::cpu;
-  throw Error(ExitCode::wrong_input,
-              fmt::format("--device {}: expected cpu, gpu, or emulated (the kernels of a GPU on the processor)", word));
-}
-
 void run(RunCommand command) {
   join_ranks();
   check_programs();
@@ -133,7 +126,7 @@ void run(RunCommand command) {
   options.folder =
       command.folder.empty() ? std::filesystem::path(command.input.file).stem().string() + "_results" : command.folder;
   options.threads = command.threads > 0 ? command.threads : ranks.size() > 1 ? 1 : default_threads();
-  options.device = find_device(command.device);
+  options.device = run::find_device_kind(command.device);
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;

@@ -70,7 +70,8 @@ void join_ranks() {
                 fmt::format("this run was started on {} ranks, and this program was built without MPI: build it with "
                             "-DTALUS_MPI=ON, or start it alone ({})",
                             count, why));
-  current().reset(reinterpret_cast<Ranks* (*)()>(maker)());
+  current().reset(reinterpret_cast<Ranks* (*)(int)>(maker)(ranks_interface));
+  if (!current()) throw Error(ExitCode::wrong_input, "libtalus_ranks.so is of another build than the program");
 }
 
 RankGroup::RankGroup(int groups) : number_(get_ranks().rank() * groups / get_ranks().size()) {

@@ -53,6 +53,9 @@ struct Pieces {
   std::function<void(int, Bytes)> take;
 };
 
+/// To be raised with the functions of Ranks, so that a module of another build is refused.
+inline constexpr int ranks_interface = 1;
+
 /// All calls but rank() and size() are made by all ranks in the same order.
 class Ranks {
  public:

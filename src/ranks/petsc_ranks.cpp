@@ -308,6 +308,7 @@ std::unique_ptr<Ranks> PetscRanks::split(int group) {
 }  // namespace
 }  // namespace talus
 
-extern "C" talus::Ranks* talus_make_ranks() {
-  return new talus::AllRanks;
+/// nullptr where the program knows other functions of them.
+extern "C" talus::Ranks* talus_make_ranks(int interface) {
+  return interface == talus::ranks_interface ? new talus::AllRanks : nullptr;
 }

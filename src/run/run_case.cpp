@@ -370,7 +370,7 @@ results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& o
   const std::string hash = input::hash_input(loaded.echo);
   ground::DesignValues design = ground::apply_partial_factors(loaded.data);
   refuse_above_memory(loaded);
-  const ChosenDevice device(design.data, options.device);
+  const ChosenDevice device(design.data, options);
   check_folder(loaded.data.initial, options);
   FolderLock lock(options.folder);
   lock.take_existing();

@@ -9,8 +9,16 @@
 
 namespace talus::run {
 
-ChosenDevice::ChosenDevice(const input::Case& data, DeviceKind kind) {
-  if (kind == DeviceKind::cpu) return;
+DeviceKind find_device_kind(const std::string& word) {
+  if (word == "gpu") return DeviceKind::gpu;
+  if (word == "emulated") return DeviceKind::emulated;
+  if (word == "cpu") return DeviceKind::cpu;
+  throw Error(ExitCode::wrong_input,
+              "--device " + word + ": expected cpu, gpu, or emulated (the kernels of a GPU on the processor)");
+}
+
+ChosenDevice::ChosenDevice(const input::Case& data, const RunOptions& options) {
+  if (options.device == DeviceKind::cpu) return;
   if (get_ranks().size() > 1)
     throw Error(ExitCode::wrong_input, "--device: a device calculates alone; start the program without mpiexec");
   for (const auto& [name, material] : data.materials)
@@ -18,7 +26,7 @@ ChosenDevice::ChosenDevice(const input::Case& data, DeviceKind kind) {
       throw Error(ExitCode::wrong_input, "--device: material '" + name +
                                              "' is calculated by a library of yours, which no device can call; leave "
                                              "--device out");
-  kind == DeviceKind::gpu ? mpm::use_gpu() : mpm::use_emulated_device();
+  options.device == DeviceKind::gpu ? mpm::use_gpu() : mpm::use_emulated_device({.threads = options.threads});
 }
 
 ChosenDevice::~ChosenDevice() {

@@ -10,11 +10,14 @@
 
 namespace talus::run {
 
+/// Of the word of --device. Throws Error (wrong_input) where it is another one.
+DeviceKind find_device_kind(const std::string& word);
+
 /// While it lives, bodies of points are taken through their steps by the device that the options name. Throws Error
 /// (wrong_input) where there is no such device, or it cannot calculate the case.
 class ChosenDevice {
  public:
-  ChosenDevice(const input::Case& data, DeviceKind kind);
+  ChosenDevice(const input::Case& data, const RunOptions& options);
   ~ChosenDevice();
   ChosenDevice(const ChosenDevice&) = delete;
   ChosenDevice& operator=(const ChosenDevice&) = delete;
