@@ -208,7 +208,9 @@ class DeviceBody : public Device<D> {
   void take_points(const DeviceImage<D>& image) {
     host_laws_ = image.laws;
     laws_.bring(image.laws);
-    body_.laws = {laws_.view().start, static_cast<std::uint32_t>(laws_.size())};
+    int states = 0;
+    for (const StoredLaw& law : image.laws) states = std::max(states, law.states);
+    body_.laws = {laws_.view().start, static_cast<std::uint32_t>(laws_.size()), states};
     capacity_ = image.block_capacity;
     const std::size_t room = find_room(image.id.size() / device_width);
     data_.reserve(room * static_cast<std::size_t>(image.fields) * device_width);
@@ -220,6 +222,7 @@ class DeviceBody : public Device<D> {
     count_.bring(image.count);
     material_.bring(image.material);
     reference_.bring(image.reference);
+    soil_.resize(image.count.size());
     strain_offset_.bring(image.strain_offset);
     std::vector<int> element(static_cast<std::size_t>(image.point_count), -1);
     std::vector<std::int64_t> place(element.size(), -1);
@@ -246,6 +249,7 @@ class DeviceBody : public Device<D> {
     points.place = place_.view();
     points.material = material_.read();
     points.reference = reference_.read();
+    points.soil = soil_.view();
     points.strain_offset = strain_offset_.view();
   }
 
@@ -281,24 +285,24 @@ class DeviceBody : public Device<D> {
     launch(body_.node_count, SolveNode<D>{body_, o, node_accounts_.view()});
   }
 
+  /// The pass over the points: a kernel for each kind of law, and one for elements with several soils.
   template <bool Wet>
   void advance(const StepOptions<D>& o) {
-    const auto run = [&](const auto& law) {
-      using Law = std::decay_t<decltype(law)>;
-      if (o.mixed)
-        launch(body_.element_count,
-               AdvanceElement<D, Law, true, Wet>{body_, o, law, leaving_.view(), element_accounts_.view()});
-      else
-        launch(body_.element_count,
-               AdvanceElement<D, Law, false, Wet>{body_, o, law, leaving_.view(), element_accounts_.view()});
-    };
-    if (host_laws_.size() > 1) {
-      int states = 0;
-      for (const StoredLaw& law : host_laws_) states = std::max(states, law.states);
-      run(AnyLaw{static_cast<std::uint32_t>((std::uint64_t{1} << host_laws_.size()) - 1), states});
-    } else {
-      host_laws_.front().visit([&]<class L>(const L& law) { run(OneLaw<L>{law}); });
+    std::uint64_t done = 0;  // kinds, as bits
+    for (const StoredLaw& law : host_laws_) {
+      const std::uint64_t kind = std::uint64_t{1} << law.kind;
+      if ((done & kind) == 0) law.visit([&]<class L>(const L&) { advance_kind<L, Wet>(o, done == 0); });
+      done |= kind;
     }
+    if (host_laws_.size() > 1) advance_kind<AnyLaw, Wet>(o, false);
+  }
+  template <class L, bool Wet>
+  void advance_kind(const StepOptions<D>& o, bool first) {
+    const auto run = [&]<bool Mixed>(std::bool_constant<Mixed>) {
+      launch(body_.element_count,
+             AdvanceElement<D, L, Mixed, Wet>{body_, o, first, leaving_.view(), element_accounts_.view()});
+    };
+    o.mixed ? run(std::true_type()) : run(std::false_type());
   }
 
   /// What the steps need beside the body, so that memory that is too little is found before them.
@@ -444,7 +448,7 @@ class DeviceBody : public Device<D> {
   Array<double> data_, count_;
   Array<int> id_, block_capacity_, element_;
   Array<std::int64_t> block_start_, place_;
-  Array<std::uint8_t> material_;
+  Array<std::uint8_t> material_, soil_;
   Array<std::array<double, P::stress_size>> strain_offset_;
   Array<StoredLaw> laws_;
   // Elements and nodes.

@@ -146,30 +146,30 @@ struct ThreadPass {
   }
 };
 
-/// Any of the laws of the body.
-struct AnyLaw {
-  std::uint32_t present;
-  int states;
-};
+/// Elements whose points follow laws of several kinds, or of one with several sets of parameters.
+struct AnyLaw {};
 
-/// advance_points() of an element whose soils follow `law`: OneLaw or AnyLaw.
-template <int D, class Law, bool Mixed, bool Wet>
+/// advance_points() of the elements in whose points all follow one law of the kind `L`, or AnyLaw. The first kernel of
+/// a step also notes of elements without points that nothing has happened.
+template <int D, class L, bool Mixed, bool Wet>
 struct AdvanceElement {
   ThreadBody<D> body;
   StepOptions<D> options;
-  Law law;
+  bool first;
   View<int> leaving;
   View<ElementAccount> accounts;
 
   TALUS_PORTABLE void operator()(int e) const {
+    const int soil = body.points.soil[static_cast<std::size_t>(e)];
+    if (!is_for_me(soil)) return;
     ThreadBody<D> mine = body.for_element(e);
     const int b = e / device_width;
     Pass pass(mine, options);
-    if (count_slots(mine.points, b) > 0) {
-      if constexpr (std::is_same_v<Law, AnyLaw>)
-        advance(pass, ManyLaws<DeviceLaws>{&mine.laws, law.present, law.states}, b);
+    if (soil != no_soil) {
+      if constexpr (std::is_same_v<L, AnyLaw>)
+        advance(pass, ManyLaws<DeviceLaws>{&mine.laws, ~std::uint32_t{0}, mine.laws.states}, b);
       else
-        advance(pass, law, b);
+        advance(pass, OneLaw<L, const L&>{mine.laws[soil].template get<L>()}, b);
     }
     leaving[static_cast<std::size_t>(e)] = pass.leaving;
     ElementAccount& account = accounts[static_cast<std::size_t>(e)];  // what roots drew stays
@@ -180,10 +180,17 @@ struct AdvanceElement {
 
  private:
   using Pass = ThreadPass<D, Wet>;
-  template <class L>
-  TALUS_PORTABLE void advance(Pass& pass, const L& l, int b) const {
+  TALUS_PORTABLE bool is_for_me(int soil) const {
+    if (soil == no_soil) return first;
+    if constexpr (std::is_same_v<L, AnyLaw>)
+      return soil == many_soils;
+    else
+      return soil != many_soils && body.laws[soil].kind == find_kind<L>();
+  }
+  template <class Law>
+  TALUS_PORTABLE void advance(Pass& pass, const Law& law, int b) const {
     const bool apart = is_apart(pass.body, static_cast<std::size_t>(b) * device_width);
-    apart ? advance_block<Mixed, true>(pass, l, b) : advance_block<Mixed, false>(pass, l, b);
+    apart ? advance_block<Mixed, true>(pass, law, b) : advance_block<Mixed, false>(pass, law, b);
   }
 };
 

@@ -26,6 +26,10 @@ struct StoredLaw {
   int states;
   bool softens;
 
+  template <class L>
+  TALUS_PORTABLE const L& get() const {
+    return *reinterpret_cast<const L*>(bytes);
+  }
   /// Calls work(law).
   template <class Work>
   TALUS_PORTABLE void visit(Work&& work) const {
@@ -40,13 +44,23 @@ struct StoredLaw {
   template <std::size_t Kind, class Work>
   TALUS_PORTABLE void visit_kind(Work& work) const {
     using L = std::variant_alternative_t<Kind, material::Law>;
-    if constexpr (runs_on_device<L>) work(*reinterpret_cast<const L*>(bytes));
+    if constexpr (runs_on_device<L>) work(get<L>());
   }
 };
+
+/// The kind of `L`, as StoredLaw has it.
+template <class L, std::size_t Kind = 0>
+constexpr int find_kind() {
+  if constexpr (std::is_same_v<L, std::variant_alternative_t<Kind, material::Law>>)
+    return static_cast<int>(Kind);
+  else
+    return find_kind<L, Kind + 1>();
+}
 
 struct DeviceLaws {
   const StoredLaw* laws = nullptr;
   std::uint32_t count = 0;
+  int states = 0;  ///< most of one
 
   TALUS_PORTABLE std::uint32_t size() const { return count; }
   TALUS_PORTABLE const StoredLaw& operator[](int m) const { return laws[m]; }

@@ -256,6 +256,19 @@ struct UpdateSurface {
   }
 };
 
+/// What DevicePoints::soil says of an element.
+template <int D>
+TALUS_PORTABLE int find_soil(const ThreadBody<D>& body, int e) {
+  int soil = no_soil;
+  const std::int64_t first = body.points.block_start[static_cast<std::size_t>(e / device_width)];
+  for (int k = 0; k < static_cast<int>(body.points.count[static_cast<std::size_t>(e)]); ++k) {
+    const int id = body.points.id[static_cast<std::size_t>((first + k) * device_width + e % device_width)];
+    const int own = body.points.material[static_cast<std::size_t>(id)];
+    soil = soil == no_soil || soil == own ? own : many_soils;
+  }
+  return soil;
+}
+
 /// The sums of an element that changed, from its points. `all`: of every element, after the body was brought here.
 template <int D>
 struct SumAnew {
@@ -280,6 +293,7 @@ struct SumAnew {
     for (int i = 0; i < moment_size<D>; ++i) moments[i * device_width] = 0;
     if (all || (why & (lost_points | got_points)) != 0) note_gaps(mine, options, e);
     gather_points(mine, options, e, more_mass);
+    mine.points.soil[static_cast<std::size_t>(e)] = static_cast<std::uint8_t>(find_soil(mine, e));
     if (mine.points.count[static_cast<std::size_t>(e)] == 0)
       mine.elements.plastic_dilation[static_cast<std::size_t>(e)] = mine.elements.rough[static_cast<std::size_t>(e)] =
           0;

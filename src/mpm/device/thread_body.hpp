@@ -36,6 +36,10 @@ struct DeviceLayout {
   TALUS_PORTABLE int motion_row(int node, int /*k*/) const { return node; }
 };
 
+/// Of an element without points; of one with points of more materials than one.
+inline constexpr int no_soil = 254, many_soils = 255;
+static_assert(most_laws <= no_soil);
+
 template <int D>
 struct DevicePoints : PointFields<D> {
   int fields = 0;
@@ -49,6 +53,7 @@ struct DevicePoints : PointFields<D> {
   View<std::int64_t> place;
   View<const std::uint8_t> material;
   View<const Vec<D>> reference;
+  View<std::uint8_t> soil;  ///< by element: the material of all its points, or no_soil, or many_soils
   View<std::array<double, PointFields<D>::stress_size>> strain_offset;
 
   TALUS_PORTABLE double* slot(std::int64_t s) const { return data.start + s * fields * device_width; }
@@ -154,9 +159,10 @@ TALUS_PORTABLE double* find_row_to_press(const ThreadBody<D>& body, int i) {
 
 /// The water laws of a thread's element.
 template <class Law, int D>
-TALUS_KERNEL auto get_block_water(const ThreadBody<D>& body, int /*b*/, double conductivity_factor) {
+TALUS_KERNEL auto get_block_water(const ThreadBody<D>& body, int b, double conductivity_factor) {
   if constexpr (Law::is_single)
-    return OneWater{body.water.laws.data(), conductivity_factor};
+    return OneWater{&body.water.laws[body.points.soil[static_cast<std::size_t>(b * device_width + body.lane)]],
+                    conductivity_factor};
   else
     return ManyWaters<View<const WaterLaw>>{&body.water.laws, ~std::uint32_t{0}, conductivity_factor};
 }

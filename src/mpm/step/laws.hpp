@@ -10,8 +10,9 @@
 
 namespace talus::mpm {
 
-/// Every point of the block is of the material with this law.
-template <class L>
+/// Every point of the block is of the material with this law. Kept: a copy, whose parameters then live in registers,
+/// not behind a pointer that a store might alias; or a reference, where registers are what there is least of.
+template <class L, class Kept = L>
 struct OneLaw {
   static constexpr bool is_single = true;
   static constexpr bool is_plastic = L::is_plastic, softens = L::traits.softens;
@@ -27,7 +28,7 @@ struct OneLaw {
   TALUS_PORTABLE static MaskOf<T> find_softening(T /*material*/) {
     return MaskOf<T>(softens);
   }
-  L law;  // a copy: its parameters then live in registers, not behind a pointer that a store might alias
+  Kept law;
 
   template <int NS, class T>
   TALUS_KERNEL material::Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active, T /*material*/,
