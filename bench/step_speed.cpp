@@ -6,10 +6,12 @@
 // with them net (damping), explicit (drag), pressure (smoothing), seepage (surfaces that no water enters), seeps
 // (pressures at the nodes, in steps of the drained soil: with the rounds and iterations of its solver); parts (wall
 // time by lines of the step), state (extremes of the points before timing); gpu or emulated (the device of --device, in
-// wall time). Single-threaded runs are timed in CPU time, threaded ones in wall time.
+// wall time), with it kernels (the share of each, over as many steps again). Single-threaded runs are timed in CPU
+// time, threaded ones in wall time.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
@@ -121,6 +123,20 @@ class Steps {
     for (int s = 0; s < count; ++s)
       device_ ? device_->step(y_.body, y_.options) : talus::mpm::step(y_.body, y_.options);
   }
+  /// Kernels of some more steps, the longest first.
+  void print_kernels(int steps) {
+    if (!device_) return;
+    device_->time_kernels();
+    run(steps);
+    std::vector<talus::mpm::KernelTime> times = device_->list_times();
+    std::sort(times.begin(), times.end(), [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
+    double all = 0;
+    for (const auto& time : times) all += time.seconds;
+    fmt::print("kernels, each waited for: {:.1f} us/step\n", all / steps * 1e6);
+    for (const auto& time : times)
+      fmt::print("  {:<24} {:5.1f} % {:10.1f} us/step {:7.1f} launches/step\n", time.name, 100 * time.seconds / all,
+                 time.seconds / steps * 1e6, static_cast<double>(time.launches) / steps);
+  }
   void end() {
     if (device_) device_->bring_back(y_.body);
   }
@@ -167,6 +183,7 @@ void run(const std::string& name, int threads, int warm, int steps, int repeats,
     fmt::print("on the device: {}, {:.0f} bytes/point\n", talus::mpm::get_device_name(),
                static_cast<double>(count_bytes(talus::mpm::make_device_image(y.body, threads))) / points);
   if (y.options.mixture) print_solver(y, stepper);
+  if (flags.contains("kernels")) stepper.print_kernels(steps);
   if (flags.contains("parts")) print_parts(y.body.timing, steps * repeats);
 }
 

@@ -63,6 +63,8 @@ class CudaGrid {
     require(cudaMemcpy(host, device, bytes, cudaMemcpyDeviceToHost));
   }
 
+  static void wait() { require(cudaDeviceSynchronize()); }
+
   template <class Kernel>
   void launch(int n, const Kernel& kernel) const {
     run_kernel<<<(n + block_threads - 1) / block_threads, block_threads>>>(kernel, n);

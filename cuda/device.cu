@@ -3,6 +3,7 @@
 
 #include "cuda_grid.hpp"
 #include "mpm/device/device_body.hpp"
+#include "mpm/device/timed_grid.hpp"
 
 namespace talus::mpm {
 namespace device {
@@ -15,6 +16,8 @@ struct Nothing {
 namespace {
 
 class CudaMaker : public DeviceMaker {
+  using Grid = device::TimedGrid<device::CudaGrid>;
+
  public:
   std::string find_name(std::string& why) override {
     int count = 0;
@@ -32,10 +35,10 @@ class CudaMaker : public DeviceMaker {
     return "";
   }
   std::unique_ptr<Device<2>> make_2d() override {
-    return std::make_unique<device::DeviceBody<device::CudaGrid, 2>>(device::CudaGrid());
+    return std::make_unique<device::DeviceBody<Grid, 2>>(Grid(device::CudaGrid()));
   }
   std::unique_ptr<Device<3>> make_3d() override {
-    return std::make_unique<device::DeviceBody<device::CudaGrid, 3>>(device::CudaGrid());
+    return std::make_unique<device::DeviceBody<Grid, 3>>(Grid(device::CudaGrid()));
   }
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The kernels of a GPU, run on this processor one thread after the other, against the engine: point by point the same
+// The kernels of a GPU, run on this processor, against the engine: point by point the same
 // to round-off, for every option and dimension. What a GPU adds is the launch.
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "base/error.hpp"
@@ -110,14 +111,14 @@ TEST(DeviceAgainstEngine, LandslideThroughManyElementsOverfillsBlocksAndIsTheSam
   compare(make_landslide(), fast_variant, 250);
 }
 
-/// Nor that threads run together: built with ThreadSanitizer (PRESET=tsan), this finds two that meet in one place.
+/// Nor that threads run together.
 TEST(DeviceAgainstEngine, OrderOfThreadsChangesNoBit) {
   const mpm::Body<2> body = golden::translate(make_mixed_slope(), 3);
   for (const PlainVariant& v : all_variants()) {
     const mpm::StepOptions<2> options = make_options(body, v, {0, -9.81});
     const mpm::Body<2> forwards = run_on_device(body, options, 60, {}),
                        backwards = run_on_device(body, options, 60, {.backwards = true}),
-                       together = run_on_device(body, options, 60, {.threads = 2});
+                       together = run_on_device(body, options, 60, {.threads = 2, .block = 1});
     for (const mpm::Body<2>* other : {&backwards, &together}) {
       EXPECT_EQ(forwards.points.data, other->points.data) << v.name;
       EXPECT_EQ(forwards.points.id, other->points.id) << v.name;
@@ -182,6 +183,24 @@ TEST(DeviceAgainstEngine, DeviceWhoseMemoryRunsOutOnTheWaySaysHowToGoOn) {
     }
   }
   mpm::make_emulated_device<2>({});  // all memory again
+}
+
+TEST(DeviceAgainstEngine, KernelsThatAreTimedSayWhatTheyAre) {
+  mpm::Body<2> body = golden::translate(reference::make_slope<2>(), 3);
+  const mpm::StepOptions<2> options = make_options(body, all_variants()[0], {0, -9.81});
+  mpm::gather_nodal_sums(body, options);
+  mpm::DeviceStepper<2> device(mpm::make_emulated_device<2>());
+  device.step(body, options);
+  EXPECT_TRUE(device.list_times().empty());
+  device.time_kernels();
+  for (int s = 0; s < 3; ++s) device.step(body, options);
+  std::map<std::string, int> launches;
+  for (const mpm::KernelTime& time : device.list_times()) {
+    EXPECT_GT(time.seconds, 0) << time.name;
+    launches[time.name] = time.launches;
+  }
+  for (const char* name : {"AdvanceElement", "SolveNode", "RemapNode", "Scan"}) EXPECT_EQ(launches[name], 3) << name;
+  EXPECT_EQ(launches["sum of Listed"], 6);
 }
 
 /// Wherever it is among the nodes: an unstable run must not look calm.

@@ -121,7 +121,7 @@ mpm::Body<D> run_on_device(WetCase<D> made, int steps, const mpm::Emulation& how
 TEST(DeviceWater, OrderOfThreadsChangesNoBit) {
   const WetCase<2> made = make_case(make_many_conditions<2>(), {.name = "stable", .smoothing = Smoothing::stable});
   const mpm::Body<2> forwards = run_on_device(made, 60, {}), backwards = run_on_device(made, 60, {.backwards = true}),
-                     together = run_on_device(made, 60, {.threads = 2});
+                     together = run_on_device(made, 60, {.threads = 2, .block = 1});
   for (const mpm::Body<2>* other : {&backwards, &together}) {
     EXPECT_EQ(forwards.points.data, other->points.data);
     EXPECT_EQ(forwards.points.id, other->points.id);

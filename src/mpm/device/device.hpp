@@ -100,6 +100,13 @@ struct DeviceMemory {
   std::size_t free = 0, total = 0;
 };
 
+/// What a kernel has taken.
+struct KernelTime {
+  std::string name;
+  int launches = 0;
+  double seconds = 0;
+};
+
 template <int D>
 class Device {
  public:
@@ -118,6 +125,9 @@ class Device {
   virtual DeviceMemory find_memory() = 0;
   virtual std::vector<PointPlace<D>> locate(const std::vector<int>& points) = 0;
   virtual Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) = 0;
+  /// From now on kernels are timed.
+  virtual void time_kernels() = 0;
+  virtual std::vector<KernelTime> list_times() = 0;
 };
 
 /// A device that does not answer any more ends the run as an interruption does.
@@ -138,7 +148,7 @@ class DeviceMaker {
 };
 
 /// To be raised with the functions of Device and DeviceMaker.
-inline constexpr std::size_t device_interface = 2;
+inline constexpr std::size_t device_interface = 3;
 /// Sizes of what goes between the program and a module: they differ between builds that must not meet.
 inline constexpr std::size_t device_layout =
     device_interface + 31 * (sizeof(DeviceInput<3>) + 31 * sizeof(PointView<3>)) + 31 * sizeof(Observation<3>) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A body in the memory of a device, and its steps: which kernels run, one after the other. Grid: HostGrid or CudaGrid.
+// A body in the memory of a device, and its steps: which kernels run, one after the other. Grid: TimedGrid of a
+// HostGrid or a CudaGrid.
 
 #include <algorithm>
 #include <cmath>
@@ -129,6 +130,8 @@ class DeviceBody : public Device<D> {
   }
 
   DeviceMemory find_memory() override { return grid_.find_memory(); }
+  void time_kernels() override { grid_.start_timing(); }
+  std::vector<KernelTime> list_times() override { return grid_.list_times(); }
 
   std::vector<PointPlace<D>> locate(const std::vector<int>& points) override {
     wanted_.bring(points);

@@ -32,6 +32,9 @@ class DeviceStepper {
   Observation<D> observe(const Body<D>& body, const Vec<D>& gravity, const std::vector<int>& points);
   /// Of a point that is on the grid, from its reference [m].
   double find_largest_displacement(const Body<D>& body);
+  /// From now on kernels are timed.
+  void time_kernels() { device_->time_kernels(); }
+  std::vector<KernelTime> list_times() { return device_->list_times(); }
 
  private:
   void take(Body<D>& body, const StepOptions<D>& options);

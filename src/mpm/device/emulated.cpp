@@ -5,12 +5,14 @@
 
 #include "mpm/device/device_body.hpp"
 #include "mpm/device/host_grid.hpp"
+#include "mpm/device/timed_grid.hpp"
 
 namespace talus::mpm {
 
 template <int D>
 std::unique_ptr<Device<D>> make_emulated_device(const Emulation& how) {
-  return std::make_unique<device::DeviceBody<device::HostGrid, D>>(device::HostGrid(how));
+  using Grid = device::TimedGrid<device::HostGrid>;
+  return std::make_unique<device::DeviceBody<Grid, D>>(Grid(device::HostGrid(how)));
 }
 
 template std::unique_ptr<Device<2>> make_emulated_device<2>(const Emulation&);

@@ -23,7 +23,8 @@ inline constexpr int block_threads = 128;
 
 class HostGrid {
  public:
-  explicit HostGrid(const Emulation& how) : backwards_(how.backwards), threads_(how.threads), launches_(how.launches) {
+  explicit HostGrid(const Emulation& how)
+      : backwards_(how.backwards), threads_(how.threads), block_(how.block), launches_(how.launches) {
     room_ = how.memory > 0 ? how.memory : SIZE_MAX;
   }
 
@@ -48,16 +49,19 @@ class HostGrid {
   static void bring(void* device, const void* host, std::size_t bytes) { std::memcpy(device, host, bytes); }
   static void fetch(void* host, const void* device, std::size_t bytes) { std::memcpy(host, device, bytes); }
 
+  static void wait() {}  ///< until all that was launched is done
+
   /// Runs kernel(i) for all i below n.
   template <class Kernel>
   void launch(int n, const Kernel& kernel) {
     count_launch();
-    const int blocks = (n + block_threads - 1) / block_threads;
-    parallel_for(blocks, threads_, [&](int block) {
-      for (int thread = 0; thread < block_threads; ++thread) {
-        const int i = (backwards_ ? blocks - 1 - block : block) * block_threads +
-                      (backwards_ ? block_threads - 1 - thread : thread);
-        if (i < n) kernel(i);
+    const int blocks = (n + block_ - 1) / block_;
+    parallel_for(threads_, threads_, [&](int worker) {
+      for (int block = worker; block < blocks; block += threads_) {
+        for (int thread = 0; thread < block_; ++thread) {
+          const int i = block * block_ + thread;
+          if (i < n) kernel(backwards_ ? n - 1 - i : i);
+        }
       }
     });
   }
@@ -95,7 +99,7 @@ class HostGrid {
 
   /// Blocks and threads run from the last to the first: the results must be the same bits.
   bool backwards_;
-  int threads_;
+  int threads_, block_;
   int launches_;  ///< until the device is lost
   // Of the device that there is only one of [bytes].
   static inline std::atomic<std::size_t> room_ = SIZE_MAX, used_ = 0;
