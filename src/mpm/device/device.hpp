@@ -12,7 +12,6 @@
 #include "mpm/body/observe.hpp"
 #include "mpm/device/device_laws.hpp"
 #include "mpm/device/thread_body.hpp"
-#include "mpm/step/loads.hpp"
 
 namespace talus::mpm {
 
@@ -24,6 +23,13 @@ constexpr std::size_t find_room(std::size_t slots) {
 }
 /// Room for points on their way at the start: one in so many of all.
 inline constexpr std::size_t mover_share = 32;
+
+/// A force of a load, before the load's factor.
+template <int D>
+struct DeviceLoad {
+  int load, index;  ///< node, or point
+  Vec<D> force;     ///< [N]
+};
 
 /// What a device needs of a body, and what changes there. Arrays [block][…][lane] have blocks of device_width elements.
 template <int D>
@@ -42,6 +48,8 @@ struct DeviceImage {
   View<const std::uint8_t> material;  ///< by point number
   View<const Vec<D>> reference;       ///< by point number
   std::vector<double> held_saturation;
+  std::vector<int> load_start;  ///< of a node among node_loads; empty: there are no loads
+  std::vector<DeviceLoad<D>> node_loads, point_loads;
   double smallest_mass = 0;
   WaterImage<D> water;
 
@@ -65,8 +73,7 @@ struct DeviceImage {
 template <int D>
 struct DeviceInput {
   double time = 0;                   ///< at its start [s]
-  View<const Vec<D>> load;           ///< forces of tractions at the nodes then [N]; empty: none
-  bool load_is_new = false;          ///< else it is that of the last step
+  std::vector<double> load_factors;  ///< then
   std::vector<GivenFactor> factors;  ///< of what moves nodes
   // Of water that seeps.
   std::vector<DeviceSurface> surfaces;
@@ -123,7 +130,6 @@ class Device {
   virtual StepSquare find_step_square() = 0;
   virtual double find_largest_displacement() = 0;
   virtual DeviceMemory find_memory() = 0;
-  virtual std::vector<PointPlace<D>> locate(const std::vector<int>& points) = 0;
   virtual Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) = 0;
   /// From now on kernels are timed.
   virtual void time_kernels() = 0;
@@ -148,7 +154,7 @@ class DeviceMaker {
 };
 
 /// To be raised with the functions of Device and DeviceMaker.
-inline constexpr std::size_t device_interface = 3;
+inline constexpr std::size_t device_interface = 4;
 /// Sizes of what goes between the program and a module: they differ between builds that must not meet.
 inline constexpr std::size_t device_layout =
     device_interface + 31 * (sizeof(DeviceInput<3>) + 31 * sizeof(PointView<3>)) + 31 * sizeof(Observation<3>) +

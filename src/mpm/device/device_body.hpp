@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/device/device_loads.hpp"
 #include "mpm/device/device_water.hpp"
 #include "mpm/device/fade_kernels.hpp"
 #include "mpm/device/relocation_kernels.hpp"
@@ -23,6 +24,7 @@ class DeviceBody : public Device<D> {
     take_mesh(image);
     take_points(image);
     take_fields(image);
+    loads_.take(image);
     const std::size_t lanes = image.count.size();
     water_.take(image.water, image.mesh.nodes.size(), lanes);
     make_room(image);
@@ -43,7 +45,7 @@ class DeviceBody : public Device<D> {
     DeviceOutput<D> output;
     take_conditions(input);
     if (water_.is_there()) {
-      water_.begin(input, o, load_.read());
+      water_.begin(input, o, body_.nodes.load);
       solve_momentum(o);
       output.finds_pressures = water_.solve(o, element_accounts_.view(), output);
       if (!output.finds_pressures) return output;
@@ -132,13 +134,6 @@ class DeviceBody : public Device<D> {
   DeviceMemory find_memory() override { return grid_.find_memory(); }
   void time_kernels() override { grid_.start_timing(); }
   std::vector<KernelTime> list_times() override { return grid_.list_times(); }
-
-  std::vector<PointPlace<D>> locate(const std::vector<int>& points) override {
-    wanted_.bring(points);
-    located_.resize(points.size());
-    launch(static_cast<int>(points.size()), Locate<D>{body_, wanted_.read(), located_.view()});
-    return located_.fetch();
-  }
 
  private:
   using P = PointFields<D>;
@@ -267,9 +262,7 @@ class DeviceBody : public Device<D> {
     motion_.bring(image.motion);
     smoothed_.assign_zeros(places_.size());
     displacement_.bring(image.displacement);
-    load_.resize(0);
-    body_.nodes = {sums_.view(), motion_.view(),       smoothed_.view(),
-                   load_.read(), displacement_.view(), image.motion_step};
+    body_.nodes = {sums_.view(), motion_.view(), smoothed_.view(), {}, displacement_.view(), image.motion_step};
     body_.smallest_mass = image.smallest_mass;
     constraint_of_node_.bring(image.constraint_of_node);
     constraints_.bring(image.constraints);
@@ -278,8 +271,7 @@ class DeviceBody : public Device<D> {
 
   void take_conditions(const DeviceInput<D>& input) {
     body_.time = input.time;
-    if (input.load_is_new) load_.bring(input.load);
-    body_.nodes.load = load_.read();
+    body_.nodes.load = loads_.find(body_, input.load_factors);
     factors_.bring(input.factors);
     body_.conditions = {constraint_of_node_.read(), constraints_.read(), pressed_.view(), factors_.read()};
   }
@@ -436,6 +428,7 @@ class DeviceBody : public Device<D> {
 
   Grid grid_;
   ThreadBody<D> body_;
+  DeviceLoads<Grid, D> loads_{grid_};
   DeviceWaterBody<Grid, D> water_{grid_, body_};
   std::vector<StoredLaw> host_laws_;
   std::vector<int> capacity_;  ///< of block_capacity_
@@ -458,7 +451,7 @@ class DeviceBody : public Device<D> {
   Array<double> moments_, strain_, fill_limit_, apart_, rough_, plastic_dilation_, softened_, softening_volume_, lent_,
       held_saturation_;
   Array<double> sums_, motion_, smoothed_, average_, sums_of_nodes_;
-  Array<Vec<D>> load_, displacement_;
+  Array<Vec<D>> displacement_;
   Array<std::int64_t> reach_start_;
   Array<int> reach_element_;
   Array<double> reach_weight_;
@@ -478,7 +471,6 @@ class DeviceBody : public Device<D> {
   // Of points that are asked for.
   Array<int> wanted_;
   Array<PointView<D>> views_;
-  Array<PointPlace<D>> located_;
   Array<Vec<D>> reference_;
   Array<Signals> signals_;
   Array<double> mover_fields_;

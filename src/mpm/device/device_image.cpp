@@ -2,6 +2,7 @@
 #include "mpm/device/device_image.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/parallel.hpp"
 #include "mpm/body/slots.hpp"
@@ -170,6 +171,22 @@ void read_nodes(const DeviceImage<D>& image, Body<D>& body) {
   nodes.motion_step = image.motion_step;
 }
 
+/// Those on nodes by node, in the order of the loads.
+template <int D>
+void list_loads(const Body<D>& body, DeviceImage<D>& image) {
+  const std::vector<Load<D>>& loads = body.conditions.loads;
+  if (loads.empty()) return;
+  for (std::size_t l = 0; l < loads.size(); ++l)
+    for (const auto& entry : loads[l].entries)
+      (loads[l].on_points ? image.point_loads : image.node_loads)
+          .push_back({static_cast<int>(l), entry.index, entry.force});
+  std::stable_sort(image.node_loads.begin(), image.node_loads.end(),
+                   [](const auto& a, const auto& b) { return a.index < b.index; });
+  image.load_start.assign(body.mesh().nodes.size() + 1, 0);
+  for (const DeviceLoad<D>& load : image.node_loads) ++image.load_start[load.index + 1];
+  std::partial_sum(image.load_start.begin(), image.load_start.end(), image.load_start.begin());
+}
+
 }  // namespace
 
 template <int D>
@@ -184,6 +201,7 @@ DeviceImage<D> make_device_image(const Body<D>& body, int threads) {
              });
   image.held_saturation = widen(body.elements.held_saturation, elements, 1);
   for (const material::Law& law : body.laws) image.laws.push_back(store_law(law));
+  list_loads(body, image);
   image.constraint_of_node = body.conditions.constraint_of_node;
   image.constraints = body.conditions.constraints;
   if (body.softening_reach) {
@@ -234,8 +252,9 @@ std::size_t count_bytes(const DeviceImage<D>& image) {
          of(image.fill_limit, image.apart, image.rough, image.plastic_dilation, image.softened, image.softening_volume,
             image.lent, image.motion, image.displacement) +
          points * (sizeof(int) + sizeof(std::int64_t)) + (find_room(slots) - slots) * slot +
-         points / mover_share * mover + lanes * element_work * numbers + nodes * node_work * numbers +
-         count_bytes(image.water);
+         points / mover_share * mover + of(image.load_start, image.node_loads, image.point_loads) +
+         image.point_loads.size() * (3 * sizeof(int) + sizeof(Vec<D>) * (D + 1)) + lanes * element_work * numbers +
+         nodes * node_work * numbers + count_bytes(image.water);
 }
 
 #define TALUS_INSTANTIATE(D)                                         \

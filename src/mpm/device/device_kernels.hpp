@@ -318,24 +318,4 @@ struct SumNode {
   }
 };
 
-/// Where points are.
-template <int D>
-struct Locate {
-  ThreadBody<D> body;
-  View<const int> points;
-  View<PointPlace<D>> places;
-
-  TALUS_PORTABLE void operator()(int i) const {
-    const auto id = static_cast<std::size_t>(points[static_cast<std::size_t>(i)]);
-    PointPlace<D> place;
-    place.element = body.points.element[id];
-    if (place.element >= 0) {
-      const std::int64_t at = body.points.place[id];
-      const double* p = body.points.slot(at / device_width) + at % device_width;
-      for (int d = 0; d < D; ++d) place.xi[d] = p[(PointFields<D>::xi + d) * device_width];
-    }
-    places[static_cast<std::size_t>(i)] = place;
-  }
-};
-
 }  // namespace talus::mpm::device

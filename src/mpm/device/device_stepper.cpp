@@ -11,7 +11,6 @@
 #include "mpm/device/device_image.hpp"
 #include "mpm/device/water_image.hpp"
 #include "mpm/mixture/mixture_step.hpp"
-#include "mpm/step/loads.hpp"
 #include "mpm/step/stopwatch.hpp"
 
 namespace talus::mpm {
@@ -60,7 +59,6 @@ void DeviceStepper<D>::take(Body<D>& body, const StepOptions<D>& options) {
                     free / gigabyte, body.points.size(), needed / gigabyte, body.points.size() * free / needed));
   }
   device_has_body_ = true;
-  load_is_known_ = false;
 }
 
 template <int D>
@@ -72,13 +70,7 @@ DeviceInput<D> DeviceStepper<D>::make_input(const Body<D>& body, const StepOptio
   input.surfaces = find_device_surfaces(body);
   for (const RootUptake& uptake : body.water.uptakes)
     input.uptake_rates.push_back(uptake.rate.at(body.time + 0.5 * options.dt));
-  if (body.conditions.loads.empty()) return input;
-  const std::vector<Vec<D>> load =
-      find_loads<D>(body, body.time, [this](const std::vector<int>& points) { return device_->locate(points); });
-  input.load_is_new = !load_is_known_ || load != load_;
-  load_ = load;
-  load_is_known_ = true;
-  input.load = {load_.data(), load_.size()};
+  for (const Load<D>& load : body.conditions.loads) input.load_factors.push_back(load.factor.at(body.time));
   return input;
 }
 

@@ -42,9 +42,8 @@ class DeviceStepper {
 
   std::unique_ptr<Device<D>> device_;
   DeviceImage<D> image_;
-  std::vector<Vec<D>> load_;
   int threads_ = 1;
-  bool device_has_body_ = false, host_is_up_to_date_ = true, load_is_known_ = false;
+  bool device_has_body_ = false, host_is_up_to_date_ = true;
 };
 
 }  // namespace talus::mpm
