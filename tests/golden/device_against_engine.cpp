@@ -220,6 +220,16 @@ TEST(DeviceAgainstEngine, WhatIsNoNumberWinsAmongSpeedsAndSteps) {
   EXPECT_EQ(least.element, 4);
 }
 
+TEST(DeviceAgainstEngine, PointTurnedInsideOutLeavesNoStep) {
+  mpm::Body<2> body = golden::translate(reference::make_slope<2>(), 3);
+  const mpm::StepOptions<2> options = make_options(body, all_variants()[0], {0, -9.81});
+  EXPECT_GT(mpm::find_critical_step(body, options).dt, 0);
+  const std::int64_t place = body.points.place[7];
+  double* p = body.points.slot(place / lane_width) + place % lane_width;
+  p[mpm::Points<2>::volume * lane_width] *= -1;
+  EXPECT_TRUE(std::isnan(mpm::find_critical_step(body, options).dt));
+}
+
 TEST(DeviceAgainstEngine, DeviceWithoutRoomSaysWhatWouldFit) {
   mpm::Body<2> body = golden::translate(reference::make_slope<2>(), 3);
   const mpm::StepOptions<2> options = make_options(body, all_variants()[0], {0, -9.81});

@@ -192,7 +192,8 @@ TALUS_PORTABLE StepSquare find_step_square(const B& body, int e, int more_mass =
     for (int i = 0; i < count_states(body.laws, soil); ++i) state[i] = p[(P::state + i) * width];
     const double mass = p[P::mass * width] + (more_mass < 0 ? 0.0 : p[more_mass * width]);
     const double of_point = find_modulus(body.laws, soil, sigma, state) * p[P::volume * width] / mass;
-    if (!(of_point <= speed2) && !std::isnan(speed2)) speed2 = of_point;  // what is no number must win
+    // What is no number must win, and a point that was turned inside out has none.
+    if (!(of_point > 0 && of_point <= speed2) && !std::isnan(speed2)) speed2 = of_point > 0 ? of_point : NAN;
   }
   StepSquare least;
   if (speed2 == 0) return least;
