@@ -56,8 +56,9 @@ class HostGrid {
   void launch(int n, const Kernel& kernel) {
     count_launch();
     const int blocks = (n + block_ - 1) / block_;
-    parallel_for(threads_, threads_, [&](int worker) {
-      for (int block = worker; block < blocks; block += threads_) {
+    const int workers = count_workers(blocks);
+    parallel_for(workers, workers, [&](int worker) {
+      for (int block = worker; block < blocks; block += workers) {
         for (int thread = 0; thread < block_; ++thread) {
           const int i = block * block_ + thread;
           if (i < n) kernel(backwards_ ? n - 1 - i : i);
@@ -72,7 +73,7 @@ class HostGrid {
     count_launch();
     const int blocks = (n + block_threads - 1) / block_threads;
     std::vector<S> parts(static_cast<std::size_t>(blocks));
-    parallel_for(blocks, threads_, [&](int block) {
+    parallel_for(blocks, count_workers(blocks), [&](int block) {
       const int end = std::min(n, (block + 1) * block_threads);
       for (int i = block * block_threads; i < end; ++i) parts[static_cast<std::size_t>(block)].add(summand(i));
     });
@@ -92,6 +93,8 @@ class HostGrid {
   }
 
  private:
+  /// Few blocks are not worth waiting for other threads.
+  int count_workers(int blocks) const { return blocks < 64 ? 1 : threads_; }
   void count_launch() {
     if (launches_ > 0 && --launches_ == 0) throw_lost("as it was told to");
   }
