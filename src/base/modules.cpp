@@ -30,7 +30,7 @@ void* load_module(const std::string& name, const char* maker, bool global, std::
   const std::string own = find_own_folder();
   void* library = nullptr;
   for (const char* place : places) {
-    const std::string path = own + place + name;
+    const std::string path = std::string(own).append(place).append(name);
     library = dlopen(path.c_str(), RTLD_NOW | (global ? RTLD_GLOBAL : RTLD_LOCAL));
     if (library != nullptr) break;
     if (why.empty() || std::filesystem::exists(path)) why = dlerror();

@@ -161,8 +161,10 @@ TALUS_PORTABLE double* find_row_to_press(const ThreadBody<D>& body, int i) {
 template <class Law, int D>
 TALUS_KERNEL auto get_block_water(const ThreadBody<D>& body, int b, double conductivity_factor) {
   if constexpr (Law::is_single)
-    return OneWater{&body.water.laws[body.points.soil[static_cast<std::size_t>(b * device_width + body.lane)]],
-                    conductivity_factor};
+    return OneWater{
+        &body.water
+             .laws[body.points.soil[static_cast<std::size_t>(b) * device_width + static_cast<std::size_t>(body.lane)]],
+        conductivity_factor};
   else
     return ManyWaters<View<const WaterLaw>>{&body.water.laws, ~std::uint32_t{0}, conductivity_factor};
 }
