@@ -82,6 +82,8 @@ def main():
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
+    if options.write and options.only != list(CASES):
+        parser.error("--write stores the table of all cases: leave --only out")
     program = str(pathlib.Path(options.program).resolve())
     with tempfile.TemporaryDirectory() as scratch:
         folder = options.out or pathlib.Path(scratch)
