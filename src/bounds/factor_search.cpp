@@ -27,10 +27,14 @@ bool FactorSearch::try_factor(double factor) {
                : "the solver of the cone programs stopped: " + trial.solution.why;
     return false;
   }
-  if (trial.lack <= no_lack) stood_ = std::max(stood_.value_or(0), factor);
-  if (trial.lack > no_lack) fell_ = std::min(fell_.value_or(factor), factor);
+  // Between the two nothing is decided: what is computed is neither a field nor a lack of one.
+  const bool stands = trial.lack + trial.doubt <= no_lack || trial.lack < -trial.doubt,
+             falls = trial.lack > no_lack + trial.doubt;
+  if (stands) stood_ = std::max(stood_.value_or(0), factor);
+  if (falls) fell_ = std::min(fell_.value_or(factor), factor);
+  is_undecided_ = !stands && !falls;
   // Without cohesion nothing lacks below the root, and only what fell points at it.
-  if (std::abs(trial.lack) > no_lack && trial.rate > 0) root_ = factor - trial.lack / trial.rate;
+  if (std::abs(trial.lack) > no_lack + trial.doubt && trial.rate > 0) root_ = factor - trial.lack / trial.rate;
   if (root_ && stood_ && *root_ < *stood_) root_ = stood_;
   if (root_ && fell_ && *root_ > *fell_) root_ = fell_;
   if (stood_ && fell_ && *fell_ - *stood_ < 1e-6 * *fell_) root_ = stood_;
@@ -42,7 +46,7 @@ bool FactorSearch::approach(double start, double tolerance) {
   double factor = start, reach = 0.1;
   for (int i = 0; i < most_trials; ++i) {
     if (!try_factor(factor)) return false;
-    double next = last_->lack > no_lack ? factor / (1 + reach) : factor * (1 + reach);
+    double next = is_undecided_ || last_->lack > no_lack ? factor / (1 + reach) : factor * (1 + reach);
     reach *= 2;
     if (root_) {
       if (std::abs(*root_ - factor) <= tolerance * factor) return true;
@@ -55,10 +59,12 @@ bool FactorSearch::approach(double start, double tolerance) {
     factor = next;
   }
   why_ = stood_ && *stood_ >= range_.largest
-             ? fmt::format("the slope stands at every factor up to {:g}", range_.largest)
+             ? fmt::format("the slope is stable at every factor up to {:g}", range_.largest)
          : fell_ && *fell_ <= range_.smallest
-             ? fmt::format("the slope falls at every factor down to {:g}", range_.smallest)
-             : fmt::format("{} factors were tried without an end", most_trials);
+             ? fmt::format("no stress field was found at any factor down to {:g}; this is usually a fault of the model, "
+                           "such as a load or water on soil without cohesion and tensile strength",
+                           range_.smallest)
+             : "the cone programs are undecided at all factors that were tried";
   return false;
 }
 

@@ -14,6 +14,7 @@ namespace talus::bounds {
 struct Trial {
   double factor = 0;
   double lack = 0;  ///< least m [units of stress]
+  double doubt = 0; ///< what the solver leaves between the bounds of the least m [units of stress]
   double rate = 0;  ///< its derivative by the factor
   ConicSolution solution;
 };
@@ -47,6 +48,7 @@ class FactorSearch {
   Solve solve_;
   std::optional<Trial> last_;
   std::optional<double> stood_, fell_, root_;
+  bool is_undecided_ = false;  ///< the last trial
   std::string why_;
   int programs_ = 0, iterations_ = 0;
 };

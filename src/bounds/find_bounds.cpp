@@ -75,7 +75,7 @@ class BoundsSearch {
   }
 
   BoundsResult run() {
-    double low = options_.start, high = options_.start, tolerance = rough;
+    double low = options_.start, high = options_.start, tolerance = options_.is_near ? 1 : rough;
     for (;;) {
       const Problem& problem = result_.problem;
       units_ = find_units(problem);
@@ -111,9 +111,10 @@ class BoundsSearch {
     ConicProgram program = make_program(result_.problem, bound, factor, units_);
     const double room = bound == Bound::upper ? room_of_rates : 0;
     leave_room(program, room);
-    Trial trial{factor, 0, 0, solve(program, options)};
+    Trial trial{factor, 0, 0, 0, solve(program, options)};
     if (trial.solution.end != ConicEnd::solved) return trial;
     trial.lack = use_room(program, room, trial.solution);
+    trial.doubt = std::abs(trial.solution.primal - trial.solution.dual);
     trial.rate = find_lack_rate(result_.problem, bound, factor, units_, trial.solution);
     prove(bound, trial);
     return trial;

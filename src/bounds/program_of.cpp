@@ -38,6 +38,11 @@ struct Cone {
   double mean_rate = 0, lacking_rate = 0, available_rate = 0;
 };
 
+/// Divided strength in a program is at most so many units of stress: a block of steel beside soil without cohesion would
+/// leave the soil below the tolerance of the solver. Weaker soil bounds stronger soil from below, and the upper bound is
+/// that of the strength as given, in the check of its mechanism.
+constexpr double most_strength = 30;
+
 /// use(triangle, corner, cone): Mohr–Coulomb's, and that of the largest tension after it.
 template <class Use>
 void visit_cones(const Problem& problem, double factor, const Units& units, Strengths strengths, Use use) {
@@ -49,16 +54,19 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
              units.stress;
     };
     for (std::size_t i = 0; i < 3; ++i) {
-      const double cohesion = find(i, [](const Strength& s) { return s.cohesion; });
+      const double cohesion = find(i, [](const Strength& s) { return s.cohesion; }) / factor,
+                   cohesion_rate = cohesion < most_strength ? -cohesion / factor : 0,
+                   taken = std::min(cohesion, most_strength);
       const double tangent = own[i].tan_friction / factor, cosine = 1 / std::hypot(1.0, tangent),
                    cube = cosine * cosine * cosine;
       const double tangent_rate = -tangent / factor, cosine_rate = -tangent * cube * tangent_rate;
       use(e, i,
-          Cone{0.5 * tangent * cosine, cosine, cohesion * cosine / factor, 0.5 * cube * tangent_rate, cosine_rate,
-               cohesion * (cosine_rate - cosine / factor) / factor});
+          Cone{0.5 * tangent * cosine, cosine, taken * cosine, 0.5 * cube * tangent_rate, cosine_rate,
+               taken * cosine_rate + cohesion_rate * cosine});
       if (!own[i].tension) continue;
-      const double tension = find(i, [](const Strength& s) { return s.tension.value_or(0); });
-      use(e, i, Cone{0.5, 1, tension / factor, 0, 0, -tension / (factor * factor)});
+      const double tension = find(i, [](const Strength& s) { return s.tension.value_or(0); }) / factor;
+      const bool is_taken = tension < most_strength;
+      use(e, i, Cone{0.5, 1, is_taken ? tension : most_strength, 0, 0, is_taken ? -tension / factor : 0});
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "ground/pore_water.hpp"
 #include "ground/side_normals.hpp"
@@ -11,45 +12,75 @@
 namespace talus::ground {
 namespace {
 
-/// Parts of a side along which its load is summed up.
-constexpr int side_parts = 64, triangle_parts = 8;
+/// Parts of a triangle along each of its edges, over which its load is summed up.
+constexpr int triangle_parts = 8;
+/// Of the section's width: places nearer to each other are one.
+constexpr double same_place = 1e-9;
 
-/// Places on a side by their shape functions, equal shares each.
+/// A place on a side by its shape functions, and the fraction of the side that it stands for.
 template <int D>
-std::vector<std::array<double, D>> list_places() {
-  std::vector<std::array<double, D>> places;
-  if constexpr (D == 2) {
-    for (int i = 0; i < side_parts; ++i) {
-      const double s = (i + 0.5) / side_parts;
-      places.push_back({1 - s, s});
-    }
-  } else {
-    const double n = triangle_parts;
-    for (int i = 0; i < triangle_parts; ++i) {
-      for (int j = 0; i + j < triangle_parts; ++j) {
-        places.push_back({(i + 1.0 / 3) / n, (j + 1.0 / 3) / n, 1 - (i + j + 2.0 / 3) / n});
-        if (i + j + 1 < triangle_parts)
-          places.push_back({(i + 2.0 / 3) / n, (j + 2.0 / 3) / n, 1 - (i + j + 4.0 / 3) / n});
-      }
+struct Sample {
+  std::array<double, D> shape{};
+  double weight = 0;
+};
+
+/// Gauss's rule of two points on each part between `cuts`, places from 0 to 1 in ascending order: exact for the moments
+/// of a load that is linear between them.
+std::vector<Sample<2>> sample_side(const std::vector<double>& cuts) {
+  const double offset = 0.5 / std::numbers::sqrt3;
+  std::vector<Sample<2>> samples;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const double length = cuts[i + 1] - cuts[i];
+    for (const double at : {0.5 - offset, 0.5 + offset}) {
+      const double s = cuts[i] + at * length;
+      samples.push_back({{1 - s, s}, 0.5 * length});
     }
   }
-  return places;
+  return samples;
 }
 
-/// The traction, linear on the side, that has the forces and moments of `load` there; nothing when it is zero.
+/// Strang and Fix's rule of three points in each part of a triangle: exact for the moments of a linear load.
+std::vector<Sample<3>> sample_triangle() {
+  constexpr double n = triangle_parts;
+  std::vector<Sample<3>> samples;
+  const auto add = [&](const std::array<std::array<double, 2>, 3>& corners) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::array<double, 2> at{};
+      for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t d = 0; d < 2; ++d) at[d] += (c == k ? 2.0 / 3 : 1.0 / 6) * corners[c][d] / n;
+      samples.push_back({{at[0], at[1], 1 - at[0] - at[1]}, 1 / (3 * n * n)});
+    }
+  };
+  for (double i = 0; i < n; ++i)
+    for (double j = 0; i + j < n; ++j) {
+      add({{{i, j}, {i + 1, j}, {i, j + 1}}});
+      if (i + j + 1 < n) add({{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}});
+    }
+  return samples;
+}
+
+/// The traction, linear on the side, that has the forces and moments of `load` there; nothing when it is zero. `cuts`:
+/// in 2D the places on the side between which the load is linear, see sample_side().
 template <int D>
 std::optional<std::array<Vec<D>, D>> fit_traction(const mesh::Mesh<D>& mesh, const std::array<int, D>& nodes,
-                                                  const std::function<Vec<D>(const Vec<D>&)>& load) {
-  static const auto places = list_places<D>();
+                                                  const std::function<Vec<D>(const Vec<D>&)>& load,
+                                                  [[maybe_unused]] const std::vector<double>& cuts) {
+  std::vector<Sample<D>> samples;
+  if constexpr (D == 2) {
+    samples = sample_side(cuts);
+  } else {
+    static const auto of_triangle = sample_triangle();
+    samples = of_triangle;
+  }
   std::array<Vec<D>, D> moments{}, traction{};
   bool acts = false;
-  for (const auto& n : places) {
+  for (const Sample<D>& sample : samples) {
     Vec<D> x{};
     for (std::size_t c = 0; c < D; ++c)
-      for (std::size_t d = 0; d < D; ++d) x[d] += n[c] * mesh.nodes[nodes[c]][d];
+      for (std::size_t d = 0; d < D; ++d) x[d] += sample.shape[c] * mesh.nodes[nodes[c]][d];
     const Vec<D> t = load(x);
     for (std::size_t c = 0; c < D; ++c)
-      for (std::size_t d = 0; d < D; ++d) moments[c][d] += n[c] * t[d] / static_cast<double>(places.size());
+      for (std::size_t d = 0; d < D; ++d) moments[c][d] += sample.shape[c] * t[d] * sample.weight;
     acts = acts || norm(t) > 0;
   }
   if (!acts) return std::nullopt;
@@ -62,12 +93,9 @@ std::optional<std::array<Vec<D>, D>> fit_traction(const mesh::Mesh<D>& mesh, con
   return traction;
 }
 
-}  // namespace
-
-template <int D>
-std::vector<GroundSide<D>> find_ground_sides(const mesh::Mesh<D>& mesh) {
-  constexpr double steepest = 1e-6;
-  std::vector<GroundSide<D>> ground;
+/// visit(nodes, outward unit normal) of each side of the soil without soil behind it.
+template <int D, class Visit>
+void visit_faces(const mesh::Mesh<D>& mesh, Visit visit) {
   for (int e = 0; e < mesh.element_count(); ++e) {
     if (mesh.element_region[e] == mesh::empty_region) continue;
     for (int k = 0; k <= D; ++k) {
@@ -75,13 +103,70 @@ std::vector<GroundSide<D>> find_ground_sides(const mesh::Mesh<D>& mesh) {
       if (behind >= 0 && mesh.element_region[behind] != mesh::empty_region) continue;
       GroundSide<D> side;
       side.normal = find_outward_normal(mesh, e, k).first;
-      if (side.normal[1] <= steepest) continue;
       std::size_t n = 0;
       for (int j = 0; j <= D; ++j)
         if (j != k) side.nodes[n++] = mesh.elements[e][j];
-      ground.push_back(side);
+      visit(side);
     }
   }
+}
+
+constexpr double steepest = 1e-6;
+
+/// Vertical steps of the ground, on which standing water presses too; not the ends of the section.
+template <int D>
+std::vector<GroundSide<D>> list_steps(const mesh::Mesh<D>& mesh, const Polyline& ground) {
+  std::vector<GroundSide<D>> steps;
+  if (ground.empty()) return steps;
+  const double least = same_place * (ground.back()[0] - ground.front()[0]);
+  visit_faces(mesh, [&](const GroundSide<D>& side) {
+    const double x = mesh.nodes[side.nodes[0]][0];
+    const bool is_inside = x > ground.front()[0] + least && x < ground.back()[0] - least;
+    if (is_inside && std::abs(side.normal[0]) > 1 - steepest) steps.push_back(side);
+  });
+  return steps;
+}
+
+/// Places between which all loads on the ground are linear, but where a water level meets the ground [m].
+std::vector<double> list_breaks(const input::Case& data, const std::vector<Pond>& ponds, const Polyline& table) {
+  std::vector<double> breaks;
+  for (const input::Surcharge& s : data.surcharges) breaks.insert(breaks.end(), s.x.begin(), s.x.end());
+  for (const Pond& p : ponds) breaks.push_back(p.from[0]), breaks.push_back(p.to[0]);
+  for (const Point& x : table) breaks.push_back(x[0]);
+  std::sort(breaks.begin(), breaks.end());
+  return breaks;
+}
+
+/// The side from 0 to 1, cut at the breaks, and where `depth` of the water over it changes its sign between them.
+std::vector<double> cut_side(const Point& a, const Point& b, const std::vector<double>& breaks,
+                             const std::function<double(double)>& depth) {
+  std::vector<double> cuts{0, 1};
+  const double run = b[0] - a[0];
+  for (const double x : breaks) {
+    const double s = run != 0 ? (x - a[0]) / run : -1;
+    if (s > same_place && s < 1 - same_place) cuts.push_back(s);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  if (!depth) return cuts;
+  const std::size_t parts = cuts.size() - 1;
+  for (std::size_t i = 0; i < parts; ++i) {
+    // Linear inside the part; at its ends the level may jump.
+    const double length = cuts[i + 1] - cuts[i], p = depth(cuts[i] + length / 3), q = depth(cuts[i] + 2 * length / 3);
+    const double at = p == q ? -1 : 1.0 / 3 + p / (3 * (p - q));
+    if (at > same_place && at < 1 - same_place) cuts.push_back(cuts[i] + at * length);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+}  // namespace
+
+template <int D>
+std::vector<GroundSide<D>> find_ground_sides(const mesh::Mesh<D>& mesh) {
+  std::vector<GroundSide<D>> ground;
+  visit_faces(mesh, [&](const GroundSide<D>& side) {
+    if (side.normal[1] > steepest) ground.push_back(side);
+  });
   return ground;
 }
 
@@ -101,12 +186,25 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, con
                                                     const std::vector<Pond>& ponds, const Polyline& table,
                                                     const Polyline& ground) {
   std::vector<fem::SurfaceLoad<D>> loads;
-  const std::vector<GroundSide<D>> sides = find_ground_sides(mesh);
-  const auto add = [&](const char* name, const std::function<Vec<D>(const GroundSide<D>&, const Vec<D>&)>& find) {
+  std::vector<GroundSide<D>> sides = find_ground_sides(mesh);
+  const std::vector<double> breaks = list_breaks(data, ponds, table);
+  using Depth = std::function<double(const GroundSide<D>&, const Vec<D>&)>;
+  const auto add = [&](const char* name, const std::function<Vec<D>(const GroundSide<D>&, const Vec<D>&)>& find,
+                       const Depth& find_depth) {
     fem::SurfaceLoad<D> load;
     load.name = name;
     for (const GroundSide<D>& side : sides) {
-      const auto t = fit_traction<D>(mesh, side.nodes, [&](const Vec<D>& x) { return find(side, x); });
+      std::vector<double> cuts;
+      if constexpr (D == 2) {
+        const Vec<2>&a = mesh.nodes[side.nodes[0]], &b = mesh.nodes[side.nodes[1]];
+        std::function<double(double)> depth;
+        if (find_depth)
+          depth = [&](double s) {
+            return find_depth(side, Vec<2>{a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])});
+          };
+        cuts = cut_side({a[0], a[1]}, {b[0], b[1]}, breaks, depth);
+      }
+      const auto t = fit_traction<D>(mesh, side.nodes, [&](const Vec<D>& x) { return find(side, x); }, cuts);
       if (!t) continue;
       load.sides.push_back(side.nodes);
       load.traction.push_back(*t);
@@ -114,20 +212,33 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, con
     if (!load.sides.empty()) loads.push_back(std::move(load));
   };
   if (!data.surcharges.empty())
-    add("surcharges", [&](const GroundSide<D>& side, const Vec<D>& x) {
-      Vec<D> t{};
-      t[1] = -find_surcharge(data, x[0]) * side.normal[1];
-      return t;
-    });
+    add(
+        "surcharges",
+        [&](const GroundSide<D>& side, const Vec<D>& x) {
+          Vec<D> t{};
+          t[1] = -find_surcharge(data, x[0]) * side.normal[1];
+          return t;
+        },
+        {});
   if (!ponds.empty() || !table.empty()) {
-    const double weight = find_water_weight(data);
-    add("standing water", [&](const GroundSide<D>& side, const Vec<D>& x) {
-      Vec<D> t{};
-      const auto level = find_standing_level(ponds, table, ground, x[0]);
-      const double pressure = level ? weight * std::max(0.0, *level - x[1]) : 0;
-      for (std::size_t d = 0; d < D; ++d) t[d] = -pressure * side.normal[d];
-      return t;
-    });
+    const double weight = find_water_weight(data),
+                 beside = ground.empty() ? 0 : same_place * (ground.back()[0] - ground.front()[0]);
+    for (const GroundSide<D>& step : list_steps(mesh, ground)) sides.push_back(step);
+    // A step has the water that stands beside it.
+    const Depth find_depth = [&](const GroundSide<D>& side, const Vec<D>& x) {
+      const bool is_step = side.normal[1] <= steepest;
+      const auto level = find_standing_level(ponds, table, ground, x[0] + (is_step ? beside * side.normal[0] : 0));
+      return level ? *level - x[1] : -1.0;
+    };
+    add(
+        "standing water",
+        [&](const GroundSide<D>& side, const Vec<D>& x) {
+          Vec<D> t{};
+          const double pressure = weight * std::max(0.0, find_depth(side, x));
+          for (std::size_t d = 0; d < D; ++d) t[d] = -pressure * side.normal[d];
+          return t;
+        },
+        find_depth);
   }
   for (const input::Traction& traction : data.tractions) {
     fem::SurfaceLoad<D> load;

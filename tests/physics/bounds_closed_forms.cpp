@@ -124,7 +124,7 @@ TEST(Bounds, SaysWhyThereIsNone) {
   p = make_slope(1e9, 0, 18000);
   found = find_bounds(p, until(0.05, 100));
   // The fields of the largest factor that is tried prove more than was asked: both bounds stay, and the end is told.
-  EXPECT_EQ(found.stopped, "the slope stands at every factor up to 20");
+  EXPECT_EQ(found.stopped, "the slope is stable at every factor up to 20");
   EXPECT_GT(found.lower, 20);
   EXPECT_GT(found.upper, found.lower);
   p = make_slope(1000, 20, 18000);

@@ -206,7 +206,7 @@ bool Kkt::solve(const std::vector<double>& f, const std::vector<double>& g, std:
     const auto used = h.topLeftCorner(k + 2, k + 1);
     factors = used.householderQr().solve(first.head(k + 2));
     const double left = (first.head(k + 2) - used * factors).norm();
-    if (!(h(k + 1, k) > 0) || left <= 1e-14 * norm) break;
+    if (!(h(k + 1, k) > 0) || left <= 1e-10 * norm) break;
     basis.col(k + 1) /= h(k + 1, k);
   }
   const Eigen::VectorXd sum = changes.leftCols(factors.size()) * factors;

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "bounds/edges.hpp"
+#include "ground/conform.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/ground_load.hpp"
 #include "ground/held_water.hpp"
@@ -45,7 +46,8 @@ void check_boundary(const input::Boundary& b) {
 class ProblemBuilder {
  public:
   explicit ProblemBuilder(const input::Case& data)
-      : data_(data), mesh_(mesh::generate<2>(mesh::resize(data.mesh, input::find_bounds_size(data)))) {}
+      : data_(data), mesh_(mesh::generate<2>(
+            ground::conform_to_loads(data, mesh::resize(data.mesh, input::find_bounds_size(data))))) {}
 
   ProblemOfCase build() {
     if (!data_.mesh.polygons.empty()) {

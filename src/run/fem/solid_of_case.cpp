@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "ground/conform.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/ground_load.hpp"
 #include "ground/held_water.hpp"
@@ -216,8 +217,8 @@ void set_laws(const input::Case& data, SolidOfCase<D>& solid, bool associated) {
 }  // namespace
 
 mesh::Plan make_fem_plan(const input::Case& data, double share) {
-  mesh::Plan plan = data.mesh;
-  if (!plan.file.empty()) return plan;
+  if (!data.mesh.file.empty()) return data.mesh;
+  mesh::Plan plan = ground::conform_to_loads(data, data.mesh);
   plan.algorithm = data.fem.algorithm;
   if (!data.fem.size && share == 1) return plan;
   const double size = share * data.fem.size.value_or(plan.size);
