@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "bounds/conic/solve.hpp"
 #include "bounds/factor_search.hpp"
 #include "bounds/read_field.hpp"
@@ -80,13 +81,20 @@ class BoundsSearch {
       const Problem& problem = result_.problem;
       units_ = find_units(problem);
       FactorSearch holding = make_search(Bound::lower), moving = make_search(Bound::upper);
-      const bool holds = approach(holding, low, high, tolerance), moves = moving.approach(high, tolerance);
+      bool holds = false, moves = false;
+      run_both([&] { holds = approach(holding, low, high, tolerance); },
+               [&] { moves = moving.approach(high, tolerance); });
       result_.no_lower = holds ? "" : holding.why();
       result_.no_upper = moves ? "" : moving.why();
       const bool is_last = !holds || !moves || static_cast<int>(problem.size()) >= options_.most_triangles ||
                            2 * (moving.root() - holding.root()) <= options_.gap * (moving.root() + holding.root());
-      if (is_last && holds) finish(holding, Bound::lower);
-      if (is_last && moves) finish(moving, Bound::upper);
+      run_both(
+          [&] {
+            if (is_last && holds) finish(holding, Bound::lower);
+          },
+          [&] {
+            if (is_last && moves) finish(moving, Bound::upper);
+          });
       tell(holding, moving);
       if (is_last && (!holds || !moves || is_done())) break;
       low = holding.root(), high = moving.root();
@@ -100,6 +108,18 @@ class BoundsSearch {
   }
 
  private:
+  /// The programs of one bound share nothing with those of the other but the problem, which they read.
+  template <class Lower, class Upper>
+  void run_both(Lower lower, Upper upper) const {
+    parallel_tasks(2, options_.threads, [&](int i) {
+      if (i == 0) {
+        lower();
+      } else {
+        upper();
+      }
+    });
+  }
+
   FactorSearch make_search(Bound bound) {
     return {options_.range, [this, bound](double factor) { return solve_program(bound, factor); }};
   }

@@ -2,25 +2,16 @@
 #pragma once
 // The interval that limit analysis proves: bounds, meshes, and the fields that prove them.
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "results/about.hpp"
+#include "results/referee.hpp"
 #include "results/side_line.hpp"
 #include "results/water.hpp"
 
 namespace talus::results {
-
-/// A bound as it is shown, with the three digits of a factor: rounded away from the interval's middle, so that what is
-/// shown is proven too.
-inline double show_lower(double factor) {
-  return std::floor(1e3 * factor) / 1e3;
-}
-inline double show_upper(double factor) {
-  return std::ceil(1e3 * factor) / 1e3;
-}
 
 /// One of the nested meshes.
 struct BoundsMesh {

@@ -14,13 +14,24 @@ std::tuple<bool, int, double> rank(const CriticalSurface& c) {
   return {!c.checks.refusal.empty(), rank_equilibrium(c.surface.method), *c.surface.factor};
 }
 
+bool is_possible(const CriticalSurface& c) {
+  return c.verdict.value_or(Verdict::possible) == Verdict::possible;
+}
+
+bool has_verdict(const SliceResult& slices, Verdict verdict) {
+  const auto has = [&](const std::vector<CriticalSurface>& list) {
+    return std::any_of(list.begin(), list.end(), [&](const CriticalSurface& c) { return c.verdict == verdict; });
+  };
+  return has(slices.critical) || has(slices.noncircular) || has(slices.given);
+}
+
 }  // namespace
 
 std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods) {
   std::optional<GoverningSurface> governing;
   const auto take = [&](const std::vector<CriticalSurface>& list, SurfaceSource source, const auto& name) {
     for (const CriticalSurface& c : list)
-      if (c.surface.factor.value_or(0) > 0 && (!governing || rank(c) < rank(*governing->found)))
+      if (c.surface.factor.value_or(0) > 0 && is_possible(c) && (!governing || rank(c) < rank(*governing->found)))
         governing = {&c, source, name(c)};
   };
   const auto follow = [](const char* path) {
@@ -55,6 +66,14 @@ std::string name_surface(const GoverningSurface& surface) {
   }
 }
 
+std::optional<double> find_slices_factor(const RunResult& run) {
+  if (const auto governing = find_governing_surface(run)) return governing->found->surface.factor;
+  if (!run.slices || !run.slices->referee) return std::nullopt;
+  const Referee& referee = *run.slices->referee;
+  if (has_verdict(*run.slices, Verdict::too_high)) return referee.upper;
+  return has_verdict(*run.slices, Verdict::too_low) ? referee.lower : std::nullopt;
+}
+
 std::optional<double> find_points_factor(const RunResult& run) {
   if (!run.factor_of_safety) return std::nullopt;
   if (run.factor_of_safety->value) return run.factor_of_safety->value;
@@ -73,7 +92,7 @@ std::optional<double> find_main_factor(const RunResult& run) {
   const auto take = [&](std::optional<double> f) {
     if (f) least = std::min(least.value_or(*f), *f);
   };
-  if (const auto governing = find_governing_surface(run)) take(governing->found->surface.factor);
+  take(find_slices_factor(run));
   take(find_elements_factor(run));
   take(find_points_factor(run));
   if (run.timeline) {
@@ -86,9 +105,17 @@ std::optional<double> find_main_factor(const RunResult& run) {
   return least;
 }
 
-bool is_main_factor_proven(const RunResult& run) {
+std::optional<ProvenEnd> find_proven_end(const RunResult& run) {
   const std::optional<double> main = find_main_factor(run);
-  return main && run.bounds && (main == run.bounds->lower || main == run.bounds->upper);
+  if (!main) return std::nullopt;
+  std::optional<ProvenEnd> end;
+  const auto compare = [&](const std::optional<double>& lower, const std::optional<double>& upper) {
+    if (main == lower) end = ProvenEnd::lower;
+    if (main == upper) end = ProvenEnd::upper;
+  };
+  if (run.bounds) compare(run.bounds->lower, run.bounds->upper);
+  if (run.slices && run.slices->referee) compare(run.slices->referee->lower, run.slices->referee->upper);
+  return end;
 }
 
 }  // namespace talus::results

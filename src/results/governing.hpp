@@ -18,10 +18,15 @@ struct GoverningSurface {
 
 /// The admissible surface with the smallest factor, by the methods with the lowest rank_equilibrium() that found one:
 /// among circles, polylines, the surfaces of the case, and those that slices improved from other methods. Surfaces
-/// that a search would refuse count only where there is no other. Nothing: slices have no factor.
+/// that a search would refuse count only where there is no other, and surfaces whose factor limit analysis proves
+/// impossible never. Nothing: slices have no such factor.
 std::optional<GoverningSurface> find_governing_surface(const RunResult& run);
 /// The same. `methods`: where there are improved surfaces; nullptr: there are none.
 std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods);
+
+/// The factor of limit equilibrium: that of the governing surface. Where limit analysis proves all factors impossible,
+/// its upper bound if one of them lies above it, else its lower bound.
+std::optional<double> find_slices_factor(const RunResult& run);
 
 /// "critical polyline", "given surface 'bed'".
 std::string name_surface(const GoverningSurface& surface);
@@ -31,8 +36,12 @@ std::optional<double> find_points_factor(const RunResult& run);
 /// That of the finite elements: with ψ as given before ψ = φ.
 std::optional<double> find_elements_factor(const RunResult& run);
 
-/// Whether the main factor is an end of what is proven: the lower one of bounds alone, or an upper one below what all
-/// other methods found.
-bool is_main_factor_proven(const RunResult& run);
+/// The end of a proven interval that the main factor is: a lower one where nothing else is possible, an upper one below
+/// what all other methods found. Nothing: it is a method's own factor.
+enum class ProvenEnd { lower, upper };
+std::optional<ProvenEnd> find_proven_end(const RunResult& run);
+inline bool is_main_factor_proven(const RunResult& run) {
+  return find_proven_end(run).has_value();
+}
 
 }  // namespace talus::results

@@ -9,6 +9,7 @@
 
 #include "base/methods.hpp"
 #include "results/about.hpp"
+#include "results/referee.hpp"
 #include "results/water.hpp"
 
 namespace talus::results {
@@ -146,6 +147,7 @@ struct CriticalSurface {
   std::optional<double> yield_acceleration;  ///< k_y
   std::optional<DrawnSurface> drawdown;      ///< where there is one: `surface.factor` is after it
   SurfaceChecks checks;
+  std::optional<Verdict> verdict;  ///< of limit analysis; nothing: it does not judge
   SliceTable slices;
   std::vector<std::string> warnings;
 };
@@ -161,6 +163,7 @@ void describe(V& v, R& r) {
   v.key("yield_acceleration", r.yield_acceleration, {"", "yield acceleration over gravity"});
   v.maybe("drawdown", r.drawdown, {"", "rapid drawdown; the factor is after it"});
   v.key("checks", r.checks, {"", "whether to believe it"});
+  v.maybe("verdict", r.verdict, {"", "what limit analysis proves of the factor"});
   v.key("slices", r.slices, {"", "its slices"});
   v.key("warnings", r.warnings, {"", "warnings"});
 }
@@ -243,6 +246,7 @@ struct SliceResult {
   std::optional<DrawdownMethod> drawdown;
   std::vector<CriticalSurface> critical, noncircular, given;
   std::map<std::string, std::vector<SlipSurface>> minima;  ///< by method
+  std::optional<Referee> referee;  ///< nothing: it was not asked for
   std::optional<SliceSearch> search;
   std::optional<std::string> trials_file;
   double seconds = 0;
@@ -267,6 +271,7 @@ void describe(V& v, R& r) {
   v.key("noncircular", r.noncircular, {"", "critical polylines"});
   v.key("given", r.given, {"", "surfaces that the case gives"});
   v.key("minima", r.minima, {"", "local minima by method"});
+  v.maybe("referee", r.referee, {"", "limit analysis of the soil of limit equilibrium"});
   v.maybe("search", r.search, {"", "what the search did"});
   v.maybe("trials_file", r.trials_file, {"", "file of the trials"});
   v.key("seconds", r.seconds, {"s", "seconds"});

@@ -26,8 +26,8 @@ std::string write_main_factor(const results::RunResult& run) {
   const auto surface = results::find_governing_surface(run);
   if (!factor || !run.methods) return "";
   // The governing number of bounds is one end of an interval.
-  if (results::is_main_factor_proven(run))
-    return run.bounds->lower == factor
+  if (const auto end = results::find_proven_end(run))
+    return *end == results::ProvenEnd::lower
                ? fmt::format("Factor of safety at least {:.3f} (proven lower bound)\n", results::show_lower(*factor))
                : fmt::format("Factor of safety at most {:.3f} (proven upper bound)\n", results::show_upper(*factor));
   if (run.timeline && run.timeline->least == factor)

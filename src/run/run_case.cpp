@@ -21,6 +21,7 @@
 #include "results/named.hpp"
 #include "run/attempt.hpp"
 #include "run/bounds/bounds_run.hpp"
+#include "run/bounds/referee.hpp"
 #include "run/compare/compare.hpp"
 #include "run/fem/element_run.hpp"
 #include "run/fem/solid_of_case.hpp"
@@ -138,10 +139,10 @@ class CaseRun {
   }
 
   void calculate() {
-    if (slices_ && !points_) slices_->calculate();  // alone they may find no surface: then nothing is written
+    if (slices_ && !points_) calculate_slices();  // alone they may find no surface: then nothing is written
     open();
     if (slices_) {
-      if (points_) slices_->calculate();
+      if (points_) calculate_slices();
       slices_->keep();
     }
     if (timeline_) timeline_->calculate(slices_->prepared(), slices_->result());
@@ -154,6 +155,13 @@ class CaseRun {
       is_followed_ = true;
     }
     for (ReleaseCase& other : beside_) run_beside(other);
+  }
+
+  /// The search, and the referee of what it found.
+  void calculate_slices() {
+    slices_->calculate();
+    if (slices_->needs_referee()) slices_->take_referee(find_referee(design_.data, find_start(), options_));
+    if (options_.progress) options_.progress->clear();
   }
 
   /// Finite elements at times of the timeline, each in a folder of its own.

@@ -68,6 +68,7 @@ struct LimitEquilibrium {
   double smallest_lambda = -0.1, largest_lambda = 1.5;  ///< λ of Spencer and Morgenstern–Price [-]
   bool reject = true;                                   ///< surfaces that fail these checks
   bool yield_acceleration = true;                       ///< k_y of the critical surfaces
+  bool referee = true;                                  ///< limit analysis judges the factors
   TensionCrack crack;
   std::optional<Drawdown> drawdown;
   std::vector<SlipSurface> surfaces;
@@ -191,6 +192,9 @@ void describe(Visitor& v, LimitEquilibrium& l) {
         "mobilises.");
   v.key("yield_acceleration", l.yield_acceleration, plain(),
         "Find the horizontal acceleration with factor 1 of the critical surfaces; not with [lem.drawdown].");
+  v.key("referee", l.referee, plain(),
+        "Hold every factor against limit analysis (ψ = φ, tension up to the apex): a factor below the proven lower "
+        "bound or above the proven upper bound never governs.");
   v.table("entry_exit", l.entry_exit, "Where search = \"entry_exit\" looks.");
   v.table("grid", l.grid, "Where search = \"grid\" looks.");
   v.table("tension_crack", l.crack, "A crack at the crest.");

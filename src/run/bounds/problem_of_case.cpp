@@ -24,6 +24,8 @@ namespace {
 
 /// A normal that points along an axis to this is along it.
 constexpr double along_axis = 1 - 1e-9;
+/// A side that rises more steeply is vertical: its run over its length, and over the width of the section.
+constexpr double vertical = 1e-9;
 /// Cohesion of soil that cannot yield, as slices take it [Pa].
 constexpr double unyielding = 1e9;
 
@@ -45,8 +47,10 @@ void check_boundary(const input::Boundary& b) {
 
 class ProblemBuilder {
  public:
-  explicit ProblemBuilder(const input::Case& data)
-      : data_(data), mesh_(mesh::generate<2>(
+  ProblemBuilder(const input::Case& data, Supports supports)
+      : data_(data),
+        supports_(supports),
+        mesh_(mesh::generate<2>(
             ground::conform_to_loads(data, mesh::resize(data.mesh, input::find_bounds_size(data))))) {}
 
   ProblemOfCase build() {
@@ -135,7 +139,10 @@ class ProblemBuilder {
     std::map<bounds::EdgeKey, bounds::Side> border;
     for (const bounds::Edge& edge : bounds::list_edges(p.triangles))
       if (edge.other < 0) border[bounds::make_key(edge.from, edge.to)] = {edge.from, edge.to, false, false, {}};
+    if (supports_ == Supports::below_soil)
+      for (auto& [key, side] : border) side.holds_normal = side.holds_along = !is_ground(side);
     for (const input::Boundary& b : data_.boundaries) {
+      if (supports_ == Supports::below_soil) break;
       check_boundary(b);
       for (const auto& named : ground::find_sides(mesh_, b.on))
         if (const auto side = border.find(find_key(named)); side != border.end()) hold(b, side->second);
@@ -157,6 +164,16 @@ class ProblemBuilder {
     for (const auto& [key, side] : border) p.sides.push_back(side);
   }
 
+  /// Sides that face upwards, and vertical ones between the ends of the ground.
+  bool is_ground(const bounds::Side& side) const {
+    const auto &from = made_.problem.nodes[static_cast<std::size_t>(side.from)],
+               &to = made_.problem.nodes[static_cast<std::size_t>(side.to)];
+    const double run = from[0] - to[0], length = std::hypot(run, to[1] - from[1]);
+    if (std::abs(run) > vertical * length) return run > 0;
+    const double least = vertical * (ground_.back()[0] - ground_.front()[0]);
+    return from[0] > ground_.front()[0] + least && from[0] < ground_.back()[0] - least;
+  }
+
   void hold(const input::Boundary& b, bounds::Side& side) const {
     const auto &from = made_.problem.nodes[static_cast<std::size_t>(side.from)],
                &to = made_.problem.nodes[static_cast<std::size_t>(side.to)];
@@ -176,6 +193,7 @@ class ProblemBuilder {
   }
 
   const input::Case& data_;
+  Supports supports_;
   const mesh::Mesh<2> mesh_;
   std::vector<int> number_;  ///< of the nodes of the mesh; -1: of no soil
   ground::Polyline ground_, table_;
@@ -190,9 +208,9 @@ void check_bounds(const input::Case& data) {
   for (const input::Boundary& b : data.boundaries) check_boundary(b);
 }
 
-ProblemOfCase make_bounds_problem(const input::Case& data) {
-  check_bounds(data);
-  return ProblemBuilder(data).build();
+ProblemOfCase make_bounds_problem(const input::Case& data, Supports supports) {
+  if (supports == Supports::as_given) check_bounds(data);
+  return ProblemBuilder(data, supports).build();
 }
 
 }  // namespace talus::run

@@ -17,10 +17,16 @@ struct ProblemOfCase {
   std::vector<std::string> notes;  ///< what the bounds cannot take from the case as it is, in sentences
 };
 
+/// What holds the section.
+enum class Supports {
+  as_given,   ///< [[boundary]]
+  below_soil  ///< base and ends of the section fixed, the ground free: as methods of slices assume
+};
+
 /// The first mesh, with strength, weight, pore pressures, loads and supports. Pore pressures of steady seepage are
 /// calculated on this mesh. Throws Error (wrong_input) for a material, a boundary or a load that limit analysis does
 /// not have; what mesh::generate() and find_held_water() throw.
-ProblemOfCase make_bounds_problem(const input::Case& data);
+ProblemOfCase make_bounds_problem(const input::Case& data, Supports supports = Supports::as_given);
 
 /// Throws Error (wrong_input) for what make_bounds_problem() refuses, without a mesh.
 void check_bounds(const input::Case& data);

@@ -91,6 +91,8 @@ class Comparison {
     if (c.lambda) row.note = fmt::format("λ = {:.3g}", *c.lambda);
     if (c.correction != 1) row.note = fmt::format("f₀ = {:.3f}", c.correction);
     if (!c.checks.refusal.empty()) row.note = c.checks.refusal;
+    if (c.verdict == results::Verdict::too_low) row.note = "impossible: below the proven lower bound";
+    if (c.verdict == results::Verdict::too_high) row.note = "impossible: above the proven upper bound";
     told_.table.push_back(std::move(row));
     told_.surfaces.push_back(
         {name, fmt::format("{}, {}", s.title, criterion), Method::lem, s.factor, s.points, {}, {}, {}});

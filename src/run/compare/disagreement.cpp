@@ -169,7 +169,7 @@ class Warnings {
         bounds.takes_tension ? " The bounds let the soil bear no more tension than its tensile strength; methods of "
                                "slices do not ([bounds] tension = \"apex\" is theirs)."
                              : "";
-    if (governing_) {
+    if (governing_ && !run_.slices->referee) {
       const std::string words = fmt::format("slices ({}, {})", get_title(governing_->found->surface.method),
                                             results::name_surface(*governing_));
       warn_outside(words, *governing_->found->surface.factor, 0, tension,

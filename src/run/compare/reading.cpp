@@ -72,6 +72,7 @@ class Reading {
     read_element_criterion();
     read_elements();
     topic_ = results::Topic::bounds;
+    read_referee();
     read_bounds();
     topic_ = results::Topic::points;
     read_points_mesh();
@@ -89,6 +90,44 @@ class Reading {
   template <class... Arguments>
   void say(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
     remarks_.push_back({topic_, fmt::format(text, std::forward<Arguments>(arguments)...)});
+  }
+
+  /// What limit analysis proves of the factors of limit equilibrium.
+  void read_referee() {
+    if (!run_.slices || run_.slices->error) return;
+    if (!run_.slices->referee) {
+      if (!data_.lem.referee) say("The factors of limit equilibrium were not held against limit analysis (referee = false).");
+      return;
+    }
+    const results::Referee& referee = *run_.slices->referee;
+    if (referee.why_not)
+      return say("Limit analysis cannot judge the factors of limit equilibrium: {}.", *referee.why_not);
+    if (referee.is_interval())
+      say("Limit analysis proves for the soil of limit equilibrium (ψ = φ, tension up to c/tan φ) that the factor lies "
+          "between {:.3f} and {:.3f}.",
+          results::show_lower(*referee.lower), results::show_upper(*referee.upper));
+    else if (referee.upper)
+      say("Limit analysis proves that the factor is at most {:.3f}; there is no lower bound: {}.",
+          results::show_upper(*referee.upper), referee.no_lower);
+    else
+      say("Limit analysis is undecided, so that the factors of limit equilibrium are not judged: {}.",
+          referee.no_upper);
+    if (referee.upper_only) say("Factors below the lower bound are not refused: {}.", *referee.upper_only);
+    read_verdicts(results::Verdict::too_low, "lie below the lower bound and are impossible");
+    read_verdicts(results::Verdict::too_high, "lie above the upper bound and are not the least");
+  }
+
+  void read_verdicts(results::Verdict verdict, const char* words) {
+    std::vector<std::string> list;
+    const auto add = [&](const std::vector<results::CriticalSurface>& surfaces, const char* surface) {
+      for (const results::CriticalSurface& c : surfaces)
+        if (c.verdict == verdict)
+          list.push_back(fmt::format("{:.3f} ({}, {})", *c.surface.factor, c.surface.title, surface));
+    };
+    add(run_.slices->critical, "circle");
+    add(run_.slices->noncircular, "polyline");
+    add(run_.slices->given, "given surface");
+    if (!list.empty()) say("These factors {}: {}.", words, fmt::join(list, ", "));
   }
 
   /// What is proven, and which factors it holds.

@@ -34,6 +34,15 @@ void SliceRun::calculate() {
   is_done_ = true;
 }
 
+void SliceRun::take_referee(results::Referee referee) {
+  results::SliceResult& result = outcome_.result;
+  if (!referee.why_not)
+    for (auto* list : {&result.critical, &result.noncircular, &result.given})
+      for (results::CriticalSurface& c : *list)
+        if (c.surface.factor) c.verdict = referee.judge(*c.surface.factor);
+  result.referee = std::move(referee);
+}
+
 void SliceRun::keep() const {
   if (is_done_ && !is_kept_)
     results::write_file(options_.folder / slice_file, results::SliceFile{hash_, outcome_.result, outcome_.trials}, -1);

@@ -20,6 +20,12 @@ class SliceRun {
   /// Throws Error (interrupted), and Error (wrong_input) where slices are alone and no surface is admissible; beside
   /// others the reason stands in the result.
   void calculate();
+  /// Whether limit analysis has still to judge what was found.
+  bool needs_referee() const {
+    return is_done_ && data_.lem.referee && !outcome_.result.error && !outcome_.result.referee;
+  }
+  /// Marks the factors that it proves impossible.
+  void take_referee(results::Referee referee);
   /// lem.json; nothing where it is that of an earlier run.
   void keep() const;
   void tell(results::RunResult& run) const;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "run/bounds/referee.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "bounds/find_bounds.hpp"
+#include "run/bounds/problem_of_case.hpp"
+
+namespace talus::run {
+namespace {
+
+/// Of the interval over its middle, at which it is narrow enough to judge; and the largest mesh.
+constexpr double judging_gap = 0.03;
+constexpr int most_triangles = 2500;
+
+/// Why limit analysis has no soil or load of this case; nothing: it has.
+std::optional<std::string> find_obstacle(const input::Case& data) {
+  if (data.mesh.dimension != 2) return "limit analysis is that of a plane section";
+  if (data.lem.drawdown) return "strengths after a rapid drawdown depend on the slip surface";
+  return std::nullopt;
+}
+
+input::Case make_case(const input::Case& data) {
+  input::Case judged = data;
+  judged.bounds.tension = input::BoundsTension::apex;
+  judged.bounds.flow = input::BoundsFlow::associated;
+  judged.bounds.size.reset();
+  return judged;
+}
+
+void take(const bounds::BoundsResult& found, results::Referee& referee) {
+  if (found.lower > 0)
+    referee.lower = std::min(referee.lower.value_or(found.lower), found.lower);
+  else
+    referee.no_lower = found.no_lower.empty() ? "no stress field passed its check" : found.no_lower;
+  if (std::isfinite(found.upper))
+    referee.upper = std::min(referee.upper.value_or(found.upper), found.upper);
+  else
+    referee.no_upper = found.no_upper.empty() ? "no mechanism passed its check" : found.no_upper;
+  for (const bounds::BoundsLevel& level : found.levels) {
+    referee.triangles = std::max(referee.triangles, level.triangles);
+    referee.programs += level.programs;
+  }
+}
+
+}  // namespace
+
+results::Referee find_referee(const input::Case& data, std::optional<double> start, const RunOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  results::Referee referee;
+  referee.why_not = find_obstacle(data);
+  if (referee.why_not) return referee;
+  bounds::BoundsOptions search;
+  search.gap = judging_gap, search.most_triangles = most_triangles;
+  search.start = start.value_or(1), search.is_near = start.has_value();
+  search.threads = options.threads;
+  input::Case judged = make_case(data);
+  const int directions = data.earthquake.horizontal != 0 ? 2 : 1;
+  bool has_lower = true;
+  try {
+    for (int i = 0; i < directions; ++i) {
+      if (options.progress) options.progress->show("limit analysis: proving an interval");
+      take(bounds::find_bounds(make_bounds_problem(judged, Supports::below_soil).problem, search), referee);
+      has_lower = has_lower && referee.no_lower.empty();
+      judged.earthquake.horizontal *= -1;
+    }
+  } catch (const Error& error) {
+    if (error.code() == ExitCode::interrupted) throw;
+    results::Referee none;
+    none.why_not = error.what();
+    return none;
+  }
+  if (!has_lower) referee.lower.reset();
+  if (data.lem.crack.depth > 0)
+    referee.upper_only = "the tension crack of the case weakens the soil, and limit analysis has none";
+  referee.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return referee;
+}
+
+}  // namespace talus::run
