@@ -66,12 +66,24 @@ std::string name_surface(const GoverningSurface& surface) {
   }
 }
 
+void take_referee(Referee referee, SliceResult& slices) {
+  if (!referee.why_not)
+    for (auto* list : {&slices.critical, &slices.noncircular, &slices.given})
+      for (CriticalSurface& c : *list)
+        if (c.surface.factor) c.verdict = referee.judge(*c.surface.factor);
+  slices.referee = std::move(referee);
+}
+
+std::optional<double> find_slices_factor(const SliceResult& slices, const MethodComparison* methods) {
+  if (const auto governing = find_governing_surface(slices, methods)) return governing->found->surface.factor;
+  if (!slices.referee) return std::nullopt;
+  if (has_verdict(slices, Verdict::too_high)) return slices.referee->upper;
+  return has_verdict(slices, Verdict::too_low) ? slices.referee->lower : std::nullopt;
+}
+
 std::optional<double> find_slices_factor(const RunResult& run) {
-  if (const auto governing = find_governing_surface(run)) return governing->found->surface.factor;
-  if (!run.slices || !run.slices->referee) return std::nullopt;
-  const Referee& referee = *run.slices->referee;
-  if (has_verdict(*run.slices, Verdict::too_high)) return referee.upper;
-  return has_verdict(*run.slices, Verdict::too_low) ? referee.lower : std::nullopt;
+  if (!run.slices) return std::nullopt;
+  return find_slices_factor(*run.slices, run.methods ? &*run.methods : nullptr);
 }
 
 std::optional<double> find_points_factor(const RunResult& run) {

@@ -24,6 +24,11 @@ std::optional<GoverningSurface> find_governing_surface(const RunResult& run);
 /// The same. `methods`: where there are improved surfaces; nullptr: there are none.
 std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods);
 
+/// Marks the factors that limit analysis proves impossible, and keeps its interval.
+void take_referee(Referee referee, SliceResult& slices);
+
+/// The same as the next, of what was found at one time.
+std::optional<double> find_slices_factor(const SliceResult& slices, const MethodComparison* methods);
 /// The factor of limit equilibrium: that of the governing surface. Where limit analysis proves all factors impossible,
 /// its upper bound if one of them lies above it, else its lower bound.
 std::optional<double> find_slices_factor(const RunResult& run);

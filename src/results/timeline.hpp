@@ -19,6 +19,7 @@ struct TimedFactor {
   SlipSurface surface;
   std::string source;   ///< "critical polyline"
   std::string refusal;  ///< why a search would refuse it; empty: it would not
+  std::optional<Referee> referee;  ///< at governing times: the interval that the factor is held against
 };
 template <class V, As<TimedFactor> R>
 void describe(V& v, R& r) {
@@ -27,6 +28,7 @@ void describe(V& v, R& r) {
   v.key("surface", r.surface, {"", "the slip surface that governs"});
   v.key("source", r.source, {"", "what the surface is"});
   v.key("refusal", r.refusal, {"", "why a search would refuse it"});
+  v.maybe("referee", r.referee, {"", "limit analysis at this time, where the time governs"});
 }
 
 /// By how much the factors of two searches of one slope may differ, over the factor: twenty random starts scatter by as

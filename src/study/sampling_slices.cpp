@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
+#include "run/bounds/referee.hpp"
 #include "study/random_stream.hpp"
 #include "study/sampling.hpp"
 #include "study/slice_factor.hpp"
@@ -108,6 +109,39 @@ std::string list_keys(const std::vector<std::string>& keys) {
   return text;
 }
 
+/// What limit analysis proves with these values, beside the factor that the samples have there.
+std::string describe_referee(const char* where, const results::Referee& referee, double factor) {
+  if (referee.why_not || !referee.is_interval())
+    return fmt::format("Limit analysis cannot judge the factor {}: {}.", where,
+                       referee.why_not.value_or(referee.no_lower.empty() ? referee.no_upper : referee.no_lower));
+  const results::Verdict verdict = referee.judge(factor);
+  return fmt::format("Limit analysis proves that the factor {} lies between {:.3f} and {:.3f}; the samples have {:.3f}{}.",
+                     where, results::show_lower(*referee.lower), results::show_upper(*referee.upper), factor,
+                     verdict == results::Verdict::too_low    ? ", which is too low: the probability of failure is too high"
+                     : verdict == results::Verdict::too_high ? ", which is too high: the probability of failure is too low"
+                                                             : "");
+}
+
+/// Limit analysis judges the factors at the means and at the design point, not that of every sample.
+void note_referee(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
+                  const StudyOptions& options, const SliceFactor& slices, SampleSet& set) {
+  if (!base.data.lem.referee) return;
+  run::RunOptions quiet;
+  quiet.threads = options.threads;
+  SliceFactor::Workspace work;
+  const auto judge = [&](const char* where, const std::vector<double>& values) {
+    const std::optional<double> factor = slices.find(values, work);
+    if (!factor) return;
+    const input::LoadedCase sample = read_sample(base, overrides, set.sampled, values);
+    set.told.notes.push_back(describe_referee(where, run::find_referee(sample.data, factor, quiet), *factor));
+  };
+  judge("at the means", set.sampled.means);
+  if (!set.told.design_point) return;
+  std::vector<double> values;
+  for (const results::DesignPointValue& v : set.told.design_point->values) values.push_back(v.value);
+  judge("at the design point", values);
+}
+
 }  // namespace
 
 std::vector<double> find_factors(const SliceFactor& slices, const SampleSet& set, std::size_t first, std::size_t end,
@@ -190,6 +224,7 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
         "no tornado.");
   if (told.design_point && !told.design_point->converged)
     told.notes.push_back("The search for the most probable failure did not converge: its index is only an indication.");
+  note_referee(base, overrides, options, slices, set);
   told.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (known != nullptr) told.seconds += known->seconds;
 }

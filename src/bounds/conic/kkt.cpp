@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
 
 namespace talus::bounds {
 
@@ -18,6 +20,15 @@ namespace {
 /// and an equation have only this: their product must stay above the rounding of one.
 constexpr double shift = 1e-7;
 constexpr int most_changes = 8;
+/// What the refinement leaves, over the right side.
+constexpr double left_over = 1e-10;
+/// A variable in more cones is no local one; nor are those of a larger group.
+constexpr int most_cones = 2;
+constexpr std::size_t largest_group = 6;
+
+std::size_t find_neighbour(const std::vector<int>& neighbours, int unknown) {
+  return static_cast<std::size_t>(std::lower_bound(neighbours.begin(), neighbours.end(), unknown) - neighbours.begin());
+}
 
 }  // namespace
 
@@ -29,6 +40,8 @@ struct Kkt::Library {
 
 Kkt::Kkt(const ConicProgram& program) : program_(program), library_(std::make_unique<Library>()) {
   find_blocks();
+  find_groups();
+  list_neighbours();
   find_pattern();
 }
 
@@ -56,50 +69,204 @@ void Kkt::find_blocks() {
   }
 }
 
-void Kkt::find_pattern() {
-  const int n = program_.variables, size = n + program_.equations;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < size; ++i) entries.emplace_back(i, i, i < n ? shift : -shift);
+/// Variables that share a cone belong together, where all of them are in few cones.
+void Kkt::find_groups() {
+  const auto n = static_cast<std::size_t>(program_.variables);
+  std::vector<int> cones(n, 0), parent(n);
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const Block& block : blocks_)
+    for (const int c : block.columns) ++cones[static_cast<std::size_t>(c)];
+  const auto is_local = [&](int c) {
+    const int count = cones[static_cast<std::size_t>(c)];
+    return count > 0 && count <= most_cones;
+  };
+  const auto find_root = [&](int c) {
+    while (parent[static_cast<std::size_t>(c)] != c) c = parent[static_cast<std::size_t>(c)];
+    return c;
+  };
+  for (const Block& block : blocks_) {
+    int first = -1;
+    for (const int c : block.columns) {
+      if (!is_local(c)) continue;
+      const int root = find_root(c);
+      if (first < 0) first = root;
+      parent[static_cast<std::size_t>(std::max(root, first))] = std::min(root, first);
+      first = std::min(root, first);
+    }
+  }
+  std::map<int, std::vector<int>> members;
+  for (int c = 0; c < program_.variables; ++c)
+    if (is_local(c)) members[find_root(c)].push_back(c);
+  group_of_.assign(n, -1), rank_of_.assign(n, 0);
+  for (auto& [root, own] : members) {
+    if (own.size() > largest_group) continue;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      group_of_[static_cast<std::size_t>(own[i])] = static_cast<int>(groups_.size());
+      rank_of_[static_cast<std::size_t>(own[i])] = static_cast<int>(i);
+    }
+    groups_.push_back({std::move(own), {}, 0, 0, {}});
+  }
+  for (std::size_t c = 0; c < n; ++c)
+    if (group_of_[c] < 0) rank_of_[c] = globals_++;
+}
+
+/// Of each group: the other variables of its cones, and the equations that name it, whose coefficients stay.
+void Kkt::list_neighbours() {
+  for (const Block& block : blocks_)
+    for (const int own : block.columns) {
+      const int group = group_of_[static_cast<std::size_t>(own)];
+      if (group < 0) continue;
+      for (const int other : block.columns)
+        if (group_of_[static_cast<std::size_t>(other)] < 0)
+          groups_[static_cast<std::size_t>(group)].neighbours.push_back(rank_of_[static_cast<std::size_t>(other)]);
+    }
   const SparseRows& a = program_.rows;
   for (int r = 0; r < program_.equations; ++r)
-    for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) entries.emplace_back(n + r, a.column[k], a.value[k]);
+    for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k)
+      if (const int group = group_of_[static_cast<std::size_t>(a.column[k])]; group >= 0)
+        groups_[static_cast<std::size_t>(group)].neighbours.push_back(globals_ + r);
+  std::size_t size = 0;
+  for (Group& group : groups_) {
+    std::sort(group.neighbours.begin(), group.neighbours.end());
+    group.neighbours.erase(std::unique(group.neighbours.begin(), group.neighbours.end()), group.neighbours.end());
+    const std::size_t k = group.variables.size();
+    group.own = size, group.coupling = size + k * k;
+    size += k * k + k * group.neighbours.size();
+  }
+  fixed_dense_.assign(size, 0);
+  for (const Group& group : groups_)
+    for (std::size_t i = 0, k = group.variables.size(); i < k; ++i) fixed_dense_[group.own + i * k + i] = shift;
+  for (int r = 0; r < program_.equations; ++r)
+    for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) {
+      const auto column = static_cast<std::size_t>(a.column[k]);
+      if (group_of_[column] < 0) continue;
+      const Group& group = groups_[static_cast<std::size_t>(group_of_[column])];
+      fixed_dense_[group.coupling + static_cast<std::size_t>(rank_of_[column]) * group.neighbours.size() +
+                   find_neighbour(group.neighbours, globals_ + r)] += a.value[k];
+    }
+}
+
+/// In the values of the matrix, of its lower triangle.
+int Kkt::find_place(std::size_t column, std::size_t row) const {
+  const auto& m = library_->matrix;
+  if (row < column) std::swap(row, column);
+  const int* begin = m.innerIndexPtr() + m.outerIndexPtr()[column];
+  const int* end = m.innerIndexPtr() + m.outerIndexPtr()[column + 1];
+  return static_cast<int>(std::lower_bound(begin, end, static_cast<int>(row)) - m.innerIndexPtr());
+}
+
+void Kkt::place_products(Block& block) const {
+  for (std::size_t i = 0; i < block.columns.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const auto a = static_cast<std::size_t>(block.columns[i]), b = static_cast<std::size_t>(block.columns[j]);
+      const int of_a = group_of_[a], of_b = group_of_[b], rank_a = rank_of_[a], rank_b = rank_of_[b];
+      if (of_a < 0 && of_b < 0) {
+        block.places.push_back(find_place(static_cast<std::size_t>(rank_a), static_cast<std::size_t>(rank_b)));
+        continue;
+      }
+      const Group& group = groups_[static_cast<std::size_t>(of_a < 0 ? of_b : of_a)];
+      const std::size_t k = group.variables.size();
+      std::size_t at = 0;
+      if (of_a >= 0 && of_b >= 0) {
+        const auto high = static_cast<std::size_t>(std::max(rank_a, rank_b)),
+                   low = static_cast<std::size_t>(std::min(rank_a, rank_b));
+        at = group.own + high * k + low;
+      } else {
+        at = group.coupling + static_cast<std::size_t>(of_a < 0 ? rank_b : rank_a) * group.neighbours.size() +
+             find_neighbour(group.neighbours, of_a < 0 ? rank_a : rank_b);
+      }
+      block.places.push_back(-1 - static_cast<int>(at));
+    }
+}
+
+void Kkt::find_pattern() {
+  const int size = globals_ + program_.equations;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < size; ++i) entries.emplace_back(i, i, i < globals_ ? shift : -shift);
+  const SparseRows& a = program_.rows;
+  for (int r = 0; r < program_.equations; ++r)
+    for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) {
+      const auto column = static_cast<std::size_t>(a.column[k]);
+      if (group_of_[column] < 0) entries.emplace_back(globals_ + r, rank_of_[column], a.value[k]);
+    }
+  const auto add_product = [&](int one, int other) {
+    entries.emplace_back(std::max(one, other), std::min(one, other), 0.0);
+  };
   for (const Block& block : blocks_)
     for (std::size_t i = 0; i < block.columns.size(); ++i)
-      for (std::size_t j = 0; j <= i; ++j) entries.emplace_back(block.columns[i], block.columns[j], 0.0);
+      for (std::size_t j = 0; j <= i; ++j) {
+        const auto one = static_cast<std::size_t>(block.columns[i]), other = static_cast<std::size_t>(block.columns[j]);
+        if (group_of_[one] < 0 && group_of_[other] < 0) add_product(rank_of_[one], rank_of_[other]);
+      }
+  for (const Group& group : groups_)
+    for (std::size_t i = 0; i < group.neighbours.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j) add_product(group.neighbours[i], group.neighbours[j]);
   auto& m = library_->matrix;
   m.resize(size, size);
   m.setFromTriplets(entries.begin(), entries.end());
   library_->fixed.assign(m.valuePtr(), m.valuePtr() + m.nonZeros());
-  for (Block& block : blocks_)
-    for (std::size_t i = 0; i < block.columns.size(); ++i)
-      for (std::size_t j = 0; j <= i; ++j) {
-        const int* begin = m.innerIndexPtr() + m.outerIndexPtr()[block.columns[j]];
-        const int* end = m.innerIndexPtr() + m.outerIndexPtr()[block.columns[j] + 1];
-        block.places.push_back(static_cast<int>(std::lower_bound(begin, end, block.columns[i]) - m.innerIndexPtr()));
-      }
+  for (Block& block : blocks_) place_products(block);
+  for (Group& group : groups_)
+    for (std::size_t i = 0; i < group.neighbours.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        group.places.push_back(find_place(static_cast<std::size_t>(group.neighbours[j]),
+                                          static_cast<std::size_t>(group.neighbours[i])));
   library_->factors.analyzePattern(m);
+}
+
+// W⁻¹ times the block: its own product with itself is Aᵀ H⁻¹ A, symmetric and positive whatever is rounded.
+void Kkt::add_products(const Block& block, const Scaling& scaling, std::vector<double>& scaled) {
+  const std::size_t n = block.columns.size(), rows = static_cast<std::size_t>(block.rows);
+  double* values = library_->matrix.valuePtr();
+  scaled.resize((n + 1) * rows);
+  const MutablePart column(scaled.data() + n * rows, rows);
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t r = 0; r < rows; ++r) column[r] = block.values[r * n + j];
+    scaling.apply(column, true, MutablePart(scaled.data() + j * rows, rows));
+  }
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const int place = block.places[k++];
+      (place >= 0 ? values[place] : dense_[static_cast<std::size_t>(-1 - place)]) +=
+          multiply(Part(scaled.data() + i * rows, rows), Part(scaled.data() + j * rows, rows));
+    }
+}
+
+// L Lᵀ of the group's own matrix; the neighbours lose (L⁻¹ U)ᵀ (L⁻¹ U).
+bool Kkt::eliminate(const Group& group) {
+  const std::size_t k = group.variables.size(), q = group.neighbours.size();
+  double *own = &dense_[group.own], *coupling = dense_.data() + group.coupling;
+  for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = own[i * k + j];
+      for (std::size_t l = 0; l < j; ++l) sum -= own[i * k + l] * own[j * k + l];
+      if (i == j && !(sum > 0)) return false;
+      own[i * k + j] = i == j ? std::sqrt(sum) : sum / own[j * k + j];
+    }
+    for (std::size_t l = 0; l < i; ++l)
+      for (std::size_t c = 0; c < q; ++c) coupling[i * q + c] -= own[i * k + l] * coupling[l * q + c];
+    for (std::size_t c = 0; c < q; ++c) coupling[i * q + c] /= own[i * k + i];
+  }
+  double* values = library_->matrix.valuePtr();
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < q; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = 0;
+      for (std::size_t l = 0; l < k; ++l) sum += coupling[l * q + i] * coupling[l * q + j];
+      values[group.places[at++]] -= sum;
+    }
+  return true;
 }
 
 bool Kkt::factorise(const std::vector<Scaling>& scalings) {
   scalings_ = &scalings;
-  double* values = library_->matrix.valuePtr();
-  std::copy(library_->fixed.begin(), library_->fixed.end(), values);
-  std::vector<double> scaled, column(3);
-  for (std::size_t c = 0; c < blocks_.size(); ++c) {
-    const Block& block = blocks_[c];
-    const std::size_t n = block.columns.size(), rows = static_cast<std::size_t>(block.rows);
-    // W⁻¹ times the block: its own product with itself is Aᵀ H⁻¹ A, symmetric and positive whatever is rounded.
-    scaled.resize(n * rows), column.resize(rows);
-    for (std::size_t j = 0; j < n; ++j) {
-      for (std::size_t r = 0; r < rows; ++r) column[r] = block.values[r * n + j];
-      scalings[c].apply(column, true, MutablePart(scaled.data() + j * rows, rows));
-    }
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j <= i; ++j)
-        values[block.places[k++]] +=
-            multiply(Part(scaled.data() + i * rows, rows), Part(scaled.data() + j * rows, rows));
-  }
+  std::copy(library_->fixed.begin(), library_->fixed.end(), library_->matrix.valuePtr());
+  dense_ = fixed_dense_;
+  std::vector<double> scaled;
+  for (std::size_t c = 0; c < blocks_.size(); ++c) add_products(blocks_[c], scalings[c], scaled);
+  for (const Group& group : groups_)
+    if (!eliminate(group)) return false;
   library_->factors.factorize(library_->matrix);
   return library_->factors.info() == Eigen::Success && library_->factors.vectorD().allFinite();
 }
@@ -134,24 +301,30 @@ void Kkt::find_residual(const std::vector<double>& x, const std::vector<double>&
 
 bool Kkt::solve_reduced(const std::vector<double>& f, const std::vector<double>& g, std::vector<double>& x,
                         std::vector<double>& z) const {
-  const auto n = static_cast<std::size_t>(program_.variables), equations = static_cast<std::size_t>(program_.equations);
-  Eigen::VectorXd right(static_cast<Eigen::Index>(n + equations));
-  std::copy(f.begin(), f.end(), right.data());
-  std::copy_n(g.begin(), equations, right.data() + n);
+  x = f;
   std::vector<double> lifted(3);
   for (std::size_t c = 0; c < blocks_.size(); ++c) {
     const Block& block = blocks_[c];
+    const std::size_t n = block.columns.size();
     lifted.resize(static_cast<std::size_t>(block.rows));
     apply_inverse(block, (*scalings_)[c], g.data() + block.first_row, lifted.data());
     for (std::size_t r = 0; r < lifted.size(); ++r)
-      for (std::size_t j = 0; j < block.columns.size(); ++j)
-        right[block.columns[j]] += block.values[r * block.columns.size() + j] * lifted[r];
+      for (std::size_t j = 0; j < n; ++j)
+        x[static_cast<std::size_t>(block.columns[j])] += block.values[r * n + j] * lifted[r];
   }
+  const auto equations = static_cast<std::size_t>(program_.equations);
+  Eigen::VectorXd right(static_cast<Eigen::Index>(globals_) + program_.equations);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (group_of_[i] < 0) right[rank_of_[i]] = x[i];
+  std::copy_n(g.begin(), equations, right.data() + globals_);
+  for (const Group& group : groups_) reduce_right(group, x, right.data());
   const Eigen::VectorXd found = library_->factors.solve(right);
   if (!found.allFinite()) return false;
-  x.assign(found.data(), found.data() + n);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (group_of_[i] < 0) x[i] = found[rank_of_[i]];
+  for (const Group& group : groups_) recover(group, found.data(), x);
   z.resize(g.size());
-  std::copy_n(found.data() + n, equations, z.begin());
+  std::copy_n(found.data() + globals_, equations, z.begin());
   for (std::size_t c = 0; c < blocks_.size(); ++c) {
     const Block& block = blocks_[c];
     lifted.assign(static_cast<std::size_t>(block.rows), 0);
@@ -163,6 +336,30 @@ bool Kkt::solve_reduced(const std::vector<double>& f, const std::vector<double>&
     apply_inverse(block, (*scalings_)[c], lifted.data(), z.data() + block.first_row);
   }
   return true;
+}
+
+// x of the group becomes L⁻¹ x, and the rest loses its part.
+void Kkt::reduce_right(const Group& group, std::vector<double>& x, double* right) const {
+  const std::size_t k = group.variables.size(), q = group.neighbours.size();
+  const double *own = &dense_[group.own], *coupling = dense_.data() + group.coupling;
+  for (std::size_t i = 0; i < k; ++i) {
+    double& at = x[static_cast<std::size_t>(group.variables[i])];
+    for (std::size_t l = 0; l < i; ++l) at -= own[i * k + l] * x[static_cast<std::size_t>(group.variables[l])];
+    at /= own[i * k + i];
+    for (std::size_t c = 0; c < q; ++c) right[group.neighbours[c]] -= coupling[i * q + c] * at;
+  }
+}
+
+// L⁻ᵀ (L⁻¹ x − L⁻¹ U y).
+void Kkt::recover(const Group& group, const double* rest, std::vector<double>& x) const {
+  const std::size_t k = group.variables.size(), q = group.neighbours.size();
+  const double *own = &dense_[group.own], *coupling = dense_.data() + group.coupling;
+  for (std::size_t i = k; i-- > 0;) {
+    double& at = x[static_cast<std::size_t>(group.variables[i])];
+    for (std::size_t c = 0; c < q; ++c) at -= coupling[i * q + c] * rest[group.neighbours[c]];
+    for (std::size_t l = i + 1; l < k; ++l) at -= own[l * k + i] * x[static_cast<std::size_t>(group.variables[l])];
+    at /= own[i * k + i];
+  }
 }
 
 // GMRES with the factors as its preconditioner: the small diagonal changes few directions, but those by much, and such
@@ -206,7 +403,7 @@ bool Kkt::solve(const std::vector<double>& f, const std::vector<double>& g, std:
     const auto used = h.topLeftCorner(k + 2, k + 1);
     factors = used.householderQr().solve(first.head(k + 2));
     const double left = (first.head(k + 2) - used * factors).norm();
-    if (!(h(k + 1, k) > 0) || left <= 1e-10 * norm) break;
+    if (!(h(k + 1, k) > 0) || left <= left_over * norm) break;
     basis.col(k + 1) /= h(k + 1, k);
   }
   const Eigen::VectorXd sum = changes.leftCols(factors.size()) * factors;

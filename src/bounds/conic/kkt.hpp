@@ -12,8 +12,9 @@
 namespace talus::bounds {
 
 /// [0 Aᵀ; A −H] [x; z] = [f; g] with H = 0 in the rows of equations and W² in those of a cone. The rows of cones are
-/// eliminated, the rest is made quasi-definite by a small diagonal, factorised as L D Lᵀ, and refined against the
-/// system as it stands.
+/// eliminated, then the variables that few cones share (the stresses at a corner), each small group by its own dense
+/// factors. The rest is quasi-definite by a small diagonal, factorised as L D Lᵀ, and refined against the system as it
+/// stands.
 class Kkt {
  public:
   explicit Kkt(const ConicProgram& program);
@@ -27,26 +28,45 @@ class Kkt {
 
  private:
   struct Library;
-  /// Columns that the rows of a cone name, its rows there, and where the product of each two columns stands in the
-  /// matrix.
+  /// Columns that the rows of a cone name, its rows there, and where the product of each two columns is added.
   struct Block {
     int first_row = 0, rows = 0;
     std::vector<int> columns;
     std::vector<double> values;  ///< row by row of the block
-    std::vector<int> places;     ///< of the lower triangle, row by row
+    std::vector<int> places;     ///< of the lower triangle, row by row: in the matrix, or −1 − the place in `dense_`
+  };
+  /// Variables that are eliminated together, k of them, and what they are coupled with, q unknowns of the rest.
+  struct Group {
+    std::vector<int> variables, neighbours;
+    std::size_t own = 0;       ///< of the k × k matrix in `dense_`, row by row; then its factor
+    std::size_t coupling = 0;  ///< of the k × q matrix in `dense_`, row by row; then L⁻¹ times it
+    std::vector<int> places;   ///< in the matrix: of the lower triangle of its neighbours' products, row by row
   };
   void find_blocks();
+  void find_groups();
+  void list_neighbours();
   void find_pattern();
+  int find_place(std::size_t column, std::size_t row) const;
+  void place_products(Block& block) const;
+  void add_products(const Block& block, const Scaling& scaling, std::vector<double>& scaled);
+  /// False when the group has no factor.
+  bool eliminate(const Group& group);
   /// f − Aᵀz and g − A x + H z, in place.
   void find_residual(const std::vector<double>& x, const std::vector<double>& z, std::vector<double>& f,
                      std::vector<double>& g) const;
   /// By the factors alone.
   bool solve_reduced(const std::vector<double>& f, const std::vector<double>& g, std::vector<double>& x,
                      std::vector<double>& z) const;
+  void reduce_right(const Group& group, std::vector<double>& x, double* right) const;
+  void recover(const Group& group, const double* rest, std::vector<double>& x) const;
   void apply_inverse(const Block& block, const Scaling& scaling, const double* u, double* out) const;
 
   const ConicProgram& program_;
   std::vector<Block> blocks_;
+  std::vector<Group> groups_;
+  std::vector<int> group_of_, rank_of_;  ///< of each variable: its group and its number there; −1 and that in the rest
+  int globals_ = 0;                      ///< variables in no group: the first unknowns of the rest
+  std::vector<double> dense_, fixed_dense_;
   const std::vector<Scaling>* scalings_ = nullptr;
   std::unique_ptr<Library> library_;
 };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "results/governing.hpp"
 #include "results/json.hpp"
 #include "run/attempt.hpp"
 
@@ -35,12 +36,7 @@ void SliceRun::calculate() {
 }
 
 void SliceRun::take_referee(results::Referee referee) {
-  results::SliceResult& result = outcome_.result;
-  if (!referee.why_not)
-    for (auto* list : {&result.critical, &result.noncircular, &result.given})
-      for (results::CriticalSurface& c : *list)
-        if (c.surface.factor) c.verdict = referee.judge(*c.surface.factor);
-  result.referee = std::move(referee);
+  results::take_referee(std::move(referee), outcome_.result);
 }
 
 void SliceRun::keep() const {

@@ -171,13 +171,19 @@ results::TimedFactor tell_moment(const lem::SearchOptions& options, const Moment
   tell(moment.circular, slices.critical);
   tell(moment.noncircular, slices.noncircular);
   tell(moment.given, slices.given);
+  if (moment.referee) results::take_referee(*moment.referee, slices);
   results::TimedFactor told;
   told.time = moment.time;
+  told.referee = moment.referee;
   if (const auto governing = results::find_governing_surface(slices, nullptr)) {
     told.factor = governing->found->surface.factor;
     told.surface = governing->found->surface;
     told.source = results::name_surface(*governing);
     told.refusal = governing->found->checks.refusal;
+  } else if (const auto proven = results::find_slices_factor(slices, nullptr)) {
+    told.factor = proven;
+    told.surface.title = "Limit analysis";
+    told.source = proven == moment.referee->upper ? "proven upper bound" : "proven lower bound";
   }
   return told;
 }

@@ -22,6 +22,7 @@ struct Moment {
   /// Of the surfaces of other times that the checks refuse here: the least factor, and why it is refused.
   double refused_factor = std::numeric_limits<double>::infinity();
   lem::Refusal refusal = lem::Refusal::none;
+  std::optional<results::Referee> referee;  ///< nothing: it was not asked at this time
 };
 
 /// What a search of the run has found at the time of `moment`.

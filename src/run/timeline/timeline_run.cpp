@@ -22,6 +22,7 @@
 #include "ground/season.hpp"
 #include "mesh/generate.hpp"
 #include "results/json.hpp"
+#include "run/bounds/referee.hpp"
 #include "run/fem/start_stress.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/section_of_case.hpp"
@@ -149,6 +150,25 @@ struct TimelineRun::Parts {
     if (asked.release && asked.release->criterion == input::ReleaseCriterion::equilibrium) find_loss();
     if (asked.release) search_releases();
     told.search_seconds = count_seconds(start);
+    if (data.lem.referee) judge_governing_times();
+  }
+
+  /// Limit analysis judges the least factor and those between which the slope fails; where it refuses one, another time
+  /// may govern, which is judged then.
+  void judge_governing_times() {
+    constexpr int most_times = 12;
+    for (int judged = 0; judged < most_times; ++judged) {
+      const auto is_governing = [&](double time) {
+        return told.least_time == time || (told.failure && (told.failure->from == time || told.failure->to == time));
+      };
+      const auto next = std::find_if(moments.begin(), moments.end(), [&](const Moment& m) {
+        return !m.referee && is_governing(m.time);
+      });
+      if (next == moments.end()) return;
+      const std::size_t number = searched[static_cast<std::size_t>(next - moments.begin())];
+      next->referee = find_referee(begin_at(number), find_factor(number), options);
+      tell_factors();
+    }
   }
 
   /// Searches at those of the times that were not tried yet. What is found is kept at once: an interrupted run goes on
