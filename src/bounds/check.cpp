@@ -221,6 +221,9 @@ class KinematicSum {
 
   /// Flow rule and dissipation only become easier with the factor: the least factor by halving, and its upper end.
   KinematicCheck judge() {
+    // A rigid triangle has what rounding leaves of its strain rates, which are none.
+    for (Corner& c : corners_)
+      if (std::max(std::abs(c.opening), c.shear) < no_rate * largest_) c.opening = c.shear = 0;
     double fastest = 0;
     bool is_finite = true;
     for (const Vec<2>& v : field_.velocity) {
@@ -242,7 +245,7 @@ class KinematicSum {
   }
 
   /// Of the largest strain rate; what sums of a few products leave.
-  static constexpr double no_opening = 1e-11;
+  static constexpr double no_opening = 1e-11, no_rate = 1e-13;
   static constexpr double smallest_factor = 1e-6, largest_factor = 1e6;
   const Problem& problem_;
   const VelocityField& field_;

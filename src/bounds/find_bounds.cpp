@@ -97,7 +97,8 @@ class BoundsSearch {
           });
       tell(holding, moving);
       if (is_last && (!holds || !moves || is_done())) break;
-      low = holding.root(), high = moving.root();
+      // The meshes are nested: what a coarser one has proven, a finer one has too, however far Newton's step goes.
+      low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
       tolerance = 1;  // one trial each: the bound follows one mesh behind, and the last mesh is finished
       result_.problem =
           refine(problem, mark(find_contributions(problem, holding.last().solution, moving.last().solution)));
@@ -129,6 +130,10 @@ class BoundsSearch {
     ConicOptions options;
     options.tolerance = 1e-5, options.value_size = 1;
     ConicProgram program = make_program(result_.problem, bound, factor, units_);
+    // The solver measures in the largest entry of the right side, which a strong soil makes larger than the loads.
+    double largest = 1;
+    for (const double b : program.right) largest = std::max(largest, std::abs(b));
+    options.tolerance /= largest;
     const double room = bound == Bound::upper ? room_of_rates : 0;
     leave_room(program, room);
     Trial trial{factor, 0, 0, 0, solve(program, options)};

@@ -37,10 +37,10 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
   double area = 0;
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c)
-      if (may_open(problem.strength[e][c])) area += find_shape(problem, e).area / 3;
+      if (may_open(problem, e, c)) area += find_shape(problem, e).area / 3;
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!may_open(problem.strength[e][c])) continue;
+      if (!may_open(problem, e, c)) continue;
       const double share = find_shape(problem, e).area / 3 / area * length;
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         mean.push_back({n, share * (row[0] + row[1])});
@@ -50,7 +50,7 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
   program.equations = program.rows.count();
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!may_open(problem.strength[e][c])) continue;
+      if (!may_open(problem, e, c)) continue;
       const double sine = find_sine(problem.strength[e][c], factor);
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         entries.push_back({n, -length * (row[0] + row[1])});
@@ -78,7 +78,7 @@ bool opens_everywhere(const Problem& problem, const Velocities& mesh, double fac
   for (std::size_t i = 0; i < strains.size(); ++i) {
     const Strength& soil = problem.strength[i / 3][i % 3];
     const double margin = length * (strains[i].opening - find_sine(soil, factor) * strains[i].shear);
-    if (may_open(soil) ? margin < least : std::abs(length * strains[i].opening) > 1e-12) return false;
+    if (may_open(problem, i / 3, i % 3) ? margin < least : std::abs(length * strains[i].opening) > 1e-12) return false;
   }
   return true;
 }
@@ -104,11 +104,12 @@ double find_sine(const Strength& soil, double factor) {
 }
 
 SparseRows list_openings(const Problem& problem, const Velocities& mesh, double length) {
+  const Units units = find_units(problem);
   SparseRows rows;
   std::vector<std::pair<int, double>> entries;
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c) {
-      if (may_open(problem.strength[e][c])) continue;
+      if (may_open(problem, e, c) || is_rigid(problem.strength[e], units)) continue;
       entries.clear();
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         entries.push_back({n, length * (row[0] + row[1])});

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bounds/conic/program.hpp"
+#include "bounds/strength.hpp"
 #include "bounds/velocities.hpp"
 
 namespace talus::bounds {
@@ -17,9 +18,11 @@ struct Strain {
 /// Of the corners, three of each triangle, under the velocities with these numbers.
 std::vector<Strain> find_strains(const Problem& problem, const Velocities& mesh, const std::vector<double>& numbers);
 
-/// Whether soil of this strength may open at all: without friction and without a largest tension it keeps its volume.
-inline bool may_open(const Strength& soil) {
-  return soil.tan_friction > 0 || soil.tension.has_value();
+/// Whether the soil at a corner may open at all: without friction and without a largest tension it keeps its volume,
+/// and rigid soil its shape.
+inline bool may_open(const Problem& problem, std::size_t e, std::size_t c) {
+  const Strength& soil = problem.strength[e][c];
+  return (soil.tan_friction > 0 || soil.tension.has_value()) && !is_rigid(problem.strength[e], find_units(problem));
 }
 
 /// sin φ with tan φ divided by the factor.

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "bounds/strength.hpp"
 #include "bounds/velocities.hpp"
 
 namespace talus::bounds {
@@ -38,16 +40,15 @@ struct Cone {
   double mean_rate = 0, lacking_rate = 0, available_rate = 0;
 };
 
-/// Divided strength in a program is at most so many units of stress: a block of steel beside soil without cohesion would
-/// leave the soil below the tolerance of the solver. Weaker soil bounds stronger soil from below, and the upper bound is
-/// that of the strength as given, in the check of its mechanism.
-constexpr double most_strength = 30;
-
 /// use(triangle, corner, cone): Mohr–Coulomb's, and that of the largest tension after it.
 template <class Use>
 void visit_cones(const Problem& problem, double factor, const Units& units, Strengths strengths, Use use) {
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const auto& own = problem.strength[e];
+    // A rigid triangle has no part in the equations of the upper bound: any strength will do.
+    const double most = strengths == Strengths::own ? most_strength
+                        : is_rigid(own, units)      ? 1
+                                                    : std::numeric_limits<double>::infinity();
     const auto find = [&](std::size_t i, auto get) {
       const double at = get(own[i]);
       return (strengths == Strengths::own ? at : find_weighted({get(own[0]), get(own[1]), get(own[2])}, i)) /
@@ -55,8 +56,7 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
     };
     for (std::size_t i = 0; i < 3; ++i) {
       const double cohesion = find(i, [](const Strength& s) { return s.cohesion; }) / factor,
-                   cohesion_rate = cohesion < most_strength ? -cohesion / factor : 0,
-                   taken = std::min(cohesion, most_strength);
+                   cohesion_rate = cohesion < most ? -cohesion / factor : 0, taken = std::min(cohesion, most);
       const double tangent = own[i].tan_friction / factor, cosine = 1 / std::hypot(1.0, tangent),
                    cube = cosine * cosine * cosine;
       const double tangent_rate = -tangent / factor, cosine_rate = -tangent * cube * tangent_rate;
@@ -65,8 +65,7 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
                taken * cosine_rate + cohesion_rate * cosine});
       if (!own[i].tension) continue;
       const double tension = find(i, [](const Strength& s) { return s.tension.value_or(0); }) / factor;
-      const bool is_taken = tension < most_strength;
-      use(e, i, Cone{0.5, 1, is_taken ? tension : most_strength, 0, 0, is_taken ? -tension / factor : 0});
+      use(e, i, Cone{0.5, 1, std::min(tension, most), 0, 0, tension < most ? -tension / factor : 0});
     }
   }
 }
@@ -180,7 +179,7 @@ ConicProgram make_static_program(const Problem& problem, double factor, const Un
 }
 
 ConicProgram make_kinematic_program(const Problem& problem, double factor, const Units& units) {
-  const Velocities v = number_velocities(problem);
+  const Velocities v = number_velocities(problem, units);
   struct Use {
     std::size_t triangle, corner;
     Row row;
@@ -195,7 +194,12 @@ ConicProgram make_kinematic_program(const Problem& problem, double factor, const
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const Shape shape = find_shape(problem, e);
     const double third = shape.area / 3;
+    const bool rigid = is_rigid(problem.strength[e], units);
     for (std::size_t c = 0; c < 3; ++c) {
+      each(v.triangles[e][3 + c], [&](std::size_t number, const Vec<2>& d) {
+        work[number] += third * dot(problem.body_force[e], d) / force_unit;
+      });
+      if (rigid) continue;
       const auto gradients = find_quadratic_gradients(shape, c);
       const double pore = find_weighted(problem.pore_pressure[e], c);
       for (std::size_t k = 0; k < 6; ++k)
@@ -205,9 +209,6 @@ ConicProgram make_kinematic_program(const Problem& problem, double factor, const
           uses[number].push_back({e, c, {by * g[0] * d[0], by * g[1] * d[1], by * (g[1] * d[0] + g[0] * d[1])}});
           work[number] += third * pore * dot(g, d) / force_unit;
         });
-      each(v.triangles[e][3 + c], [&](std::size_t number, const Vec<2>& d) {
-        work[number] += third * dot(problem.body_force[e], d) / force_unit;
-      });
     }
   }
   for (const Side& side : problem.sides) {

@@ -21,7 +21,7 @@ void open_soil(const Problem& problem, const Velocities& mesh, double factor, do
   const std::vector<Strain> strains = find_strains(problem, mesh, numbers);
   bool lacks = false;
   for (std::size_t i = 0; i < strains.size(); ++i)
-    lacks = lacks || (may_open(problem.strength[i / 3][i % 3]) && find_lack(strains, i) > 0);
+    lacks = lacks || (may_open(problem, i / 3, i % 3) && find_lack(strains, i) > 0);
   if (!lacks) return;
   const auto opening = find_opening(problem, mesh, factor, length);
   if (!opening) return;
@@ -29,7 +29,7 @@ void open_soil(const Problem& problem, const Velocities& mesh, double factor, do
   constexpr double rounding_of_sums = 1e-13;
   double share = 0;
   for (std::size_t i = 0; i < strains.size(); ++i)
-    if (may_open(problem.strength[i / 3][i % 3]))
+    if (may_open(problem, i / 3, i % 3))
       share = std::max(share, (find_lack(strains, i) + rounding_of_sums * strains[i].shear) / -find_lack(own, i));
   for (std::size_t n = 0; n < numbers.size(); ++n) numbers[n] += share * (*opening)[n];
 }
@@ -49,8 +49,9 @@ StressField read_stress(const Problem& problem, const ConicProgram& program, con
 }
 
 VelocityField read_velocity(const Problem& problem, double factor, const ConicSolution& solution) {
-  VelocityField field{number_velocities(problem), {}};
-  const double length = find_units(problem).length;
+  const Units units = find_units(problem);
+  VelocityField field{number_velocities(problem, units), {}};
+  const double length = units.length;
   std::vector<double> numbers(solution.z.begin(), solution.z.begin() + field.mesh.count);
   for (double& u : numbers) u = -u;
   const SparseRows openings = list_openings(problem, field.mesh, length);

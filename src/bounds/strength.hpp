@@ -20,6 +20,21 @@ inline Circle find_circle(const Stress& s) {
   return {std::hypot(0.5 * (s[0] - s[1]), s[2]), 0.5 * (s[0] + s[1])};
 }
 
+/// Divided strength in the program of the lower bound is at most so many units of stress: a block of steel beside soil
+/// without cohesion would leave the soil below the tolerance of the solver. A field that holds in weaker soil holds in
+/// stronger soil too.
+inline constexpr double most_strength = 30;
+/// Soil of a triangle with more cohesion, in units of stress, moves as a rigid body in the upper bound: fewer motions
+/// give no smaller upper bound.
+inline constexpr double rigid_strength = 100;
+
+inline bool is_rigid(const std::array<Strength, 3>& corners, const Units& units) {
+  return std::all_of(corners.begin(), corners.end(), [&](const Strength& s) {
+    const double least = rigid_strength * units.stress;
+    return s.cohesion >= least && (!s.tension || *s.tension >= least);
+  });
+}
+
 /// The largest F with R cos φ_F-criterion fulfilled: R √(1 + tan²φ/F²) ≤ c/F − σ'_m tan φ/F, that is
 /// F² ≤ ((c − σ'_m tan φ)/R)² − tan²φ; and R + σ'_m ≤ tension/F. 0 where no F is small enough, infinite without shear.
 inline double find_factor(const Strength& soil, const Stress& effective) {

@@ -15,13 +15,7 @@ namespace talus::bounds {
 
 namespace {
 
-/// Added to the diagonal, with the sign of each block, of a program whose entries are about one. Factors of a
-/// quasi-definite matrix need no pivots (Vanderbei 1995); the refinement takes its effect away. A variable in no cone
-/// and an equation have only this: their product must stay above the rounding of one.
-constexpr double shift = 1e-7;
 constexpr int most_changes = 8;
-/// What the refinement leaves, over the right side.
-constexpr double left_over = 1e-10;
 /// A variable in more cones is no local one; nor are those of a larger group.
 constexpr int most_cones = 2;
 constexpr std::size_t largest_group = 6;
@@ -38,7 +32,8 @@ struct Kkt::Library {
   std::vector<double> fixed;  ///< values of the equations' rows
 };
 
-Kkt::Kkt(const ConicProgram& program) : program_(program), library_(std::make_unique<Library>()) {
+Kkt::Kkt(const ConicProgram& program, const KktAccuracy& accuracy)
+    : program_(program), accuracy_(accuracy), library_(std::make_unique<Library>()) {
   find_blocks();
   find_groups();
   list_neighbours();
@@ -135,7 +130,7 @@ void Kkt::list_neighbours() {
   }
   fixed_dense_.assign(size, 0);
   for (const Group& group : groups_)
-    for (std::size_t i = 0, k = group.variables.size(); i < k; ++i) fixed_dense_[group.own + i * k + i] = shift;
+    for (std::size_t i = 0, k = group.variables.size(); i < k; ++i) fixed_dense_[group.own + i * k + i] = accuracy_.shift;
   for (int r = 0; r < program_.equations; ++r)
     for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) {
       const auto column = static_cast<std::size_t>(a.column[k]);
@@ -182,7 +177,7 @@ void Kkt::place_products(Block& block) const {
 void Kkt::find_pattern() {
   const int size = globals_ + program_.equations;
   std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < size; ++i) entries.emplace_back(i, i, i < globals_ ? shift : -shift);
+  for (int i = 0; i < size; ++i) entries.emplace_back(i, i, i < globals_ ? accuracy_.shift : -accuracy_.shift);
   const SparseRows& a = program_.rows;
   for (int r = 0; r < program_.equations; ++r)
     for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) {
@@ -403,7 +398,7 @@ bool Kkt::solve(const std::vector<double>& f, const std::vector<double>& g, std:
     const auto used = h.topLeftCorner(k + 2, k + 1);
     factors = used.householderQr().solve(first.head(k + 2));
     const double left = (first.head(k + 2) - used * factors).norm();
-    if (!(h(k + 1, k) > 0) || left <= left_over * norm) break;
+    if (!(h(k + 1, k) > 0) || left <= accuracy_.left_over * norm) break;
     basis.col(k + 1) /= h(k + 1, k);
   }
   const Eigen::VectorXd sum = changes.leftCols(factors.size()) * factors;

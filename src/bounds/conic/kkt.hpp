@@ -11,13 +11,24 @@
 
 namespace talus::bounds {
 
+/// How nearly a system is solved.
+struct KktAccuracy {
+  /// Added to the diagonal, with the sign of each block, of a program whose entries are about one. Factors of a
+  /// quasi-definite matrix need no pivots (Vanderbei 1995); the refinement removes its effect. A variable in no cone and
+  /// an equation have only this: their product must stay above the rounding of one.
+  double shift = 0;
+  double left_over = 0;  ///< that the refinement may leave, over the right side
+};
+/// The first is quick; where the iteration stalls with it, the second repeats the refinement more often.
+inline constexpr KktAccuracy quick_accuracy{1e-9, 1e-10}, careful_accuracy{1e-7, 1e-14};
+
 /// [0 Aᵀ; A −H] [x; z] = [f; g] with H = 0 in the rows of equations and W² in those of a cone. The rows of cones are
 /// eliminated, then the variables that few cones share (the stresses at a corner), each small group by its own dense
 /// factors. The rest is quasi-definite by a small diagonal, factorised as L D Lᵀ, and refined against the system as it
 /// stands.
 class Kkt {
  public:
-  explicit Kkt(const ConicProgram& program);
+  Kkt(const ConicProgram& program, const KktAccuracy& accuracy);
   ~Kkt();
 
   /// `scalings` of each cone. False when the factors are not finite.
@@ -62,6 +73,7 @@ class Kkt {
   void apply_inverse(const Block& block, const Scaling& scaling, const double* u, double* out) const;
 
   const ConicProgram& program_;
+  KktAccuracy accuracy_;
   std::vector<Block> blocks_;
   std::vector<Group> groups_;
   std::vector<int> group_of_, rank_of_;  ///< of each variable: its group and its number there; −1 and that in the rest

@@ -56,8 +56,8 @@ struct Point {
 
 class InteriorPoint {
  public:
-  InteriorPoint(const ConicProgram& asked, const ConicOptions& options)
-      : asked_(asked), options_(options), program_(asked), scale_(equilibrate(program_)), kkt_(program_) {
+  InteriorPoint(const ConicProgram& asked, const ConicOptions& options, const KktAccuracy& accuracy)
+      : asked_(asked), options_(options), program_(asked), scale_(equilibrate(program_)), kkt_(program_, accuracy) {
     std::size_t row = static_cast<std::size_t>(program_.equations);
     for (const int size : program_.cones) {
       first_.push_back(row);
@@ -317,7 +317,12 @@ class InteriorPoint {
 }  // namespace
 
 ConicSolution solve(const ConicProgram& program, const ConicOptions& options, const ConicSolution* start) {
-  return InteriorPoint(program, options).run(start);
+  ConicSolution found = InteriorPoint(program, options, quick_accuracy).run(start);
+  if (found.end != ConicEnd::stalled) return found;
+  const int spent = found.iterations;
+  found = InteriorPoint(program, options, careful_accuracy).run(start);
+  found.iterations += spent;
+  return found;
 }
 
 }  // namespace talus::bounds
