@@ -183,10 +183,10 @@ def place(factor, lower, upper):
 
 def check_slope(runner, entry, options):
     problem = read_problem(entry)
-    size = find_height(problem) / choose_level(problem, COARSE)
+    size = 0.5 * find_height(problem) / choose_level(problem, COARSE)  # of the finer of two meshes
     text = make_case(problem, 50, True, noncircular=True, surfaces=[], finite_elements=True)
     text = text.replace('methods = ["lem"]', 'methods = ["lem", "fem", "bounds"]', 1)
-    text = text.replace('flow = "both"', f'flow = "associated"\nmeshes = 2\nsize = {size:.6g}')
+    text = text.replace('flow = "both"', f'flow = "associated"\nsize = {size:.6g}')
     summary = bound(runner, entry["id"], text, options, "apex")
     lower, upper, told = read_interval(summary)
     factors = list_factors(summary) if isinstance(summary, dict) else {}

@@ -95,7 +95,7 @@ def find_factor(runner, slope, associated, level):
 
 def find_by_elements(runner, slope, associated, level):
     name = f"{slope.name} {'phi' if associated else '0'} fem {level}"
-    summary = runner.run(name, make_case(slope, associated, "fem"), [f"fem.size={HEIGHT / level:.6g}", "fem.resolution=0.004"])
+    summary = runner.run(name, make_case(slope, associated, "fem"), [f"fem.size={HEIGHT / level:.6g}", "fem.meshes=1", "fem.resolution=0.004"])
     return summary["fem"]["runs"][0]["factor"]
 
 

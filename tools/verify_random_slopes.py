@@ -123,11 +123,11 @@ def judge(runner, number):
     """A row: the slope, factors of slices and elements, their difference, faults."""
     entry = draw_slope(number)
     problem = read_problem(entry)
-    size = round(find_height(problem) / choose_level(problem, ELEMENTS), 6)
+    size = round(0.5 * find_height(problem) / choose_level(problem, ELEMENTS), 6)  # of the finer mesh
     text = make_case(problem, 50, search=True, noncircular=True, finite_elements=True)
     row = {"slope": number, "what": describe(entry), "slices": None, "surface": "", "elements": None, "difference": None, "faults": []}
     try:
-        summary = runner.run(entry["id"], text, ['analysis.methods=["lem","fem"]', "fem.flow=associated", f"fem.size={size}", "fem.meshes=2",
+        summary = runner.run(entry["id"], text, ['analysis.methods=["lem","fem"]', "fem.flow=associated", f"fem.size={size}",
                                                  'lem.methods=["fellenius","bishop","janbu","janbu_corrected","spencer","morgenstern_price"]'])
     except Broken as fault:
         row["faults"].append(str(fault))

@@ -71,6 +71,7 @@ mesh_scatter = false
 methods = ["spencer", "morgenstern_price"]
 yield_acceleration = false
 [fem]
+size = {0.5 * size}
 flow = "both"
 meshes = 2
 [materials.soil]

@@ -63,8 +63,10 @@ std::string describe_elements(const input::Case& data) {
   const char* flow = data.fem.flow == input::FlowRule::as_given     ? "ψ as given"
                      : data.fem.flow == input::FlowRule::associated ? "ψ = φ"
                                                                     : "ψ as given and ψ = φ";
-  return fmt::format("  finite elements: strength reduction{}, {}\n",
-                     data.mesh.file.empty() ? " with elements of " + show_length(data, size) : "", flow);
+  std::string sizes;
+  if (data.mesh.file.empty()) sizes = " with elements of " + show_length(data, size);
+  if (data.mesh.file.empty() && data.fem.meshes > 1) sizes += " and of " + show_length(data, 2 * size);
+  return fmt::format("  finite elements: strength reduction{}, {}\n", sizes, flow);
 }
 
 std::string describe_bounds(const input::ProvenBounds& bounds) {

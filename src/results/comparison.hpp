@@ -61,8 +61,8 @@ void describe(V& v, R& r) {
   v.maybe("source", r.source, {"", "where the surface comes from"});
   v.maybe("measure", r.measure, {"", "what the factor is read off"});
   v.key("factor", r.factor, {"", "factor of safety"});
-  v.key("lower", r.lower, {"", "largest stable factor"});
-  v.key("upper", r.upper, {"", "smallest failed factor"});
+  v.key("lower", r.lower, {"", "lower end of the interval"});
+  v.key("upper", r.upper, {"", "upper end of the interval"});
   v.key("seconds", r.seconds, {"s", "seconds"});
   v.key("note", r.note, {"", "what to know"});
 }

@@ -41,6 +41,7 @@ void describe(V& v, R& r) {
 struct ElementMeshFactor {
   double size = 0;  ///< mean, of its elements [m]
   double factor = 0, stable = 0, failed = 0;
+  std::optional<double> flowing;  ///< nothing: every trial without equilibrium ran out of iterations
 };
 template <class V, As<ElementMeshFactor> R>
 void describe(V& v, R& r) {
@@ -48,6 +49,17 @@ void describe(V& v, R& r) {
   v.key("factor", r.factor, {"", "factor of safety on this mesh"});
   v.key("stable", r.stable, {"", "largest factor with equilibrium"});
   v.key("failed", r.failed, {"", "smallest factor without equilibrium"});
+  v.maybe("flowing", r.flowing, {"", "smallest factor at which the soil flows"});
+}
+
+/// What the factor of two meshes is known to: error of the mesh, brackets of both searches, and undecided trials.
+struct ElementInterval {
+  double lower = 0, upper = 0;
+};
+template <class V, As<ElementInterval> R>
+void describe(V& v, R& r) {
+  v.key("lower", r.lower, {"", "lower end of the interval of mesh and search"});
+  v.key("upper", r.upper, {"", "upper end of the interval of mesh and search"});
 }
 
 /// One strength reduction.
@@ -62,6 +74,7 @@ struct ElementRun {
   double seconds = 0;
   std::vector<std::string> warnings;
   std::optional<std::vector<ElementMeshFactor>> meshes;  ///< coarse to fine; then `factor` is extrapolated from them
+  std::optional<ElementInterval> interval;  ///< nothing: the error of the mesh is not known, as of one mesh
 };
 template <class V, As<ElementRun> R>
 void describe(V& v, R& r) {
@@ -71,6 +84,7 @@ void describe(V& v, R& r) {
   v.key("stable", r.stable, {"", "largest factor with equilibrium"});
   v.key("failed", r.failed, {"", "smallest factor without equilibrium"});
   v.maybe("meshes", r.meshes, {"", "factors on two meshes, from which the factor is extrapolated"});
+  v.maybe("interval", r.interval, {"", "interval of the factor: mesh and search; left out where there is one mesh"});
   v.key("by_displacement", r.by_displacement, {"", "factor where displacements run away"});
   v.key("trials", r.trials, {"", "trials"});
   v.key("slip_line", r.slip_line, {"m", "line along the band of shear strain"});

@@ -20,6 +20,12 @@ std::string pad(const std::string& text, std::size_t width) {
   return text + std::string(length < width ? width - length : 1, ' ');
 }
 
+/// " [1.391, 1.426]", rounded outward; empty where there is no interval.
+std::string write_interval(const std::optional<results::ElementInterval>& interval) {
+  if (!interval) return "";
+  return fmt::format(" [{:.3f}, {:.3f}]", results::show_lower(interval->lower), results::show_upper(interval->upper));
+}
+
 /// The factor that governs, with its method and surface.
 std::string write_main_factor(const results::RunResult& run) {
   const std::optional<double> factor = results::find_main_factor(run);
@@ -35,14 +41,16 @@ std::string write_main_factor(const results::RunResult& run) {
                        results::say_moment(*run.timeline, *run.timeline->least_time));
   const results::TimedReduction* later = run.timeline ? results::find_least_reduction(*run.timeline) : nullptr;
   if (later != nullptr && later->runs.front().factor == factor)
-    return fmt::format("Factor of safety {:.3f} (finite elements, at {})\n", *factor,
-                       results::say_moment(*run.timeline, later->time));
+    return fmt::format("Factor of safety {:.3f}{} (finite elements, at {})\n", *factor,
+                       write_interval(later->runs.front().interval), results::say_moment(*run.timeline, later->time));
   const bool by_slices = surface && surface->found->surface.factor == factor;
   const bool is_drawn = by_slices && run.slices->drawdown.has_value();
-  return fmt::format("Factor of safety {}{:.3f} ({})\n", is_drawn ? "after drawdown " : "", *factor,
+  const bool by_elements = !by_slices && results::find_elements_factor(run) == factor;
+  return fmt::format("Factor of safety {}{:.3f}{} ({})\n", is_drawn ? "after drawdown " : "", *factor,
+                     by_elements ? write_interval(run.elements->runs.front().interval) : "",
                      by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface))
-                     : results::find_elements_factor(run) == factor ? "finite elements"
-                                                                    : "material points");
+                     : by_elements ? "finite elements"
+                                   : "material points");
 }
 
 /// Rapid drawdown: the same slip surface in the stages before the one that counts.
@@ -73,6 +81,8 @@ std::string write_method_table(const results::MethodComparison& methods) {
   std::string text = "  " + pad("Method", method_width) + pad("Criterion", criterion_width) + "Factor   Seconds\n";
   for (const results::MethodRow& row : methods.table) {
     text += "  " + pad(row.title, method_width) + pad(row.criterion, criterion_width) + write_factor(row);
+    if (row.method == Method::fem && row.lower && row.upper)
+      text += write_interval(results::ElementInterval{*row.lower, *row.upper});
     if (row.seconds) text += fmt::format("  {:8.3g}", *row.seconds);
     text += '\n';
   }
@@ -179,8 +189,8 @@ std::string write_timeline(const results::Timeline& t) {
   for (const results::TimedReduction& e : t.elements)
     for (const results::ElementRun& r : e.runs)
       text += "  " + pad(results::say_moment(t, e.time), t.start ? 30 : 15) +
-              fmt::format("{:6.3f}   finite elements, {}\n", r.factor,
-                          r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given");
+              fmt::format("{:6.3f}   finite elements, {}{}\n", r.factor,
+                          r.flow == results::Flow::associated ? "ψ = φ" : "ψ as given", write_interval(r.interval));
   text += results::say_failure(t) + "\n";
   if (const std::string releases = results::say_releases(t); !releases.empty()) text += releases + "\n";
   return text;

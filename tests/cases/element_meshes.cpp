@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// [fem] meshes = 2: the factor is that of two runs on one mesh each, extrapolated to elements of no size.
+// [fem] meshes: with two the factor is that of two runs on one mesh each, extrapolated to elements of size zero, with
+// an interval; with one there is no interval.
 
 #include "base/extrapolate.hpp"
 #include "cases/methods_slope.hpp"
@@ -7,23 +8,59 @@
 namespace talus {
 namespace {
 
-class ElementMeshes : public MethodsTest {};
+using nlohmann::json;
 
-TEST_F(ElementMeshes, TwoMeshesExtrapolateTwoRuns) {
-  const std::string text = write_case("\"fem\"", "[fem]\nsize = 4\nresolution = 0.02\n");
+class ElementMeshes : public MethodsTest {
+ protected:
+  const std::string text_ = write_case("\"fem\"", "[fem]\nsize = 2\nresolution = 0.02\n");
+
+  /// The remarks on finite elements, one after the other.
+  static std::string join_remarks(const json& summary) {
+    std::string all;
+    for (const json& remark : summary.at("methods").at("remarks")) all += remark.at("text").get<std::string>() + "\n";
+    return all;
+  }
+};
+
+TEST_F(ElementMeshes, TwoMeshesAreTheDefaultAndExtrapolateTwoRuns) {
   const auto find = [&](const std::vector<input::Override>& overrides) {
-    return run(text, overrides).at("fem").at("runs").at(0);
+    return run(text_, overrides).at("fem").at("runs").at(0);
   };
-  const auto both = find({{"fem.meshes", "2"}}), coarse = find({}), fine = find({{"fem.size", "2"}});
-  const auto& meshes = both.at("meshes");
+  const json both = find({}), fine = find({{"fem.meshes", "1"}}),
+             coarse = find({{"fem.meshes", "1"}, {"fem.size", "4"}});
+  const json& meshes = both.at("meshes");
   ASSERT_EQ(meshes.size(), 2u);
   EXPECT_EQ(meshes[0].at("factor"), coarse.at("factor"));
   EXPECT_EQ(meshes[1].at("factor"), fine.at("factor"));
-  EXPECT_FALSE(coarse.contains("meshes"));
   const double expected = extrapolate_to_zero(meshes[0].at("size").get<double>(), coarse.at("factor").get<double>(),
                                               meshes[1].at("size").get<double>(), fine.at("factor").get<double>());
   EXPECT_NEAR(both.at("factor").get<double>(), expected, 1e-12);
   EXPECT_NEAR(meshes[0].at("size").get<double>() / meshes[1].at("size").get<double>(), 2, 0.3);
+  const double lower = both.at("interval").at("lower"), upper = both.at("interval").at("upper");
+  EXPECT_LT(lower, expected);
+  EXPECT_GE(upper, fine.at("failed").get<double>());
+}
+
+TEST_F(ElementMeshes, IntervalOfAssociatedFlowHoldsTheFactorOfSpencersCircle) {
+  const json summary = run(text_, {{"fem.flow", "associated"}, {"fem.size", "1"}, {"fem.resolution", "0.005"}});
+  const json& interval = summary.at("fem").at("runs").at(0).at("interval");
+  EXPECT_LE(interval.at("lower").get<double>(), 1.439);
+  EXPECT_GE(interval.at("upper").get<double>(), 1.439);
+  const json& row = summary.at("methods").at("table").at(0);
+  EXPECT_EQ(row.at("lower"), interval.at("lower"));
+  EXPECT_EQ(row.at("upper"), interval.at("upper"));
+  EXPECT_NE(join_remarks(summary).find("the interval of mesh and search"), std::string::npos);
+}
+
+TEST_F(ElementMeshes, OneMeshHasNoInterval) {
+  const json summary = run(text_, {{"fem.meshes", "1"}});
+  const json& found = summary.at("fem").at("runs").at(0);
+  EXPECT_FALSE(found.contains("meshes"));
+  EXPECT_FALSE(found.contains("interval"));
+  const json& row = summary.at("methods").at("table").at(0);
+  EXPECT_TRUE(row.at("lower").is_null()) << "the bracket of the search is no interval of the factor";
+  EXPECT_TRUE(row.at("upper").is_null());
+  EXPECT_NE(join_remarks(summary).find("one mesh: the mesh error is not known"), std::string::npos);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "run/fem/tell_elements.hpp"
 #include "support/solid_model.hpp"
 
 namespace talus {
@@ -13,8 +14,10 @@ namespace {
 
 constexpr double half_width = 1, cohesion = 10e3;
 
-/// N_c of half of a flexible strip of half-width 1 m on a block of 5 m × 3 m, elements of `size` near the strip.
-double find_bearing_factor(double size, double dilatancy) {
+constexpr double pressure = 4 * cohesion;  ///< stands at full strength
+
+/// Half of a flexible strip of half-width 1 m on a block of 5 m × 3 m, elements of `size` near the strip.
+fem::ReductionResult<2> reduce_strip(double size, double dilatancy) {
   mesh::Plan plan;
   plan.box_min = {0, 0};
   plan.box_max = {5, 3};
@@ -35,15 +38,18 @@ double find_bearing_factor(double size, double dilatancy) {
   base.sides = support::find_sides_at<2>(mesh, 1, 0);
   base.fixed = {true, true};
   model.supports.push_back(base);
-  const double pressure = 4 * cohesion;  // stands at full strength
   support::add_load<2>(model,
                        support::find_sides<2>(
                            mesh, [](const Vec<2>& x) { return std::abs(x[1] - 3) < 1e-9 && x[0] < half_width + 1e-9; }),
                        {0, -pressure});
   fem::ReductionOptions options;
   options.from = 1.1, options.to = 1.4, options.resolution = 0.002;
-  const auto r = fem::reduce_strength<2>(model, options);
-  return pressure / cohesion * r.factor;
+  return fem::reduce_strength<2>(model, options);
+}
+
+/// N_c.
+double find_bearing_factor(double size, double dilatancy) {
+  return pressure / cohesion * reduce_strip(size, dilatancy).factor;
 }
 
 TEST(StripFooting, BearingCapacityOfClayIsPrandtls) {
@@ -53,6 +59,16 @@ TEST(StripFooting, BearingCapacityOfClayIsPrandtls) {
   EXPECT_GT(errors[0], -0.005);  // elements of displacements are an upper bound, but for their points
   EXPECT_LT(errors[1], 0.015);
   EXPECT_LT(errors[1], 0.7 * errors[0]);
+}
+
+TEST(StripFooting, IntervalOfTwoMeshesHoldsPrandtlsFactor) {
+  const double exact = (2 + std::acos(-1.0)) * cohesion / pressure;
+  const auto interval = run::find_mesh_interval(run::tell_mesh_factor(reduce_strip(0.3, 0), 0.3),
+                                                run::tell_mesh_factor(reduce_strip(0.15, 0), 0.15));
+  ASSERT_TRUE(interval.has_value());
+  EXPECT_LE(interval->lower, exact);
+  EXPECT_GE(interval->upper, exact);
+  EXPECT_LT(interval->upper - interval->lower, 0.05 * exact) << "and says something";
 }
 
 }  // namespace

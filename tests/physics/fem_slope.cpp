@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "run/fem/tell_elements.hpp"
 #include "support/solid_model.hpp"
 
 namespace talus {
@@ -54,6 +55,35 @@ TEST(SolidSlope, FlowWithoutDilatancyFailsALittleEarlier) {
     EXPECT_EQ(t.converged, t.factor <= r.stable) << t.factor;
     EXPECT_TRUE(t.converged || t.flows) << t.factor;
   }
+}
+
+/// 45° and 10 m high, φ = 20°, c = 0.0619 γH: the log-spiral of Chen (1975) has 1.0002, the proven interval is 0.994 to
+/// 1.0002 (docs/verification_data/bounds.md).
+TEST(SolidSlope, IntervalOfTwoMeshesHoldsChensLogSpiral) {
+  const auto search = [](double size) {
+    const SoilSection section{
+        {{0, 0}, {40, 0}, {40, 5}, {25, 5}, {15, 15}, {0, 15}}, 0.0619 * 20e3 * 10, 20, 20, 20e3, 1e7, 0.3, size};
+    return run::tell_mesh_factor(reduce(section, 0.9, 1.1), size);
+  };
+  const auto interval = run::find_mesh_interval(search(2), search(1));
+  ASSERT_TRUE(interval.has_value());
+  EXPECT_LE(interval->lower, 0.994);
+  EXPECT_GE(interval->upper, 1.0002);
+}
+
+TEST(SolidSlope, TrialsThatRunOutOfIterationsAreUndecided) {
+  const SolidSlope<2> slope(make_small());
+  const auto search = [&](int iterations) {
+    fem::ReductionOptions options;
+    options.from = 1.2, options.to = 1.8;
+    options.solid.most_iterations = iterations;
+    return fem::reduce_strength<2>(slope.model, options);
+  };
+  const auto full = search(400), hasty = search(20);
+  EXPECT_EQ(full.flowing, full.failed) << "every failed trial flows";
+  EXPECT_LT(hasty.failed, hasty.flowing);
+  EXPECT_LE(hasty.stable, full.stable);
+  EXPECT_GE(hasty.flowing, full.failed) << "the undecided range holds the factor";
 }
 
 TEST(SolidSlope, GriffithsAndLanesDisplacements) {

@@ -108,6 +108,7 @@ template <int D>
 struct ReductionResult {
   double stable = 0;           ///< largest factor with equilibrium
   double failed = 0;           ///< smallest factor without
+  double flowing = 0;          ///< smallest factor whose trial failed by flow (T19.8), not by its iterations; 0: none
   double factor = 0;           ///< their mean: the criterion of non-convergence
   double by_displacement = 0;  ///< where the displacement since full strength passes `displacement_limit`; 0: not told
   double base_factor = 1;      ///< of at_full_strength: 1, or less where the soil does not stand at 1

@@ -36,6 +36,12 @@ double find_passing(const std::vector<ReductionTrial>& trials, double base, doub
   return 0;
 }
 
+/// 0 where every failed trial ran out of iterations.
+double find_flowing(const std::vector<ReductionTrial>& trials) {
+  const auto first = std::find_if(trials.begin(), trials.end(), [](const auto& t) { return !t.converged && t.flows; });
+  return first == trials.end() ? 0 : first->factor;
+}
+
 template <int D>
 class Reduction {
  public:
@@ -55,6 +61,7 @@ class Reduction {
               [](const auto& a, const auto& b) { return a.factor < b.factor; });
     result_.stable = low_;
     result_.failed = high_;
+    result_.flowing = find_flowing(result_.trials);
     result_.factor = 0.5 * (low_ + high_);
     result_.elastic_displacement = newton_.elastic_displacement();
     result_.by_displacement =

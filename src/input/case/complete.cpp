@@ -71,6 +71,8 @@ void complete(Case& data, const std::string& file, const Places& places) {
     material::complete_soil(material, name, find_file);
   }
   complete_without_points(data, places);
+  // A ready mesh cannot be coarsened, and a second mesh of tetrahedra costs memory and time.
+  if (!places.is_given("fem.meshes") && (data.mesh.dimension == 3 || !data.mesh.file.empty())) data.fem.meshes = 1;
   if (data.initial.result.empty()) return;
   data.initial.result_folder = find_file(data.initial.result);
   // The mesh of a result cannot be halved.

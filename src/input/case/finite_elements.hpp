@@ -16,7 +16,7 @@ enum class FlowRule { as_given, associated, both };
 struct FiniteElements {
   std::optional<double> size;  ///< element size [m]; not given: that of the mesh
   mesh::Algorithm algorithm = mesh::Algorithm::delaunay;
-  int meshes = 1;                        ///< 2: and one of half the size, extrapolated linearly
+  int meshes = 2;                        ///< 2: also one of twice the size, extrapolated linearly
   FlowRule flow = FlowRule::as_given;    ///< both: with ψ as given and with ψ = φ
   double from = 1.0, to = 2.0;           ///< first bracket [-]
   double resolution = 0.005;             ///< of the last [-]
@@ -36,10 +36,12 @@ inline constexpr auto choices<FlowRule> = std::array{
 template <class Visitor>
 void describe(Visitor& v, FiniteElements& f) {
   v.key("size", f.size, quantity("m").above(0).example("1.0"),
-        "Size of the quadratic elements; if not given, that of [mesh].");
+        "Size of the quadratic elements; if not given, that of [mesh]. With two meshes it is that of the finer one.");
   v.key("algorithm", f.algorithm, plain(), "Gmsh's algorithm for their mesh.");
   v.key("meshes", f.meshes, plain().at_least(1).at_most(2),
-        "1: one mesh. 2: also one of half its element size, and the factor extrapolated to size zero.");
+        "2: the search is repeated on elements of twice the size, the factor is extrapolated to size zero, and its "
+        "interval holds the error of the mesh. 1: one mesh, whose error is not known. If not given, it is 1 in 3D and "
+        "for a ready mesh file.");
   v.key("flow", f.flow, plain(), "Plastic flow of the trials.");
   v.key("from", f.from, plain().above(0), "Lower end of the first bracket; widened when the factor is not in it.");
   v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");
@@ -49,9 +51,8 @@ void describe(Visitor& v, FiniteElements& f) {
   v.key("displacement_tolerance", f.displacement_tolerance, plain().above(0).below(1),
         "And largest motion still to come over all displacement of the load step; both must hold.");
   v.key("iterations", f.iterations, plain().at_least(1).at_most(10000),
-        "Linear systems that are solved in a load step or trial, at most. A trial that runs out of them counts as "
-        "failed, "
-        "and a warning says so: it may have stood.");
+        "Linear systems that are solved in a load step or trial, at most. A trial that runs out of them is undecided: "
+        "the search continues below it, a warning says so, and the interval reaches up to the next trial that failed.");
   v.key("load_steps", f.load_steps, plain().at_least(1).at_most(10000),
         "Steps in which weight and loads come on; halved where one does not converge.");
 }

@@ -49,7 +49,9 @@ json take_run(const results::ElementRun& run) {
              {"factor", take_factor(run.factor)},
              {"stable", take_factor(run.stable)},
              {"failed", take_factor(run.failed)},
-             {"by_displacement", take_factor(run.by_displacement.value_or(0))}};
+             {"by_displacement", take_factor(run.by_displacement.value_or(0))},
+             {"lower", run.interval ? json(results::show_lower(run.interval->lower)) : json()},
+             {"upper", run.interval ? json(results::show_upper(run.interval->upper)) : json()}};
   if (run.sides)
     for (const results::SideLine& side : *run.sides) taken["slip_lines"].push_back(side.points);
   else if (!run.slip_line.empty())

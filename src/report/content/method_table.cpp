@@ -75,14 +75,17 @@ SurfaceSource find_source(const MethodRow& row) {
   return row.surface == "lem.noncircular." + row.name ? SurfaceSource::noncircular : SurfaceSource::given;
 }
 
-/// The ends of a bracket, as they are found; of what is proven, as they are shown.
+/// Intervals of limit analysis and finite elements are rounded outward; other ends are as they are found.
+bool is_rounded_outward(const MethodRow& row) {
+  return row.method == Method::bounds || row.method == Method::fem;
+}
 std::optional<double> take_lower(const MethodRow& row) {
   const auto lower = take_factor(row.lower);
-  return lower && row.method == Method::bounds ? results::show_lower(*lower) : lower;
+  return lower && is_rounded_outward(row) ? results::show_lower(*lower) : lower;
 }
 std::optional<double> take_upper(const MethodRow& row) {
   const auto upper = take_factor(row.upper);
-  return upper && row.method == Method::bounds ? results::show_upper(*upper) : upper;
+  return upper && is_rounded_outward(row) ? results::show_upper(*upper) : upper;
 }
 
 json take_row(const MethodRow& row) {
@@ -99,7 +102,7 @@ json take_row(const MethodRow& row) {
           {"seconds", write(row.seconds)}};
 }
 
-/// Displacements have no bracket.
+/// Rows of older versions do not hold it: displacements had no bracket.
 FactorMeasure find_measure(const MethodRow& row) {
   return row.measure.value_or(row.lower ? FactorMeasure::equilibrium : FactorMeasure::displacement);
 }
@@ -216,6 +219,10 @@ void lead_with_timeline(const results::Timeline& timeline, std::vector<Factor>& 
     later.name = "timeline.elements";
     later.title = fmt::format("at {}", results::say_moment(timeline, elements->time));
     later.value = elements->runs.front().factor;
+    if (const auto& interval = elements->runs.front().interval) {
+      later.lower = results::show_lower(interval->lower);
+      later.upper = results::show_upper(interval->upper);
+    }
     later.flow = elements->runs.front().flow;
     later.measure = FactorMeasure::equilibrium;
     later.is_main = true;

@@ -83,7 +83,13 @@ class Assumptions {
         "so that a finer mesh gives a slightly lower factor.",
         dimension_ == 2 ? "quadratic triangles (six nodes)" : "quadratic tetrahedra (ten nodes)");
     if (!run_.elements) return;
-    for (const results::ElementRun& run : run_.elements->runs)
+    const auto& runs = run_.elements->runs;
+    if (std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.interval.has_value(); }))
+      add("The factor by finite elements is extrapolated from two meshes to element size zero. Its interval holds the "
+          "error of the mesh for orders of convergence of 0.6 and more, and the brackets of the search.");
+    else if (!runs.empty())
+      add("The factor by finite elements is that of one mesh, and the mesh error is not known.");
+    for (const results::ElementRun& run : runs)
       if (run.flow == results::Flow::associated)
         add("With associated flow (ψ = φ) the factor can be compared with slices and limit analysis; with ψ as given "
             "it should agree with that of material points.");

@@ -122,10 +122,14 @@ class Comparison {
       row.label = words;
       row.measure = results::FactorMeasure::equilibrium;
       row.factor = run.factor;
-      row.lower = run.stable;
-      row.upper = run.failed;
+      if (run.interval) {
+        row.lower = run.interval->lower;
+        row.upper = run.interval->upper;
+      }
       row.seconds = run.seconds;
       row.note = fmt::format("{}, {} elements of {:.3g} m", fem.element, fem.elements, fem.size);
+      row.note += run.meshes ? fmt::format(", extrapolated with those of {:.3g} m", run.meshes->front().size)
+                             : "; one mesh: the mesh error is not known";
       told_.table.push_back(row);
       if (run.by_displacement) {
         row.criterion = "displacement runs away";

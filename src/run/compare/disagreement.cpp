@@ -172,12 +172,13 @@ class Warnings {
     if (governing_ && !run_.slices->referee) {
       const std::string words = fmt::format("slices ({}, {})", get_title(governing_->found->surface.method),
                                             results::name_surface(*governing_));
-      warn_outside(words, *governing_->found->surface.factor, 0, tension,
+      warn_outside(words, *governing_->found->surface.factor, {}, tension,
                    "The surface that was found may not be admissible: look at its forces.");
     }
     if (run_.elements)
       for (const results::ElementRun& r : run_.elements->runs)
-        warn_outside(fmt::format("finite elements ({})", describe_flow(r)), r.factor, (r.failed - r.stable) / 2,
+        warn_outside(fmt::format("finite elements ({})", describe_flow(r)), r.factor,
+                     r.interval.value_or(results::ElementInterval{r.stable, r.failed}),
                      " A mesh of finite elements is too stiff: refine [fem] size.",
                      r.flow == results::Flow::associated
                          ? "Trials may have run out of iterations."
@@ -185,20 +186,23 @@ class Warnings {
                            "earlier.");
     if (const auto f = results::find_points_factor(run_)) {
       const auto& frozen = run_.factor_of_safety->frozen;
-      warn_outside("material points", *f, frozen ? frozen->uncertainty.value_or(frozen->bracket) : 0,
+      const double uncertainty = frozen ? frozen->uncertainty.value_or(frozen->bracket) : 0;
+      warn_outside("material points", *f, results::ElementInterval{*f - uncertainty, *f + uncertainty},
                    " Their mesh is too coarse, or their trials end too early.",
                    "ψ may be smaller than φ, for which the bounds are not made.");
     }
   }
 
-  void warn_outside(const std::string& words, double factor, double uncertainty, const std::string& above,
-                    const std::string& below) {
+  /// `interval`: what the factor is known to; nothing: the factor alone.
+  void warn_outside(const std::string& words, double factor, std::optional<results::ElementInterval> interval,
+                    const std::string& above, const std::string& below) {
     const auto &lower = run_.bounds->lower, &upper = run_.bounds->upper;
-    if (upper && factor - uncertainty > *upper)
+    const double least = interval ? interval->lower : factor, greatest = interval ? interval->upper : factor;
+    if (upper && least > *upper)
       warnings_.push_back(fmt::format(
           "The factor {:.3f} by {} is above the proven upper bound, {:.3f}: it is too high by {:.1f} % at least.{}",
           factor, words, results::show_upper(*upper), 100 * (factor / *upper - 1), above));
-    if (lower && factor + uncertainty < *lower)
+    if (lower && greatest < *lower)
       warnings_.push_back(
           fmt::format("The factor {:.3f} by {} is below the lower bound that is proven for ψ = φ, {:.3f}. {}", factor,
                       words, results::show_lower(*lower), below));

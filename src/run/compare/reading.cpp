@@ -69,6 +69,7 @@ class Reading {
     read_suction();
     topic_ = results::Topic::elements;
     read_flow();
+    read_element_mesh();
     read_element_criterion();
     read_elements();
     topic_ = results::Topic::bounds;
@@ -303,12 +304,29 @@ class Reading {
     }
   }
 
+  /// The interval of two meshes, or that there is none.
+  void read_element_mesh() {
+    for (const results::ElementRun* run : {given_, associated_}) {
+      if (run == nullptr) continue;
+      const std::string flow = describe_flow(*run);
+      if (run->interval && run->meshes)
+        say("Finite elements ({}): {:.3f} on elements of {:.3g} m and {:.3f} on {:.3g} m, {:.3f} at size zero; the "
+            "interval of mesh and search is {:.3f} to {:.3f}.",
+            flow, run->meshes->front().factor, run->meshes->front().size, run->meshes->back().factor,
+            run->meshes->back().size, run->factor, results::show_lower(run->interval->lower),
+            results::show_upper(run->interval->upper));
+      else
+        say("Finite elements ({}), {}: the mesh error is not known.", flow, run->meshes ? "two meshes" : "one mesh");
+    }
+  }
+
   /// Finite elements against slices.
   void read_elements() {
     const results::ElementRun* run = associated_ ? associated_ : given_;
     if (run == nullptr || !slices_) return;
-    const double f = run->factor, half = (run->failed - run->stable) / 2;
-    if (std::abs(f - *slices_) <= half + same * *slices_)
+    const double f = run->factor, margin = same * *slices_;
+    const results::ElementInterval known = run->interval.value_or(results::ElementInterval{run->stable, run->failed});
+    if (*slices_ >= known.lower - margin && *slices_ <= known.upper + margin)
       say("Finite elements ({}, {:.3f}) and {} ({:.3f}) agree within {}.", describe_flow(*run), f, name_, *slices_,
           format_share(f / *slices_ - 1));
     else

@@ -14,15 +14,15 @@
 #include "run/attempt.hpp"
 #include "run/fem/fields_vtu.hpp"
 #include "run/fem/start_stress.hpp"
-#include "run/fem/tell_elements.hpp"
+#include "run/fem/thin_layers.hpp"
 
 namespace talus::run {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Share of the element size of [fem] in the finer of two meshes.
-constexpr double fine_share = 0.5;
+/// Element size of the coarser of two meshes over that of [fem]: it costs a sixth of the finer one.
+constexpr double coarse_ratio = 2;
 
 constexpr const char *element_file = "fem.json", *element_title = "finite elements";
 
@@ -39,6 +39,14 @@ fem::ReductionOptions make_options(const input::FiniteElements& settings, int th
   options.resolution = settings.resolution;
   options.solid = make_solid_options(settings, threads);
   return options;
+}
+
+/// Whether a soil of the case has ψ < φ.
+bool has_less_dilatancy(const input::Case& data) {
+  return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
+    const input::Material& m = data.materials.at(region.second);
+    return m.traits().strength != material::Strength::none && m.dilatancy_angle < m.friction_angle;
+  });
 }
 
 bool has_run(const results::ElementResult& result, results::Flow flow) {
@@ -69,13 +77,12 @@ template <int D>
 void ElementRun<D>::prepare() {
   attempt([&] {
     show("mesh");
-    // The finer of two meshes gives fields and slip line.
-    model_ = make_model(data_.fem.meshes > 1 && data_.mesh.file.empty() ? fine_share : 1);
+    model_ = make_model(1);
     water_ = std::move(model_->solid.water);
     begin();
     if (data_.fem.meshes > 1 && !data_.mesh.file.empty())
       file_.summary.warnings.push_back(
-          "the mesh is a ready file, which cannot be halved: the factor is that of one mesh and not extrapolated");
+          "the mesh is a ready file, which cannot be coarsened: the factor is that of one mesh and not extrapolated");
     if (options_.progress) options_.progress->clear();
   });
 }
@@ -144,21 +151,44 @@ fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::str
                                  });
 }
 
-/// The same on a mesh of the size of [fem], twice that of the first one, and both factors extrapolated to h = 0.
 template <int D>
-void ElementRun<D>::extrapolate(results::Flow flow, const std::string& words, results::ElementRun& run) const {
-  const std::unique_ptr<Model> model = make_model(1);
-  if (flow == results::Flow::associated) set_associated_flow<D>(data_, model->solid);
-  const auto coarse = search(*model, words + ", coarse mesh");
-  const double size = mesh::measure_quality(*model->solid.mesh).mean_size, fine = file_.summary.size;
-  run.meshes = std::vector<results::ElementMeshFactor>{{size, coarse.factor, coarse.stable, coarse.failed},
-                                                       {fine, run.factor, run.stable, run.failed}};
-  run.factor = extrapolate_to_zero(size, coarse.factor, fine, run.factor);
-  if (run.by_displacement && coarse.by_displacement > 0)
-    run.by_displacement = extrapolate_to_zero(size, coarse.by_displacement, fine, *run.by_displacement);
+LeastMeshError ElementRun<D>::find_least_error(const fem::ReductionResult<D>& found, results::ElementRun& run) const {
+  LeastMeshError least;
+  if (run.flow != results::Flow::associated && has_less_dilatancy(data_)) least.above = known_scatter;
+  if constexpr (D == 2) {
+    const auto thin = list_thin_layers(*model_->solid.mesh, model_->mesh, found.mechanism);
+    if (thin.empty()) return least;
+    least.below = thin_layer_error;
+    run.warnings.push_back(
+        fmt::format("'{}' shears and has fewer than {:g} rows of elements over its thickness, so that two meshes do "
+                    "not show the error: the interval allows {:g} % for it; refine it by [[mesh.refine]]",
+                    fmt::join(thin, "', '"), fewest_element_rows, 100 * thin_layer_error));
+  }
+  return least;
+}
+
+/// The search on the coarser mesh, and the factors of both extrapolated to h = 0 with the interval.
+template <int D>
+void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionResult<D>& fine_search,
+                                results::ElementRun& run) const {
+  const std::unique_ptr<Model> model = make_model(coarse_ratio);
+  if (run.flow == results::Flow::associated) set_associated_flow<D>(data_, model->solid);
+  const auto found = search(*model, words + ", coarse mesh");
+  const results::ElementMeshFactor fine = tell_mesh_factor(fine_search, file_.summary.size),
+                                   coarse =
+                                       tell_mesh_factor(found, mesh::measure_quality(*model->solid.mesh).mean_size);
+  run.seconds += found.seconds;
+  run.meshes = std::vector<results::ElementMeshFactor>{coarse, fine};
+  run.factor = extrapolate_to_zero(coarse.size, coarse.factor, fine.size, fine.factor);
+  run.interval = find_mesh_interval(coarse, fine, find_least_error(fine_search, run));
+  if (!run.interval)
+    run.warnings.push_back(
+        "every trial that failed on one of the meshes ran out of iterations: the factor has no upper end; give more "
+        "`iterations` under [fem]");
+  if (run.by_displacement && found.by_displacement > 0)
+    run.by_displacement = extrapolate_to_zero(coarse.size, found.by_displacement, fine.size, *run.by_displacement);
   else
     run.by_displacement.reset();
-  run.seconds += coarse.seconds;
 }
 
 template <int D>
@@ -189,12 +219,13 @@ void ElementRun<D>::reduce(results::Flow flow) {
   for (const fem::ReductionTrial& t : found.trials)
     if (t.factor == found.failed && !t.flows)
       run.warnings.push_back(
-          fmt::format("the trial that failed, at {:.4g}, ran out of iterations ({}) before its soil flowed: with "
-                      "more `iterations` under [fem] the factor may be higher",
-                      t.factor, t.iterations));
+          fmt::format("the trial at {:.4g} ran out of iterations ({}) and is undecided: with more `iterations` under "
+                      "[fem] the factor may be higher{}",
+                      t.factor, t.iterations,
+                      found.flowing > 0 ? fmt::format(", up to {:.4g}, where the soil flows", found.flowing) : ""));
   if (found.stable < 1)
     run.warnings.push_back("the slope does not stand with its full strength: the factor is below 1");
-  if (data_.fem.meshes > 1 && data_.mesh.file.empty()) extrapolate(flow, words, run);
+  if (has_two_meshes()) extrapolate(words, found, run);
   file_.summary.unknowns = found.unknowns;
   file_.summary.runs.push_back(std::move(run));
   file_.mesh.runs.push_back(tell_fields<D>(model_->mesh, found.at_failure, flow));

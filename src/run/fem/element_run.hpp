@@ -9,6 +9,7 @@
 
 #include "results/run.hpp"
 #include "run/fem/solid_of_case.hpp"
+#include "run/fem/tell_elements.hpp"
 #include "run/options.hpp"
 
 namespace talus::run {
@@ -43,7 +44,10 @@ class ElementRun {
   void reduce(results::Flow flow);
   std::unique_ptr<Model> make_model(double share) const;
   fem::ReductionResult<D> search(const Model& model, const std::string& words) const;
-  void extrapolate(results::Flow flow, const std::string& words, results::ElementRun& run) const;
+  bool has_two_meshes() const { return data_.fem.meshes > 1 && data_.mesh.file.empty(); }
+  /// What the mesh does to the factor at least: more where thin layers take part, of which `run` warns.
+  LeastMeshError find_least_error(const fem::ReductionResult<D>& found, results::ElementRun& run) const;
+  void extrapolate(const std::string& words, const fem::ReductionResult<D>& found, results::ElementRun& run) const;
   void keep() const;
   void show(const std::string& what) const;
 

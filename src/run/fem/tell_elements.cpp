@@ -4,15 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/extrapolate.hpp"
 #include "run/round_to.hpp"
 
 namespace talus::run {
 namespace {
 
+/// Times what the extrapolation takes from the finer mesh: holds the limit for orders of convergence of 0.6 and more.
+/// Of soil without friction over soil with it the order was 0.58, of homogeneous slopes about 1.
+constexpr double spread = 2;
+
 /// Displacements and strains of the fields are kept to so many digits after the point: micrometres and 1e-6.
 constexpr double field_digits = 1e6;
 
-/// √(⅔ e:e) of a strain with γ as shear components.
+}  // namespace
+
 double find_shear_strain(const std::array<double, 6>& e) {
   const double mean = (e[0] + e[1] + e[2]) / 3;
   double squares = 0;
@@ -20,8 +26,6 @@ double find_shear_strain(const std::array<double, 6>& e) {
   for (std::size_t i = 3; i < 6; ++i) squares += 0.5 * e[i] * e[i];
   return std::sqrt(2.0 / 3 * squares);
 }
-
-}  // namespace
 
 std::array<double, 2> find_dilatancy(const input::Case& data, bool associated) {
   double low = 1e9, high = -1e9;
@@ -37,6 +41,24 @@ std::array<double, 2> find_dilatancy(const input::Case& data, bool associated) {
 
 results::ElementTrial tell_trial(const fem::ReductionTrial& t) {
   return {t.factor, t.converged, t.iterations, t.force_residual, t.displacement_residual, t.displacement, t.seconds};
+}
+
+template <int D>
+results::ElementMeshFactor tell_mesh_factor(const fem::ReductionResult<D>& found, double size) {
+  return {size, found.factor, found.stable, found.failed,
+          found.flowing > 0 ? std::optional(found.flowing) : std::nullopt};
+}
+
+std::optional<results::ElementInterval> find_mesh_interval(const results::ElementMeshFactor& coarse,
+                                                           const results::ElementMeshFactor& fine,
+                                                           const LeastMeshError& least) {
+  if (!coarse.flowing || !fine.flowing) return std::nullopt;
+  // The difference of the meshes is known to the brackets of both searches, and passed on as the extrapolation does.
+  const double rest = find_rest(coarse.size, fine.size), difference = std::max(0.0, coarse.factor - fine.factor),
+               fall = rest * (*coarse.flowing - fine.stable + (spread - 1) * difference),
+               rise = rest * (*fine.flowing - coarse.stable);
+  return results::ElementInterval{fine.stable - std::max(fall, least.below * fine.factor),
+                                  *fine.flowing + std::max(rise, least.above * fine.factor)};
 }
 
 template <int D>
@@ -79,6 +101,8 @@ results::ElementFields tell_fields(const fem::QuadraticMesh<D>& mesh, const fem:
   return fields;
 }
 
+template results::ElementMeshFactor tell_mesh_factor<2>(const fem::ReductionResult<2>&, double);
+template results::ElementMeshFactor tell_mesh_factor<3>(const fem::ReductionResult<3>&, double);
 template results::ElementMesh tell_mesh<2>(const fem::QuadraticMesh<2>&);
 template results::ElementMesh tell_mesh<3>(const fem::QuadraticMesh<3>&);
 template results::ElementFields tell_fields<2>(const fem::QuadraticMesh<2>&, const fem::SolidState<2>&, results::Flow);

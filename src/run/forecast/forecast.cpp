@@ -68,6 +68,10 @@ MethodForecast forecast_elements(const input::Case& data) {
   const double flows = data.fem.flow == input::FlowRule::both ? 2 : 1;
   f.steps = flows * systems;
   if (plan.dimension == 2) f.seconds = f.steps * system_seconds * std::pow(unknowns, system_power);
+  if (data.fem.meshes > 1 && plan.file.empty()) {  // a second mesh, of twice the size
+    f.steps *= 2;
+    f.seconds *= 1 + std::pow(0.25, system_power);
+  }
   f.bytes = program_bytes + mesh_bytes[get_rank(plan.dimension)] * count.all +
             matrix_bytes * std::pow(unknowns, matrix_power);
   return f;

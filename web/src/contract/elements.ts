@@ -25,8 +25,12 @@ export interface FlowRun {
   title: string;
   /** Dilatancy angles [rad]: least, greatest. */
   psi: number[];
-  /** Where equilibrium is lost: between `stable` and `failed`. */
+  /** Where equilibrium is lost; of two meshes extrapolated to elements of size zero. */
   factor: number | null;
+  /** Interval of mesh and search; null where there is one mesh, whose error is not known. */
+  lower: number | null;
+  upper: number | null;
+  /** The last bracket of the search on the finer mesh. */
   stable: number | null;
   failed: number | null;
   /** Where the displacement runs away. */
