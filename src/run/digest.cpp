@@ -107,7 +107,7 @@ std::string write_factors(const results::PointFactors& factors) {
       text += fmt::format("extrapolated to h = 0; brackets ± {:.3f}{})", f.bracket,
                           f.mesh_effect ? fmt::format(", mesh ± {:.3f}", *f.mesh_effect) : "");
     } else {
-      text += fmt::format(" (one mesh, not extrapolated; bracket ± {:.3f})", f.bracket);
+      text += " (one mesh, not extrapolated: the mesh error is not known)";
     }
     text += fmt::format(", dilatancy angle {:.3g}°\n", f.dilatancy_angle_max);
   }

@@ -68,7 +68,7 @@ TEST_F(WholeReport, FactorsAreThoseOfTheSummary) {
   EXPECT_EQ(factors[0].at("value"), frozen);
   EXPECT_EQ(factors[0].at("main"), true);
   EXPECT_TRUE(factors[0].at("lower").is_null()) << "one mesh: the bracket of its search is no interval of the factor";
-  EXPECT_NE(factors[0].at("note").get<std::string>().find("what the mesh does is not known from one"),
+  EXPECT_NE(factors[0].at("note").get<std::string>().find("one mesh, not extrapolated; the mesh error is not known"),
             std::string::npos);
   EXPECT_EQ(factors.size(), 1 + summary_.at("factor_of_safety").at("criteria").size());
   char words[64];

@@ -67,8 +67,7 @@ Factor make_frozen_factor(const results::FrozenFactor& frozen, const ShownUnit& 
                             ? fmt::format("the interval holds the brackets of the search, ± {:.3f}, and what the mesh "
                                           "does, ± {:.3f}",
                                           frozen.bracket, *frozen.mesh_effect)
-                            : fmt::format("the search ended with ± {:.3f}; what the mesh does is not known from one",
-                                          frozen.bracket));
+                            : "the mesh error is not known");
   return factor;
 }
 
