@@ -63,13 +63,13 @@ TEST(Program, SaysWhatEachMethodCalculates) {
   EXPECT_EQ(checked.code, 0) << checked.text;
   for (const char* line :
        {"\n  limit equilibrium: Bishop simplified, Spencer; circles between entries and exits, then polylines\n",
-        "\n  finite elements: strength reduction with elements of 0.75 m, ψ as given\n",
+        "\n  finite elements: strength reduction with elements of 0.75 m and of 1.5 m, ψ as given\n",
         "\n  material points, run: 2 stages, together at most 13 s\n", "\n  with partial factors DA1-2\n"})
     EXPECT_NE(checked.text.find(line), std::string::npos) << line << checked.text;
   const Outcome slices = run_program("check --set 'analysis.methods=[\"lem\"]' " + path);
   EXPECT_EQ(slices.text.find("stages"), std::string::npos) << "nothing moves: " << slices.text;
   const Outcome in_feet = run_program("check --set 'mesh.size=\"3 ft\"' --set output.length_unit=ft " + path);
-  EXPECT_NE(in_feet.text.find("strength reduction with elements of 3 ft, "), std::string::npos) << in_feet.text;
+  EXPECT_NE(in_feet.text.find("strength reduction with elements of 3 ft and of 6 ft, "), std::string::npos) << in_feet.text;
 }
 
 TEST(Program, ReportsEveryFaultAndExitsWithTwo) {

@@ -225,7 +225,16 @@ void ElementRun<D>::reduce(results::Flow flow) {
                       found.flowing > 0 ? fmt::format(", up to {:.4g}, where the soil flows", found.flowing) : ""));
   if (found.stable < 1)
     run.warnings.push_back("the slope does not stand with its full strength: the factor is below 1");
-  if (has_two_meshes()) extrapolate(words, found, run);
+  if (has_two_meshes()) {
+    try {
+      extrapolate(words, found, run);
+    } catch (const Error& error) {  // the factor of the mesh of [fem] size stands
+      if (error.code() != ExitCode::wrong_input) throw;
+      run.warnings.push_back(fmt::format(
+          "the coarser mesh gave no factor, so that the factor is that of one mesh and its error is not known: {}",
+          error.what()));
+    }
+  }
   file_.summary.unknowns = found.unknowns;
   file_.summary.runs.push_back(std::move(run));
   file_.mesh.runs.push_back(tell_fields<D>(model_->mesh, found.at_failure, flow));
