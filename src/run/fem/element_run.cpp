@@ -23,6 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Element size of the coarser of two meshes over that of [fem]: it costs a sixth of the finer one.
 constexpr double coarse_ratio = 2;
+/// Meshes whose mean sizes differ by less are one mesh: the section is too small for elements of twice the size [-].
+constexpr double least_ratio = 1.25;
 
 constexpr const char *element_file = "fem.json", *element_title = "finite elements";
 
@@ -178,6 +180,10 @@ void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionRe
                                    coarse =
                                        tell_mesh_factor(found, mesh::measure_quality(*model->solid.mesh).mean_size);
   run.seconds += found.seconds;
+  if (coarse.size < least_ratio * fine.size)
+    throw Error(ExitCode::wrong_input,
+                fmt::format("its elements have a mean size of {:.3g} m, hardly more than the {:.3g} m of the finer one",
+                            coarse.size, fine.size));
   run.meshes = std::vector<results::ElementMeshFactor>{coarse, fine};
   run.factor = extrapolate_to_zero(coarse.size, coarse.factor, fine.size, fine.factor);
   run.interval = find_mesh_interval(coarse, fine, find_least_error(fine_search, run));
@@ -231,7 +237,7 @@ void ElementRun<D>::reduce(results::Flow flow) {
     } catch (const Error& error) {  // the factor of the mesh of [fem] size stands
       if (error.code() != ExitCode::wrong_input) throw;
       run.warnings.push_back(fmt::format(
-          "the coarser mesh gave no factor, so that the factor is that of one mesh and its error is not known: {}",
+          "no second mesh of twice the size, so that the factor is that of one mesh and its error is not known: {}",
           error.what()));
     }
   }

@@ -11,8 +11,8 @@ namespace talus::run {
 
 /// A layer needs so many rows of elements over its thickness.
 inline constexpr double fewest_element_rows = 4;
-/// What the factor is too high at most with fewer of them, over itself: a weak seam under a toe with one row to three
-/// was 2 to 4.3 % above the proven interval, and 0.7 % lower with each halving [-].
+/// Largest error of the factor with fewer rows, over itself: a weak seam under a toe was 2.7 to 4.5 % high with one row
+/// and 2.0 to 3.8 % with two, by the ends of the proven interval [-].
 inline constexpr double thin_layer_error = 0.05;
 
 /// The regions of the section with fewer rows that take part in the mechanism: an element of theirs strains by the
