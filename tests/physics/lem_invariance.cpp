@@ -69,6 +69,7 @@ void expect_same(const Section& changed, const std::function<Point(const Point&)
   const Slope other{Section(changed)};
   for (const Surface& surface : make_surfaces(slope))
     for (const Method method : all_methods) {
+      if (method == Method::bishop && !surface.circle) continue;  // has no axis for moments
       const double expected = find_factor(slope, surface, method);
       EXPECT_GT(expected, 0.5);
       EXPECT_NEAR(find_factor(other, move_surface(surface, move, scale), method), expected, 1e-9) << to_word(method);
@@ -169,9 +170,11 @@ TEST(LemReduction, FactoredStrengthGivesTheFactoredFactor) {
   }
   const Slope factored(std::move(section));
   for (const Surface& surface : make_surfaces(slope))
-    for (const Method method : all_methods)
+    for (const Method method : all_methods) {
+      if (method == Method::bishop && !surface.circle) continue;  // has no axis for moments
       EXPECT_NEAR(find_factor(factored, surface, method), find_factor(slope, surface, method) / 1.25, 1e-9)
           << to_word(method);
+    }
 }
 
 /// φ = 0: Bishop and Fellenius agree on every circle, whatever loads it.

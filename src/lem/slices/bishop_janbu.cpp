@@ -61,7 +61,7 @@ double solve_simplified(const Mass& mass, bool moments, double start, int& itera
   return 0;
 }
 
-double correct_janbu(const CutSurface& cut) {
+double correct_janbu(const CutSurface& cut, double& ratio) {
   const Point &a = cut.slices.front().base_left, &b = cut.slices.back().base_right;
   const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
   double depth = 0;
@@ -72,7 +72,8 @@ double correct_janbu(const CutSurface& cut) {
     cohesion = cohesion || slice.cohesion > 0;
     friction = friction || slice.tan_friction > 0;
   }
-  const double b1 = !friction ? 0.69 : !cohesion ? 0.31 : 0.50, ratio = depth / length;
+  const double b1 = !friction ? 0.69 : !cohesion ? 0.31 : 0.50;
+  ratio = depth / length;
   return 1 + b1 * (ratio - 1.4 * ratio * ratio);
 }
 

@@ -3,8 +3,6 @@
 
 #include "lem/slices/solve.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -26,6 +24,9 @@ struct Scratch {
   std::vector<Forces> forces;
   std::vector<double> level;
 };
+
+/// Depth over length at which the chart of Janbu's correction ends (Janbu 1973; Abramson et al. 2002) [-].
+constexpr double longest_chart = 0.4;
 
 /// Fellenius' own normal forces.
 void find_fellenius_forces(const Mass& mass, double factor, std::vector<Forces>& forces) {
@@ -66,14 +67,11 @@ void judge_thrust(const CutSurface& cut, const Scratch& s, Solution& solution) {
   solution.thrust_outside = all > 0 ? outside / all : 0;
 }
 
-/// Bishop's method is one of moments about the centre of a circle; a polyline has none of its own.
-void warn_of_centre(CutSurface& cut) {
-  std::string sentence = fmt::format(
-      "Bishop's moments are taken about ({:.4g}, {:.4g}), the centre of a circle fitted to the polyline: the factor "
-      "depends on it",
-      cut.moment_centre[0], cut.moment_centre[1]);
-  if (std::find(cut.warnings.begin(), cut.warnings.end(), sentence) == cut.warnings.end())
-    cut.warnings.push_back(std::move(sentence));
+/// Janbu's correction, inside its chart.
+void correct(const CutSurface& cut, Solution& solution) {
+  double ratio = 0;
+  solution.correction = correct_janbu(cut, ratio);
+  if (ratio > longest_chart && solution.refusal == Refusal::none) solution.refusal = Refusal::chart;
 }
 
 void write_forces(CutSurface& cut, const Scratch& s, bool thrust) {
@@ -121,6 +119,10 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
     solution.refusal = Refusal::no_driving;
     return solution;
   }
+  if (method == Method::bishop && !circular) {
+    solution.refusal = Refusal::moment_axis;
+    return solution;
+  }
   const double start = sums.resisting / sums.driving;
   if (method == Method::fellenius) {
     solution.factor = start;
@@ -165,12 +167,11 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
     judge_thrust(cut, s, solution);
   }
   if (keep_forces) write_forces(cut, s, complete);
-  if (keep_forces && method == Method::bishop && !circular) warn_of_centre(cut);
   // No choice of the user makes forces that no soil bears a factor of safety.
   if (complete && !checks.has_sensible_lambda(solution.lambda)) solution.refusal = Refusal::lambda;
   if (!(solution.residual <= largest_residual)) solution.refusal = Refusal::not_converged;
   if (checks.reject && solution.refusal == Refusal::none) solution.refusal = check_solution(cut, solution, checks);
-  if (method == Method::janbu_corrected) solution.correction = correct_janbu(cut);
+  if (method == Method::janbu_corrected) correct(cut, solution);
   solution.factor = solution.refusal == Refusal::none ? solution.factor * solution.correction : 0;
   return solution;
 }

@@ -42,8 +42,8 @@ struct FelleniusSums {
 FelleniusSums sum_fellenius(const Mass& mass, bool moments);
 /// Bishop's simplified (moments) or Janbu's simplified (horizontal forces) factor; 0 when there is none.
 double solve_simplified(const Mass& mass, bool moments, double start, int& iterations);
-/// Janbu's f_0 of a surface.
-double correct_janbu(const CutSurface& cut);
+/// Janbu's f_0 of a surface, and its depth over its length in `ratio`.
+double correct_janbu(const CutSurface& cut, double& ratio);
 
 /// Factor and λ of a method that satisfies both equilibria; factor 0 when there is none.
 struct Complete {

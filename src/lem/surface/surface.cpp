@@ -34,6 +34,12 @@ const char* name_refusal(Refusal refusal) {
       return "lambda is not that of soil";
     case Refusal::steep_toe:
       return "passive end too steep";
+    case Refusal::kinks:
+      return "below the wedge mechanism of its own base";
+    case Refusal::moment_axis:
+      return "Bishop's method needs a circle";
+    case Refusal::chart:
+      return "depth over length outside the chart of Janbu's correction";
     case Refusal::count:
       break;
   }

@@ -35,6 +35,9 @@ enum class Refusal {
   not_converged,  ///< the equations have no solution in the range of λ and F
   steep_toe,      ///< passive end steeper than the limit, e.g. 45° - φ/2
   lambda,         ///< λ beyond its limits
+  kinks,          ///< a polyline below the wedge mechanism of its own base: its kinks would slide without strength
+  moment_axis,    ///< a method of moments about a circle's centre, on a surface that is none
+  chart,          ///< Janbu's correction outside the chart that it was fitted to
   count
 };
 
