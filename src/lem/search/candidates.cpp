@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -18,6 +19,8 @@ namespace {
 /// A quick factor times its ratio to the method's own with the mean soils predicts the method's factor within this
 /// share; surfaces predicted further above the smallest factor are not solved.
 constexpr double margin = 0.03;
+/// Surfaces are held against their wedge mechanism by the search, with its soils; a sample has others.
+constexpr double judged_once = std::numeric_limits<double>::infinity();
 constexpr int kept_trials = 60;  ///< of each search, the best ones that differ
 
 bool is_same(const Slope& slope, const Surface& a, const Surface& b, double most) {
@@ -60,6 +63,7 @@ Candidates::Candidates(const Slope& mean, const std::vector<Section>& corners, c
                        Method method, int threads)
     : slope_(&mean), method_(method), checks_(asked.checks), slices_(asked.slices) {
   checks_.composite = asked.composite;
+  checks_.most_below_wedges = judged_once;
   SearchOptions options = asked;
   options.methods = {method};
   options.threads = 1;
@@ -89,6 +93,7 @@ Candidates::Candidates(const Slope& mean, const std::vector<Surface>& surfaces, 
                        Method method)
     : slope_(&mean), method_(method), checks_(options.checks), slices_(options.slices) {
   checks_.composite = options.composite;
+  checks_.most_below_wedges = judged_once;
   keep(surfaces);
 }
 

@@ -2,10 +2,13 @@
 #pragma once
 // The factor of one surface after another by one method, with memory that is used again. One per thread.
 
+#include <limits>
+
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "lem/section/slope.hpp"
 #include "lem/slices/solve.hpp"
+#include "lem/slices/wedge_mechanism.hpp"
 
 namespace talus::lem {
 
@@ -18,17 +21,18 @@ inline void throw_if_search_is_interrupted(bool ends_at_signal) {
 class Evaluator {
  public:
   Evaluator(const Slope& slope, Method method, const Checks& checks, int slices, bool ends_at_signal = false)
-      : slope_(&slope), method_(method), checks_(checks), slices_(slices), ends_at_signal_(ends_at_signal) {}
-
-  /// F; `refused` for an invalid surface or one without a factor. Throws Error (interrupted) where asked to.
-  double operator()(const Surface& surface) {
-    throw_if_search_is_interrupted(ends_at_signal_);
-    ++count_;
-    cut_surface(*slope_, surface, slices_, checks_, cut_);
-    if (cut_.refusal != Refusal::none) return refused;
-    const Solution solution = solve(*slope_, cut_, method_, checks_, false);
-    return solution.refusal == Refusal::none && solution.factor > 0 ? solution.factor : refused;
+      : slope_(&slope), method_(method), checks_(checks), slices_(slices), ends_at_signal_(ends_at_signal) {
+    checks_.most_below_wedges = std::numeric_limits<double>::infinity();
+    strict_ = checks;
+    if (checks.reject && is_rigorous(method)) most_below_wedges_ = 0.95 * checks.most_below_wedges;
   }
+
+  /// F; `refused` for an invalid surface or one without a factor. A polyline below the wedge mechanism of its base has
+  /// a value above F that grows with the distance, so that a minimiser returns to those that are not. That is computed
+  /// only below the smallest value so far. Throws Error (interrupted) where asked to.
+  double operator()(const Surface& surface);
+  /// Whether the factor of a surface passes all checks, that of wedges included.
+  bool passes_all_checks(const Surface& surface);
   int count() const { return count_; }
   const Slope& slope() const { return *slope_; }
   Method method() const { return method_; }
@@ -38,11 +42,15 @@ class Evaluator {
  private:
   const Slope* slope_;
   Method method_;
-  Checks checks_;
+  Checks checks_, strict_;  ///< without the check of wedges, and with it
+  /// Slightly less than the check allows, which the result of a minimiser then passes.
+  double most_below_wedges_ = std::numeric_limits<double>::infinity();
   int slices_;
   bool ends_at_signal_;
   CutSurface cut_;
+  WedgeMechanism wedges_;
   int count_ = 0;
+  double least_ = refused;  ///< smallest value so far
 };
 
 }  // namespace talus::lem

@@ -118,6 +118,12 @@ class PolylineSearch {
 
   const OptimisedSurface& best() const { return best_; }
 
+  /// The best surface, unless it is still below its wedge mechanism: then none.
+  OptimisedSurface select_admissible() {
+    if (best_.surface.line.empty() || evaluate_.passes_all_checks(best_.surface)) return best_;
+    return {{}, Evaluator::refused, best_.evaluations};
+  }
+
  private:
   const Slope& slope() const { return evaluate_.slope(); }
 
@@ -221,7 +227,7 @@ std::vector<OptimisedSurface> find_polylines(const Slope& slope, const SearchOpt
     searches[m].shake_best();
   });
   std::vector<OptimisedSurface> best;
-  for (const PolylineSearch& s : searches) best.push_back(s.best());
+  for (PolylineSearch& s : searches) best.push_back(s.select_admissible());
   return best;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lem/surface/mass.hpp"
 
@@ -87,7 +88,9 @@ void keep_drained_strengths(CutSurface& cut) {
     cut.drained.push_back({slice.cohesion, slice.tan_friction, slice.pore_pressure});
 }
 
-Solution solve_drawdown(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces) {
+Solution solve_drawdown(const Slope& slope, CutSurface& cut, Method method, const Checks& all, bool keep_forces) {
+  Checks checks = all;
+  checks.most_below_wedges = std::numeric_limits<double>::infinity();  // undrained strengths stand on bases alone
   const Section& section = slope.section();
   const bool is_effective = section.drawdown->method == DrawdownMethod::b_bar;
   for (std::size_t i = 0; i < cut.slices.size(); ++i) set_strength(cut.drained[i], cut.slices[i]);

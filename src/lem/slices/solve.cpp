@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "lem/slices/drawdown.hpp"
+#include "lem/slices/wedge_mechanism.hpp"
 #include "lem/surface/mass.hpp"
 
 namespace talus::lem {
@@ -23,6 +24,7 @@ struct Scratch {
   Mass mass;
   std::vector<Forces> forces;
   std::vector<double> level;
+  WedgeMechanism wedges;
 };
 
 /// Depth over length at which the chart of Janbu's correction ends (Janbu 1973; Abramson et al. 2002) [-].
@@ -65,6 +67,15 @@ void judge_thrust(const CutSurface& cut, const Scratch& s, Solution& solution) {
     if (!std::isnan(s.level[i]) && (s.level[i] < low - near || s.level[i] > high + near)) outside += e;
   }
   solution.thrust_outside = all > 0 ? outside / all : 0;
+}
+
+/// Refuses a polyline whose factor lies too far below the wedge mechanism of its base.
+void judge_wedges(const Slope& slope, const CutSurface& cut, const Checks& checks, double horizontal, Scratch& s,
+                  Solution& solution) {
+  if (!std::isfinite(checks.most_below_wedges) || !has_wedge_check(slope, cut, solution.method)) return;
+  s.wedges.set(slope, cut, horizontal);
+  if (s.wedges.compute_net_power(solution.factor / (1 - checks.most_below_wedges)) < 0)
+    solution.refusal = Refusal::kinks;
 }
 
 /// Janbu's correction, inside its chart.
@@ -171,6 +182,7 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
   if (complete && !checks.has_sensible_lambda(solution.lambda)) solution.refusal = Refusal::lambda;
   if (!(solution.residual <= largest_residual)) solution.refusal = Refusal::not_converged;
   if (checks.reject && solution.refusal == Refusal::none) solution.refusal = check_solution(cut, solution, checks);
+  if (checks.reject && solution.refusal == Refusal::none) judge_wedges(slope, cut, checks, horizontal, s, solution);
   if (method == Method::janbu_corrected) correct(cut, solution);
   solution.factor = solution.refusal == Refusal::none ? solution.factor * solution.correction : 0;
   return solution;

@@ -67,6 +67,9 @@ struct Checks {
   /// [-].
   double smallest_lambda = -0.1, largest_lambda = 1.5;
   bool has_sensible_lambda(double lambda) const { return lambda >= smallest_lambda && lambda <= largest_lambda; }
+  /// How far the factor of a polyline may lie below the upper bound of wedges on its base; Spencer, Morgenstern–Price
+  /// [-].
+  double most_below_wedges = 0.03;
   double smallest_depth = 0;                   ///< of the sliding mass [m]
   double steepest_toe = std::numbers::pi / 2;  ///< rise of the base at the lower end, e.g. 45° - φ/2 [rad]
   bool composite = true;  ///< circles that reach below the base are cut level there; else they are refused
