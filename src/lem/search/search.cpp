@@ -191,6 +191,7 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
       result.noncircular.push_back(std::move(critical));
     }
   }
+  warn_of_lost_circles(slope, options, result);
   for (std::size_t m = 0; m < options.methods.size(); ++m) {
     const int columns = result.grid ? result.grid->columns : 40, rows = result.grid ? result.grid->rows : 40;
     result.maps.push_back(map_centres(result, m, columns, rows));

@@ -95,6 +95,7 @@ struct SearchResult {
   long tried = 0;
   double smallest_depth = 0;  ///< of a mass that the search took [m]
   std::vector<LimitHit> limit_hits;
+  std::vector<std::string> warnings;  ///< on methods that have no solution where others have their smallest factor
   double seconds = 0;
   /// Where it was searched, as used.
   std::optional<GridSearch> grid;

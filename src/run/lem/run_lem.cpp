@@ -16,7 +16,7 @@ namespace {
 
 bool is_check(lem::Refusal refusal) {
   return refusal == lem::Refusal::m_alpha || refusal == lem::Refusal::tension || refusal == lem::Refusal::thrust ||
-         refusal == lem::Refusal::steep_toe || refusal == lem::Refusal::too_shallow;
+         refusal == lem::Refusal::steep_toe || refusal == lem::Refusal::too_shallow || refusal == lem::Refusal::kinks;
 }
 
 std::array<double, 2> get_range(const std::vector<double>& given, const std::array<double, 2>& otherwise) {
@@ -194,6 +194,7 @@ SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int
       auto& list = result.minima[to_word(options.methods[m])];
       for (const lem::Critical& c : found.minima[m]) list.push_back(tell_surface(c));
     }
+    result.warnings.insert(result.warnings.end(), found.warnings.begin(), found.warnings.end());
     result.search = tell_search(options, found);
     outcome.trials = tell_trials(options, found);
     result.trials_file = "lem.json";
