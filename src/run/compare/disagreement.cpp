@@ -96,15 +96,12 @@ class Warnings {
     const char* title = get_title(method);
     if (&least != circle && differ(of_circle, f) > far_surfaces) {
       const std::optional<Followed> followed = find_followed(least, *circle);
-      const bool is_alone = share_soils(least).size() == 1 && share_soils(*circle).size() == 1;
       warnings_.push_back(fmt::format(
           "{}: the {} has the factor {:.3f}, the critical circle {:.3f}, {:.0f} % more. {} The smaller one governs; {}",
           title, results::name_surface(*governing_), f, of_circle, 100 * (of_circle / f - 1),
-          followed   ? fmt::format("The weaker surface lies in '{}' for {:.0f} % of its length, which no circle can.",
-                                   followed->soil, 100 * followed->share)
-          : is_alone ? "In one soil the weakest surface is close to a circle. Slices leave out most of the shear "
-                       "between wedges."
-                     : "The weaker surface is no circle.",
+          followed ? fmt::format("The weaker surface lies in '{}' for {:.0f} % of its length, which no circle can.",
+                                 followed->soil, 100 * followed->share)
+                   : "The weaker surface is no circle.",
           followed ? fmt::format("check the strength and the extent of '{}'.", followed->soil)
                    : "compare it with finite elements, and check that such a surface is possible on your slope."));
       return;
@@ -112,8 +109,10 @@ class Warnings {
     const results::CriticalSurface* polyline = find(run_.slices->noncircular, method);
     if (polyline != nullptr && *polyline->surface.factor > of_circle * (1 + far_surfaces))
       warnings_.push_back(fmt::format(
-          "{}: the best polyline has the factor {:.3f}, the critical circle {:.3f}. Polylines can come near every "
-          "circle, so their search ended too early; the circle governs. More [lem] vertices help.",
+          "{}: the best polyline has the factor {:.3f}, the critical circle {:.3f}. The circle governs: polylines with "
+          "a "
+          "smaller factor lie below the wedge mechanism of their own base, or their search ended too early. More [lem] "
+          "vertices help against the latter.",
           title, *polyline->surface.factor, of_circle));
   }
 
