@@ -19,8 +19,14 @@ constexpr int most_trials = 40;
 }  // namespace
 
 bool FactorSearch::try_factor(double factor) {
-  Trial trial = solve_(factor);
-  ++programs_, iterations_ += trial.solution.iterations;
+  // Where the solver stops, a program of a factor beside it may have a solution.
+  Trial trial;
+  for (const double beside : {1.0, 0.99, 1.01, 0.97, 1.03}) {
+    trial = solve_(beside * factor);
+    ++programs_, iterations_ += trial.solution.iterations;
+    if (trial.solution.end != ConicEnd::stalled) break;
+  }
+  factor = trial.factor;
   if (trial.solution.end != ConicEnd::solved) {
     why_ = trial.solution.end == ConicEnd::infeasible
                ? "no stress field is in equilibrium with the loads"
@@ -28,8 +34,8 @@ bool FactorSearch::try_factor(double factor) {
     return false;
   }
   // Between the two nothing is decided: what is computed is neither a field nor a lack of one.
-  const bool stands = trial.lack + trial.doubt <= no_lack || trial.lack < -trial.doubt,
-             falls = trial.lack > no_lack + trial.doubt;
+  const bool stands =
+      trial.lack + trial.doubt <= no_lack || trial.lack<-trial.doubt, falls = trial.lack> no_lack + trial.doubt;
   if (stands) stood_ = std::max(stood_.value_or(0), factor);
   if (falls) fell_ = std::min(fell_.value_or(factor), factor);
   is_undecided_ = !stands && !falls;
@@ -61,9 +67,10 @@ bool FactorSearch::approach(double start, double tolerance) {
   why_ = stood_ && *stood_ >= range_.largest
              ? fmt::format("the slope is stable at every factor up to {:g}", range_.largest)
          : fell_ && *fell_ <= range_.smallest
-             ? fmt::format("no stress field was found at any factor down to {:g}; this is usually a fault of the model, "
-                           "such as a load or water on soil without cohesion and tensile strength",
-                           range_.smallest)
+             ? fmt::format(
+                   "no stress field was found at any factor down to {:g}; this is usually a fault of the model, "
+                   "such as a load or water on soil without cohesion and tensile strength",
+                   range_.smallest)
              : "the cone programs are undecided at all factors that were tried";
   return false;
 }

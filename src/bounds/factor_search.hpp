@@ -13,9 +13,9 @@ namespace talus::bounds {
 /// A factor that was tried.
 struct Trial {
   double factor = 0;
-  double lack = 0;  ///< least m [units of stress]
-  double doubt = 0; ///< what the solver leaves between the bounds of the least m [units of stress]
-  double rate = 0;  ///< its derivative by the factor
+  double lack = 0;   ///< least m [units of stress]
+  double doubt = 0;  ///< what the solver leaves between the bounds of the least m [units of stress]
+  double rate = 0;   ///< its derivative by the factor
   ConicSolution solution;
 };
 

@@ -78,8 +78,7 @@ Velocities number_velocities(const Problem& problem, const Units& units) {
   std::vector<std::vector<Vec<2>>> held(v.nodes.size());
   auto hold = [&](int node, const Vec<2>& direction) {
     auto& own = held[static_cast<std::size_t>(node)];
-    const bool known =
-        std::any_of(own.begin(), own.end(), [&](const Vec<2>& h) { return are_parallel(h, direction); });
+    const bool known = std::any_of(own.begin(), own.end(), [&](const Vec<2>& h) { return are_parallel(h, direction); });
     if (!known) own.push_back(direction);
   };
   for (const Side& side : problem.sides) {

@@ -23,8 +23,8 @@ struct Velocities {
   int count = 0;
 };
 
-/// Every velocity that supports leave free has a number. Touching rigid triangles (is_rigid()) are one body; one that is
-/// held in one direction alone moves across it without turning, and one that is held otherwise does not move.
+/// Every velocity that supports leave free has a number. Touching rigid triangles (is_rigid()) are one body; one that
+/// is held in one direction alone moves across it without turning, and one that is held otherwise does not move.
 Velocities number_velocities(const Problem& problem, const Units& units);
 
 }  // namespace talus::bounds

@@ -130,7 +130,8 @@ void Kkt::list_neighbours() {
   }
   fixed_dense_.assign(size, 0);
   for (const Group& group : groups_)
-    for (std::size_t i = 0, k = group.variables.size(); i < k; ++i) fixed_dense_[group.own + i * k + i] = accuracy_.shift;
+    for (std::size_t i = 0, k = group.variables.size(); i < k; ++i)
+      fixed_dense_[group.own + i * k + i] = accuracy_.shift;
   for (int r = 0; r < program_.equations; ++r)
     for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) {
       const auto column = static_cast<std::size_t>(a.column[k]);
@@ -204,8 +205,8 @@ void Kkt::find_pattern() {
   for (Group& group : groups_)
     for (std::size_t i = 0; i < group.neighbours.size(); ++i)
       for (std::size_t j = 0; j <= i; ++j)
-        group.places.push_back(find_place(static_cast<std::size_t>(group.neighbours[j]),
-                                          static_cast<std::size_t>(group.neighbours[i])));
+        group.places.push_back(
+            find_place(static_cast<std::size_t>(group.neighbours[j]), static_cast<std::size_t>(group.neighbours[i])));
   library_->factors.analyzePattern(m);
 }
 

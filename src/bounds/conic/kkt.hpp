@@ -14,8 +14,8 @@ namespace talus::bounds {
 /// How nearly a system is solved.
 struct KktAccuracy {
   /// Added to the diagonal, with the sign of each block, of a program whose entries are about one. Factors of a
-  /// quasi-definite matrix need no pivots (Vanderbei 1995); the refinement removes its effect. A variable in no cone and
-  /// an equation have only this: their product must stay above the rounding of one.
+  /// quasi-definite matrix need no pivots (Vanderbei 1995); the refinement removes its effect. A variable in no cone
+  /// and an equation have only this: their product must stay above the rounding of one.
   double shift = 0;
   double left_over = 0;  ///< that the refinement may leave, over the right side
 };
@@ -44,7 +44,7 @@ class Kkt {
     int first_row = 0, rows = 0;
     std::vector<int> columns;
     std::vector<double> values;  ///< row by row of the block
-    std::vector<int> places;     ///< of the lower triangle, row by row: in the matrix, or −1 − the place in `dense_`
+    std::vector<int> places;  ///< of the lower triangle, row by row: in the matrix, or −1 − the place in `dense_`
   };
   /// Variables that are eliminated together, k of them, and what they are coupled with, q unknowns of the rest.
   struct Group {

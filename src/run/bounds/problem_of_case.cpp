@@ -18,6 +18,7 @@
 #include "ground/root_content.hpp"
 #include "ground/side_normals.hpp"
 #include "mesh/generate.hpp"
+#include "run/bounds/given_loads.hpp"
 
 namespace talus::run {
 namespace {
@@ -50,8 +51,9 @@ class ProblemBuilder {
   ProblemBuilder(const input::Case& data, Supports supports)
       : data_(data),
         supports_(supports),
-        mesh_(mesh::generate<2>(
-            ground::conform_to_loads(data, mesh::resize(data.mesh, input::find_bounds_size(data))))) {}
+        mesh_(
+            mesh::generate<2>(ground::conform_to_loads(data, mesh::resize(data.mesh, input::find_bounds_size(data))))) {
+  }
 
   ProblemOfCase build() {
     if (!data_.mesh.polygons.empty()) {
@@ -147,21 +149,45 @@ class ProblemBuilder {
       for (const auto& named : ground::find_sides(mesh_, b.on))
         if (const auto side = border.find(find_key(named)); side != border.end()) hold(b, side->second);
     }
-    for (const auto& load : ground::make_surface_loads<2>(data_, mesh_, ponds_, table_, ground_))
-      for (std::size_t i = 0; i < load.sides.size(); ++i) {
-        const auto side = border.find(find_key(load.sides[i]));
-        if (side == border.end())
-          throw Error(ExitCode::wrong_input,
-                      fmt::format("the traction on '{}' is not on the surface of the soil: proven bounds take loads "
-                                  "there only",
-                                  load.name));
-        for (std::size_t k = 0; k < 2; ++k) {
-          const int node = number_[static_cast<std::size_t>(load.sides[i][k])];
-          auto& own = side->second.traction[node == side->second.from ? 0 : 1];
-          for (std::size_t d = 0; d < 2; ++d) own[d] += load.traction[i][k][d];
-        }
-      }
+    std::map<bounds::EdgeKey, bounds::Side> named = border;  // tractions on named sides
+    for (const auto& load : ground::make_surface_loads<2>(data_, mesh_, ponds_, table_, ground_)) {
+      const bool is_named = std::any_of(data_.tractions.begin(), data_.tractions.end(),
+                                        [&](const input::Traction& t) { return t.on == load.name; });
+      add_load(load, is_named ? named : border);
+    }
+    check_loads(border);
+    for (auto& [key, side] : border)
+      for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t d = 0; d < 2; ++d) side.traction[k][d] += named.at(key).traction[k][d];
     for (const auto& [key, side] : border) p.sides.push_back(side);
+  }
+
+  void add_load(const fem::SurfaceLoad<2>& load, std::map<bounds::EdgeKey, bounds::Side>& border) const {
+    for (std::size_t i = 0; i < load.sides.size(); ++i) {
+      const auto side = border.find(find_key(load.sides[i]));
+      if (side == border.end())
+        throw Error(ExitCode::wrong_input,
+                    fmt::format("the traction on '{}' is not on the surface of the soil: proven bounds take loads "
+                                "there only",
+                                load.name));
+      for (std::size_t k = 0; k < 2; ++k) {
+        const int node = number_[static_cast<std::size_t>(load.sides[i][k])];
+        auto& own = side->second.traction[node == side->second.from ? 0 : 1];
+        for (std::size_t d = 0; d < 2; ++d) own[d] += load.traction[i][k][d];
+      }
+    }
+  }
+
+  /// The certificates are of the given problem.
+  void check_loads(const std::map<bounds::EdgeKey, bounds::Side>& border) const {
+    if (ground_.empty()) return;
+    std::vector<LoadedSide> sides;
+    for (const auto& [key, side] : border)
+      if (is_ground(side))
+        sides.push_back({made_.problem.nodes[static_cast<std::size_t>(side.from)],
+                         made_.problem.nodes[static_cast<std::size_t>(side.to)], side.traction});
+    if (const auto wrong = find_wrong_load(data_, ponds_, table_, sides))
+      throw Error(ExitCode::wrong_input, "limit analysis: " + *wrong);
   }
 
   /// Sides that face upwards, and vertical ones between the ends of the ground.
