@@ -204,7 +204,8 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, con
           };
         cuts = cut_side({a[0], a[1]}, {b[0], b[1]}, breaks, depth);
       }
-      const auto t = fit_traction<D>(mesh, side.nodes, [&](const Vec<D>& x) { return find(side, x); }, cuts);
+      const auto t = fit_traction<D>(
+          mesh, side.nodes, [&](const Vec<D>& x) { return find(side, x); }, cuts);
       if (!t) continue;
       load.sides.push_back(side.nodes);
       load.traction.push_back(*t);
@@ -212,8 +213,7 @@ std::vector<fem::SurfaceLoad<D>> make_surface_loads(const input::Case& data, con
     if (!load.sides.empty()) loads.push_back(std::move(load));
   };
   if (!data.surcharges.empty())
-    add(
-        "surcharges",
+    add("surcharges",
         [&](const GroundSide<D>& side, const Vec<D>& x) {
           Vec<D> t{};
           t[1] = -find_surcharge(data, x[0]) * side.normal[1];

@@ -69,8 +69,12 @@ std::string name_surface(const GoverningSurface& surface) {
 void take_referee(Referee referee, SliceResult& slices) {
   if (!referee.why_not)
     for (auto* list : {&slices.critical, &slices.noncircular, &slices.given})
-      for (CriticalSurface& c : *list)
-        if (c.surface.factor) c.verdict = referee.judge(*c.surface.factor);
+      for (CriticalSurface& c : *list) {
+        if (!c.surface.factor) continue;
+        c.verdict = referee.judge(*c.surface.factor);
+        // Without a search the factor is that of a surface, not of the slope: another mechanism may have a lower one.
+        if (c.verdict == Verdict::too_high && !slices.search) c.verdict = Verdict::possible;
+      }
   slices.referee = std::move(referee);
 }
 

@@ -14,9 +14,9 @@ namespace talus::results {
 /// What limit analysis proves of a factor.
 enum class Verdict { possible, too_low, too_high };
 template <>
-inline constexpr auto words<Verdict> = std::array{Word{Verdict::possible, "possible"},
-                                                  Word{Verdict::too_low, "below_lower_bound"},
-                                                  Word{Verdict::too_high, "above_upper_bound"}};
+inline constexpr auto words<Verdict> =
+    std::array{Word{Verdict::possible, "possible"}, Word{Verdict::too_low, "below_lower_bound"},
+               Word{Verdict::too_high, "above_upper_bound"}};
 
 /// A bound as it is shown, with the three digits of a factor: rounded away from the interval's middle, so that what is
 /// shown is proven too.
@@ -27,12 +27,12 @@ inline double show_upper(double factor) {
   return std::ceil(1e3 * factor) / 1e3;
 }
 
-/// "lem.referee" of summary.json. Soil as limit equilibrium has it: ψ = φ, tension up to the apex c/tan φ, ends and base
-/// of the section fixed.
+/// "lem.referee" of summary.json. Soil as limit equilibrium has it: ψ = φ, tension up to the apex c/tan φ, ends and
+/// base of the section fixed.
 struct Referee {
   std::optional<std::string> why_not;  ///< why limit analysis cannot judge; then nothing below
   std::optional<double> lower, upper;
-  std::string no_lower, no_upper;       ///< why there is no bound; empty where there is one
+  std::string no_lower, no_upper;         ///< why there is no bound; empty where there is one
   std::optional<std::string> upper_only;  ///< why factors below the lower bound are not refused
   int triangles = 0, programs = 0;
   double seconds = 0;

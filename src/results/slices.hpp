@@ -246,7 +246,7 @@ struct SliceResult {
   std::optional<DrawdownMethod> drawdown;
   std::vector<CriticalSurface> critical, noncircular, given;
   std::map<std::string, std::vector<SlipSurface>> minima;  ///< by method
-  std::optional<Referee> referee;  ///< nothing: it was not asked for
+  std::optional<Referee> referee;                          ///< nothing: it was not asked for
   std::optional<SliceSearch> search;
   std::optional<std::string> trials_file;
   double seconds = 0;

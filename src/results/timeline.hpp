@@ -17,8 +17,8 @@ struct TimedFactor {
   double time = 0;               ///< [s]
   std::optional<double> factor;  ///< nothing: no surface was admissible
   SlipSurface surface;
-  std::string source;   ///< "critical polyline"
-  std::string refusal;  ///< why a search would refuse it; empty: it would not
+  std::string source;              ///< "critical polyline"
+  std::string refusal;             ///< why a search would refuse it; empty: it would not
   std::optional<Referee> referee;  ///< at governing times: the interval that the factor is held against
 };
 template <class V, As<TimedFactor> R>

@@ -115,11 +115,12 @@ std::string describe_referee(const char* where, const results::Referee& referee,
     return fmt::format("Limit analysis cannot judge the factor {}: {}.", where,
                        referee.why_not.value_or(referee.no_lower.empty() ? referee.no_upper : referee.no_lower));
   const results::Verdict verdict = referee.judge(factor);
-  return fmt::format("Limit analysis proves that the factor {} lies between {:.3f} and {:.3f}; the samples have {:.3f}{}.",
-                     where, results::show_lower(*referee.lower), results::show_upper(*referee.upper), factor,
-                     verdict == results::Verdict::too_low    ? ", which is too low: the probability of failure is too high"
-                     : verdict == results::Verdict::too_high ? ", which is too high: the probability of failure is too low"
-                                                             : "");
+  return fmt::format(
+      "Limit analysis proves that the factor {} lies between {:.3f} and {:.3f}; the samples have {:.3f}{}.", where,
+      results::show_lower(*referee.lower), results::show_upper(*referee.upper), factor,
+      verdict == results::Verdict::too_low    ? ", which is too low: the probability of failure is too high"
+      : verdict == results::Verdict::too_high ? ", which is too high: the probability of failure is too low"
+                                              : "");
 }
 
 /// Limit analysis judges the factors at the means and at the design point, not that of every sample.

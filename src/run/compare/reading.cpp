@@ -96,10 +96,9 @@ class Reading {
   /// What limit analysis proves of the factors of limit equilibrium.
   void read_referee() {
     if (!run_.slices || run_.slices->error) return;
-    if (!run_.slices->referee) {
-      if (!data_.lem.referee) say("The factors of limit equilibrium were not held against limit analysis (referee = false).");
-      return;
-    }
+    if (!data_.lem.referee)
+      return say("The factors of limit equilibrium were not held against limit analysis (referee = false).");
+    if (!run_.slices->referee) return;
     const results::Referee& referee = *run_.slices->referee;
     if (referee.why_not)
       return say("Limit analysis cannot judge the factors of limit equilibrium: {}.", *referee.why_not);
@@ -113,9 +112,13 @@ class Reading {
     else
       say("Limit analysis is undecided, so that the factors of limit equilibrium are not judged: {}.",
           referee.no_upper);
+    if (!run_.slices->search && referee.upper && slices_ && *slices_ > results::show_upper(*referee.upper))
+      say("The factors are those of the given surfaces. The slope has a mechanism with a lower factor, of at most "
+          "{:.3f}.",
+          results::show_upper(*referee.upper));
     if (referee.upper_only) say("Factors below the lower bound are not refused: {}.", *referee.upper_only);
     read_verdicts(results::Verdict::too_low, "lie below the lower bound and are impossible");
-    read_verdicts(results::Verdict::too_high, "lie above the upper bound and are not the least");
+    read_verdicts(results::Verdict::too_high, "lie above the upper bound, so that a weaker mechanism exists");
   }
 
   void read_verdicts(results::Verdict verdict, const char* words) {

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Elements with soil of the coarse mesh: enough to fill the lanes of a step, and meshed in a moment.
 constexpr double coarse_elements = 800;
-constexpr double seconds = 0.15;
+constexpr double probe_seconds = 0.15;
 
 /// Ends the stage that is stepped for a moment.
 struct Enough {};
@@ -67,7 +67,7 @@ Pace probe_in(const input::Case& data) {
   hooks.look = [&](const mpm::Body<D>&, const StageState& now) {
     steps = now.steps;
     taken = std::chrono::duration<double>(Clock::now() - start).count();
-    if (taken > seconds) throw Enough{};
+    if (taken > probe_seconds) throw Enough{};
   };
   try {
     run_stage(body, plan, state, hooks);

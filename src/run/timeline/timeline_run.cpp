@@ -161,9 +161,8 @@ struct TimelineRun::Parts {
       const auto is_governing = [&](double time) {
         return told.least_time == time || (told.failure && (told.failure->from == time || told.failure->to == time));
       };
-      const auto next = std::find_if(moments.begin(), moments.end(), [&](const Moment& m) {
-        return !m.referee && is_governing(m.time);
-      });
+      const auto next = std::find_if(moments.begin(), moments.end(),
+                                     [&](const Moment& m) { return !m.referee && is_governing(m.time); });
       if (next == moments.end()) return;
       const std::size_t number = searched[static_cast<std::size_t>(next - moments.begin())];
       next->referee = find_referee(begin_at(number), find_factor(number), options);
