@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cases/methods_slope.hpp"
+#include "ground/conform.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/ground_load.hpp"
 #include "ground/plane_water.hpp"
@@ -162,8 +163,42 @@ TEST(MethodsGround, SurchargesKeepForceAndMomentWhereverTheyEnd) {
     moment += length * (a[0] * (2 * ta + tb) + b[0] * (ta + 2 * tb)) / 6;
   }
   const double width = 10.1 - 3.3;
-  EXPECT_NEAR(force, -12500 * width, 1e-2 * 12500 * width);
-  EXPECT_NEAR(moment / force, 3.3 + width * (20 + 2 * 5) / (3 * 25), 0.05);
+  EXPECT_NEAR(force, -12500 * width, 1e-9 * 12500 * width);
+  EXPECT_NEAR(moment / force, 3.3 + width * (20 + 2 * 5) / (3 * 25), 1e-9);
+}
+
+/// Largest pull on a side, and the largest difference of `pressure` from what its ends bear [Pa].
+std::pair<double, double> measure_loads(const input::Case& data, const std::function<double(const Vec<2>&)>& pressure) {
+  const mesh::Plan plan = ground::conform_to_loads(data, data.mesh);
+  const mesh::Mesh<2> mesh = mesh::generate<2>(plan);
+  const auto ground = ground::find_ground(data.mesh);
+  double pull = 0, off = 0;
+  for (const auto& load : ground::make_surface_loads<2>(data, mesh, ground::find_ponds(data, ground, 0),
+                                                        data.initial.water.water_table, ground))
+    for (std::size_t s = 0; s < load.sides.size(); ++s)
+      for (std::size_t k = 0; k < 2; ++k) {
+        const Vec<2>&at = mesh.nodes[load.sides[s][k]], &other = mesh.nodes[load.sides[s][1 - k]];
+        const Vec<2>& t = load.traction[s][k];
+        pull = std::max(pull, t[1]);
+        // Just inside the side: the load may end at the node.
+        const Vec<2> inside{at[0] + 1e-9 * (other[0] - at[0]), at[1] + 1e-9 * (other[1] - at[1])};
+        off = std::max(off, std::abs(std::hypot(t[0], t[1]) - pressure(inside)));
+      }
+  return {pull, off};
+}
+
+TEST(MethodsGround, LoadsAreExactOnTheSidesOfAMeshThatConformsToThem) {
+  const input::Case shed =
+      read(write_case("\"fem\"", "[[surcharge]]\nname = \"shed\"\nx = [3.3, 10.1]\nload = [20, 5]\n"));
+  const auto [pull, off] = measure_loads(shed, [](const Vec<2>& x) { return 20e3 - 15e3 * (x[0] - 3.3) / 6.8; });
+  EXPECT_LE(pull, 1e-9);
+  EXPECT_LE(off, 1e-3);
+  const input::Case pond =
+      read(write_case("\"fem\"", "[initial]\npore_pressure = \"water_table\"\nwater_table = [[0, 7.3], [44, 7.3]]\n"));
+  const double weight = 1000 * pond.gravity.acceleration;
+  const auto [up, apart] = measure_loads(pond, [&](const Vec<2>& x) { return weight * std::max(0.0, 7.3 - x[1]); });
+  EXPECT_LE(up, 1e-9);
+  EXPECT_LE(apart, 1e-3);
 }
 
 TEST(MethodsGround, ACircleMadeIntoASlipLineKeepsItsFactor) {

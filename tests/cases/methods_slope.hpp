@@ -29,6 +29,7 @@ methods = ["bishop", "spencer"]
 noncircular = false
 yield_acceleration = false
 minima = 1
+referee = false
 [lem.entry_exit]
 exits = 12
 entries = 12

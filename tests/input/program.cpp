@@ -69,7 +69,8 @@ TEST(Program, SaysWhatEachMethodCalculates) {
   const Outcome slices = run_program("check --set 'analysis.methods=[\"lem\"]' " + path);
   EXPECT_EQ(slices.text.find("stages"), std::string::npos) << "nothing moves: " << slices.text;
   const Outcome in_feet = run_program("check --set 'mesh.size=\"3 ft\"' --set output.length_unit=ft " + path);
-  EXPECT_NE(in_feet.text.find("strength reduction with elements of 3 ft and of 6 ft, "), std::string::npos) << in_feet.text;
+  EXPECT_NE(in_feet.text.find("strength reduction with elements of 3 ft and of 6 ft, "), std::string::npos)
+      << in_feet.text;
 }
 
 TEST(Program, ReportsEveryFaultAndExitsWithTwo) {

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Limit analysis as the referee of limit equilibrium: what it proves impossible never governs.
+
+#include <fstream>
+#include <iterator>
+
+#include "cases/methods_slope.hpp"
+
+namespace talus {
+namespace {
+
+using nlohmann::json;
+
+class RefereeTest : public MethodsTest {
+ protected:
+  json run_file(const std::string& name, const std::vector<input::Override>& overrides = {}) {
+    std::ifstream file(TALUS_SOURCE_DIR "/tests/data/misleading/" + name + ".toml");
+    return run({std::istreambuf_iterator<char>(file), {}}, overrides);
+  }
+
+  static std::pair<double, double> read_interval(const json& summary, const char* method) {
+    const json& bounds = std::string(method) == "lem" ? summary.at("lem").at("referee") : summary.at(method);
+    if (!bounds.at("lower").is_number() || !bounds.at("upper").is_number()) {
+      ADD_FAILURE() << bounds.dump();
+      return {0, 0};
+    }
+    return {bounds.at("lower"), bounds.at("upper")};
+  }
+
+  static bool says(const json& summary, const std::string& part) {
+    for (const json& remark : summary.at("methods").at("remarks"))
+      if (remark.at("text").get<std::string>().find(part) != std::string::npos) return true;
+    return false;
+  }
+};
+
+/// A strip load on clay without friction: (2 + π) c/q = 1.285 (Prandtl 1920). The best circle has 1.379.
+TEST_F(RefereeTest, TheUpperBoundStandsBeforeCirclesAboveIt) {
+  const json summary =
+      run_file("level_strip", {{"lem.methods", "[\"bishop\", \"spencer\"]"}, {"lem.noncircular", "false"}});
+  constexpr double prandtl = (2 + 3.14159265358979) * 25 / 100;
+  const auto [lower, upper] = read_interval(summary, "lem");
+  EXPECT_LE(lower, prandtl);
+  EXPECT_GE(upper, prandtl);
+  EXPECT_GT(find_factor(summary, "spencer"), 1.05 * prandtl);
+  EXPECT_EQ(summary.at("main_factor").get<double>(), upper);
+  EXPECT_EQ(summary.at("lem").at("critical").at(0).at("verdict"), "above_upper_bound");
+  EXPECT_TRUE(says(summary, "above the upper bound"));
+}
+
+/// 60° without a crack: Spencer has no solution on Bishop's critical circle, and the best that is left has 1.326.
+TEST_F(RefereeTest, TheLeastSurvivorOfASteepSlopeDoesNotGovern) {
+  const json summary =
+      run_file("steep_chart", {{"lem.methods", "[\"bishop\", \"spencer\"]"}, {"lem.noncircular", "false"}});
+  const auto [lower, upper] = read_interval(summary, "lem");
+  EXPECT_GT(find_factor(summary, "spencer"), 1.05 * upper);
+  EXPECT_GE(summary.at("main_factor").get<double>(), lower - 1e-3);
+  EXPECT_LE(summary.at("main_factor").get<double>(), upper);
+}
+
+TEST_F(RefereeTest, CanBeLeftOutAndSaysSo) {
+  const json summary = run(write_case("\"lem\"", few_circles));
+  EXPECT_FALSE(summary.at("lem").contains("referee"));
+  EXPECT_TRUE(says(summary, "referee = false"));
+}
+
+/// A load that ends inside an edge, on soil without tensile strength: methods of slices have 1.63 to 1.67.
+TEST_F(RefereeTest, BoundsHoldUnderALoadOnPartOfTheCrest) {
+  const json summary = run_file("crest_strip", {{"bounds.gap", "0.06"}});
+  const auto [lower, upper] = read_interval(summary, "bounds");
+  EXPECT_GT(lower, 1.55);
+  EXPECT_LT(upper, 1.75);
+}
+
+/// Without tensile strength a submerged slope is a buoyant one.
+TEST_F(RefereeTest, ASubmergedSlopeIsABuoyantOne) {
+  const std::string rough = "[bounds]\ngap = 0.08\ntriangles = 700\nsize = 2.5\n";
+  const std::vector<input::Override> cohesive{{"materials.sand.cohesion", "5"},
+                                              {"materials.sand.tensile_strength", "0"}};
+  const json wet = run(write_case("\"bounds\"", rough + "[initial]\npore_pressure = \"water_table\"\n"
+                                                        "water_table = [[0, 18], [44, 18]]\n"),
+                       cohesive);
+  const auto [lower, upper] = read_interval(wet, "bounds");
+  // 2650 kg/m³ of grains, 40 % of pores: 9.72 kN/m³ under water of 1000 kg/m³.
+  std::vector<input::Override> dry = cohesive;
+  dry.push_back({"materials.sand.grain_density", "1650"});
+  const json buoyant = run(write_case("\"bounds\"", rough), dry);
+  const auto [low, high] = read_interval(buoyant, "bounds");
+  EXPECT_LE(lower, high);
+  EXPECT_GE(upper, low);
+  EXPECT_LE(upper / lower, 1.1);
+  EXPECT_LE(high / low, 1.1);
+}
+
+/// A rigid footing bears no less on its strength: 10⁵ and 10⁶ kPa give one interval.
+TEST_F(RefereeTest, AStrongBlockIsAsStrongAsItNeedsToBe) {
+  std::vector<std::pair<double, double>> intervals;
+  for (const char* cohesion : {"1e5", "1e6"}) {
+    const json summary = run_file(
+        "rough_footing", {{"materials.steel.cohesion", cohesion}, {"bounds.gap", "0.3"}, {"bounds.triangles", "700"}});
+    intervals.push_back(read_interval(summary, "bounds"));
+  }
+  EXPECT_NEAR(intervals[0].first, intervals[1].first, 1e-3);
+  EXPECT_NEAR(intervals[0].second, intervals[1].second, 1e-3);
+  // N_γ = 2.8389 (Martin 2005) makes the load the exact one.
+  EXPECT_LE(intervals[0].first, 1.0);
+  EXPECT_GE(intervals[0].second, 1.0);
+}
+
+}  // namespace
+}  // namespace talus
