@@ -132,7 +132,8 @@ def judge(runner, number):
     except Broken as fault:
         row["faults"].append(str(fault))
         return row
-    rigorous = [r for r in summary["methods"]["table"] if r["method"] == "lem" and r["name"] in RIGOROUS and r["factor"]]
+    rigorous = [r for r in summary["methods"]["table"] if r["method"] == "lem" and r["name"] in RIGOROUS and r["factor"]
+                and not (r.get("note") or "").startswith("impossible")]
     if best := min(rigorous, key=lambda r: r["factor"], default=None):
         row["slices"], row["surface"] = best["factor"], f"{best['label']}, {'polyline' if 'noncircular' in best['surface'] else 'circle'}"
     row["elements"] = next((r["factor"] for r in summary["fem"]["runs"] if r.get("factor")), None)

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The referee on random slopes: proven intervals, the governing factor of limit equilibrium, and the interval of finite elements.
+
+Usage: tools/verify_referee.py PROGRAM [--count 200] [--only N …] [--out FOLDER] [--jobs N] [--write]
+
+Each random slope of tools/verify_random_slopes.py (number N is always the same slope) runs by limit equilibrium with its referee and by finite
+elements with ψ = φ on two meshes. Counted are governing factors outside the proven interval, the factors that would have governed without the
+referee and lie outside, intervals wider than 3 %, and intervals of finite elements that have nothing in common with the proven one. --write
+stores docs/verification_data/referee.csv and .md. Ends with 1 where a governing factor lies outside.
+"""
+import csv
+import pathlib
+import statistics
+import sys
+
+from published.campaign import judge_all, parse_options
+from published.case_file import make_case
+from published.elements import choose_level, find_height
+from published.problem import read_problem
+from published.runs import Broken
+from verify_random_slopes import ELEMENTS, RIGOROUS, describe, draw_slope
+
+FOLDER = pathlib.Path(__file__).resolve().parent.parent / "docs" / "verification_data"
+WIDEST = 0.03  # gap of an interval over its middle
+ROUNDING = 1e-3  # bounds are compared as they are shown
+
+
+def judge(runner, number):
+    """A row: the slope, its proven interval, the governing factor, the one without the referee, finite elements."""
+    entry = draw_slope(number)
+    problem = read_problem(entry)
+    size = round(0.5 * find_height(problem) / choose_level(problem, ELEMENTS), 6)
+    text = make_case(problem, 50, search=True, noncircular=True, finite_elements=True)
+    row = {"slope": number, "what": describe(entry), "faults": [], "misses": False}
+    try:
+        summary = runner.run(entry["id"], text, ['analysis.methods=["lem","fem"]', "fem.flow=associated", f"fem.size={size}"])
+    except Broken as fault:
+        row["faults"].append(str(fault))
+        return row
+    slices = summary["lem"]
+    referee = slices.get("referee") or {}
+    row["lower"], row["upper"], row["seconds"] = referee.get("lower"), referee.get("upper"), referee.get("seconds")
+    row["lem_seconds"] = slices.get("seconds")
+    surfaces = [s for key in ("critical", "noncircular") for s in slices.get(key) or [] if s.get("factor")]
+    rigorous = [s["factor"] for s in surfaces if s["method"] in RIGOROUS]
+    possible = [s for s in surfaces if s.get("verdict", "possible") == "possible"]
+    row["before"] = min(rigorous, default=None)
+    chosen = [s for s in possible if s["method"] in RIGOROUS] or possible
+    row["lem"] = min((s["factor"] for s in chosen), default=None)
+    run = next((r for r in summary["fem"]["runs"] if r.get("factor")), {})
+    row["fem"], interval = run.get("factor"), run.get("interval")
+    row["fem_interval"] = [interval["lower"], interval["upper"]] if interval else None
+    if row["lower"] and row["upper"]:
+        row["gap"] = 2 * (row["upper"] - row["lower"]) / (row["upper"] + row["lower"])
+        if row["lem"] and not row["lower"] - ROUNDING <= row["lem"] <= row["upper"] + ROUNDING:
+            row["faults"].append(f"{row['lem']:.3f} governs")
+        if interval := row["fem_interval"]:
+            row["misses"] = interval[1] < row["lower"] or interval[0] > row["upper"]
+    return row
+
+
+def is_outside(row, widened):
+    factor, lower, upper = row.get("before"), row.get("lower"), row.get("upper")
+    return bool(factor and lower and upper) and not lower * (1 - widened) <= factor <= upper * (1 + widened)
+
+
+def write_number(value):
+    return "–" if value is None else f"{value:.3f}"
+
+
+def make_page(rows):
+    judged = [r for r in rows if r.get("gap") is not None]
+    wide = [r for r in judged if r["gap"] > WIDEST + 5e-4]
+    own = [r for r in judged if r.get("lem")]
+    lines = ["# The referee on random slopes", "",
+             f"{len(rows)} slopes with layers, water, loads and earthquakes, drawn by `tools/verify_referee.py PROGRAM --count {len(rows)} --write`. "
+             "*Without* is the smallest factor of Spencer and Morgenstern–Price, which would govern without the referee; *governs* is the one that does, "
+             "– where the end of the interval stands first. Finite elements: ψ = φ, two meshes, their interval.", "",
+             f"- Governing factors outside the proven interval: {sum(bool(r['faults']) for r in judged)} of {len(judged)}.",
+             f"- Without the referee: {sum(is_outside(r, 0) for r in judged)} of {len(judged)} outside, {sum(is_outside(r, 0.02) for r in judged)} outside the interval widened by 2 %.",
+             f"- No factor of limit equilibrium inside, so that the end of the interval is the answer: {len(judged) - len(own)}.",
+             f"- Intervals wider than 3 %: {len(wide)}.",
+             f"- Intervals of finite elements that miss the proven one: {sum(r['misses'] for r in judged)}.",
+             f"- No interval: {len(rows) - len(judged)}."]
+    if judged:
+        lines.append(f"- Seconds of the referee: median {statistics.median(r['seconds'] for r in judged):.1f}, largest {max(r['seconds'] for r in judged):.1f}; "
+                     f"of the search: median {statistics.median(r['lem_seconds'] for r in judged):.1f}.")
+    lines += ["", "| slope | what | proven | gap | without | governs | finite elements | seconds |", "|--:|---|---|--:|--:|--:|---|--:|"]
+    for r in rows:
+        interval = f"{write_number(r.get('lower'))} … {write_number(r.get('upper'))}"
+        gap = "–" if r.get("gap") is None else f"{100 * r['gap']:.1f} %"
+        fem = write_number(r.get("fem"))
+        if r.get("fem_interval"):
+            fem += f" [{r['fem_interval'][0]:.3f}, {r['fem_interval'][1]:.3f}]"
+        lines.append(f"| {r['slope']} | {r['what']} | {interval} | {gap} | {write_number(r.get('before'))} | {write_number(r.get('lem'))} | "
+                     f"{fem}{' **misses**' if r['misses'] else ''} | {'–' if r.get('seconds') is None else round(r['seconds'], 1)} |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    options = parse_options(__doc__, 200, f"referee.csv and .md in {FOLDER.relative_to(FOLDER.parent.parent)}")
+    rows = judge_all(options, judge)
+    page = make_page(rows)
+    print(page)
+    for row in rows:
+        for fault in row["faults"]:
+            print(f"slope {row['slope']}: {fault}")
+    if options.write:
+        (FOLDER / "referee.md").write_text(page)
+        with open(FOLDER / "referee.csv", "w", newline="") as file:
+            writer = csv.DictWriter(file, ["slope", "what", "lower", "upper", "gap", "before", "lem", "fem", "fem_interval", "misses", "seconds", "lem_seconds"],
+                                    extrasaction="ignore")
+            writer.writeheader()
+            writer.writerows(rows)
+    return 1 if any(row["faults"] for row in rows) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
