@@ -81,8 +81,8 @@ void take_referee(Referee referee, SliceResult& slices) {
 std::optional<double> find_slices_factor(const SliceResult& slices, const MethodComparison* methods) {
   if (const auto governing = find_governing_surface(slices, methods)) return governing->found->surface.factor;
   if (!slices.referee) return std::nullopt;
-  if (has_verdict(slices, Verdict::too_high)) return slices.referee->upper;
-  return has_verdict(slices, Verdict::too_low) ? slices.referee->lower : std::nullopt;
+  if (has_verdict(slices, Verdict::too_low)) return slices.referee->lower;
+  return has_verdict(slices, Verdict::too_high) ? slices.referee->upper : std::nullopt;
 }
 
 std::optional<double> find_slices_factor(const RunResult& run) {

@@ -30,7 +30,7 @@ void take_referee(Referee referee, SliceResult& slices);
 /// The same as the next, of what was found at one time.
 std::optional<double> find_slices_factor(const SliceResult& slices, const MethodComparison* methods);
 /// The factor of limit equilibrium: that of the governing surface. Where limit analysis proves all factors impossible,
-/// its upper bound if one of them lies above it, else its lower bound.
+/// its lower bound if one of them lies below it, else its upper bound.
 std::optional<double> find_slices_factor(const RunResult& run);
 
 /// "critical polyline", "given surface 'bed'".

@@ -71,7 +71,13 @@ class Values {
   /// What holds for the surface that governs.
   void add_governing(const RunResult& run) {
     const std::optional<GoverningSurface> governing = find_governing_surface(run);
-    if (!governing) return;
+    if (run.slices && run.slices->referee) {
+      add_factor("lem.referee.lower", "proven lower bound for the soil of limit equilibrium",
+                 run.slices->referee->lower);
+      add_factor("lem.referee.upper", "proven upper bound for the soil of limit equilibrium",
+                 run.slices->referee->upper);
+    }
+    if (!governing) return add_factor("lem.factor", "factor of safety that governs, slices", find_slices_factor(run));
     const CriticalSurface& c = *governing->found;
     add_factor("lem.factor", "factor of safety that governs, slices", c.surface.factor);
     if (c.drawdown) {

@@ -49,7 +49,8 @@ resolution = 0.02
   const double spencer = find_factor(summary, "spencer");
   const json& fem = summary.at("fem").at("runs").at(0);
   EXPECT_NEAR(fem.at("factor").get<double>(), spencer, 0.03 * spencer);
-  EXPECT_LE(fem.at("stable").get<double>(), fem.at("factor").get<double>());
+  EXPECT_LE(fem.at("interval").at("lower").get<double>(), fem.at("factor").get<double>());
+  EXPECT_GE(fem.at("interval").at("upper").get<double>(), fem.at("factor").get<double>());
   EXPECT_FALSE(fem.at("slip_line").empty());
   // Spencer's own circle is the weakest, and the factor of the band is a little larger.
   const auto handed = support::find_result(summary, "lem.handed[fem.associated.band].spencer");

@@ -67,7 +67,7 @@ TEST_F(BoundsTest, AloneTheLowerOneGoverns) {
 
 TEST_F(BoundsTest, SayWhereAMethodLiesOutside) {
   // Elements as large as half the slope.
-  const std::string coarse = "[fem]\nsize = 6\nflow = \"associated\"\nresolution = 0.02\n";
+  const std::string coarse = "[fem]\nsize = 6\nmeshes = 1\nflow = \"associated\"\nresolution = 0.02\n";
   const json summary = run(write_case("\"fem\", \"bounds\"", coarse + rough));
   EXPECT_NE(find_text(summary.at("warnings"), "above the proven upper bound"), "");
   EXPECT_EQ(summary.at("main_factor"), summary.at("bounds").at("upper")) << "it is proven to be no higher";

@@ -187,7 +187,8 @@ TEST_F(DeviceRun, WaterAndRootsGiveTheResultsOfTheProcessor) {
   for (const char* of : {"entered", "left", "runoff", "stored", "transpired"})
     EXPECT_NEAR(here[of].get<double>(), there[of].get<double>(), 1e-7 * here["stored"].get<double>()) << of;
   EXPECT_GT(here["transpired"].get<double>(), 0);
-  EXPECT_GT(here["runoff"].get<double>(), 0);
+  // The soil takes all of the rain: the sign of what rounding leaves depends on the processor.
+  EXPECT_NEAR(here["runoff"].get<double>(), 0, 1e-12 * here["stored"].get<double>());
   EXPECT_LT(there["error"].get<double>(), 1e-9);
 }
 

@@ -65,7 +65,7 @@ TEST(Methods, FiniteElementsAreHeldWhereNothingIsSaid) {
   EXPECT_EQ(read(thick).boundaries.size(), 5u) << "front and back as well";
   EXPECT_EQ(read(plane).fem.meshes, 2);
   EXPECT_EQ(read(thick).fem.meshes, 1) << "a second mesh of tetrahedra is left to the case";
-  EXPECT_EQ(read(thick + "[fem]\nmeshes = 2\n").fem.meshes, 2);
+  EXPECT_EQ(read(change(thick, "[fem]\n", "[fem]\nmeshes = 2\n")).fem.meshes, 2);
   const std::string held = with_elements + "[[boundary]]\non = \"bottom\"\nfix = \"normal\"\n";
   ASSERT_EQ(read(held).boundaries.size(), 1u) << "a boundary of the case's own";
   std::string free = all_three;

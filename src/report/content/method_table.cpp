@@ -300,8 +300,10 @@ std::vector<Factor> list_other_factors(const results::RunResult& run) {
       continue;
     factors.push_back(make_factor(row));
   }
-  if (governing)
-    for (Factor& factor : factors) factor.is_main = factor.name == governing->name && factor.value;
+  if (governing || (run.slices && run.slices->referee))
+    for (Factor& factor : factors)
+      if (governing || factor.method == Method::lem)
+        factor.is_main = governing && factor.name == governing->name && factor.value;
   if (run.timeline) lead_with_timeline(*run.timeline, factors);
   std::stable_sort(factors.begin(), factors.end(), [](const Factor& a, const Factor& b) {
     return std::pair(a.method, !a.is_main) < std::pair(b.method, !b.is_main);
@@ -322,6 +324,18 @@ std::string say_main_factors(const results::RunResult& run, const std::vector<Fa
     parts.push_back(fmt::format("{:.3f} by {} ({})", *factor->value, get_title(factor->method), factor->title));
   return fmt::format("The factor of safety{} is {}.", has_design_values(run) ? " with design values" : "",
                      join_words(parts));
+}
+
+std::string say_referee(const results::RunResult& run) {
+  if (!run.slices || run.slices->error || !run.slices->referee || !run.slices->referee->is_interval()) return "";
+  const double lower = results::show_lower(*run.slices->referee->lower),
+               upper = results::show_upper(*run.slices->referee->upper);
+  if (results::find_governing_surface(run))
+    return fmt::format("For ψ = φ limit analysis proves that it lies between {:.3f} and {:.3f}.", lower, upper);
+  return fmt::format(
+      "For ψ = φ limit analysis proves that the factor of safety lies between {:.3f} and {:.3f}. No factor by limit "
+      "equilibrium does, so that the interval is the answer.",
+      lower, upper);
 }
 
 std::string say_proven(const results::RunResult& run) {

@@ -42,6 +42,10 @@ std::vector<Factor> list_other_factors(const results::RunResult& run);
 /// when no method found one. `factors` are those of all methods.
 std::string say_main_factors(const results::RunResult& run, const std::vector<Factor>& factors);
 
+/// What limit analysis proves of the factors of limit equilibrium, with tension up to the apex; empty where it does not
+/// judge.
+std::string say_referee(const results::RunResult& run);
+
 /// "It is proven to lie between 1.432 and 1.446 for ψ = φ."; empty without proven bounds.
 std::string say_proven(const results::RunResult& run);
 

@@ -99,8 +99,12 @@ constexpr const char* too_low = "A factor below one: the slope does not stand wi
 
 /// What the other methods found, and how they differ.
 void say_methods(const results::RunResult& run, const std::vector<Factor>& factors, json& sentences) {
-  const std::string found = say_main_factors(run, factors), proven = say_proven(run);
+  const std::string found = say_main_factors(run, factors), proven = say_proven(run), referee = say_referee(run);
+  // Where no factor by limit equilibrium is possible the interval stands first, else behind the answer.
+  const bool is_answer = !referee.empty() && !results::find_governing_surface(run);
+  if (is_answer) sentences.push_back(referee);
   if (found.empty() && proven.empty()) {
+    if (is_answer) return;
     sentences.push_back("No method found a factor of safety.");
     return;
   }
@@ -110,12 +114,13 @@ void say_methods(const results::RunResult& run, const std::vector<Factor>& facto
   // For design values the statement on partial factors says so.
   const bool is_low = std::any_of(factors.begin(), factors.end(),
                                   [](const Factor& f) { return f.is_main && f.value && *f.value < 1; }) ||
-                      (governs && run.bounds->upper && *run.bounds->upper < 1);
+                      (governs && *results::find_main_factor(run) < 1);
   if (!has_design_values(run) && is_low) sentences.push_back(too_low);
   // The least in time and factors at time 0 are of different states.
   for (const std::string& said : {run.timeline ? std::string() : say_agreement(factors),
                                   has_design_values(run) ? run.methods->partial_factors->text : std::string()})
     if (!said.empty()) sentences.push_back(said);
+  if (!is_answer && !referee.empty()) sentences.push_back(referee);
 }
 
 /// That the factor is after a rapid drawdown, and what the same surface had before it.

@@ -88,6 +88,10 @@ class Comparison {
     const results::SlipSurface& s = c.surface;
     results::MethodRow row = begin_row(Method::lem, results::to_word(s.method), s.title, criterion, name, source);
     row.factor = s.factor;
+    if (const auto& referee = run_.slices->referee; referee && c.verdict) {
+      if (referee->lower && !referee->upper_only) row.lower = results::show_lower(*referee->lower);
+      if (referee->upper) row.upper = results::show_upper(*referee->upper);
+    }
     if (c.lambda) row.note = fmt::format("λ = {:.3g}", *c.lambda);
     if (c.correction != 1) row.note = fmt::format("f₀ = {:.3f}", c.correction);
     if (!c.checks.refusal.empty()) row.note = c.checks.refusal;
