@@ -186,9 +186,12 @@ TEST(LemSearch, AFreeSurfaceFollowsTheWeakLayer) {
 TEST(LemSearch, TheWeakLayerHasNoFactorFarBelowItsProvenBound) {
   const Slope slope{make_weak_layer()};
   const SearchResult result = search(slope, make_options({{Method::morgenstern_price, 0}}, true));
-  ASSERT_EQ(result.noncircular.size(), 1u);
-  EXPECT_GE(result.noncircular[0].solution.factor, 0.98 * 0.4153);
-  EXPECT_LE(result.noncircular[0].solution.factor, 1.02 * 0.4236);
+  ASSERT_EQ(result.circular.size(), 1u);
+  for (const auto* list : {&result.circular, &result.noncircular})
+    for (const Critical& c : *list) {
+      EXPECT_GE(c.solution.factor, 0.98 * 0.4153);
+      EXPECT_LE(c.solution.factor, 1.02 * 0.4236);
+    }
 }
 
 /// The smallest and the largest polyline of Spencer's method over several seeds of the search.
