@@ -21,7 +21,7 @@ import tempfile
 
 from published import closed_forms, coupled, elements, others, seepage, slices
 from published.runs import Runner
-from published.table import MISS, Row, count, make_markdown, make_summary, print_table, write_csv
+from published.table import MISS, NOTE, Row, count, make_markdown, make_summary, print_table, write_csv
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROBLEMS = ROOT / "tests" / "data" / "published" / "problems.json"
@@ -78,7 +78,10 @@ def add_reasons(rows):
     for row in rows:
         if row.verdict == MISS:
             reasons = known.get(row.problem, {})
-            row.reason = "; ".join(filter(None, [row.reason, reasons.get(row.method) or reasons.get(row.what)]))
+            reason = reasons.get(row.method) or reasons.get(row.what)
+            row.reason = "; ".join(filter(None, [row.reason, reason]))
+            if (reason or "").startswith("impossible: "):  # the reference, which is then no bar
+                row.verdict = NOTE
 
 
 def main():

@@ -34,7 +34,7 @@ def judge(runner, number):
     text = make_case(problem, 50, search=True, noncircular=True, finite_elements=True)
     row = {"slope": number, "what": describe(entry), "faults": [], "misses": False}
     try:
-        summary = runner.run(entry["id"], text, ['analysis.methods=["lem","fem"]', "fem.flow=associated", f"fem.size={size}"])
+        summary = runner.run(entry["id"], text, ['analysis.methods=["lem","fem"]', "lem.referee=true", "fem.flow=associated", f"fem.size={size}"])
     except Broken as fault:
         row["faults"].append(str(fault))
         return row

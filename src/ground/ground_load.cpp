@@ -43,7 +43,7 @@ std::vector<Sample<2>> sample_side(const std::vector<double>& cuts) {
 std::vector<Sample<3>> sample_triangle() {
   constexpr double n = triangle_parts;
   std::vector<Sample<3>> samples;
-  const auto add = [&](const std::array<std::array<double, 2>, 3>& corners) {
+  const auto add = [&](const std::array<std::array<int, 2>, 3>& corners) {
     for (std::size_t k = 0; k < 3; ++k) {
       std::array<double, 2> at{};
       for (std::size_t c = 0; c < 3; ++c)
@@ -51,10 +51,10 @@ std::vector<Sample<3>> sample_triangle() {
       samples.push_back({{at[0], at[1], 1 - at[0] - at[1]}, 1 / (3 * n * n)});
     }
   };
-  for (double i = 0; i < n; ++i)
-    for (double j = 0; i + j < n; ++j) {
+  for (int i = 0; i < triangle_parts; ++i)
+    for (int j = 0; i + j < triangle_parts; ++j) {
       add({{{i, j}, {i + 1, j}, {i, j + 1}}});
-      if (i + j + 1 < n) add({{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}});
+      if (i + j + 1 < triangle_parts) add({{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}});
     }
   return samples;
 }

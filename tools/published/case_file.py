@@ -118,7 +118,7 @@ def write_slices(lines, problem, slices, search, noncircular):
     lines += ["[lem]", "methods = [" + ", ".join(f'"{m}"' for m in METHODS.values()) + "]", f"slices = {slices}"]
     lines.append(f'search = "{"entry_exit" if search else "none"}"')
     lines.append(f"noncircular = {'true' if noncircular else 'false'}")
-    lines.append("yield_acceleration = false")
+    lines += ["yield_acceleration = false", "referee = false"]
     if entry.get("composite"):
         lines.append("composite = true")
     if entry.get("mindepth"):
