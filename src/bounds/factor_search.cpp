@@ -19,7 +19,7 @@ constexpr int most_trials = 40;
 }  // namespace
 
 bool FactorSearch::try_factor(double factor) {
-  // Where the solver stops, a program of a factor beside it may have a solution.
+  // The solver may stall on a degenerate program; the program of a neighbouring factor then often has a solution.
   Trial trial;
   for (const double beside : {1.0, 0.99, 1.01, 0.97, 1.03}) {
     trial = solve_(beside * factor);

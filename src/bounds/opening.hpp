@@ -18,8 +18,8 @@ struct Strain {
 /// Of the corners, three of each triangle, under the velocities with these numbers.
 std::vector<Strain> find_strains(const Problem& problem, const Velocities& mesh, const std::vector<double>& numbers);
 
-/// Whether the soil at a corner may open at all: without friction and without a largest tension it keeps its volume,
-/// and rigid soil its shape.
+/// Soil without friction and without a largest tension keeps its volume, and rigid soil keeps its shape: only the other
+/// corners may open.
 inline bool may_open(const Problem& problem, std::size_t e, std::size_t c) {
   const Strength& soil = problem.strength[e][c];
   return (soil.tan_friction > 0 || soil.tension.has_value()) && !is_rigid(problem.strength[e], find_units(problem));

@@ -45,7 +45,7 @@ bool are_parallel(const Vec<2>& a, const Vec<2>& b) {
   return std::abs(a[0] * b[1] - a[1] * b[0]) < 1e-9;
 }
 
-/// Of a node that moves with its body.
+/// Freedoms of a node at `x` that moves with its body.
 std::vector<Velocities::Freedom> move_with(const BodyMotion& body, const Vec<2>& x, double length) {
   if (body.held.size() > 1) return {};
   if (body.held.size() == 1) return {{{-body.held[0][1], body.held[0][0]}, body.first}};

@@ -11,10 +11,10 @@
 namespace talus::ground {
 namespace {
 
-/// Of the section's width: a place nearer to a corner is that corner.
+/// A place nearer to a corner is that corner, as a fraction of the section's width.
 constexpr double same_place = 1e-7;
 
-/// Where the water table meets the ground, and its breaks above the ground.
+/// Adds the places where the water table meets the ground, and its breaks above the ground.
 void add_table(const Polyline& table, const Polyline& ground, std::vector<double>& places) {
   std::vector<double> breaks;
   for (const Point& x : table) breaks.push_back(x[0]);

@@ -14,7 +14,7 @@ namespace {
 
 /// Parts of a triangle along each of its edges, over which its load is summed up.
 constexpr int triangle_parts = 8;
-/// Of the section's width: places nearer to each other are one.
+/// Places nearer to each other are one, as a fraction of the section's width.
 constexpr double same_place = 1e-9;
 
 /// A place on a side by its shape functions, and the fraction of the side that it stands for.

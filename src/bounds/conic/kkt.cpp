@@ -105,7 +105,8 @@ void Kkt::find_groups() {
     if (group_of_[c] < 0) rank_of_[c] = globals_++;
 }
 
-/// Of each group: the other variables of its cones, and the equations that name it, whose coefficients stay.
+/// A group is coupled with the other variables of its cones, and with the equations that name it. The coefficients of
+/// equations do not change between factorisations.
 void Kkt::list_neighbours() {
   for (const Block& block : blocks_)
     for (const int own : block.columns) {
@@ -142,7 +143,7 @@ void Kkt::list_neighbours() {
     }
 }
 
-/// In the values of the matrix, of its lower triangle.
+/// Returns the index of an entry of the lower triangle in the values of the matrix.
 int Kkt::find_place(std::size_t column, std::size_t row) const {
   const auto& m = library_->matrix;
   if (row < column) std::swap(row, column);

@@ -31,7 +31,7 @@ class Evaluator {
   /// a value above F that grows with the distance, so that a minimiser returns to those that are not. That is computed
   /// only below the smallest value so far. Throws Error (interrupted) where asked to.
   double operator()(const Surface& surface);
-  /// Whether the factor of a surface passes all checks, that of wedges included.
+  /// Returns true where the factor of a surface passes all checks, that of wedges included.
   bool passes_all_checks(const Surface& surface);
   int count() const { return count_; }
   const Slope& slope() const { return *slope_; }

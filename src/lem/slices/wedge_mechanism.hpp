@@ -28,7 +28,7 @@ class WedgeMechanism {
  private:
   /// One wedge: what acts on it, and the strength of its base.
   struct Base {
-    /// Of a unit velocity: its parts downwards and along the sliding; and of its dilation angle.
+    /// Components of a unit velocity, downwards and along the sliding, and those of its dilation angle.
     struct Motion {
       double fall = 0, run = 1, cosine = 1, sine = 0;
     };

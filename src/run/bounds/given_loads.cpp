@@ -9,7 +9,7 @@
 namespace talus::run {
 namespace {
 
-/// Of the largest load: what rounding leaves.
+/// Differences up to this fraction of the largest load are rounding.
 constexpr double rounding_of_loads = 1e-6;
 /// Places at which a side is looked at.
 constexpr int places = 9;

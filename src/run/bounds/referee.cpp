@@ -14,11 +14,11 @@
 namespace talus::run {
 namespace {
 
-/// Of the interval over its middle, at which it is narrow enough to judge; and the largest mesh.
+/// The search ends at this width of the interval over its middle, or with a mesh of so many triangles.
 constexpr double judging_gap = 0.03;
 constexpr int most_triangles = 2500;
 
-/// Why limit analysis has no soil or load of this case; nothing: it has.
+/// Returns why limit analysis cannot judge this case; nothing where it can.
 std::optional<std::string> find_obstacle(const input::Case& data) {
   if (data.mesh.dimension != 2) return "limit analysis is that of a plane section";
   if (data.lem.drawdown) return "strengths after a rapid drawdown depend on the slip surface";
