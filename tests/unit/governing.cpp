@@ -50,6 +50,37 @@ TEST(GoverningSurface, IsTheWeakestByTheMethodsThatSatisfyMostOfTheEquilibrium) 
   EXPECT_EQ(name_governing(run), "lem.handed[fem.band].spencer_optimised");
 }
 
+TEST(GoverningSurface, IsNeverOneThatLimitAnalysisProvesImpossible) {
+  RunResult run;
+  run.slices.emplace().search.emplace();
+  run.slices->critical = {make_surface(SliceMethod::bishop, 1.21), make_surface(SliceMethod::spencer, 1.33)};
+  run.slices->noncircular = {make_surface(SliceMethod::spencer, 1.08)};
+  Referee referee;
+  referee.lower = 1.18, referee.upper = 1.25;
+  take_referee(referee, *run.slices);
+  EXPECT_EQ(name_governing(run), "lem.bishop") << "one method is too high and too low, the other inside";
+  EXPECT_EQ(find_main_factor(run), 1.21);
+  EXPECT_FALSE(find_proven_end(run).has_value());
+  run.slices->critical.erase(run.slices->critical.begin());
+  EXPECT_EQ(name_governing(run), "");
+  EXPECT_EQ(find_main_factor(run), 1.18) << "the least factor lies below what is possible";
+  EXPECT_EQ(find_proven_end(run), ProvenEnd::lower);
+  run.slices->noncircular.clear();
+  EXPECT_EQ(find_main_factor(run), 1.25) << "a mechanism has less than every factor";
+  EXPECT_EQ(find_proven_end(run), ProvenEnd::upper);
+  // A surface that another method gave is judged as well.
+  run.methods.emplace().optimised = {make_surface(SliceMethod::spencer, 1.1)};
+  run.methods->optimised[0].verdict = referee.judge(1.1);
+  EXPECT_EQ(name_governing(run), "");
+  // Factors of given surfaces are no factors of the slope: none is refused from above.
+  run.methods.reset();
+  run.slices->search.reset();
+  run.slices->critical.clear();
+  run.slices->given = {make_surface(SliceMethod::spencer, 1.33)};
+  take_referee(referee, *run.slices);
+  EXPECT_EQ(find_main_factor(run), 1.33);
+}
+
 TEST(MainFactor, IsNotAboveAProvenUpperBound) {
   RunResult run;
   run.bounds.emplace().lower = 1.3;

@@ -299,6 +299,8 @@ class Comparison {
     told_.handed.push_back({of.name, "spencer_optimised", title, factor, ""});
     results::CriticalSurface& found = told_.optimised.emplace_back(tell_critical(*slope_, best));
     found.surface.name = name;
+    if (const auto& referee = run_.slices->referee; referee && !referee->why_not)
+      found.verdict = referee->judge(*factor);
     if (data_.lem.yield_acceleration)
       found.yield_acceleration = lem::find_yield_acceleration(*slope_, best.cut, best.method, options.checks);
     results::MethodRow row =
