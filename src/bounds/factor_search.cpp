@@ -34,8 +34,8 @@ bool FactorSearch::try_factor(double factor) {
     return false;
   }
   // Between the two nothing is decided: what is computed is neither a field nor a lack of one.
-  const bool stands =
-      trial.lack + trial.doubt <= no_lack || trial.lack<-trial.doubt, falls = trial.lack> no_lack + trial.doubt;
+  const bool falls = trial.lack > no_lack + trial.doubt;
+  const bool stands = trial.lack + trial.doubt <= no_lack || trial.lack + trial.doubt < 0;
   if (stands) stood_ = std::max(stood_.value_or(0), factor);
   if (falls) fell_ = std::min(fell_.value_or(factor), factor);
   is_undecided_ = !stands && !falls;

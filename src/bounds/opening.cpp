@@ -26,6 +26,7 @@ void visit_strains(const Problem& problem, const Velocities& mesh, std::size_t e
 
 /// Largest t with ε_v − t ≥ sin φ √(…) at the corners that may open, where the mean of their ε_v is one.
 ConicProgram make_program(const Problem& problem, const Velocities& mesh, double factor, double length) {
+  const Units units = find_units(problem);
   ConicProgram program;
   const int margin = mesh.count;
   program.variables = mesh.count + 1;
@@ -37,10 +38,10 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
   double area = 0;
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c)
-      if (may_open(problem, e, c)) area += find_shape(problem, e).area / 3;
+      if (may_open(problem, e, c, units)) area += find_shape(problem, e).area / 3;
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!may_open(problem, e, c)) continue;
+      if (!may_open(problem, e, c, units)) continue;
       const double share = find_shape(problem, e).area / 3 / area * length;
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         mean.push_back({n, share * (row[0] + row[1])});
@@ -50,7 +51,7 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
   program.equations = program.rows.count();
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!may_open(problem, e, c)) continue;
+      if (!may_open(problem, e, c, units)) continue;
       const double sine = find_sine(problem.strength[e][c], factor);
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         entries.push_back({n, -length * (row[0] + row[1])});
@@ -74,11 +75,13 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
 bool opens_everywhere(const Problem& problem, const Velocities& mesh, double factor, double length,
                       const std::vector<double>& numbers) {
   constexpr double least = 1e-6;  ///< margin over the mean
+  const Units units = find_units(problem);
   const std::vector<Strain> strains = find_strains(problem, mesh, numbers);
   for (std::size_t i = 0; i < strains.size(); ++i) {
     const Strength& soil = problem.strength[i / 3][i % 3];
     const double margin = length * (strains[i].opening - find_sine(soil, factor) * strains[i].shear);
-    if (may_open(problem, i / 3, i % 3) ? margin < least : std::abs(length * strains[i].opening) > 1e-12) return false;
+    if (may_open(problem, i / 3, i % 3, units) ? margin < least : std::abs(length * strains[i].opening) > 1e-12)
+      return false;
   }
   return true;
 }
@@ -109,7 +112,7 @@ SparseRows list_openings(const Problem& problem, const Velocities& mesh, double 
   std::vector<std::pair<int, double>> entries;
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c) {
-      if (may_open(problem, e, c) || is_rigid(problem.strength[e], units)) continue;
+      if (may_open(problem, e, c, units) || is_rigid(problem.strength[e], units)) continue;
       entries.clear();
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         entries.push_back({n, length * (row[0] + row[1])});

@@ -20,9 +20,9 @@ std::vector<Strain> find_strains(const Problem& problem, const Velocities& mesh,
 
 /// Soil without friction and without a largest tension keeps its volume, and rigid soil keeps its shape: only the other
 /// corners may open.
-inline bool may_open(const Problem& problem, std::size_t e, std::size_t c) {
+inline bool may_open(const Problem& problem, std::size_t e, std::size_t c, const Units& units) {
   const Strength& soil = problem.strength[e][c];
-  return (soil.tan_friction > 0 || soil.tension.has_value()) && !is_rigid(problem.strength[e], find_units(problem));
+  return (soil.tan_friction > 0 || soil.tension.has_value()) && !is_rigid(problem.strength[e], units);
 }
 
 /// sin φ with tan φ divided by the factor.

@@ -55,8 +55,8 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
              units.stress;
     };
     for (std::size_t i = 0; i < 3; ++i) {
-      const double cohesion = find(i, [](const Strength&s) { return s.cohesion; }) / factor,
-                   cohesion_rate = cohesion < most ? -cohesion / factor : 0, taken = std::min(cohesion, most);
+      const double given = find(i, [](const Strength&s) { return s.cohesion; }), cohesion = given / factor;
+      const double taken = std::min(cohesion, most), cohesion_rate = cohesion < most ? -cohesion / factor : 0;
       const double tangent = own[i].tan_friction / factor, cosine = 1 / std::hypot(1.0, tangent),
                    cube = cosine * cosine * cosine;
       const double tangent_rate = -tangent / factor, cosine_rate = -tangent * cube * tangent_rate;

@@ -18,10 +18,11 @@ void open_soil(const Problem& problem, const Velocities& mesh, double factor, do
   auto find_lack = [&](const std::vector<Strain>& strains, std::size_t i) {
     return find_sine(problem.strength[i / 3][i % 3], factor) * strains[i].shear - strains[i].opening;
   };
+  const Units units = find_units(problem);
   const std::vector<Strain> strains = find_strains(problem, mesh, numbers);
   bool lacks = false;
   for (std::size_t i = 0; i < strains.size(); ++i)
-    lacks = lacks || (may_open(problem, i / 3, i % 3) && find_lack(strains, i) > 0);
+    lacks = lacks || (may_open(problem, i / 3, i % 3, units) && find_lack(strains, i) > 0);
   if (!lacks) return;
   const auto opening = find_opening(problem, mesh, factor, length);
   if (!opening) return;
@@ -29,7 +30,7 @@ void open_soil(const Problem& problem, const Velocities& mesh, double factor, do
   constexpr double rounding_of_sums = 1e-13;
   double share = 0;
   for (std::size_t i = 0; i < strains.size(); ++i)
-    if (may_open(problem, i / 3, i % 3))
+    if (may_open(problem, i / 3, i % 3, units))
       share = std::max(share, (find_lack(strains, i) + rounding_of_sums * strains[i].shear) / -find_lack(own, i));
   for (std::size_t n = 0; n < numbers.size(); ++n) numbers[n] += share * (*opening)[n];
 }

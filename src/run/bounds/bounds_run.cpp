@@ -67,6 +67,7 @@ void BoundsRun::calculate(std::optional<double> start) {
     options.gap = data_.bounds.gap;
     options.most_triangles = data_.bounds.triangles;
     options.start = start.value_or(1);
+    options.threads = options_.threads;
     show(fmt::format("{} triangles", made_->problem.size()));
     const bounds::BoundsResult found =
         bounds::find_bounds(made_->problem, options, [&](const bounds::BoundsLevel& level) {

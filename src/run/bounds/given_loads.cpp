@@ -74,9 +74,7 @@ std::optional<std::string> find_wrong_load(const input::Case& data, const std::v
   }
   if (!(most > rounding_of_loads * largest)) return std::nullopt;
   return fmt::format(
-      "the load on the ground at ({:.4g}, {:.4g}) differs from that of the case by {:.3g} kPa, so that nothing is "
-      "proven "
-      "of the case",
+      "at ({:.4g}, {:.4g}) the load on the ground differs from that of the case by {:.3g} kPa: nothing is proven",
       where[0], where[1], most / 1e3);
 }
 
