@@ -45,10 +45,14 @@ template <class Use>
 void visit_cones(const Problem& problem, double factor, const Units& units, Strengths strengths, Use use) {
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const auto& own = problem.strength[e];
-    // A rigid triangle has no part in the equations of the upper bound: any strength will do.
-    const double most = strengths == Strengths::own ? most_strength
-                        : is_rigid(own, units)      ? 1
-                                                    : std::numeric_limits<double>::infinity();
+    // A rigid triangle has no part in the equations of the upper bound. Its cones must not let its mean stress go to
+    // infinity, where the room that leave_room() asks for would reward that.
+    if (strengths == Strengths::weighted && is_rigid(own, units)) {
+      for (std::size_t i = 0; i < 3; ++i)
+        for (int cone = own[i].tension ? 2 : 1; cone > 0; --cone) use(e, i, Cone{0, 1, 1, 0, 0, 0});
+      continue;
+    }
+    const double most = strengths == Strengths::own ? most_strength : std::numeric_limits<double>::infinity();
     const auto find = [&](std::size_t i, auto get) {
       const double at = get(own[i]);
       return (strengths == Strengths::own ? at : find_weighted({get(own[0]), get(own[1]), get(own[2])}, i)) /
