@@ -14,16 +14,16 @@ results::ElementMeshFactor make_factor(double size, double stable, double failed
   return {size, 0.5 * (stable + failed), stable, failed, flowing};
 }
 
-TEST(ElementInterval, ReachesFromTheFineFactorDownByTwiceWhatTheExtrapolationTakes) {
+TEST(ElementInterval, ReachesFromTheFineFactorDownByThreeTimesWhatTheExtrapolationTakes) {
   const auto interval = find_mesh_interval(make_factor(2, 1.448, 1.452, 1.452), make_factor(1, 1.414, 1.418, 1.418));
   ASSERT_TRUE(interval.has_value());
-  EXPECT_NEAR(interval->lower, 1.416 - 2 * 0.034 - 0.006, 1e-12) << "brackets: 0.006";
+  EXPECT_NEAR(interval->lower, 1.416 - 3 * 0.034 - 0.006, 1e-12) << "brackets: 0.006";
   EXPECT_NEAR(interval->upper, 1.418, 1e-12) << "the flowing trial of the fine mesh";
 }
 
 TEST(ElementInterval, OfMeshesWhoseSizesAreCloserReachesFarther) {
   const auto fine = make_factor(1, 1.414, 1.418, 1.418);
-  EXPECT_NEAR(find_mesh_interval(make_factor(1.5, 1.448, 1.452, 1.452), fine)->lower, 1.414 - 2 * (0.038 + 0.034),
+  EXPECT_NEAR(find_mesh_interval(make_factor(1.5, 1.448, 1.452, 1.452), fine)->lower, 1.414 - 2 * (0.038 + 2 * 0.034),
               1e-12);
 }
 
@@ -46,7 +46,7 @@ TEST(ElementInterval, ReachesAboveTheFineFactorWhereTheCoarseOneIsLower) {
 TEST(ElementInterval, ReachesOverUndecidedTrialsToTheNextThatFlows) {
   const auto interval = find_mesh_interval(make_factor(2, 1.448, 1.452, 1.468), make_factor(1, 1.414, 1.418, 1.438));
   EXPECT_NEAR(interval->upper, 1.438, 1e-12);
-  EXPECT_NEAR(interval->lower, 1.414 - (1.468 - 1.414) - 0.034, 1e-12);
+  EXPECT_NEAR(interval->lower, 1.414 - (1.468 - 1.414) - 2 * 0.034, 1e-12);
   EXPECT_FALSE(find_mesh_interval(make_factor(2, 1.448, 1.452, {}), make_factor(1, 1.414, 1.418, 1.418)).has_value())
       << "no trial of the coarse mesh flows";
 }
