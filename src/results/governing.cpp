@@ -56,7 +56,9 @@ std::optional<GoverningSurface> find_governing_surface(const RunResult& run) {
 std::string name_surface(const GoverningSurface& surface) {
   switch (surface.source) {
     case SurfaceSource::critical:
-      return "critical circle";
+      return surface.found->crack
+                 ? fmt::format("critical circle with a tension crack of {:.2g} m", *surface.found->crack)
+                 : "critical circle";
     case SurfaceSource::noncircular:
       return "critical polyline";
     case SurfaceSource::given:

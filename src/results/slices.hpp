@@ -142,6 +142,7 @@ struct CriticalSurface {
   double correction = 1;         ///< f₀ of Janbu
   double area = 0;               ///< [m²]
   double depth = 0;              ///< greatest [m]
+  std::optional<double> crack;   ///< depth of the dry tension crack that the search added [m]
   std::string volume_note = "m³ per metre of slope";
   bool slides_left = false;
   std::optional<double> yield_acceleration;  ///< k_y
@@ -158,6 +159,7 @@ void describe(V& v, R& r) {
   v.key("correction", r.correction, {"", "f₀ of Janbu"});
   v.key("area", r.area, {"m2", "area of the mass"});
   v.key("depth", r.depth, {"m", "greatest depth"});
+  v.maybe("crack", r.crack, {"m", "depth of the dry tension crack that the search added"});
   v.key("volume_note", r.volume_note, {"", "what the area stands for"});
   v.key("slides_left", r.slides_left, {"", "whether it slides towards smaller x"});
   v.key("yield_acceleration", r.yield_acceleration, {"", "yield acceleration over gravity"});

@@ -41,7 +41,9 @@ class CircleOptimiser {
       if (!touch || *touch < range->from || *touch > range->to) return {};
       angle = *touch;
     }
-    return arcs_.make_arc(p.left, p.right, angle);
+    auto surface = arcs_.make_arc(p.left, p.right, angle);
+    surface.crack = best_.crack;
+    return surface;
   }
 
   /// Improves `place` and `value`; true when it did by more than rounding.

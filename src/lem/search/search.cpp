@@ -13,6 +13,7 @@
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
 #include "lem/search/local_minima.hpp"
+#include "lem/search/lost_circles.hpp"
 #include "lem/search/optimise_circle.hpp"
 #include "lem/search/optimise_surface.hpp"
 #include "lem/search/polyline_search.hpp"
@@ -22,18 +23,6 @@
 namespace talus::lem {
 
 namespace {
-
-/// The surface with everything that is shown of it.
-Critical finish(const Slope& slope, const SearchOptions& options, const Surface& surface, Method method) {
-  Critical critical;
-  critical.method = method;
-  critical.surface = surface;
-  critical.circular = surface.circle.has_value();
-  critical.cut = cut_surface(slope, surface, options.slices, options.checks);
-  critical.solution = solve(slope, critical.cut, method, options.checks, true);
-  critical.warnings = find_warnings(slope, options.checks, critical);
-  return critical;
-}
 
 /// Factors of all trial circles by all methods, piece by piece.
 void solve_trials(const Slope& slope, const SearchOptions& options, TrialCircles& circles, SearchResult& result) {
@@ -168,7 +157,7 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
   result.minima.resize(options.methods.size());
   for (std::size_t m = 0; m < options.methods.size(); ++m) {
     const Method method = options.methods[m];
-    for (const auto& found : minima[m]) result.minima[m].push_back(finish(slope, options, found.surface, method));
+    for (const auto& found : minima[m]) result.minima[m].push_back(make_critical(slope, options, found.surface, method));
     if (result.minima[m].empty()) {
       result.limit_hits.push_back(
           {method, fmt::format("no admissible circle, {}", describe_refusals(result.refused[m], result.tried))});
@@ -184,13 +173,14 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
     const std::vector<OptimisedSurface> found = find_polylines(slope, options, circles, result, minima);
     for (std::size_t m = 0; m < found.size(); ++m) {
       if (found[m].surface.line.empty()) continue;
-      Critical critical = finish(slope, options, found[m].surface, options.methods[m]);
+      Critical critical = make_critical(slope, options, found[m].surface, options.methods[m]);
       critical.yield_acceleration = find_yield_acceleration(slope, critical.cut, options.methods[m], options.checks);
       const auto hits = find_limit_hits(slope, options, result, circles, critical, -1);
       result.limit_hits.insert(result.limit_hits.end(), hits.begin(), hits.end());
       result.noncircular.push_back(std::move(critical));
     }
   }
+  search_cracked_circles(slope, options, arcs, circles, result);
   warn_of_lost_circles(slope, options, result);
   for (std::size_t m = 0; m < options.methods.size(); ++m) {
     const int columns = result.grid ? result.grid->columns : 40, rows = result.grid ? result.grid->rows : 40;
@@ -200,17 +190,28 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
   return result;
 }
 
+Critical make_critical(const Slope& slope, const SearchOptions& options, const Surface& surface, Method method) {
+  Critical critical;
+  critical.method = method;
+  critical.surface = surface;
+  critical.circular = surface.circle.has_value();
+  critical.cut = cut_surface(slope, surface, options.slices, options.checks);
+  critical.solution = solve(slope, critical.cut, method, options.checks, true);
+  critical.warnings = find_warnings(slope, options.checks, critical);
+  return critical;
+}
+
 Critical optimise(const Slope& slope, const Surface& start, Method method, const SearchOptions& asked) {
   const SearchOptions options = settle(slope, asked);
   Evaluator evaluate(slope, method, options.checks, options.slices);
   const std::array<double, 2> ground{slope.left(), slope.right()};
   if (!start.circle) {
     const auto found = optimise_polyline(evaluate, start, {ground, ground, options.vertices});
-    return finish(slope, options, found.surface, method);
+    return make_critical(slope, options, found.surface, method);
   }
   const Arcs arcs(slope, options.checks.smallest_depth, options.composite);
   const double step = 0.05 * (start.to - start.from);
-  return finish(slope, options, optimise_circle(evaluate, arcs, start, {ground, ground, {step, step}}).surface, method);
+  return make_critical(slope, options, optimise_circle(evaluate, arcs, start, {ground, ground, {step, step}}).surface, method);
 }
 
 SearchResult::SearchResult() = default;

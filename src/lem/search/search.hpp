@@ -113,6 +113,9 @@ struct SearchResult {
 /// Throws Error (wrong_input) when no admissible surface is found: the sentence counts the reasons.
 SearchResult search(const Slope& slope, const SearchOptions& options);
 
+/// The surface with its slices, forces, factor and warnings.
+Critical make_critical(const Slope& slope, const SearchOptions& options, const Surface& surface, Method method);
+
 /// Optimises the vertices of a polyline surface, or a circle (its ends and depth), from a start.
 Critical optimise(const Slope& slope, const Surface& start, Method method, const SearchOptions& options);
 

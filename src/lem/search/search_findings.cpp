@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "lem/search/local_minima.hpp"
 
@@ -96,44 +95,6 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
                       bottom));
   }
   return hits;
-}
-
-void warn_of_lost_circles(const Slope& slope, const SearchOptions& options, SearchResult& result) {
-  constexpr double noticeable = 0.05;
-  const auto least = [](const std::vector<Critical>& list, Method method) -> const Critical* {
-    for (const Critical& c : list)
-      if (c.method == method) return &c;
-    return nullptr;
-  };
-  const Critical* bishop = least(result.circular, Method::bishop);
-  if (bishop == nullptr) return;
-  const Critical* best = nullptr;
-  for (const auto* list : {&result.circular, &result.noncircular})
-    for (const Critical& c : *list)
-      if (is_rigorous(c.method) && c.solution.factor > 0 &&
-          (best == nullptr || c.solution.factor < best->solution.factor))
-        best = &c;
-  if (best != nullptr && bishop->solution.factor > (1 - noticeable) * best->solution.factor) return;
-  for (const Method method : options.methods) {
-    if (!is_rigorous(method)) continue;
-    CutSurface cut = bishop->cut;
-    const Solution solution = solve(slope, cut, method, options.checks, false);
-    if (solution.refusal == Refusal::none) return;
-    const Slice& crest = cut.slides_left ? cut.slices.back() : cut.slices.front();
-    const auto& soil = slope.section().soils[static_cast<std::size_t>(crest.soil)];
-    // Rankine's depth of tension with the mobilised strength.
-    const double f = bishop->solution.factor, angle = std::atan(std::tan(soil.friction_angle) / f),
-                 crack = 2 * crest.cohesion / (f * soil.unit_weight) * std::tan(std::numbers::pi / 4 + angle / 2);
-    result.warnings.push_back(fmt::format(
-        "{} has no solution on Bishop's critical circle (factor {:.3f}): {}. {}, so its own critical surface may be "
-        "missed. The soil at the crest may be in tension to a depth of {:.2g} m: give that as [lem.tension_crack] "
-        "depth",
-        get_title(method), f, name_refusal(solution.refusal),
-        best != nullptr ? fmt::format("The smallest factor with complete equilibrium is {:.3f}", best->solution.factor)
-                        : std::string("No other surface has one"),
-        crack));
-    return;
-  }
 }
 
 std::vector<std::string> find_warnings(const Slope& slope, const Checks& checks, const Critical& critical) {

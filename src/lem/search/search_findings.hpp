@@ -18,10 +18,6 @@ std::string describe_refusals(const std::map<Refusal, long>& refused, long tried
 std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& options, const SearchResult& result,
                                       const TrialCircles& circles, const Critical& critical, int best_trial);
 
-/// Adds a warning where Bishop's critical circle is lower than all that methods of complete equilibrium found, and they
-/// have no solution on it.
-void warn_of_lost_circles(const Slope& slope, const SearchOptions& options, SearchResult& result);
-
 /// Warnings on one critical surface: m_α, tension, line of thrust, edge of the model.
 std::vector<std::string> find_warnings(const Slope& slope, const Checks& checks, const Critical& critical);
 

@@ -117,15 +117,16 @@ Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Ch
   slice_mass(slope, base, count, CrackEnd::none, cut);
   if (cut.depth < checks.smallest_depth || !(cut.area > 0)) return Refusal::too_shallow;
   cut.slides_left = sum_push(cut) >= 0;
-  const auto& crack = slope.section().crack;
-  if (crack && crack->depth > 0) {
+  const TensionCrack crack =
+      surface.crack > 0 ? TensionCrack{surface.crack, 0} : slope.section().crack.value_or(TensionCrack{});
+  if (crack.depth > 0) {
     double bottom = 0;
-    const auto x = find_crack(base, cut, crack->depth, bottom);
+    const auto x = find_crack(base, cut, crack.depth, bottom);
     const double kept = x ? (cut.slides_left ? *x - from : to - *x) : 0;
     if (kept < 1e-3 * (to - from)) return Refusal::too_shallow;
     base.divide(slope, cut.slides_left ? from : *x, cut.slides_left ? *x : to);
     slice_mass(slope, base, count, cut.slides_left ? CrackEnd::right : CrackEnd::left, cut);
-    const double height = std::min(crack->water, crack->depth);
+    const double height = std::min(crack.water, crack.depth);
     cut.crack_thrust = 0.5 * slope.section().water_unit_weight * height * height;
     cut.crack_thrust_level = bottom + height / 3;
   }

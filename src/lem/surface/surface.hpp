@@ -20,6 +20,7 @@ struct Surface {
   std::optional<Circle> circle;  ///< the lower arc between `from` and `to`; cut level at the section's base (composite)
   std::vector<Point> line;       ///< of a polyline surface: from left to right, both ends on the ground
   double from = 0, to = 0;       ///< x of the two ends of an arc [m]
+  double crack = 0;              ///< depth of a dry tension crack of its own [m]; 0: that of the section, if any
 };
 
 /// Why a surface gives no factor. Counted by the search.

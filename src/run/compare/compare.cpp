@@ -105,7 +105,9 @@ class Comparison {
   void add_slices(const results::SliceResult& slices) {
     const std::size_t first = told_.table.size();
     for (const auto& c : slices.critical)
-      add_critical(c, fmt::format("lem.{}", results::to_word(c.surface.method)), "critical circle", Source::critical);
+      add_critical(c, fmt::format("lem.{}", results::to_word(c.surface.method)),
+                   c.crack ? fmt::format("critical circle, tension crack of {:.2g} m", *c.crack) : "critical circle",
+                   Source::critical);
     for (const auto& c : slices.noncircular)
       add_critical(c, fmt::format("lem.noncircular.{}", results::to_word(c.surface.method)), "critical polyline",
                    Source::noncircular);

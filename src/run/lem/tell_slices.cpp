@@ -82,6 +82,7 @@ results::CriticalSurface tell_critical(const lem::Slope& slope, const lem::Criti
   told.correction = c.solution.correction;
   told.area = c.cut.area;
   told.depth = c.cut.depth;
+  if (c.surface.crack > 0) told.crack = c.surface.crack;
   told.slides_left = c.cut.slides_left;
   told.yield_acceleration = c.yield_acceleration;
   if (slope.before() != nullptr) told.drawdown = tell_drawdown(c);
