@@ -6,6 +6,7 @@ import { methodNames } from "../page/FactorTable";
 import { formatDifference, formatDuration, formatFactor, formatSentence } from "../page/format";
 import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
+import { FactorMark, type FactorScale, makeFactorScale } from "./FactorMark";
 import { PartialFactors } from "./PartialFactors";
 
 /** Others are compared with the surface of the slices that governs, else with the first factor there is. */
@@ -18,10 +19,11 @@ interface RowsProps {
   rows: MethodRow[];
   reference: MethodRow | undefined;
   compare: (row: MethodRow) => number | null;
+  scale: FactorScale | null;
   label: string;
 }
 
-function RowTable({ rows, reference, compare, label }: RowsProps) {
+function RowTable({ rows, reference, compare, scale, label }: RowsProps) {
   return (
     <ChartTable
       label={label}
@@ -30,6 +32,7 @@ function RowTable({ rows, reference, compare, label }: RowsProps) {
         "Method",
         "Criterion",
         ...numbers("F", "Range"),
+        scale !== null && "Mark",
         ...wrapped(reference && `against ${reference.title}`),
         ...numbers("Time"),
         "Note",
@@ -52,6 +55,11 @@ function RowTable({ rows, reference, compare, label }: RowsProps) {
             <td class="number">
               {row.lower === null || row.upper === null ? "–" : `${formatFactor(row.lower)}–${formatFactor(row.upper)}`}
             </td>
+            {scale && (
+              <td>
+                <FactorMark scale={scale} row={row} />
+              </td>
+            )}
             {reference && (
               <td class="number">
                 {row === reference ? "=" : difference === null ? "–" : formatDifference(difference)}
@@ -86,7 +94,8 @@ function FactorRows({ table }: { table: MethodTable }) {
   const isGiven = (row: MethodRow) => row.method === "lem" && row.source !== "critical" && row.source !== "noncircular";
   const given = rows.some((row) => row.method === "lem" && !isGiven(row)) ? rows.filter(isGiven) : [];
   const found = rows.filter((row) => !given.includes(row));
-  const shared = { reference, compare };
+  const scale = makeFactorScale(rows);
+  const shared = { reference, compare, scale };
   return (
     <>
       <div class="chart-head">
@@ -94,6 +103,12 @@ function FactorRows({ table }: { table: MethodTable }) {
         <CsvButton part="methods" columns={columns} />
       </div>
       <RowTable {...shared} rows={found} label="Factors of safety by method and criterion" />
+      {scale?.proven.lem && (
+        <p class="chart-note">
+          Behind each mark: the interval that limit analysis proves (ψ = φ). A bar is the interval of the method itself; a
+          hollow mark is ruled out.
+        </p>
+      )}
       {given.length > 0 && (
         <details class="compared-more">
           <summary>{given.length} more on given surfaces, and on those of other methods</summary>
