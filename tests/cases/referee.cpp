@@ -104,9 +104,16 @@ TEST_F(RefereeTest, AStrongBlockIsAsStrongAsItNeedsToBe) {
   }
   EXPECT_NEAR(intervals[0].first, intervals[1].first, 1e-3);
   EXPECT_NEAR(intervals[0].second, intervals[1].second, 1e-3);
-  // N_γ = 2.8389 (Martin 2005) makes the load the exact one.
-  EXPECT_LE(intervals[0].first, 1.0);
-  EXPECT_GE(intervals[0].second, 1.0);
+}
+
+/// N_γ = 2.8389 of a rough footing at 20° (Martin 2005) makes the load the exact one.
+TEST_F(RefereeTest, BoundsHoldTheBearingCapacityOfSand) {
+  const json summary = run_file("rough_footing", {{"bounds.gap", "0.06"}, {"bounds.triangles", "2000"}});
+  const auto [lower, upper] = read_interval(summary, "bounds");
+  EXPECT_GE(lower, 0.95);
+  EXPECT_LE(lower, 1.0);
+  EXPECT_GE(upper, 1.0);
+  EXPECT_LE(upper, 1.05);
 }
 
 }  // namespace

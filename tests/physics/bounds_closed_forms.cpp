@@ -53,6 +53,32 @@ TEST(Bounds, PrandtlsStripWithFriction) {
   expect_holds(find_bounds(make_strip(30, 9, 5, 2), until(0.06, 1200)), 1, 0.06);
 }
 
+/// Reissner (1924): beside a strip on soil with neither weight nor cohesion stands q; the strip carries N_q q.
+TEST(Bounds, ReissnersStripBesideALoad) {
+  const double phi = 20 * pi / 180;
+  Problem p = make_columns(divide(0, {{1, 3}, {6, 6}}), 5, -3, [](double) { return 0.0; });
+  fill(p, 0, 20, 0);
+  press(p, 0, 1, 0, std::exp(pi * std::tan(phi)) * std::pow(std::tan(pi / 4 + phi / 2), 2));
+  press(p, 1, 6, 0, 1);
+  expect_holds(find_bounds(p, until(0.05, 1500)), 1, 0.05);
+}
+
+/// A trapdoor of width B = 2 under a layer of height H = B without friction. Classical bounds of γ H/c are 2 ln(2H/B),
+/// the stresses round a cylinder, and 2H/B, a block (Davis 1968).
+TEST(Bounds, Trapdoor) {
+  Problem p = make_columns(divide(0, {{1, 3}, {5, 6}}), 5, 0, [](double) { return 2.0; });
+  for (Side& s : p.sides) {
+    const auto &a = p.nodes[static_cast<std::size_t>(s.from)], &b = p.nodes[static_cast<std::size_t>(s.to)];
+    if (a[1] == 0 && b[1] == 0 && a[0] + b[0] < 2) s.holds_normal = s.holds_along = false;
+  }
+  fill(p, 1, 0, 1);  // γ H/c = 2
+  const BoundsResult found = find_bounds(p, until(0.04, 1200));
+  EXPECT_LE(2 * found.lower, 2.0);
+  EXPECT_GE(2 * found.upper, 2 * std::log(2.0));
+  EXPECT_GT(2 * found.lower, 1.9);
+  EXPECT_LE(found.upper / found.lower - 1, 0.05);
+}
+
 /// A vertical cut in soil without friction: γ H/c between 3.7752 and 3.7776 (Pastor, Thai and Francescato 2000; Lyamin
 /// and Sloan 2002).
 TEST(Bounds, VerticalCut) {
