@@ -30,7 +30,7 @@ def judge(runner, number):
     """A row: the slope, its proven interval, the governing factor, the one without the referee, finite elements."""
     entry = draw_slope(number)
     problem = read_problem(entry)
-    size = round(0.5 * find_height(problem) / choose_level(problem, ELEMENTS), 6)
+    size = round(0.7 * find_height(problem) / choose_level(problem, ELEMENTS), 6)
     text = make_case(problem, 50, search=True, noncircular=True, finite_elements=True)
     row = {"slope": number, "what": describe(entry), "faults": [], "misses": False}
     try:

@@ -160,7 +160,7 @@ class CaseRun {
   /// The search, and the referee of what it found.
   void calculate_slices() {
     slices_->calculate();
-    if (slices_->needs_referee()) slices_->take_referee(find_referee(design_.data, find_start(), options_));
+    if (slices_->needs_referee()) slices_->take_referee(search_referee_interval(design_.data, find_start(), options_));
     if (options_.progress) options_.progress->clear();
   }
 

@@ -50,7 +50,7 @@ void take(const bounds::BoundsResult& found, results::Referee& referee) {
 
 }  // namespace
 
-results::Referee find_referee(const input::Case& data, std::optional<double> start, const RunOptions& options) {
+results::Referee search_referee_interval(const input::Case& data, std::optional<double> start, const RunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   results::Referee referee;
   referee.why_not = find_obstacle(data);

@@ -9,6 +9,7 @@
 
 #include "results/governing.hpp"
 #include "run/compare/compare.hpp"
+#include "run/compare/read_referee.hpp"
 #include "run/compare/slip_line.hpp"
 
 namespace talus::run {
@@ -73,7 +74,7 @@ class Reading {
     read_element_criterion();
     read_elements();
     topic_ = results::Topic::bounds;
-    read_referee();
+    for (std::string& sentence : read_referee(data_, run_, slices_)) remarks_.push_back({topic_, std::move(sentence)});
     read_bounds();
     topic_ = results::Topic::points;
     read_points_mesh();
@@ -91,47 +92,6 @@ class Reading {
   template <class... Arguments>
   void say(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
     remarks_.push_back({topic_, fmt::format(text, std::forward<Arguments>(arguments)...)});
-  }
-
-  /// What limit analysis proves of the factors of limit equilibrium.
-  void read_referee() {
-    if (!run_.slices || run_.slices->error) return;
-    if (!data_.lem.referee)
-      return say("The factors of limit equilibrium were not held against limit analysis (referee = false).");
-    if (!run_.slices->referee) return;
-    const results::Referee& referee = *run_.slices->referee;
-    if (referee.why_not)
-      return say("Limit analysis cannot judge the factors of limit equilibrium: {}.", *referee.why_not);
-    if (referee.is_interval())
-      say("Limit analysis proves for the soil of limit equilibrium (ψ = φ, tension up to c/tan φ) that the factor lies "
-          "between {:.3f} and {:.3f}.",
-          results::show_lower(*referee.lower), results::show_upper(*referee.upper));
-    else if (referee.upper)
-      say("Limit analysis proves that the factor is at most {:.3f}; there is no lower bound: {}.",
-          results::show_upper(*referee.upper), referee.no_lower);
-    else
-      say("Limit analysis is undecided, so that the factors of limit equilibrium are not judged: {}.",
-          referee.no_upper);
-    if (!run_.slices->search && referee.upper && slices_ && *slices_ > results::show_upper(*referee.upper))
-      say("The factors are those of the given surfaces. The slope has a mechanism with a lower factor, of at most "
-          "{:.3f}.",
-          results::show_upper(*referee.upper));
-    if (referee.upper_only) say("Factors below the lower bound are not refused: {}.", *referee.upper_only);
-    read_verdicts(results::Verdict::too_low, "lie below the lower bound and are impossible");
-    read_verdicts(results::Verdict::too_high, "lie above the upper bound, so that a weaker mechanism exists");
-  }
-
-  void read_verdicts(results::Verdict verdict, const char* words) {
-    std::vector<std::string> list;
-    const auto add = [&](const std::vector<results::CriticalSurface>& surfaces, const char* surface) {
-      for (const results::CriticalSurface& c : surfaces)
-        if (c.verdict == verdict)
-          list.push_back(fmt::format("{:.3f} ({}, {})", *c.surface.factor, c.surface.title, surface));
-    };
-    add(run_.slices->critical, "circle");
-    add(run_.slices->noncircular, "polyline");
-    add(run_.slices->given, "given surface");
-    if (!list.empty()) say("These factors {}: {}.", words, fmt::join(list, ", "));
   }
 
   /// What is proven, and which factors it holds.
@@ -230,17 +190,21 @@ class Reading {
     }
     if (surface_ == nullptr) return;
     const SliceMethod method = surface_->surface.method;
-    const results::CriticalSurface* other = find_surface(run_.slices->noncircular, method);
-    const std::optional<double> circle = find_circle_factor(method),
-                                polyline = other == nullptr ? std::nullopt : other->surface.factor;
-    if (!circle || !polyline) return;
-    if (*polyline / *circle < 1 - same)
+    const results::CriticalSurface *circle = find_circle(method),
+                                   *polyline = find_surface(run_.slices->noncircular, method);
+    const auto is_possible = [](const results::CriticalSurface* c) {
+      return c != nullptr && c->surface.factor &&
+             c->verdict.value_or(results::Verdict::possible) == results::Verdict::possible;
+    };
+    if (!is_possible(circle) || !is_possible(polyline)) return;
+    const double of_circle = *circle->surface.factor, of_polyline = *polyline->surface.factor;
+    if (of_polyline / of_circle < 1 - same)
       say("The best polyline ({}, {:.3f}) lies {} the best circle ({:.3f}): the weakest surface is no circle.",
-          get_title(method), *polyline, compare(*polyline, *circle), *circle);
-    else
+          get_title(method), of_polyline, compare(of_polyline, of_circle), of_circle);
+    else if (of_polyline / of_circle < 1 + same)
       say("The best polyline ({}, {:.3f}) is no more than {} from the best circle: a circle describes the mechanism "
           "well here.",
-          get_title(method), *polyline, format_share(*polyline / *circle - 1));
+          get_title(method), of_polyline, format_share(of_polyline / of_circle - 1));
   }
 
   /// The share of suction in the resistance on the governing surface.
@@ -458,9 +422,8 @@ class Reading {
   std::string describe_handed(const std::string& from) const {
     for (const results::HandedSurface& h : methods_.handed) {
       if (h.from != from || h.to != results::to_word(SliceMethod::spencer) || !h.factor) continue;
-      const auto own = find_circle_factor(SliceMethod::spencer);
-      return fmt::format(", and Spencer on it gives {:.3f}{}", *h.factor,
-                         own ? ", " + compare(*h.factor, *own) + " that of the circle" : "");
+      return fmt::format(", and Spencer on it gives {:.3f}, {} {} ({:.3f})", *h.factor, compare(*h.factor, *slices_),
+                         name_, *slices_);
     }
     return "";
   }

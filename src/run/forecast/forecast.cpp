@@ -30,7 +30,9 @@ constexpr double systems = 250, system_seconds = 8e-8, system_power = 1.3, unkno
 /// Bytes of a factorised matrix: c n^1.1.
 constexpr double matrix_bytes = 1600, matrix_power = 1.1;
 /// Seconds of proven bounds up to a last mesh of n triangles, c n^1.5, and bytes of a triangle.
-constexpr double bounds_seconds = 2e-4, bounds_power = 1.5, bounds_bytes = 4e4;
+constexpr double bounds_seconds = 7e-5, bounds_power = 1.5, bounds_bytes = 4e4;
+/// Triangles with which the referee of limit equilibrium usually ends.
+constexpr double referee_triangles = 900;
 /// Seconds of a trial circle by one method with 50 slices.
 constexpr double circle_seconds = 3e-6;
 constexpr double polyline_seconds = 0.3;
@@ -39,7 +41,8 @@ std::size_t get_rank(int dimension) {
   return dimension == 2 ? 0 : 1;
 }
 
-MethodForecast forecast_slices(const input::LimitEquilibrium& lem, int threads) {
+MethodForecast forecast_slices(const input::Case& data, int threads) {
+  const input::LimitEquilibrium& lem = data.lem;
   MethodForecast f;
   f.method = input::Method::lem;
   if (lem.search == input::SurfaceSearch::entry_exit) {
@@ -53,6 +56,8 @@ MethodForecast forecast_slices(const input::LimitEquilibrium& lem, int threads) 
   const double methods = static_cast<double>(lem.methods.size());
   f.seconds = f.surfaces * methods * circle_seconds * lem.slices / 50 / threads;
   if (lem.noncircular) f.seconds += polyline_seconds * methods;
+  if (lem.referee && data.mesh.dimension == 2)
+    f.seconds += (data.earthquake.horizontal != 0 ? 2 : 1) * bounds_seconds * std::pow(referee_triangles, bounds_power);
   return f;
 }
 
@@ -171,7 +176,7 @@ std::string write_need(const MethodForecast& f) {
 
 std::vector<MethodForecast> forecast(const input::Case& data, bool with_time) {
   std::vector<MethodForecast> all;
-  if (input::uses(data, input::Method::lem)) all.push_back(forecast_slices(data.lem, default_threads()));
+  if (input::uses(data, input::Method::lem)) all.push_back(forecast_slices(data, default_threads()));
   if (input::uses(data, input::Method::fem)) all.push_back(forecast_elements(data));
   if (input::uses(data, input::Method::bounds)) all.push_back(forecast_bounds(data.bounds));
   if (input::uses(data, input::Method::mpm)) all.push_back(forecast_points(data, with_time));

@@ -165,7 +165,7 @@ struct TimelineRun::Parts {
                                      [&](const Moment& m) { return !m.referee && is_governing(m.time); });
       if (next == moments.end()) return;
       const std::size_t number = searched[static_cast<std::size_t>(next - moments.begin())];
-      next->referee = find_referee(begin_at(number), find_factor(number), options);
+      next->referee = search_referee_interval(begin_at(number), find_factor(number), options);
       tell_factors();
     }
   }
