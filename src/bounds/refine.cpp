@@ -157,8 +157,13 @@ std::vector<int> find_corners(const Problem& problem) {
     Vec<2> direction, traction;
     bool holds_normal, holds_along;
   };
+  constexpr double rounding = 1e-9;  ///< of the largest traction
+  double largest = 0;
   std::map<std::pair<int, int>, const Side*> sides;
-  for (const Side& s : problem.sides) sides[make_key(s.from, s.to)] = &s;
+  for (const Side& s : problem.sides) {
+    sides[make_key(s.from, s.to)] = &s;
+    for (const Vec<2>& t : s.traction) largest = std::max({largest, std::abs(t[0]), std::abs(t[1])});
+  }
   std::map<int, std::vector<End>> ends;
   for (const Edge& edge : list_edges(problem.triangles)) {
     if (edge.other >= 0) continue;
@@ -179,7 +184,9 @@ std::vector<int> find_corners(const Problem& problem) {
     const End &p = both[0], &q = both[1];
     const bool turns = std::abs(p.direction[0] * q.direction[1] - p.direction[1] * q.direction[0]) > 0.05;
     const bool free = !p.holds_normal && !p.holds_along && !q.holds_normal && !q.holds_along;
-    if ((turns && free) || p.traction != q.traction || p.holds_along != q.holds_along) corners.push_back(node);
+    const bool jumps = std::abs(p.traction[0] - q.traction[0]) > rounding * largest ||
+                       std::abs(p.traction[1] - q.traction[1]) > rounding * largest;
+    if ((turns && free) || jumps || p.holds_along != q.holds_along) corners.push_back(node);
   }
   return corners;
 }

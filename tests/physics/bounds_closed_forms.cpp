@@ -296,6 +296,20 @@ TEST(Bounds, ChecksFindWhatWasChanged) {
 }
 
 /// Halving keeps area and border, and every edge has the same neighbours from both sides.
+/// Pressures that differ by rounding at a node are no jump, around which the mesh would be made finer.
+TEST(Bounds, CornersAreWhereLoadsJump) {
+  Problem p = make_columns(divide(0, {{10, 10}}), 2, 0, [](double) { return 2.0; });
+  fill(p, 1, 20, 1);
+  press(p, 0, 10, 2, 1);
+  const std::vector<int> level = find_corners(p);
+  for (Side& s : p.sides)
+    if (s.traction[0][1] != 0) s.traction[1][1] *= 1 + 1e-14;
+  EXPECT_EQ(find_corners(p), level);
+  Side& jumps = p.sides.back();
+  for (Vec<2>& t : jumps.traction) t[1] *= 2;
+  EXPECT_GT(find_corners(p).size(), level.size());
+}
+
 TEST(Bounds, RefinementKeepsTheSection) {
   Problem p = make_slope(1, 0, 1);
   auto find_area = [](const Problem& q) {

@@ -14,7 +14,8 @@
 namespace talus::run {
 namespace {
 
-/// The search ends at this width of the interval over its middle, or with a mesh of so many triangles.
+/// The search ends at this width of the interval over its middle, or with a mesh of so many triangles: at least twice
+/// those of the first mesh, which pore pressures of a wide section make fine.
 constexpr double judging_gap = 0.03;
 constexpr int most_triangles = 2500;
 
@@ -56,7 +57,7 @@ results::Referee search_referee_interval(const input::Case& data, std::optional<
   referee.why_not = find_obstacle(data);
   if (referee.why_not) return referee;
   bounds::BoundsOptions search;
-  search.gap = judging_gap, search.most_triangles = most_triangles;
+  search.gap = judging_gap;
   search.start = start.value_or(1), search.is_near = start.has_value();
   search.threads = options.threads;
   input::Case judged = make_case(data);
@@ -65,7 +66,9 @@ results::Referee search_referee_interval(const input::Case& data, std::optional<
   try {
     for (int i = 0; i < directions; ++i) {
       if (options.progress) options.progress->show("limit analysis: proving an interval");
-      take(bounds::find_bounds(make_bounds_problem(judged, Supports::below_soil).problem, search), referee);
+      const bounds::Problem problem = make_bounds_problem(judged, Supports::below_soil).problem;
+      search.most_triangles = std::max(most_triangles, 2 * static_cast<int>(problem.size()));
+      take(bounds::find_bounds(problem, search), referee);
       has_lower = has_lower && referee.no_lower.empty();
       judged.earthquake.horizontal *= -1;
     }
