@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "results/about.hpp"
+#include "results/referee.hpp"
 #include "results/side_line.hpp"
 #include "results/water.hpp"
 
@@ -75,6 +76,7 @@ struct ElementRun {
   std::vector<std::string> warnings;
   std::optional<std::vector<ElementMeshFactor>> meshes;  ///< coarse to fine; then `factor` is extrapolated from them
   std::optional<ElementInterval> interval;  ///< nothing: the error of the mesh is not known, as of one mesh
+  std::optional<Verdict> verdict;           ///< of the bounds of the same soil with ψ = φ; nothing: they do not judge
 };
 template <class V, As<ElementRun> R>
 void describe(V& v, R& r) {
@@ -85,6 +87,7 @@ void describe(V& v, R& r) {
   v.key("failed", r.failed, {"", "smallest factor without equilibrium"});
   v.maybe("meshes", r.meshes, {"", "factors on two meshes, from which the factor is extrapolated"});
   v.maybe("interval", r.interval, {"", "interval of the factor: mesh and search; left out where there is one mesh"});
+  v.maybe("verdict", r.verdict, {"", "what limit analysis proves of the factor"});
   v.key("by_displacement", r.by_displacement, {"", "factor where displacements run away"});
   v.key("trials", r.trials, {"", "trials"});
   v.key("slip_line", r.slip_line, {"m", "line along the band of shear strain"});

@@ -101,8 +101,11 @@ std::optional<double> find_points_factor(const RunResult& run) {
   return std::nullopt;
 }
 
-std::optional<double> find_elements_factor(const RunResult& run) {
-  return run.elements && !run.elements->runs.empty() ? std::optional(run.elements->runs.front().factor) : std::nullopt;
+const ElementRun* find_governing_elements(const RunResult& run) {
+  if (run.elements)
+    for (const ElementRun& r : run.elements->runs)
+      if (r.verdict != Verdict::too_low) return &r;
+  return nullptr;
 }
 
 std::optional<double> find_main_factor(const RunResult& run) {
@@ -111,7 +114,7 @@ std::optional<double> find_main_factor(const RunResult& run) {
     if (f) least = std::min(least.value_or(*f), *f);
   };
   take(find_slices_factor(run));
-  take(find_elements_factor(run));
+  if (const ElementRun* elements = find_governing_elements(run)) take(elements->factor);
   take(find_points_factor(run));
   if (run.timeline) {
     take(run.timeline->least);

@@ -38,8 +38,9 @@ std::string name_surface(const GoverningSurface& surface);
 
 /// The factor of safety of the material points: at frozen geometry, or else by the first criterion that found one.
 std::optional<double> find_points_factor(const RunResult& run);
-/// That of the finite elements: with ψ as given before ψ = φ.
-std::optional<double> find_elements_factor(const RunResult& run);
+/// The strength reduction by finite elements that stands for them: with ψ as given before ψ = φ, and none with a factor
+/// that is proven too low; nullptr where there is none.
+const ElementRun* find_governing_elements(const RunResult& run);
 
 /// The end of a proven interval that the main factor is: a lower one where nothing else is possible, an upper one below
 /// what all other methods found. Nothing: it is a method's own factor.

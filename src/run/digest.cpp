@@ -51,9 +51,10 @@ std::string write_main_factor(const results::RunResult& run) {
                        write_interval(later->runs.front().interval), results::say_moment(*run.timeline, later->time));
   const bool by_slices = surface && surface->found->surface.factor == factor;
   const bool is_drawn = by_slices && run.slices->drawdown.has_value();
-  const bool by_elements = !by_slices && results::find_elements_factor(run) == factor;
+  const results::ElementRun* elements = results::find_governing_elements(run);
+  const bool by_elements = !by_slices && elements != nullptr && elements->factor == factor;
   return fmt::format("Factor of safety {}{:.3f}{} ({})\n", is_drawn ? "after drawdown " : "", *factor,
-                     by_elements ? write_interval(run.elements->runs.front().interval) : "",
+                     by_elements ? write_interval(elements->interval) : "",
                      by_slices ? fmt::format("{}, {}", surface->found->surface.title, results::name_surface(*surface))
                      : by_elements ? "finite elements"
                                    : "material points");

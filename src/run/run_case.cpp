@@ -263,6 +263,7 @@ class CaseRun {
     if (slices_) slices_->tell(run_);
     if (elements_) elements_->tell(run_);
     if (bounds_) bounds_->tell(run_);
+    judge_elements();
     tell_timeline();
     if (!points_) timing.parts = list_parts();
     keep_water();
@@ -273,6 +274,22 @@ class CaseRun {
     if (run_.status != results::Status::finished) return;
     if (points_) points_->forget();
     if (timeline_) timeline_->forget();
+  }
+
+  /// Finite elements with ψ = φ estimate the factor that limit analysis bounds, where both take the same tension.
+  void judge_elements() {
+    const input::Case& data = design_.data;
+    if (!run_.elements || !run_.bounds || !run_.bounds->is_interval() || run_.bounds->is_davis ||
+        data.bounds.tension != input::BoundsTension::as_given)
+      return;
+    results::Referee referee;
+    referee.lower = run_.bounds->lower, referee.upper = run_.bounds->upper;
+    const bool is_associated = std::none_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
+      const input::Material& m = data.materials.at(region.second);
+      return m.dilatancy_angle < m.friction_angle;
+    });
+    for (results::ElementRun& r : run_.elements->runs)
+      if (r.flow == results::Flow::associated || is_associated) r.verdict = referee.judge(r.factor);
   }
 
   void tell_timeline() {

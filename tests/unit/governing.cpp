@@ -99,6 +99,21 @@ TEST(MainFactor, IsNotAboveAProvenUpperBound) {
   EXPECT_FALSE(is_main_factor_proven(run));
 }
 
+TEST(MainFactor, IsNoFactorOfFiniteElementsThatIsProvenImpossible) {
+  RunResult run;
+  run.slices.emplace().critical = {make_surface(SliceMethod::spencer, 1.3)};
+  run.bounds.emplace().lower = 1.25, run.bounds->upper = 1.32;
+  auto& elements = run.elements.emplace().runs.emplace_back();
+  elements.factor = 1.2;
+  EXPECT_EQ(find_main_factor(run), 1.2) << "of soil with another flow rule nothing is proven";
+  elements.verdict = Verdict::too_low;
+  EXPECT_EQ(find_main_factor(run), 1.3);
+  run.slices.reset();
+  EXPECT_EQ(find_main_factor(run), 1.25) << "nothing else is left";
+  run.elements->runs.emplace_back().factor = 1.27;
+  EXPECT_EQ(find_main_factor(run), 1.27);
+}
+
 TEST(ProvenBounds, AreShownAwayFromTheirMiddle) {
   EXPECT_DOUBLE_EQ(show_lower(1.43199), 1.431);
   EXPECT_DOUBLE_EQ(show_upper(1.44501), 1.446);

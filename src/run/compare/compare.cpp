@@ -136,6 +136,8 @@ class Comparison {
       row.note = fmt::format("{}, {} elements of {:.3g} m", fem.element, fem.elements, fem.size);
       row.note += run.meshes ? fmt::format(", extrapolated with those of {:.3g} m", run.meshes->front().size)
                              : "; one mesh: the mesh error is not known";
+      if (run.verdict == results::Verdict::too_low) row.note = "impossible: below the proven lower bound; " + row.note;
+      if (run.verdict == results::Verdict::too_high) row.note = "above the proven upper bound; " + row.note;
       told_.table.push_back(row);
       if (run.by_displacement) {
         row.criterion = "displacement runs away";

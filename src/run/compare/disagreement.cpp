@@ -139,8 +139,8 @@ class Warnings {
       parts.push_back({fmt::format("slices ({}, {})", get_title(governing_->found->surface.method),
                                    results::name_surface(*governing_)),
                        *governing_->found->surface.factor});
-    if (const auto f = results::find_elements_factor(run_))
-      parts.push_back({fmt::format("finite elements ({})", describe_flow(run_.elements->runs.front())), *f});
+    if (const results::ElementRun* elements = results::find_governing_elements(run_))
+      parts.push_back({fmt::format("finite elements ({})", describe_flow(*elements)), elements->factor});
     if (const auto f = results::find_points_factor(run_)) parts.push_back({"material points", *f});
     if (parts.size() < 2) return;
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.factor < b.factor; });

@@ -115,6 +115,10 @@ class Reading {
     if (associated_ != nullptr) add(associated_->factor, "finite elements with ψ = φ");
     add(frozen_, "material points");
     if (!inside.empty()) say("The interval holds {}.", fmt::join(inside, ", "));
+    for (const results::ElementRun* run : {given_, associated_})
+      if (run != nullptr && run->verdict == results::Verdict::too_low)
+        say("The factor of finite elements with {} ({:.3f}) lies below the lower bound and is impossible.",
+            describe_flow(*run), run->factor);
     const auto has_less = [](const auto& region) { return region.dilatancy_angle < region.friction_angle; };
     // Slices know no dilatancy, and their cases may leave it out.
     const bool has_flow = input::uses(data_, Method::fem) || input::uses(data_, Method::mpm);
