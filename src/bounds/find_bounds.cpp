@@ -23,6 +23,11 @@ namespace {
 constexpr double none = std::numeric_limits<double>::infinity();
 /// How near the first mesh comes to its root, of the factor.
 constexpr double rough = 5e-3;
+/// How near later meshes come before the last one, of the factor: usually one trial each, so that the bound follows one
+/// mesh behind.
+constexpr double loose = 0.1;
+/// Meshes whose roots are near enough to each other, but whose fields do not pass their checks.
+constexpr int most_unproven = 3;
 /// The trials that are to prove lie so far outside the root, of the factor; further after each that did not.
 constexpr double proofs[] = {5e-5, 2e-4, 8e-4, 3.2e-3};
 /// The strain rates of a mechanism keep so far inside the flow rule, as multipliers of the program; and where the soil
@@ -76,7 +81,8 @@ class BoundsSearch {
   }
 
   BoundsResult run() {
-    double low = options_.start, high = options_.start, tolerance = options_.is_near ? 1 : rough;
+    double low = options_.start, high = options_.start, tolerance = rough;
+    int unproven = 0;
     for (;;) {
       const Problem& problem = result_.problem;
       units_ = find_units(problem);
@@ -97,9 +103,13 @@ class BoundsSearch {
           });
       tell(holding, moving);
       if (is_last && (!holds || !moves || is_done())) break;
+      if (is_last && ++unproven == most_unproven) {
+        result_.no_upper = result_.no_lower = "the fields of the last meshes did not pass their checks";
+        break;
+      }
       // The meshes are nested: what a coarser one has proven, a finer one has too, however far Newton's step goes.
       low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
-      tolerance = 1;  // one trial each: the bound follows one mesh behind, and the last mesh is finished
+      tolerance = loose;
       result_.problem =
           refine(problem, mark(find_contributions(problem, holding.last().solution, moving.last().solution)));
     }

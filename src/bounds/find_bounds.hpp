@@ -14,7 +14,6 @@ struct BoundsOptions {
   double gap = 0;          ///< of the interval over its middle, at which the meshes end
   int most_triangles = 0;  ///< a mesh with as many is the last
   double start = 1;        ///< a factor to begin with
-  bool is_near = false;    ///< `start` is near the bounds: the first mesh takes one program for each, as all others do
   int threads = 1;         ///< 2: both programs of a mesh at once
   FactorRange range;
 };

@@ -60,6 +60,46 @@ TEST_F(RefereeTest, ASteepSlopeIsJudgedOnCirclesWithACrack) {
   EXPECT_LE(summary.at("main_factor").get<double>(), upper);
 }
 
+/// What stands first lies in the proven interval, and that holds a narrower one with meshes of 3,000 triangles.
+TEST_F(RefereeTest, WhatGovernsIsProvenPossible) {
+  struct Slope {
+    const char* name;
+    double lower, upper;
+  };
+  for (const Slope& slope :
+       {Slope{"bank_2to1", 1.385, 1.399}, {"clay_45", 1.521, 1.573}, {"flat_clay", 1.231, 1.262}}) {
+    const json summary = run_file(
+        slope.name, {{"analysis.methods", "[\"lem\"]"}, {"lem.methods", "[\"spencer\", \"morgenstern_price\"]"}});
+    const auto [lower, upper] = read_interval(summary, "lem");
+    EXPECT_LE(lower, slope.upper) << slope.name;
+    EXPECT_GE(upper, slope.lower) << slope.name;
+    EXPECT_LE(upper / lower - 1, 0.035) << slope.name;
+    EXPECT_GE(summary.at("main_factor").get<double>(), lower - 1e-3) << slope.name;
+    EXPECT_LE(summary.at("main_factor").get<double>(), upper + 1e-3) << slope.name;
+  }
+}
+
+/// Water that stands on soil without tensile strength: before, 0.000 to 0.228.
+TEST_F(RefereeTest, BoundsHoldUnderThePondOfADam) {
+  const json summary =
+      run_file("dam_pond", {{"analysis.methods", "[\"bounds\"]"}, {"bounds.gap", "0.08"}, {"bounds.size", "3"}});
+  const auto [lower, upper] = read_interval(summary, "bounds");
+  EXPECT_GT(lower, 1.42);
+  EXPECT_LT(lower, 1.561);
+  EXPECT_GT(upper, 1.515);
+  EXPECT_LT(upper, 1.62);
+}
+
+/// Before, 0.000 to 2.017: the ends of the load lay inside edges.
+TEST_F(RefereeTest, BoundsHoldUnderAStripBetweenTwoSoils) {
+  const json summary = run_file("strip_two_soils");
+  const auto [lower, upper] = read_interval(summary, "bounds");
+  EXPECT_GT(lower, 1.85);
+  EXPECT_LT(lower, 1.935);
+  EXPECT_GT(upper, 1.888);
+  EXPECT_LT(upper, 1.98);
+}
+
 TEST_F(RefereeTest, CanBeLeftOutAndSaysSo) {
   const json summary = run(write_case("\"lem\"", few_circles));
   EXPECT_FALSE(summary.at("lem").contains("referee"));

@@ -51,14 +51,15 @@ void take(const bounds::BoundsResult& found, results::Referee& referee) {
 
 }  // namespace
 
-results::Referee search_referee_interval(const input::Case& data, std::optional<double> start, const RunOptions& options) {
+results::Referee search_referee_interval(const input::Case& data, std::optional<double> start,
+                                         const RunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   results::Referee referee;
   referee.why_not = find_obstacle(data);
   if (referee.why_not) return referee;
   bounds::BoundsOptions search;
   search.gap = judging_gap;
-  search.start = start.value_or(1), search.is_near = start.has_value();
+  search.start = start.value_or(1);
   search.threads = options.threads;
   input::Case judged = make_case(data);
   const int directions = data.earthquake.horizontal != 0 ? 2 : 1;
