@@ -104,7 +104,10 @@ std::optional<Point2> find_self_contact(const Polyline& corners, double toleranc
       if (j != (i + 1) % count && compute_distance(corners[j], a, b) <= tolerance) return corners[j];
       const bool share_a_corner = (i + 1) % count == j || (j + 1) % count == i;
       if (share_a_corner) continue;
-      if (const auto t = find_crossing(a, b, outline[j], outline[j + 1])) return interpolate(a, b, *t);
+      // Rounding makes edges of one straight line cross, at a place that is on one of them alone.
+      if (const auto t = find_crossing(a, b, outline[j], outline[j + 1]))
+        if (const Point2 at = interpolate(a, b, *t); compute_distance(at, outline[j], outline[j + 1]) <= tolerance)
+          return at;
     }
   return std::nullopt;
 }

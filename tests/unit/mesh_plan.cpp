@@ -68,6 +68,25 @@ TEST(Plan, TellsWhatIsWrongWithAPolygon) {
   EXPECT_TRUE(mentions(get_message(plan), {"'soil'", "2 points", "3"}));
 }
 
+/// Points on one straight edge, rounded: two such edges are nearly parallel and seem to cross anywhere.
+TEST(Plan, TakesAnyPointsAlongAStraightEdge) {
+  unsigned random = 1;
+  for (int i = 0; i < 200; ++i) {
+    Polyline corners{{0, 0}, {44, 0}, {44, 5}};
+    double along = 0;
+    while (true) {
+      random = random * 1664525u + 1013904223u;
+      along += 0.05 + 0.3 * (random / 4294967296.0);
+      if (along > 0.98) break;
+      corners.push_back({32 - along * 20, 5 + along * 10});
+    }
+    corners.push_back({12, 15});
+    corners.push_back({0, 15});
+    EXPECT_EQ(find_self_contact(corners, 1e-9), std::nullopt) << i;
+  }
+  EXPECT_TRUE(find_self_contact({{0, 0}, {4, 4}, {4, 0}, {0, 4}}, 1e-9).has_value()) << "a bow tie";
+}
+
 TEST(Plan, TellsWhichPolygonsOverlap) {
   Plan plan = plan_slope(1);
   plan.polygons = {{"a", {{2, 2}, {10, 2}, {10, 8}, {2, 8}}}, {"b", {{6, 4}, {14, 4}, {14, 6}, {6, 6}}}};
