@@ -47,6 +47,24 @@ TEST(SamplingSlices, FirstOrderEstimateIsThePublishedOne) {
   EXPECT_NEAR(first.at("index_lognormal").get<double>(), 2.247, 0.025);
 }
 
+/// The interval of limit analysis is a note, for the means and for the design point.
+TEST(SamplingSlices, MeansAndDesignPointAreHeldAgainstLimitAnalysis) {
+  const json block = run(sample + "samples = 20\n" + deviations, "referee", 2, {{"lem.referee", "true"}});
+  const std::string notes = block.at("notes").dump();
+  for (const char* where : {"at the means", "at the design point"}) {
+    const std::size_t at = notes.find(std::string("the factor ") + where + " lies between ");
+    ASSERT_NE(at, std::string::npos) << notes;
+    double lower = 0, upper = 0, factor = 0;
+    const std::string sentence = notes.substr(notes.find("between ", at));
+    ASSERT_EQ(std::sscanf(sentence.c_str(), "between %lf and %lf; the samples have %lf", &lower, &upper, &factor), 3);
+    EXPECT_LT(lower, upper);
+    EXPECT_GE(factor, 0.99 * lower) << where;
+    EXPECT_LE(factor, 1.01 * upper) << where;
+  }
+  EXPECT_EQ(run(sample + "samples = 20\n" + deviations, "no_referee").at("notes").dump().find("Limit analysis"),
+            std::string::npos);
+}
+
 /// Four ways to the probability of failure of one slope agree as far as they should.
 TEST(SamplingSlices, IndicesAgreeAndTheQuickFactorsAreThoseOfSearches) {
   const json block = run(sample + "samples = 2000\n" + deviations, "indices", 2);

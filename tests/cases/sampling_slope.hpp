@@ -29,6 +29,7 @@ methods = ["lem"]
 [lem]
 methods = ["bishop"]
 noncircular = false
+referee = false
 [lem.entry_exit]
 exits = 15
 entries = 15
