@@ -106,5 +106,19 @@ TEST(GivenLoads, AnotherLoadThanThatOfTheCaseIsRejected) {
   EXPECT_NE(wrong->find("nothing is proven"), std::string::npos) << *wrong;
 }
 
+/// Its rounding was the largest load there is, and nothing was proven.
+TEST(GivenLoads, AWaterTableAlongTheGroundIsNoLoad) {
+  const input::Case data =
+      input::read_case_text(
+          write_case(
+              "\"bounds\"",
+              "[initial]\npore_pressure = \"water_table\"\nwater_table = [[0, 15], [12, 15], [32, 5], [44, 5]]\n"),
+          "slope.toml", {})
+          .data;
+  EXPECT_GT(run::make_bounds_problem(data).problem.size(), 0u);
+  const std::vector<run::LoadedSide> rounded{{{32, 5}, {12, 15}, {{{1e-12, 2e-12}, {0, 0}}}}};
+  EXPECT_EQ(run::find_wrong_load(data, {}, {}, rounded), std::nullopt);
+}
+
 }  // namespace
 }  // namespace talus

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace talus::run {
 namespace {
 
-/// Differences up to this fraction of the largest load are rounding.
-constexpr double rounding_of_loads = 1e-6;
+/// Differences up to this fraction of the largest load are rounding, and up to this fraction of the pressure of water
+/// as deep as the ground is wide: a water table along the ground is a load of rounding alone.
+constexpr double rounding_of_loads = 1e-6, rounding_of_water = 1e-12;
 /// Places at which a side is looked at.
 constexpr int places = 9;
 
@@ -55,11 +57,12 @@ class GivenLoads {
 std::optional<std::string> find_wrong_load(const input::Case& data, const std::vector<ground::Pond>& ponds,
                                            const ground::Polyline& table, const std::vector<LoadedSide>& sides) {
   const GivenLoads given(data, ponds, table);
-  double largest = 0, most = 0;
+  double largest = 0, most = 0, left = std::numeric_limits<double>::infinity(), right = -left;
   Vec<2> where{};
   for (const LoadedSide& side : sides) {
     const double run = side.from[0] - side.to[0], rise = side.to[1] - side.from[1], length = std::hypot(run, rise);
     const Vec<2> normal{rise / length, run / length};
+    left = std::min({left, side.from[0], side.to[0]}), right = std::max({right, side.from[0], side.to[0]});
     if (normal[1] < 1e-6) continue;  // a vertical step has its water beside it
     for (int i = 1; i <= places; ++i) {
       const double s = static_cast<double>(i) / (places + 1);
@@ -72,7 +75,8 @@ std::optional<std::string> find_wrong_load(const input::Case& data, const std::v
       if (off > most) most = off, where = x;
     }
   }
-  if (!(most > rounding_of_loads * largest)) return std::nullopt;
+  const double water = data.water.density * data.gravity.acceleration * (right - left);
+  if (!(most > rounding_of_loads * largest + rounding_of_water * water)) return std::nullopt;
   return fmt::format(
       "at ({:.4g}, {:.4g}) the load on the ground differs from that of the case by {:.3g} kPa: nothing is proven",
       where[0], where[1], most / 1e3);
