@@ -134,7 +134,8 @@ void note_referee(const input::LoadedCase& base, const std::vector<input::Overri
     const std::optional<double> factor = slices.find(values, work);
     if (!factor) return;
     const input::LoadedCase sample = read_sample(base, overrides, set.sampled, values);
-    set.told.notes.push_back(describe_referee(where, run::search_referee_interval(sample.data, factor, quiet), *factor));
+    set.told.notes.push_back(
+        describe_referee(where, run::search_referee_interval(sample.data, factor, quiet), *factor));
   };
   judge("at the means", set.sampled.means);
   if (!set.told.design_point) return;

@@ -157,7 +157,8 @@ SearchResult search(const Slope& slope, const SearchOptions& asked) {
   result.minima.resize(options.methods.size());
   for (std::size_t m = 0; m < options.methods.size(); ++m) {
     const Method method = options.methods[m];
-    for (const auto& found : minima[m]) result.minima[m].push_back(make_critical(slope, options, found.surface, method));
+    for (const auto& found : minima[m])
+      result.minima[m].push_back(make_critical(slope, options, found.surface, method));
     if (result.minima[m].empty()) {
       result.limit_hits.push_back(
           {method, fmt::format("no admissible circle, {}", describe_refusals(result.refused[m], result.tried))});
@@ -211,7 +212,8 @@ Critical optimise(const Slope& slope, const Surface& start, Method method, const
   }
   const Arcs arcs(slope, options.checks.smallest_depth, options.composite);
   const double step = 0.05 * (start.to - start.from);
-  return make_critical(slope, options, optimise_circle(evaluate, arcs, start, {ground, ground, {step, step}}).surface, method);
+  return make_critical(slope, options, optimise_circle(evaluate, arcs, start, {ground, ground, {step, step}}).surface,
+                       method);
 }
 
 SearchResult::SearchResult() = default;
