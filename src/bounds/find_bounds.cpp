@@ -3,6 +3,8 @@
 
 #include "bounds/find_bounds.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -26,8 +28,6 @@ constexpr double rough = 5e-3;
 /// How near later meshes come before the last one, of the factor: usually one trial each, so that the bound follows one
 /// mesh behind.
 constexpr double loose = 0.1;
-/// Meshes whose roots are near enough to each other, but whose fields do not pass their checks.
-constexpr int most_unproven = 3;
 /// The trials that are to prove lie so far outside the root, of the factor; further after each that did not.
 constexpr double proofs[] = {5e-5, 2e-4, 8e-4, 3.2e-3};
 /// The strain rates of a mechanism keep so far inside the flow rule, as multipliers of the program; and where the soil
@@ -103,8 +103,9 @@ class BoundsSearch {
           });
       tell(holding, moving);
       if (is_last && (!holds || !moves || is_done())) break;
-      if (is_last && ++unproven == most_unproven) {
-        result_.no_upper = result_.no_lower = "the fields of the last meshes did not pass their checks";
+      if (is_last && ++unproven >= options_.most_unproven) {
+        result_.no_upper = result_.no_lower =
+            fmt::format("the fields of {} meshes prove a wider interval than their programs have", unproven);
         break;
       }
       // The meshes are nested: what a coarser one has proven, a finer one has too, however far Newton's step goes.

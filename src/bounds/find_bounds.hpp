@@ -3,6 +3,7 @@
 // The interval that holds the factor of safety: both programs, on meshes that become finer where the gap is.
 
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "bounds/check.hpp"
@@ -14,7 +15,9 @@ struct BoundsOptions {
   double gap = 0;          ///< of the interval over its middle, at which the meshes end
   int most_triangles = 0;  ///< a mesh with as many is the last
   double start = 1;        ///< a factor to begin with
-  int threads = 1;         ///< 2: both programs of a mesh at once
+  /// Meshes on which the programs come within the gap but their fields prove a wider interval, before the search stops.
+  int most_unproven = std::numeric_limits<int>::max();
+  int threads = 1;  ///< 2: both programs of a mesh at once
   FactorRange range;
 };
 

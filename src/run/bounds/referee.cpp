@@ -15,9 +15,9 @@ namespace talus::run {
 namespace {
 
 /// The search ends at this width of the interval over its middle, or with a mesh of so many triangles: at least twice
-/// those of the first mesh, which pore pressures of a wide section make fine.
+/// those of the first mesh, which pore pressures of a wide section make fine. See BoundsOptions for the third.
 constexpr double judging_gap = 0.03;
-constexpr int most_triangles = 2500;
+constexpr int most_triangles = 2500, most_unproven = 3;
 
 /// Returns why limit analysis cannot judge this case; nothing where it can.
 std::optional<std::string> find_obstacle(const input::Case& data) {
@@ -58,7 +58,7 @@ results::Referee search_referee_interval(const input::Case& data, std::optional<
   referee.why_not = find_obstacle(data);
   if (referee.why_not) return referee;
   bounds::BoundsOptions search;
-  search.gap = judging_gap;
+  search.gap = judging_gap, search.most_unproven = most_unproven;
   search.start = start.value_or(1);
   search.threads = options.threads;
   input::Case judged = make_case(data);
