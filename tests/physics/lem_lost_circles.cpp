@@ -57,6 +57,26 @@ TEST(LemLostCircles, AreFoundWithoutBishopsMethodAmongTheOthers) {
   expect_crack({Method::spencer});
 }
 
+TEST(LemLostCircles, OfTheMirroredSlopeEndInTheSameCrack) {
+  Section mirrored =
+      make_section({{-35.773503, 15}, {-20.773503, 15}, {-15, 5}, {0, 5}}, make_soil(33.066704, 11.947134, 20), 0);
+  const Slope left(make_steep()), right(std::move(mirrored));
+  const Critical a = search(left, make_options({Method::spencer})).circular.front(),
+                 b = search(right, make_options({Method::spencer})).circular.front();
+  EXPECT_FALSE(b.cut.slides_left);
+  EXPECT_NEAR(a.surface.crack, b.surface.crack, 0.02 * a.surface.crack);
+  EXPECT_NEAR(a.solution.factor, b.solution.factor, 2e-3 * a.solution.factor);
+}
+
+/// Soil at the crest below a water table has no dry crack.
+TEST(LemLostCircles, BelowWaterHaveNoCrack) {
+  Section section = make_steep();
+  section.water_table = {{0, 5}, {15, 5}, {20.773503, 5.5}, {21.5, 14.9}, {35.773503, 14.9}};
+  const Slope slope(std::move(section));
+  for (const Critical& c : search(slope, make_options({Method::bishop, Method::spencer})).circular)
+    EXPECT_EQ(c.surface.crack, 0);
+}
+
 TEST(LemLostCircles, OfAGentleSlopeNeedNoCrack) {
   const Slope slope(make_section({{0, 5}, {15, 5}, {35, 15}, {55, 15}}, make_soil(15, 20, 20), 0));
   const SearchResult result = search(slope, make_options({Method::bishop, Method::spencer}));

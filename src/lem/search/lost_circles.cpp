@@ -14,8 +14,7 @@
 namespace talus::lem {
 namespace {
 
-/// Bishop's factor of a lost circle over the least one found is below this [-]. On the same circle the two methods
-/// differ by less than 2 %.
+/// A lost circle counts where Bishop's factor on it is below this fraction of the least factor that the method found.
 constexpr double noticeable = 0.98;
 
 /// Cracks that are tried, from a fraction of Rankine's depth to all of it.
@@ -61,6 +60,11 @@ double compute_crack_depth(const Slope& slope, const CutSurface& cut, double fac
   return std::max(0.0, height);
 }
 
+/// The bottom of the crack that ends the mass lies in soil with positive pore pressure: the crack would not be dry.
+bool is_wet(const Slope& slope, const CutSurface& cut) {
+  return slope.pore_pressure(cut.slides_left ? cut.slices.back().base_right : cut.slices.front().base_left) > 0;
+}
+
 /// The trial circle with the least factor where each ends in a crack; one without a circle where none has a factor.
 Surface select_cracked_trial(const Slope& slope, const SearchOptions& options, const SearchResult& result,
                              Method method, double crack) {
@@ -95,15 +99,17 @@ void search_cracked_circles(const Slope& slope, const SearchOptions& options, co
     const LostCircle lost = find_lost_circle(slope, options, result, m);
     if (lost.surface == nullptr || (own != nullptr && lost.bishop > noticeable * own->solution.factor)) continue;
     Evaluator evaluate(slope, method, options.checks, options.slices, options.ends_at_signal);
-    const double deepest =
-        compute_crack_depth(slope, cut_surface(slope, *lost.surface, options.slices, options.checks), lost.bishop);
+    const CutSurface cut = cut_surface(slope, *lost.surface, options.slices, options.checks);
+    const double deepest = compute_crack_depth(slope, cut, lost.bishop);
     OptimisedSurface best{{}, Evaluator::refused, 0};
     for (int step = 1; step <= crack_steps && deepest > 0 && noticeable * best.factor > lost.bishop; ++step) {
-      const Surface start = select_cracked_trial(slope, options, result, method, deepest * step / crack_steps);
+      const double crack = deepest * step / crack_steps;
+      const Surface start = select_cracked_trial(slope, options, result, method, crack);
       if (start.circle) best = optimise_circle(evaluate, arcs, start, {circles.left, circles.right, circles.step});
     }
     if (best.factor >= (own != nullptr ? own->solution.factor : Evaluator::refused)) continue;
     Critical found = make_critical(slope, options, best.surface, method);
+    if (is_wet(slope, found.cut)) continue;
     found.warnings.push_back(
         fmt::format("ends in a dry tension crack of {:.2g} m: without one {} has no solution on the circles around "
                     "Bishop's critical one (factor {:.3f})",

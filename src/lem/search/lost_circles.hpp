@@ -11,7 +11,8 @@ namespace talus::lem {
 
 /// Searches, for each method that lost circles, circles that end in a dry tension crack: the least deep one, up to
 /// Rankine's tension zone, with which the method comes within 2 % of Bishop's factor. A smaller factor than the
-/// method's own replaces its critical circle. Skipped where the section has a crack of its own.
+/// method's own replaces its critical circle. Skipped where the section has a crack of its own, and
+/// below the water at the crest.
 void search_cracked_circles(const Slope& slope, const SearchOptions& options, const Arcs& arcs,
                             const TrialCircles& circles, SearchResult& result);
 
