@@ -76,7 +76,7 @@ def make_page(rows):
     lines = ["# The referee on random slopes", "",
              f"{len(rows)} slopes with layers, water, loads and earthquakes, drawn by `tools/verify_referee.py PROGRAM --count {len(rows)} --write`. "
              "*Without* is the smallest factor of Spencer and Morgenstern–Price, which would govern without the referee; *governs* is the one that does, "
-             "– where the end of the interval stands first. Finite elements: ψ = φ, two meshes, their interval.", "",
+             "– where the end of the interval stands first. Finite elements: ψ = φ, two meshes, their interval. Seconds: one thread, beside other work.", "",
              f"- Governing factors outside the proven interval: {sum(bool(r['faults']) for r in judged)} of {len(judged)}.",
              f"- Without the referee: {sum(is_outside(r, 0) for r in judged)} of {len(judged)} outside, {sum(is_outside(r, 0.02) for r in judged)} outside the interval widened by 2 %.",
              f"- No factor of limit equilibrium inside, so that the end of the interval is the answer: {len(judged) - len(own)}.",

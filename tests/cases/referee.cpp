@@ -60,7 +60,7 @@ TEST_F(RefereeTest, ASteepSlopeIsJudgedOnCirclesWithACrack) {
   EXPECT_LE(summary.at("main_factor").get<double>(), upper);
 }
 
-/// What stands first lies in the proven interval, and that holds a narrower one with meshes of 3,000 triangles.
+/// The governing factor lies in the proven interval, which meets the narrower one of meshes of 3,000 triangles.
 TEST_F(RefereeTest, WhatGovernsIsProvenPossible) {
   struct Slope {
     const char* name;

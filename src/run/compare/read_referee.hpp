@@ -11,8 +11,8 @@
 
 namespace talus::run {
 
-/// What limit analysis proves of the factors of limit equilibrium; nothing without them. `governing`: the factor of
-/// the surface that governs.
+/// Sentences on the proven interval and on the factors outside it; none without limit equilibrium. `governing`: the
+/// factor of the surface that governs.
 std::vector<std::string> read_referee(const input::Case& data, const results::RunResult& run,
                                       std::optional<double> governing);
 

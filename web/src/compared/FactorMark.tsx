@@ -7,8 +7,8 @@ import type { MethodRow } from "../contract";
 export type Interval = [number, number];
 
 export interface FactorScale {
-  /** What limit analysis proves of the soil of limit equilibrium, and of the soil of the other methods, whose tension
-   * may differ; null where nothing is proven. */
+  /** Intervals of limit analysis for the soil of limit equilibrium and for that of the other methods, whose tension may
+   * differ; null where nothing is proven. */
   proven: { lem: Interval | null; others: Interval | null };
   low: number;
   high: number;
@@ -44,7 +44,7 @@ export function makeFactorScale(rows: MethodRow[]): FactorScale | null {
   return { proven, low: least - margin, high: most + margin };
 }
 
-/** Place on the scale [px], and whether the value lies on it. */
+/** Place on the scale [px]; `inside`: the value lies on the scale. */
 export function placeFactor({ low, high }: FactorScale, value: number): { x: number; inside: boolean } {
   const x = (width * (value - low)) / (high - low);
   return { x: Math.min(width - 4, Math.max(4, x)), inside: value >= low && value <= high };
@@ -56,7 +56,8 @@ function Band({ scale, interval, name }: { scale: FactorScale; interval: Interva
   return <rect class={name} x={from} y={(height - thick) / 2} width={Math.max(1.5, to - from)} height={thick} />;
 }
 
-/** Whether what is proven rules a factor out. It is proven for ψ = φ, and says nothing of soil that flows otherwise. */
+/** True where the proven interval rules a factor out. It holds for ψ = φ alone, so that factors of soil that flows
+ * otherwise are never ruled out. */
 export function isRuledOut(scale: FactorScale, row: MethodRow): boolean {
   const proven = findProven(scale, row);
   if (!proven || row.factor === null || (row.method !== "lem" && row.name !== "associated")) return false;
