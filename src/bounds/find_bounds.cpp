@@ -111,6 +111,7 @@ class BoundsSearch {
       // The meshes are nested: what a coarser one has proven, a finer one has too, however far Newton's step goes.
       low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
       tolerance = loose;
+      opening_.forget();
       result_.problem =
           refine(problem, mark(find_contributions(problem, holding.last().solution, moving.last().solution)));
     }
@@ -209,7 +210,7 @@ class BoundsSearch {
       result_.lower = found.factor, result_.static_check = found, result_.stress = std::move(field);
       result_.stress_problem = problem;
     } else {
-      VelocityField field = read_velocity(problem, (1 + flow_room) * trial.factor, trial.solution);
+      VelocityField field = read_velocity(problem, (1 + flow_room) * trial.factor, trial.solution, opening_);
       const KinematicCheck found = check(problem, field);
       if (!found.holds || found.factor >= result_.upper) return;
       result_.upper = found.factor, result_.kinematic_check = found, result_.velocity = std::move(field);
@@ -229,6 +230,7 @@ class BoundsSearch {
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   BoundsResult result_;
   Units units_;
+  OpeningSearch opening_;  ///< of the mesh
 };
 
 }  // namespace

@@ -18,9 +18,10 @@ constexpr double shifts[] = {1e-10, 1e-8, 1e-6};
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-Matrix make_matrix(const SparseRows& a, int rows, int n, double shift) {
+Matrix make_matrix(const SparseRows& a, int rows, const std::vector<double>& weights, double shift) {
+  const int n = static_cast<int>(weights.size());
   std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < n; ++i) entries.emplace_back(i, i, 1.0);
+  for (int i = 0; i < n; ++i) entries.emplace_back(i, i, weights[static_cast<std::size_t>(i)]);
   for (int r = 0; r < rows; ++r) {
     entries.emplace_back(n + r, n + r, -shift);
     for (std::size_t k = a.begin(r); k < a.begin(r + 1); ++k) entries.emplace_back(n + r, a.column[k], a.value[k]);
@@ -43,13 +44,15 @@ Eigen::VectorXd find_left(const SparseRows& a, int rows, const std::vector<doubl
 
 }  // namespace
 
-void fulfil(const SparseRows& a, int rows, const std::vector<double>& right, std::vector<double>& x) {
+void fulfil(const SparseRows& a, int rows, const std::vector<double>& right, std::vector<double>& x,
+            const std::vector<double>& weights) {
   if (rows == 0) return;
   const int n = static_cast<int>(x.size());
   const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
   double least = std::numeric_limits<double>::infinity();
   for (const double shift : shifts) {
-    const Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factors(make_matrix(a, rows, n, shift));
+    const Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factors(
+        make_matrix(a, rows, weights.empty() ? std::vector<double>(x.size(), 1) : weights, shift));
     if (factors.info() != Eigen::Success) continue;
     Eigen::VectorXd at = start;
     for (int round = 0; round <= most_rounds; ++round) {

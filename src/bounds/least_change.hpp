@@ -8,8 +8,9 @@
 
 namespace talus::bounds {
 
-/// The least change of x (sum of squares) with A x = b, for the first `rows` rows of A: [I Aᵀ; A −δ] again and again,
-/// which takes δ's effect away. Rows may repeat one another.
-void fulfil(const SparseRows& a, int rows, const std::vector<double>& right, std::vector<double>& x);
+/// The least change of x (weighted sum of squares) with A x = b, for the first `rows` rows of A: [W Aᵀ; A −δ] again and
+/// again, which takes δ's effect away. Rows may repeat one another. No weights are weights of one.
+void fulfil(const SparseRows& a, int rows, const std::vector<double>& right, std::vector<double>& x,
+            const std::vector<double>& weights = {});
 
 }  // namespace talus::bounds

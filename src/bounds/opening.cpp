@@ -72,18 +72,46 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
   return program;
 }
 
+/// Corners that may not open keep their volume to `rounding_of_volume` of the largest strain.
 bool opens_everywhere(const Problem& problem, const Velocities& mesh, double factor, double length,
                       const std::vector<double>& numbers) {
   constexpr double least = 1e-6;  ///< margin over the mean
+  constexpr double rounding_of_volume = 1e-11;
   const Units units = find_units(problem);
   const std::vector<Strain> strains = find_strains(problem, mesh, numbers);
+  double largest = 0;
+  for (const Strain& s : strains) largest = std::max({largest, std::abs(s.opening), s.shear});
   for (std::size_t i = 0; i < strains.size(); ++i) {
     const Strength& soil = problem.strength[i / 3][i % 3];
     const double margin = length * (strains[i].opening - find_sine(soil, factor) * strains[i].shear);
-    if (may_open(problem, i / 3, i % 3, units) ? margin < least : std::abs(length * strains[i].opening) > 1e-12)
+    if (may_open(problem, i / 3, i % 3, units) ? margin < least
+                                               : std::abs(strains[i].opening) > rounding_of_volume * largest)
       return false;
   }
   return true;
+}
+
+/// Each node by its height above the lowest one.
+std::vector<double> lift(const Problem& problem, const Velocities& mesh, double length) {
+  double lowest = problem.nodes.front()[1];
+  for (const Vec<2>& x : problem.nodes) lowest = std::min(lowest, x[1]);
+  std::vector<double> numbers(static_cast<std::size_t>(mesh.count), 0);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+    for (const auto& f : mesh.freedoms[n])
+      numbers[static_cast<std::size_t>(f.number)] = f.direction[1] * (mesh.nodes[n][1] - lowest) / length;
+  return numbers;
+}
+
+/// The field of the largest margin; nothing where the solver finds none.
+std::optional<std::vector<double>> open_most(const Problem& problem, const Velocities& mesh, double factor,
+                                             double length) {
+  const ConicProgram program = make_program(problem, mesh, factor, length);
+  const ConicSolution found = solve(program, {});
+  if (found.end != ConicEnd::solved) return std::nullopt;
+  std::vector<double> numbers(found.x.begin(), found.x.begin() + mesh.count);
+  const SparseRows closed = list_openings(problem, mesh, length);
+  fulfil(closed, closed.count(), std::vector<double>(static_cast<std::size_t>(closed.count()), 0), numbers);
+  return numbers;
 }
 
 }  // namespace
@@ -124,22 +152,14 @@ SparseRows list_openings(const Problem& problem, const Velocities& mesh, double 
   return rows;
 }
 
-std::optional<std::vector<double>> find_opening(const Problem& problem, const Velocities& mesh, double factor,
-                                                double length) {
-  double lowest = problem.nodes.front()[1];
-  for (const Vec<2>& x : problem.nodes) lowest = std::min(lowest, x[1]);
-  std::vector<double> numbers(static_cast<std::size_t>(mesh.count), 0);
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
-    for (const auto& f : mesh.freedoms[n])
-      numbers[static_cast<std::size_t>(f.number)] = f.direction[1] * (mesh.nodes[n][1] - lowest) / length;
-  if (opens_everywhere(problem, mesh, factor, length, numbers)) return numbers;
-  const ConicProgram program = make_program(problem, mesh, factor, length);
-  const ConicSolution found = solve(program, {});
-  if (found.end != ConicEnd::solved) return std::nullopt;
-  std::copy_n(found.x.begin(), mesh.count, numbers.begin());
-  const SparseRows closed = list_openings(problem, mesh, length);
-  fulfil(closed, closed.count(), std::vector<double>(static_cast<std::size_t>(closed.count()), 0), numbers);
-  return opens_everywhere(problem, mesh, factor, length, numbers) ? std::optional(numbers) : std::nullopt;
+const std::vector<double>* OpeningSearch::find(const Problem& problem, const Velocities& mesh, double factor,
+                                               double length) {
+  if (found_ && opens_everywhere(problem, mesh, factor, length, *found_)) return &*found_;
+  found_ = lift(problem, mesh, length);
+  if (opens_everywhere(problem, mesh, factor, length, *found_)) return &*found_;
+  found_ = open_most(problem, mesh, factor, length);
+  if (found_ && !opens_everywhere(problem, mesh, factor, length, *found_)) found_.reset();
+  return found_ ? &*found_ : nullptr;
 }
 
 }  // namespace talus::bounds

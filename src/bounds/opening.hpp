@@ -31,10 +31,19 @@ double find_sine(const Strength& soil, double factor);
 /// Rows of div u = 0 at the corners that may not open, times the length of the section.
 SparseRows list_openings(const Problem& problem, const Velocities& mesh, double length);
 
-/// Numbers of velocities with ε_v > sin φ √((ε_x − ε_y)² + γ²) at every corner that may open, and ε_v = 0 at the
+/// Velocities of one mesh with ε_v > sin φ √((ε_x − ε_y)² + γ²) at every corner that may open, and ε_v = 0 at the
 /// others: lifting the soil by its height above the lowest node, or, where supports or other soil forbid that, the
-/// field of the largest margin. Nothing where there is none.
-std::optional<std::vector<double>> find_opening(const Problem& problem, const Velocities& mesh, double factor,
-                                                double length);
+/// field of the largest margin.
+class OpeningSearch {
+ public:
+  /// Numbers of the velocities; nothing where there are none. Those of an earlier factor are kept where they suffice: a
+  /// larger factor asks for less.
+  const std::vector<double>* find(const Problem& problem, const Velocities& mesh, double factor, double length);
+  /// The mesh is another one now.
+  void forget() { found_.reset(); }
+
+ private:
+  std::optional<std::vector<double>> found_;
+};
 
 }  // namespace talus::bounds

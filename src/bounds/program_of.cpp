@@ -14,7 +14,7 @@ namespace talus::bounds {
 
 namespace {
 
-/// Coefficients of the three components of a stress.
+/// Coefficients of σx, σy and τxy.
 using Row = std::array<double, 3>;
 
 std::map<EdgeKey, const Side*> index_sides(const Problem& problem) {
@@ -85,9 +85,7 @@ class ProgramBuilder {
 
   /// A row of a corner: adds to what is added already for this equation.
   void add(std::size_t triangle, std::size_t corner, const Row& row, double times = 1) {
-    for (int d = 0; d < 3; ++d)
-      if (row[static_cast<std::size_t>(d)] != 0)
-        entries_.push_back({static_cast<int>(9 * triangle + 3 * corner) + d, times * row[static_cast<std::size_t>(d)]});
+    add_unknowns(triangle, corner, {row[0] + row[1], row[0] - row[1], row[2]}, times);
   }
   void end_equation(double right) {
     program_.add_row(entries_, right);
@@ -104,13 +102,20 @@ class ProgramBuilder {
   }
 
  private:
+  /// Coefficients of the mean stress, half the difference and the shear stress.
+  void add_unknowns(std::size_t triangle, std::size_t corner, const Row& row, double times = 1) {
+    for (int d = 0; d < 3; ++d)
+      if (row[static_cast<std::size_t>(d)] != 0)
+        entries_.push_back({static_cast<int>(9 * triangle + 3 * corner) + d, times * row[static_cast<std::size_t>(d)]});
+  }
+
   void add_cone(std::size_t e, std::size_t i, double mean, double lacking, double available, int lack) {
-    add(e, i, {mean, mean, 0});
+    add_unknowns(e, i, {2 * mean, 0, 0});
     entries_.push_back({lack, -lacking});
     program_.add_row(entries_, available);
-    add(e, i, {-0.5, 0.5, 0});
+    add_unknowns(e, i, {0, -1, 0});
     program_.add_row(entries_, 0);
-    add(e, i, {0, 0, -1});
+    add_unknowns(e, i, {0, 0, -1});
     program_.add_row(entries_, 0);
     program_.cones.push_back(3);
   }
@@ -248,8 +253,8 @@ double find_lack_rate(const Problem& problem, Bound bound, double factor, const 
   visit_cones(problem, factor, units, bound == Bound::lower ? Strengths::own : Strengths::weighted,
               [&](std::size_t e, std::size_t i, const Cone& cone) {
                 const double* stress = &solution.x[9 * e + 3 * i];
-                rate += solution.z[row] *
-                        (cone.mean_rate * (stress[0] + stress[1]) - cone.lacking_rate * lack - cone.available_rate);
+                rate +=
+                    solution.z[row] * (2 * cone.mean_rate * stress[0] - cone.lacking_rate * lack - cone.available_rate);
                 row += 3;
               });
   return rate;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The two cone programs of a problem. Unknown are the effective stresses at the corners of the triangles, three each,
-// and last the cohesion m that every corner lacks: the least m with which there is equilibrium under all loads. The
+// The two cone programs of a problem. Unknown are the effective stresses at the corners of the triangles, three each:
+// (σx + σy)/2, (σx − σy)/2 and τxy, so that the mean stress of soil without friction is in no cone. The last unknown is
+// the cohesion m that every corner lacks: the least m with which there is equilibrium under all loads. The
 // slope stands with strengths divided by F where m ≤ 0. (A multiplier of gravity, as in the literature, has no value in
 // soil without cohesion; m has one always.)
 

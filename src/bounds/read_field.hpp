@@ -4,6 +4,7 @@
 
 #include "bounds/conic/program.hpp"
 #include "bounds/field.hpp"
+#include "bounds/opening.hpp"
 
 namespace talus::bounds {
 
@@ -13,7 +14,8 @@ StressField read_stress(const Problem& problem, const ConicProgram& program, con
 
 /// The field of a solution of the upper bound's program for this factor: its velocities, moved by the least squares
 /// into constant volume where the soil has no friction, and opened everywhere by as much as the worst corner lacks of
-/// its flow rule.
-VelocityField read_velocity(const Problem& problem, double factor, const ConicSolution& solution);
+/// its flow rule. `opening` is that of the mesh.
+VelocityField read_velocity(const Problem& problem, double factor, const ConicSolution& solution,
+                            OpeningSearch& opening);
 
 }  // namespace talus::bounds
