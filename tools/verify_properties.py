@@ -4,7 +4,7 @@
 
 Usage: tools/verify_properties.py PROGRAM [--count 200] [--only N …] [--out FOLDER] [--jobs N] [--write]
 
-Each of the random slopes of tools/verify_random_slopes.py (layers, water, loads, earthquakes) is calculated by slices as it is and
+Each of the random slopes of tools/published/random_slopes.py (layers, water, loads, earthquakes) is calculated by slices as it is and
   - mirrored, moved by (1234.5, 678.9) m, and in feet and pounds: the factor of every method on its critical circle is the same;
   - with c and tan φ of all soils times 1.25: the factor is 1.25 times as large;
 and the methods keep their order: Fellenius is not above Bishop (where Bishop is above 1), Janbu not above Janbu corrected, Spencer and
@@ -19,8 +19,8 @@ import sys
 from published.campaign import judge_all, parse_options
 from published.case_file import make_case
 from published.problem import FOOT, PCF, PSF, read_problem
+from published.random_slopes import describe, draw_slope
 from published.runs import Broken
-from verify_random_slopes import describe, draw_slope
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 STRONGER = 1.25

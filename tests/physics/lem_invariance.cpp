@@ -113,7 +113,7 @@ TEST(LemInvariance, InFeetAndPounds) {
   expect_same(section, move, foot);
 }
 
-/// Random slope 87 of tools/verify_random_slopes.py. Its critical circles lie under the far edge of the load and are as
+/// Random slope 87 of tools/published/random_slopes.py. Its critical circles lie under the far edge of the load and are as
 /// shallow as the search allows: much smaller than the distance of the trial circles' ends, so that the optimisation
 /// must find them.
 TEST(LemInvariance, SearchUnderTheEdgeOfALoadMirrored) {

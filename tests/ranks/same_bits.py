@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A case has the same bits on one, two and four ranks, and a checkpoint of four ranks goes on on one and on two.
+"""A case has the same bits on one and four ranks, one of them on two, and a checkpoint of four ranks goes on on one and on two.
 
 Usage: same_bits.py PROGRAM
 
@@ -123,7 +123,7 @@ def main():
         for case in ("slide", "block_3d", "wet_bank", "wet_bank_3d", "reduction"):
             path = CASES / f"{case}.toml"
             run(program, 1, path, here / f"{case}_1")
-            for ranks in (2, 4):
+            for ranks in (2, 4) if case == "slide" else (4,):
                 run(program, ranks, path, here / f"{case}_{ranks}")
                 compare(f"{case} on {ranks} ranks", here / f"{case}_1", here / f"{case}_{ranks}")
         for ranks in (1, 2):
@@ -133,7 +133,7 @@ def main():
         compare("slide on 2 ranks with two threads each", here / "slide_1", here / "slide_threads")
         # A checkpoint is written at every look: a rank is killed as soon as there is one.
         often = ("--set", "output.checkpoint_interval=1e-6")
-        for case, ranks in (("slide", 1), ("slide", 2), ("wet_bank", 2), ("wet_bank_3d", 1)):
+        for case, ranks in (("slide", 2), ("wet_bank_3d", 1)):
             path, folder = CASES / f"{case}.toml", here / f"{case}_resumed_on_{ranks}"
             process = start(program, 4, path, folder, *often)
             while process.poll() is None and not (folder / "checkpoint.h5").exists():
