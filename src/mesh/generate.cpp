@@ -74,9 +74,24 @@ void put_in_place(Mesh<D>& mesh, const Plan& plan) {
   }
 }
 
+/// The plan with the lower left corner of its box at the origin: the same section has the same mesh wherever it lies.
+Plan make_local(const Plan& given) {
+  Plan plan = given;
+  const Point2 origin = given.box_min;
+  const auto shift = [&](Polyline& points) {
+    for (Point2& x : points) x = {x[0] - origin[0], x[1] - origin[1]};
+  };
+  for (Polygon& p : plan.polygons) shift(p.points);
+  for (Line& l : plan.lines) shift(l.points);
+  for (Refinement& r : plan.refinements) shift(r.near);
+  plan.box_max = {plan.box_max[0] - origin[0], plan.box_max[1] - origin[1]};
+  plan.box_min = {0, 0};
+  return plan;
+}
+
 template <int D>
 Mesh<D> mesh_plan(const Plan& given) {
-  const Plan plan = check_plan(given);
+  const Plan checked = check_plan(given), plan = make_local(checked);
   const GmshSession session;
   errno = 0;
   try {
@@ -91,7 +106,9 @@ Mesh<D> mesh_plan(const Plan& given) {
   Mesh<D> mesh = extract_mesh<D>(naming);
   for (const Polygon& p : plan.polygons) mesh.region_names.push_back(p.name);
   raise_altitudes<D>(mesh, extract_freedoms<D>(), [&](const auto& x) { return compute_size(plan, {x[0], x[1]}); });
-  put_in_place(mesh, plan);
+  for (auto& x : mesh.nodes)
+    for (std::size_t d = 0; d < 2; ++d) x[d] += checked.box_min[d];
+  put_in_place(mesh, checked);
   return mesh;
 }
 

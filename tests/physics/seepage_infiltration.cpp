@@ -52,6 +52,28 @@ TEST(SeepageInfiltration, SrivastavaAndYehInTime) {
   }
 }
 
+/// Rain on silt, high above the origin: pressures are differences of heads, which must not drown in the elevation.
+TEST(SeepageInfiltration, DoesNotDependOnTheDatum) {
+  constexpr int n = 24;
+  const auto calculate = [&](double datum) {
+    auto mesh = make_soil_box<2>({2, n}, {0.5, 6.0});
+    auto soil = make_soil<2>(1e-6, 0.42);
+    soil.retention = material::VanGenuchten{0.1, 1, 10e3, 0.4};
+    soil.relative = material::Mualem{0.4};
+    SeepageModel<2> model{&mesh, {soil}, {}};
+    model.boundaries = {make_condition(mesh, "bottom", HydraulicKind::pressure, -20e3),
+                        make_condition(mesh, "top", HydraulicKind::rain, 2e-8)};
+    for (auto& x : mesh.nodes) x[1] += datum;
+    const auto before = fem::solve_steady_seepage(model);
+    model.boundaries[1].value = 4e-7;
+    fem::SeepageSchedule schedule;
+    schedule.outputs = {6 * hour, 24 * hour, 72 * hour};
+    return fem::solve_transient_seepage(model, before.head, schedule).states.back().pressure;
+  };
+  const std::vector<double> here = calculate(0), above = calculate(850);
+  for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(above[i], here[i], 1e-3 * gamma_w * cm);
+}
+
 TEST(SeepageInfiltration, SaturatedStorageIsTerzaghisConsolidation) {
   // c_v = k/(γ_w (n/K_w + 1/E_c)); excess pressure p0 at the start, drained at the top
   const int n = 40;

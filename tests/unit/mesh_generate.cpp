@@ -172,6 +172,13 @@ TEST(Generate, KeepsSmallAndFarGeometryExact) {
   const auto moved = generate<2>(far);
   EXPECT_NEAR(sum_region(moved, 0), 440, 1e-8 * 440);
   EXPECT_GT(measure_quality(moved).min_altitude, 0.85);
+  // The same section has the same mesh wherever it lies.
+  const auto here = generate<2>(plan_slope(1.5));
+  ASSERT_EQ(moved.elements, here.elements);
+  for (std::size_t i = 0; i < here.nodes.size(); ++i) {
+    EXPECT_NEAR(moved.nodes[i][0] - 650000, here.nodes[i][0], 1e-9);
+    EXPECT_NEAR(moved.nodes[i][1] - 800, here.nodes[i][1], 1e-9);
+  }
 }
 
 TEST(Generate, ExtrudesSoilAndWallsIntoTetrahedra) {

@@ -101,20 +101,21 @@ std::vector<NodeCondition> SeepageSystem<D>::find_conditions(double time) const 
   std::vector<NodeCondition> conditions(node_of_unknown.size());
   for (std::size_t b = 0; b < shares.size(); ++b) {
     const auto& boundary = model.boundaries[b];
-    const double value = boundary.value_at(time);
+    const auto kind = boundary.kind;
+    const bool is_level = kind == HydraulicKind::total_head || kind == HydraulicKind::reservoir;
+    const double value = boundary.value_at(time) - (is_level ? datum : 0);
     for (const BoundaryShare& share : shares[b]) {
       const auto u = static_cast<std::size_t>(share.unknown);
       NodeCondition& c = conditions[u];
       const bool submerged = elevation[u] <= value;
-      const auto kind = boundary.kind;
       if (kind == HydraulicKind::total_head || kind == HydraulicKind::pressure ||
           (kind == HydraulicKind::reservoir && submerged)) {
         const double head = kind == HydraulicKind::pressure ? elevation[u] - value / model.unit_weight : value;
         if (c.fixed && std::abs(c.head - head) > 1e-9 * std::max({1.0, std::abs(head), std::abs(c.head)}))
           throw Error(ExitCode::wrong_input,
                       describe_contradiction(*model.mesh, node_of_unknown[u],
-                                             model.boundaries[static_cast<std::size_t>(c.owner)].name, c.head,
-                                             boundary.name, head));
+                                             model.boundaries[static_cast<std::size_t>(c.owner)].name, c.head + datum,
+                                             boundary.name, head + datum));
         if (!c.fixed) c.owner = static_cast<int>(b);
         c.fixed = true;
         c.head = head;

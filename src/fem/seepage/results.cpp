@@ -145,7 +145,7 @@ std::vector<double> to_unknowns(const SeepageSystem<D>& system, const std::vecto
   if (node_heads.size() != system.unknown_of_node.size())
     throw Error(ExitCode::internal_error, "The initial heads are not as many as the nodes of the mesh.");
   std::vector<double> heads;
-  for (int node : system.node_of_unknown) heads.push_back(node_heads[static_cast<std::size_t>(node)]);
+  for (int node : system.node_of_unknown) heads.push_back(node_heads[static_cast<std::size_t>(node)] - system.datum);
   return heads;
 }
 
@@ -153,7 +153,8 @@ template <int D>
 std::vector<double> to_nodes(const SeepageSystem<D>& system, const std::vector<double>& heads) {
   std::vector<double> r;
   for (const auto& x : system.model.mesh->nodes) r.push_back(x[static_cast<std::size_t>(system.model.up)]);
-  for (std::size_t u = 0; u < heads.size(); ++u) r[static_cast<std::size_t>(system.node_of_unknown[u])] = heads[u];
+  for (std::size_t u = 0; u < heads.size(); ++u)
+    r[static_cast<std::size_t>(system.node_of_unknown[u])] = heads[u] + system.datum;
   return r;
 }
 

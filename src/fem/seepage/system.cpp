@@ -77,6 +77,8 @@ SeepageSystem<D>::SeepageSystem(const SeepageModel<D>& m) : model(m) {
     node_of_unknown.push_back(static_cast<int>(i));
     elevation.push_back(mesh.nodes[i][static_cast<std::size_t>(m.up)]);
   }
+  if (!elevation.empty()) datum = *std::min_element(elevation.begin(), elevation.end());
+  for (double& y : elevation) y -= datum;
   build_pattern(*this);
   build_stores(*this);
   build_shares(*this);

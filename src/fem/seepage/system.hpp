@@ -37,7 +37,10 @@ struct SeepageSystem {
   std::vector<int> elements;         ///< that hold soil
   std::vector<int> unknown_of_node;  ///< -1: no soil
   std::vector<int> node_of_unknown;
-  std::vector<double> elevation;  ///< per unknown [m]
+  /// The lowest unknown [m]. Elevations and heads of the unknowns are measured from it: pressures are their
+  /// differences, and would drown in the rounding of map coordinates.
+  double datum = 0;
+  std::vector<double> elevation;  ///< per unknown, above the datum [m]
 
   // Compressed columns; the pattern is symmetric.
   std::vector<int> column_start, row;
