@@ -93,9 +93,15 @@ bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, cons
 template <int D>
 Vec<D> find_earthquake(const input::Case& data, const std::vector<std::array<double, 2>>& ground) {
   Vec<D> added{};
+  const input::Earthquake& quake = data.earthquake;
   const bool falls_to_the_left = !ground.empty() && ground.front()[1] < ground.back()[1];
-  added[0] = (falls_to_the_left ? -1 : 1) * data.earthquake.horizontal;
-  added[1] = -data.earthquake.vertical;
+  const bool pushes_left = quake.direction == input::EarthquakeDirection::both
+                               ? falls_to_the_left
+                               : quake.direction == input::EarthquakeDirection::left;
+  const double amount =
+      quake.direction == input::EarthquakeDirection::both ? std::abs(quake.horizontal) : quake.horizontal;
+  added[0] = pushes_left ? -amount : amount;
+  added[1] = -quake.vertical;
   return added;
 }
 

@@ -30,8 +30,8 @@ template <int D>
 bool add_pressure_ratio(const input::Case& data, const mesh::Mesh<D>& mesh, const std::vector<double>& unit_weight,
                         std::vector<std::array<double, D + 1>>& pore);
 
-/// What a pseudo-static earthquake adds to the direction of gravity, in g: out of the slope, towards the lower end of
-/// the ground, and down. `ground` may be empty; then, and where both ends are equally high, towards larger x.
+/// Acceleration that a pseudo-static earthquake adds to that of gravity, in g, in its direction. Where the case gives
+/// none: towards the lower end of the ground, and towards larger x where `ground` is empty or both ends equally high.
 template <int D>
 Vec<D> find_earthquake(const input::Case& data, const std::vector<std::array<double, 2>>& ground);
 

@@ -42,6 +42,7 @@ struct BoundsResult {
   double imbalance = 0;            ///< largest, of the stress field over the unit of stress
   std::vector<BoundsMesh> meshes;
   std::optional<std::vector<SideLine>> sides;  ///< lines along which the mechanism slides
+  std::optional<EarthquakeSide> earthquake;    ///< nothing: there is none, or the case gives its direction
   std::string fields_file;
   std::optional<Seepage> seepage;
   std::optional<double> seconds;
@@ -64,6 +65,7 @@ void describe(V& v, R& r) {
   v.key("imbalance", r.imbalance, {"", "largest imbalance of the stress field over the largest load"});
   v.key("meshes", r.meshes, {"", "nested meshes"});
   v.maybe("sides", r.sides, {"", "lines along which the mechanism slides"});
+  v.maybe("earthquake", r.earthquake, {"", "direction of the earthquake that governs"});
   v.key("fields_file", r.fields_file, {"", "file of the fields"});
   v.maybe("seepage", r.seepage, {"", "steady seepage on the first mesh"});
   v.maybe("seconds", r.seconds, {"s", "seconds"});

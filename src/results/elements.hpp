@@ -75,6 +75,7 @@ struct ElementRun {
   double seconds = 0;
   std::vector<std::string> warnings;
   std::optional<std::vector<ElementMeshFactor>> meshes;  ///< coarse to fine; then `factor` is extrapolated from them
+  std::optional<EarthquakeSide> earthquake;              ///< nothing: there is none, or the case gives its direction
   std::optional<ElementInterval> interval;  ///< nothing: the error of the mesh is not known, as of one mesh
   std::optional<Verdict> verdict;           ///< of the bounds of the same soil with ψ = φ; nothing: they do not judge
 };
@@ -87,6 +88,7 @@ void describe(V& v, R& r) {
   v.key("failed", r.failed, {"", "smallest factor without equilibrium"});
   v.maybe("meshes", r.meshes, {"", "factors on two meshes, from which the factor is extrapolated"});
   v.maybe("interval", r.interval, {"", "interval of the factor: mesh and search; left out where there is one mesh"});
+  v.maybe("earthquake", r.earthquake, {"", "direction of the earthquake that governs"});
   v.maybe("verdict", r.verdict, {"", "what limit analysis proves of the factor"});
   v.key("by_displacement", r.by_displacement, {"", "factor where displacements run away"});
   v.key("trials", r.trials, {"", "trials"});

@@ -27,6 +27,14 @@ bool has_verdict(const SliceResult& slices, Verdict verdict) {
 
 }  // namespace
 
+std::string describe_side(const EarthquakeSide& side) {
+  const auto name = [](int direction) { return direction < 0 ? "smaller x" : "larger x"; };
+  std::string text = fmt::format("the earthquake towards {} governs", name(side.direction));
+  if (side.other_at_least)
+    text += fmt::format(" (towards {} the factor is at least {:.3f})", name(-side.direction), *side.other_at_least);
+  return text;
+}
+
 std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods) {
   std::optional<GoverningSurface> governing;
   const auto take = [&](const std::vector<CriticalSurface>& list, SurfaceSource source, const auto& name) {

@@ -2,6 +2,8 @@
 #pragma once
 // The sides of a section whose soil moves to both, and the slip line of one.
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "results/about.hpp"
@@ -22,5 +24,20 @@ void describe(V& v, R& r) {
   v.key("direction", r.direction, {"", "1: towards larger x, -1: towards smaller x"});
   v.key("points", r.points, {"m", "its points"});
 }
+
+/// The direction of an earthquake that governs where both were tried.
+struct EarthquakeSide {
+  int direction = 0;                     ///< -1 towards smaller x, 1 towards larger x
+  std::optional<double> other_at_least;  ///< the factor in the other direction is not below this
+};
+template <class V, As<EarthquakeSide> R>
+void describe(V& v, R& r) {
+  v.key("direction", r.direction,
+        {"", "direction of the earthquake that governs: -1 towards smaller x, 1 towards larger x"});
+  v.key("other_at_least", r.other_at_least, {"", "the factor in the other direction is not below this"});
+}
+
+/// "earthquake towards smaller x governs (towards larger x at least 1.62)".
+std::string describe_side(const EarthquakeSide& side);
 
 }  // namespace talus::results

@@ -28,6 +28,7 @@
 #include "run/fem/start_stress.hpp"
 #include "run/forecast/forecast.hpp"
 #include "run/head.hpp"
+#include "run/lem/run_lem.hpp"
 #include "run/lem/slice_run.hpp"
 #include "run/mpm/choose_device.hpp"
 #include "run/mpm/point_run.hpp"
@@ -107,8 +108,8 @@ class CaseRun {
     if (releases_) {
       check_points(data);
     } else if (has_points) {
-      point_case_ = begin_with_stress(data, run_);
-      points_.emplace(loaded_, point_case_ ? *point_case_ : data, options_, hash_);
+      point_case_ = make_point_case(data, run_);
+      points_.emplace(loaded_, *point_case_, options_, hash_);
       points_->prepare(run_);
     } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
       run_.slope_height = ground::find_slope_height(data.mesh, ground::find_ground(data.mesh));
@@ -118,16 +119,38 @@ class CaseRun {
     if (data.timeline) timeline_.emplace(data, options_, hash_);
   }
 
-  /// The case with the stress of finite elements that its points begin with; nullptr where they begin without.
-  std::unique_ptr<const input::Case> begin_with_stress(const input::Case& data, results::RunResult& run) const {
+  /// The case of the points: with one direction of an earthquake, and with the stress of finite elements where they
+  /// begin with it.
+  std::unique_ptr<const input::Case> make_point_case(const input::Case& data, results::RunResult& run) const {
+    auto own = std::make_unique<input::Case>(data);
+    if (data.earthquake.list_directions().size() > 1) choose_direction(own->earthquake, data, run);
     if constexpr (D == 2) {
-      if (data.initial.stress != input::InitialStress::elements) return nullptr;
-      if (options_.progress) options_.progress->show("finite elements: stress at the start");
-      auto start = std::make_unique<input::Case>(data);
-      start->initial.known_stress = find_start_stress(data, options_.threads, run.stress_start.emplace());
-      return start;
+      if (data.initial.stress == input::InitialStress::elements) {
+        if (options_.progress) options_.progress->show("finite elements: stress at the start");
+        own->initial.known_stress = find_start_stress(*own, options_.threads, run.stress_start.emplace());
+      }
     }
-    return nullptr;
+    return own;
+  }
+
+  /// Points follow one motion: that in which circles have the smaller factor.
+  void choose_direction(input::Earthquake& quake, const input::Case& data, results::RunResult& run) const {
+    if (options_.progress) options_.progress->show("earthquake: weaker direction by circles");
+    const auto weaker = find_weaker_direction(data, options_.threads);
+    if (options_.progress) options_.progress->clear();
+    if (!weaker) {
+      run.warnings.push_back(
+          "Material points follow the earthquake towards the lower end of the ground, or towards larger x where both "
+          "ends are equally high: no circle shows the weaker direction. Run the other one with 'direction' under "
+          "[earthquake].");
+      return;
+    }
+    quake.direction = *weaker;
+    quake.horizontal = std::abs(quake.horizontal);
+    run.warnings.push_back(fmt::format(
+        "Material points follow the earthquake towards {} x, where Bishop's circles have the smaller factor. Run the "
+        "other one with 'direction' under [earthquake].",
+        *weaker == input::EarthquakeDirection::left ? "smaller" : "larger"));
   }
 
   /// Points that are let go later are prepared then; what can be wrong with them is found here, at time 0.
@@ -190,8 +213,8 @@ class CaseRun {
     if (beside_.empty()) return;
     released_ = std::make_unique<const ReleaseCase>(std::move(beside_.front()));
     beside_.erase(beside_.begin());
-    point_case_ = begin_with_stress(released_->data, run_);
-    points_.emplace(loaded_, point_case_ ? *point_case_ : released_->data, options_, hash_);
+    point_case_ = make_point_case(released_->data, run_);
+    points_.emplace(loaded_, *point_case_, options_, hash_);
     points_->prepare(run_);
     points_->open();
   }
@@ -206,8 +229,8 @@ class CaseRun {
       if (!finished) {
         finished = begin_result(loaded_, hash, options.threads);
         use_folder(options.folder, [&] { std::filesystem::create_directories(options.folder); });
-        const auto start = begin_with_stress(other.data, *finished);
-        PointRun<D> points(loaded_, start ? *start : other.data, options, hash);
+        const auto start = make_point_case(other.data, *finished);
+        PointRun<D> points(loaded_, *start, options, hash);
         points.prepare(*finished);
         points.open();
         points.calculate(*finished);
@@ -352,8 +375,7 @@ class CaseRun {
   std::vector<ReleaseCase> beside_;
   std::vector<results::Release> told_beside_;  ///< of those that ran
   bool is_followed_ = false;                   ///< the material points of the run itself came to their end
-  std::unique_ptr<const input::Case>
-      point_case_;  ///< of the points, where they begin with a stress that was calculated
+  std::unique_ptr<const input::Case> point_case_;
   std::optional<PointRun<D>> points_;
   results::RunResult run_;
 };

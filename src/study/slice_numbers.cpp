@@ -99,7 +99,7 @@ void SliceNumbers::apply(const std::vector<double>& values, std::vector<lem::Soi
   for (const Link& link : links_) {
     const double value = values[link.number] * link.factor;
     const double moved = values[link.number] - middle_values_[link.number];
-    if (link.part == Part::horizontal) horizontal = value;
+    if (link.part == Part::horizontal) horizontal = middle_.push == 0 ? std::abs(value) : value;
     if (link.part == Part::vertical) vertical = value;
     if (link.soil < 0) continue;
     const auto s = static_cast<std::size_t>(link.soil);

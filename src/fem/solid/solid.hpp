@@ -146,6 +146,10 @@ template <int D>
 ReductionResult<D> reduce_strength(const SolidModel<D>& model, const ReductionOptions& options,
                                    const std::function<void(const ReductionTrial&)>& report = {});
 
+/// Whether there is equilibrium with the strength divided by `factor`. Throws as reduce_strength().
+template <int D>
+bool is_stable(const SolidModel<D>& model, const ReductionOptions& options, double factor);
+
 /// A slip surface as a polyline from crest to toe: the ridge of the shear strain between the moving mass and the rest.
 struct SlipLine {
   int direction = 1;                          ///< +1: its soil moves towards larger x

@@ -72,6 +72,11 @@ class Reduction {
     return std::move(result_);
   }
 
+  bool is_stable(double factor) {
+    find_base();
+    return factor <= result_.base_factor || try_factor(factor);
+  }
+
  private:
   /// Equilibrium at full strength, or at the first of ever higher strengths that has one.
   void find_base() {
@@ -164,6 +169,13 @@ ReductionResult<D> reduce_strength(const SolidModel<D>& model, const ReductionOp
   return Reduction<D>(model, options, report).run();
 }
 
+template <int D>
+bool is_stable(const SolidModel<D>& model, const ReductionOptions& options, double factor) {
+  return Reduction<D>(model, options, {}).is_stable(factor);
+}
+
+template bool is_stable<2>(const SolidModel<2>&, const ReductionOptions&, double);
+template bool is_stable<3>(const SolidModel<3>&, const ReductionOptions&, double);
 template ReductionResult<2> reduce_strength<2>(const SolidModel<2>&, const ReductionOptions&,
                                                const std::function<void(const ReductionTrial&)>&);
 template ReductionResult<3> reduce_strength<3>(const SolidModel<3>&, const ReductionOptions&,

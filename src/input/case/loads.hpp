@@ -2,6 +2,7 @@
 #pragma once
 // [[surcharge]] and [earthquake]: loads of all methods.
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,27 @@ struct Surcharge {
   bool variable = false;     ///< a variable action in the sense of Eurocode 7, else permanent
 };
 
+/// Towards which x the horizontal part of an earthquake pushes the soil.
+enum class EarthquakeDirection { both, left, right };
+
+template <>
+inline constexpr auto choices<EarthquakeDirection> = std::array{
+    Choice{EarthquakeDirection::both, "both", "towards either side, and the weaker one governs"},
+    Choice{EarthquakeDirection::left, "left", "towards smaller x; with a negative `horizontal` towards larger x"},
+    Choice{EarthquakeDirection::right, "right", "towards larger x; with a negative `horizontal` towards smaller x"},
+};
+
 /// Pseudo-static acceleration over g.
 struct Earthquake {
-  double horizontal = 0;  ///< k_h out of the slope [-]
+  double horizontal = 0;  ///< k_h [-]
   double vertical = 0;    ///< k_v, down positive [-]
+  EarthquakeDirection direction = EarthquakeDirection::both;
+
+  /// The directions that are tried, `left` and `right` or one of them.
+  std::vector<EarthquakeDirection> list_directions() const {
+    if (direction != EarthquakeDirection::both || horizontal == 0) return {direction};
+    return {EarthquakeDirection::left, EarthquakeDirection::right};
+  }
 };
 
 template <class Visitor>
@@ -35,10 +53,11 @@ void describe(Visitor& v, Surcharge& s) {
 
 template <class Visitor>
 void describe(Visitor& v, Earthquake& e) {
-  v.key("horizontal", e.horizontal, plain().at_least(0).usual_or_zero(0.01, 0.5, {{"%", 0.01}, {"m/s2", 0.10197}}),
-        "k_h, horizontal acceleration over g, out of the slope.");
+  v.key("horizontal", e.horizontal, plain().usual_or_zero(0.01, 0.5, {{"%", 0.01}, {"m/s2", 0.10197}}).of_either_sign(),
+        "k_h, horizontal acceleration over g.");
   v.key("vertical", e.vertical, plain().above(-1),
         "k_v, vertical acceleration over g; down (more weight) is positive.");
+  v.key("direction", e.direction, plain(), "Towards which side the horizontal acceleration pushes the soil.");
 }
 
 }  // namespace talus::input

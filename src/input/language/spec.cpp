@@ -95,11 +95,15 @@ Spec Spec::below(double value) && {
 }
 
 Spec Spec::usual(double least, double most, std::vector<Slip> slips) && {
-  return usual_range = UsualRange{least, most, std::move(slips), false}, std::move(*this);
+  return usual_range = UsualRange{least, most, std::move(slips), false, false}, std::move(*this);
 }
 
 Spec Spec::usual_or_zero(double least, double most, std::vector<Slip> slips) && {
-  return usual_range = UsualRange{least, most, std::move(slips), true}, std::move(*this);
+  return usual_range = UsualRange{least, most, std::move(slips), true, false}, std::move(*this);
+}
+
+Spec Spec::of_either_sign() && {
+  return usual_range->either_sign = true, std::move(*this);
 }
 
 Spec Spec::or_infinite() && {

@@ -58,9 +58,13 @@ struct Slip {
 struct UsualRange {
   double low = 0, high = 0;
   std::vector<Slip> slips;
-  bool or_zero = false;  ///< zero is usual too: the soil has none of it
+  bool or_zero = false;      ///< zero is usual too: the soil has none of it
+  bool either_sign = false;  ///< the sign is a direction
 
-  bool holds(double value) const { return (low <= value && value <= high) || (or_zero && value == 0); }
+  bool holds(double value) const {
+    const double size = either_sign && value < 0 ? -value : value;
+    return (low <= size && size <= high) || (or_zero && value == 0);
+  }
 };
 
 /// A key that has a meaning only with (or without) another key of the same table.
@@ -100,6 +104,8 @@ struct Spec {
   Spec usual(double least, double most, std::vector<Slip> slips = {}) &&;
   /// The same, and zero.
   Spec usual_or_zero(double least, double most, std::vector<Slip> slips = {}) &&;
+  /// The usual range is that of the amount.
+  Spec of_either_sign() &&;
   /// `inf` may be given.
   Spec or_infinite() &&;
   Spec required() &&;

@@ -216,6 +216,7 @@ void Candidates::fill(const Kept& kept, const std::vector<Soil>& soils, double v
 
 double Candidates::find_quick(const Kept& kept, const std::vector<Soil>& soils, double horizontal, double vertical,
                               Workspace& work) const {
+  horizontal = slope_->section().turn_to_sliding(horizontal, kept.cut.slides_left);
   Mass& mass = work.mass;
   mass = kept.mass;
   mass.moment = kept.fixed_moment;
@@ -258,7 +259,8 @@ double Candidates::find_factor(int surface, const std::vector<Soil>& soils, doub
                                Method method, Workspace& work) const {
   fill(kept_[static_cast<std::size_t>(surface)], soils, vertical, work);
   const double scale = (1 + slope_->section().vertical_acceleration) / (1 + vertical);
-  return solve_with(*slope_, work.cut, method, checks_, false, horizontal * scale).factor;
+  const double acting = slope_->section().turn_to_sliding(horizontal * scale, work.cut.slides_left);
+  return solve_with(*slope_, work.cut, method, checks_, false, acting).factor;
 }
 
 double Candidates::find_factor(const std::vector<Soil>& soils, double horizontal, double vertical,

@@ -21,7 +21,8 @@ double Evaluator::operator()(const Surface& surface) {
   if (factor >= least_) return factor;
   if (has_wedge_check(*slope_, cut_, method_) && std::isfinite(most_below_wedges_)) {
     const double allowed = 1 - most_below_wedges_;
-    wedges_.set(*slope_, cut_, slope_->section().horizontal_acceleration);
+    const Section& section = slope_->section();
+    wedges_.set(*slope_, cut_, section.turn_to_sliding(section.horizontal_acceleration, cut_.slides_left));
     if (wedges_.compute_net_power(factor / allowed) < 0) {
       const double bound = std::min(allowed * wedges_.search_factor(factor / allowed), 10 * factor);
       const double value = factor + penalty * std::max(0.0, bound - factor);

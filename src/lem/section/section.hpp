@@ -101,10 +101,17 @@ struct Section {
   double water_unit_weight = 9810;            ///< γ_w [N/m³]
   std::vector<Surcharge> surcharges;
   std::vector<RootCohesion> roots;
-  double horizontal_acceleration = 0;  ///< k_h over g, out of the slope positive [-]
-  double vertical_acceleration = 0;    ///< k_v over g, down positive [-]
+  double horizontal_acceleration = 0;  ///< k_h over g: out of the slope positive, or as `push` says [-]
+  /// Of the horizontal acceleration: towards smaller x (-1) or larger x (1); 0: as each mass slides.
+  int push = 0;
+  double vertical_acceleration = 0;  ///< k_v over g, down positive [-]
   std::optional<TensionCrack> crack;
   std::optional<Drawdown> drawdown;
+
+  /// `acceleration` as it acts on a mass, with its sliding positive.
+  double turn_to_sliding(double acceleration, bool slides_left) const {
+    return push == 0 || slides_left == (push < 0) ? acceleration : -acceleration;
+  }
 
   // Compiled once, in section.cpp: the files that hold one would each compile them again.
   Section();

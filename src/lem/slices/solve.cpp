@@ -190,7 +190,9 @@ Solution solve_with(const Slope& slope, CutSurface& cut, Method method, const Ch
 
 Solution solve(const Slope& slope, CutSurface& cut, Method method, const Checks& checks, bool keep_forces) {
   if (slope.before() != nullptr) return solve_drawdown(slope, cut, method, checks, keep_forces);
-  return solve_with(slope, cut, method, checks, keep_forces, slope.section().horizontal_acceleration);
+  const Section& section = slope.section();
+  return solve_with(slope, cut, method, checks, keep_forces,
+                    section.turn_to_sliding(section.horizontal_acceleration, cut.slides_left));
 }
 
 }  // namespace talus::lem

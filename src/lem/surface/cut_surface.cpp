@@ -131,6 +131,7 @@ Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Ch
     cut.crack_thrust_level = bottom + height / 3;
   }
   set_moment_centre(surface, cut);
+  for (Slice& slice : cut.slices) slice.earthquake = slope.section().turn_to_sliding(slice.earthquake, cut.slides_left);
   if (!cut.slides_left) {
     turn_slices(cut.slices);
     turn_slices(cut.before);

@@ -81,11 +81,13 @@ void add_loads_of_slices(const input::Case& data, const ShownUnits& units, json&
       text += fmt::format("{}{} at x = {}", i ? ", " : "", show(s.load[i], units.stress), show(s.x[i], units.length));
     list.push_back({{"name", "surcharge " + s.name}, {"text", text + (s.variable ? " (variable)" : " (permanent)")}});
   }
-  const auto [across, down] = data.earthquake;
+  const auto [across, down, direction] = data.earthquake;
+  const char* towards = direction == input::EarthquakeDirection::left    ? "towards smaller x"
+                        : direction == input::EarthquakeDirection::right ? "towards larger x"
+                                                                         : "towards either side";
   if (across != 0 || down != 0)
-    list.push_back(
-        {{"name", "earthquake"},
-         {"text", fmt::format("pseudo-static: k_h = {:g} out of the slope, k_v = {:g} down", across, down)}});
+    list.push_back({{"name", "earthquake"},
+                    {"text", fmt::format("pseudo-static: k_h = {:g} {}, k_v = {:g} down", across, towards, down)}});
 }
 
 /// For the pictures of slices: x [m] and loads [Pa].

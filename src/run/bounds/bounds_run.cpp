@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
-#include "bounds/find_bounds.hpp"
 #include "results/json.hpp"
 #include "run/attempt.hpp"
 #include "run/bounds/tell_bounds.hpp"
@@ -60,6 +61,42 @@ void BoundsRun::prepare() {
   });
 }
 
+results::BoundsFile BoundsRun::search(const bounds::Problem& problem, const bounds::BoundsOptions& options) const {
+  show(fmt::format("{} triangles", problem.size()));
+  return tell_bounds(bounds::find_bounds(problem, options,
+                                         [&](const bounds::BoundsLevel& level) {
+                                           show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles,
+                                                            level.lower, level.upper));
+                                         }),
+                     data_.bounds.gap);
+}
+
+/// The result is of the direction with the smaller upper bound; its lower bound holds in both.
+void BoundsRun::search_other_direction(const bounds::BoundsOptions& options) {
+  const auto directed = [&](input::EarthquakeDirection direction) {
+    input::Case data = data_;
+    data.earthquake.direction = direction;
+    data.earthquake.horizontal = std::abs(data.earthquake.horizontal);
+    return make_bounds_problem(data).problem;
+  };
+  const bounds::Problem left = directed(input::EarthquakeDirection::left);
+  const bool was_left = left.body_force == made_->problem.body_force;
+  results::BoundsFile other = search(was_left ? directed(input::EarthquakeDirection::right) : left, options);
+  const auto get_upper = [](const results::BoundsFile& file) {
+    return file.summary.upper.value_or(std::numeric_limits<double>::infinity());
+  };
+  const bool is_first_governing = get_upper(file_) <= get_upper(other);
+  if (!is_first_governing) std::swap(file_, other);
+  results::BoundsResult& told = file_.summary;
+  told.earthquake = results::EarthquakeSide{was_left == is_first_governing ? -1 : 1, other.summary.lower};
+  if (!other.summary.lower) {
+    told.lower.reset();
+    told.no_lower = other.summary.no_lower;
+  } else if (told.lower) {
+    told.lower = std::min(*told.lower, *other.summary.lower);
+  }
+}
+
 void BoundsRun::calculate(std::optional<double> start) {
   if (!made_ || is_known_) return;
   attempt([&] {
@@ -68,12 +105,8 @@ void BoundsRun::calculate(std::optional<double> start) {
     options.most_triangles = data_.bounds.triangles;
     options.start = start.value_or(1);
     options.threads = options_.threads;
-    show(fmt::format("{} triangles", made_->problem.size()));
-    const bounds::BoundsResult found =
-        bounds::find_bounds(made_->problem, options, [&](const bounds::BoundsLevel& level) {
-          show(fmt::format("{} triangles, {:.4g} to {:.4g}", level.triangles, level.lower, level.upper));
-        });
-    file_ = tell_bounds(found, data_.bounds.gap);
+    file_ = search(made_->problem, options);
+    if (data_.earthquake.list_directions().size() > 1) search_other_direction(options);
     file_.summary.warnings.insert(file_.summary.warnings.begin(), made_->notes.begin(), made_->notes.end());
   });
   if (!made_) return;

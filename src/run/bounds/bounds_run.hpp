@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "bounds/find_bounds.hpp"
 #include "results/run.hpp"
 #include "run/bounds/problem_of_case.hpp"
 #include "run/options.hpp"
@@ -30,6 +31,8 @@ class BoundsRun {
   template <class Part>
   void attempt(Part part);
   void show(const std::string& what) const;
+  results::BoundsFile search(const bounds::Problem& problem, const bounds::BoundsOptions& options) const;
+  void search_other_direction(const bounds::BoundsOptions& options);
 
   const input::Case& data_;
   const RunOptions& options_;

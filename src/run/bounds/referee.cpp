@@ -62,16 +62,15 @@ results::Referee search_referee_interval(const input::Case& data, std::optional<
   search.start = start.value_or(1);
   search.threads = options.threads;
   input::Case judged = make_case(data);
-  const int directions = data.earthquake.horizontal != 0 ? 2 : 1;
   bool has_lower = true;
   try {
-    for (int i = 0; i < directions; ++i) {
+    for (const input::EarthquakeDirection direction : data.earthquake.list_directions()) {
+      judged.earthquake.direction = direction;
       if (options.progress) options.progress->show("limit analysis: proving an interval");
       const bounds::Problem problem = make_bounds_problem(judged, Supports::below_soil).problem;
       search.most_triangles = std::max(most_triangles, 2 * static_cast<int>(problem.size()));
       take(bounds::find_bounds(problem, search), referee);
       has_lower = has_lower && referee.no_lower.empty();
-      judged.earthquake.horizontal *= -1;
     }
   } catch (const Error& error) {
     if (error.code() == ExitCode::interrupted) throw;

@@ -67,6 +67,9 @@ class Reading {
     topic_ = results::Topic::slices;
     read_search();
     read_slices();
+    if (surface_ != nullptr && data_.earthquake.list_directions().size() > 1)
+      say("The earthquake acts on each mass as it slides; the governing one slides towards {} x.",
+          surface_->slides_left ? "smaller" : "larger");
     read_suction();
     topic_ = results::Topic::elements;
     read_flow();
@@ -106,6 +109,7 @@ class Reading {
     say("Limit analysis proves that the factor lies between {:.3f} and {:.3f} ({:.1f} % of their middle) for ψ = φ{}.",
         results::show_lower(low), results::show_upper(high), 200 * (high - low) / (high + low),
         run_.bounds->takes_tension ? " and soil that bears no more tension than given" : "");
+    if (run_.bounds->earthquake) say("Limit analysis: {}.", results::describe_side(*run_.bounds->earthquake));
     std::vector<std::string> inside;
     const auto add = [&](std::optional<double> factor, const std::string& name) {
       if (factor && *factor >= low && *factor <= high) inside.push_back(fmt::format("{:.3f} by {}", *factor, name));
@@ -288,6 +292,7 @@ class Reading {
             results::show_upper(run->interval->upper));
       else
         say("Finite elements ({}), {}: the mesh error is not known.", flow, run->meshes ? "two meshes" : "one mesh");
+      if (run->earthquake) say("Finite elements ({}): {}.", flow, results::describe_side(*run->earthquake));
     }
   }
 

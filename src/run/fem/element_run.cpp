@@ -59,7 +59,11 @@ bool has_run(const results::ElementResult& result, results::Flow flow) {
 
 template <int D>
 ElementRun<D>::ElementRun(const input::Case& data, bool alone, const RunOptions& options, std::string input_hash)
-    : data_(data), options_(options), hash_(std::move(input_hash)), alone_(alone) {}
+    : data_(data),
+      options_(options),
+      hash_(std::move(input_hash)),
+      alone_(alone),
+      tries_both_directions_(data.earthquake.list_directions().size() > 1) {}
 
 template <int D>
 template <class Part>
@@ -198,11 +202,40 @@ void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionRe
 }
 
 template <int D>
+results::EarthquakeSide ElementRun<D>::compare_directions(results::Flow flow, const std::string& words,
+                                                          fem::ReductionResult<D>& found) {
+  using Direction = input::EarthquakeDirection;
+  const bool pushes_left = model_->solid.model.direction[0] < data_.gravity.direction[0];
+  const auto point = [&](bool left) {
+    data_.earthquake.direction = left == (data_.earthquake.horizontal >= 0) ? Direction::left : Direction::right;
+  };
+  point(!pushes_left);
+  std::unique_ptr<Model> other = make_model(1);
+  if (flow == results::Flow::associated) set_associated_flow<D>(data_, other->solid);
+  const fem::ReductionOptions options = make_options(data_.fem, options_.threads);
+  show(fmt::format("{}, earthquake towards the other side", words));
+  results::EarthquakeSide side{pushes_left ? -1 : 1, found.failed};
+  if (!fem::is_stable<D>(other->solid.model, options, found.failed)) {
+    fem::ReductionResult<D> beside = search(*other, words + ", earthquake towards the other side");
+    side.other_at_least = std::max(found.stable, beside.stable);
+    if (beside.factor < found.factor) {
+      side.direction = -side.direction;
+      std::swap(found, beside);
+      std::swap(model_, other);
+    }
+    found.seconds += beside.seconds;
+  }
+  point(side.direction < 0);
+  return side;
+}
+
+template <int D>
 void ElementRun<D>::reduce(results::Flow flow) {
   const bool associated = flow == results::Flow::associated;
   const char* words = associated ? "ψ = φ" : "ψ as given";
-  const auto found = search(*model_, words);
+  auto found = search(*model_, words);
   results::ElementRun run;
+  if (tries_both_directions_) run.earthquake = compare_directions(flow, words, found);
   run.flow = flow;
   run.psi = find_dilatancy(data_, associated);
   run.factor = found.factor;

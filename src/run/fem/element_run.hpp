@@ -43,6 +43,10 @@ class ElementRun {
   void begin();
   void reduce(results::Flow flow);
   std::unique_ptr<Model> make_model(double share) const;
+  /// Tries the other direction of an earthquake at the smallest factor without equilibrium of the first, and searches
+  /// there where it fails. Afterwards model, `data_` and `found` are of the direction that governs.
+  results::EarthquakeSide compare_directions(results::Flow flow, const std::string& words,
+                                             fem::ReductionResult<D>& found);
   fem::ReductionResult<D> search(const Model& model, const std::string& words) const;
   bool has_two_meshes() const { return data_.fem.meshes > 1 && data_.mesh.file.empty(); }
   /// What the mesh does to the factor at least: more where thin layers take part, of which `run` warns.
@@ -51,10 +55,11 @@ class ElementRun {
   void keep() const;
   void show(const std::string& what) const;
 
-  const input::Case& data_;
+  input::Case data_;
   const RunOptions& options_;
   std::string hash_;
   bool alone_;
+  bool tries_both_directions_;
   std::unique_ptr<Model> model_;
   ground::ToldWater water_;
   results::ElementFile file_;

@@ -130,16 +130,11 @@ class SolidBuilder {
     return up;
   }
 
-  /// Out of the slope: towards the lower end of the ground.
   void add_earthquake() {
     const input::Earthquake& quake = data_.earthquake;
     if (quake.horizontal == 0 && quake.vertical == 0) return;
     const Vec<D> added = ground::find_earthquake<D>(data_, ground_);
     for (std::size_t d = 0; d < D; ++d) solid_.model.direction[d] += added[d];
-    if (ground_.empty() || ground_.front()[1] == ground_.back()[1])
-      solid_.notes.push_back(
-          "the earthquake acts towards larger x in the finite elements: both ends of the ground are "
-          "equally high");
   }
 
   /// Vertical effective stress of the column of soil and water above, and K0 of it sideways.

@@ -57,7 +57,8 @@ MethodForecast forecast_slices(const input::Case& data, int threads) {
   f.seconds = f.surfaces * methods * circle_seconds * lem.slices / 50 / threads;
   if (lem.noncircular) f.seconds += polyline_seconds * methods;
   if (lem.referee && data.mesh.dimension == 2)
-    f.seconds += (data.earthquake.horizontal != 0 ? 2 : 1) * bounds_seconds * std::pow(referee_triangles, bounds_power);
+    f.seconds += static_cast<double>(data.earthquake.list_directions().size()) * bounds_seconds *
+                 std::pow(referee_triangles, bounds_power);
   return f;
 }
 

@@ -203,4 +203,21 @@ SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int
   return outcome;
 }
 
+std::optional<input::EarthquakeDirection> find_weaker_direction(const input::Case& data, int threads) {
+  if (data.mesh.dimension != 2 || data.mesh.polygons.empty()) return std::nullopt;
+  input::Case circles = data;
+  circles.lem = {};
+  circles.lem.methods = {lem::Method::bishop};
+  circles.lem.noncircular = false;
+  try {
+    const SliceOutcome found = run_lem(circles, prepare_slope(circles), threads);
+    if (found.result.critical.empty()) return std::nullopt;
+    return found.result.critical.front().slides_left ? input::EarthquakeDirection::left
+                                                     : input::EarthquakeDirection::right;
+  } catch (const Error& error) {
+    if (error.code() == ExitCode::interrupted) throw;
+    return std::nullopt;
+  }
+}
+
 }  // namespace talus::run

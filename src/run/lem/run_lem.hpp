@@ -43,4 +43,8 @@ struct SliceOutcome {
 /// Throws Error (wrong_input) when no surface is admissible.
 SliceOutcome run_lem(const input::Case& data, const PreparedSlope& prepared, int threads);
 
+/// The direction of an earthquake in which the least circle by Bishop's method slides; nothing where there is no
+/// section or no admissible circle.
+std::optional<input::EarthquakeDirection> find_weaker_direction(const input::Case& data, int threads);
+
 }  // namespace talus::run

@@ -304,7 +304,10 @@ SectionOfCase make_section(const input::Case& data) {
   add_surcharges(data, section);
   add_tractions(data, section, result.notes);
   add_roots(data, section, result.notes);
-  section.horizontal_acceleration = data.earthquake.horizontal;
+  const input::EarthquakeDirection direction = data.earthquake.direction;
+  const bool is_both = direction == input::EarthquakeDirection::both;
+  section.horizontal_acceleration = is_both ? std::abs(data.earthquake.horizontal) : data.earthquake.horizontal;
+  section.push = is_both ? 0 : direction == input::EarthquakeDirection::left ? -1 : 1;
   section.vertical_acceleration = data.earthquake.vertical;
   if (data.lem.crack.depth > 0) section.crack = lem::TensionCrack{data.lem.crack.depth, data.lem.crack.water};
   if (data.lem.drawdown) {
