@@ -278,7 +278,7 @@ def main():
         counts.append(f"{kind}: {places.count('inside')} of {len(places)} inside, {sum(p.startswith('-') for p in places)} below, "
                       f"{sum(p.startswith('+') for p in places)} above")
     lines += ["", "; ".join(counts) + ".", "", "*Kinks without resistance*: no stress in equilibrium supports so low a factor. Interslice forces do not hold what a mass "
-              "dissipates at the kinks of its base ([T18.10](../theory/18-limit-equilibrium.md#kinks-of-a-polyline)); the check of wedges leaves 3 %. The error is to the safe side.",
+              "dissipates at the kinks of its base ([T18.10](../theory/18-limit-equilibrium.md#eq-t18-10)); the check of wedges leaves 3 %. The error is to the safe side.",
               "*Within their brackets*: the factor of elements is extrapolated from two meshes, and their last brackets hold the end of the interval."]
     text = "# Proven bounds against closed forms and published slopes\n\n" + "\n".join(lines) + "\n"
     print(text)
