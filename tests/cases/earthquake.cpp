@@ -14,7 +14,7 @@ using nlohmann::json;
 
 class EarthquakeTest : public MethodsTest {
  protected:
-  json run_embankment(std::vector<input::Override> overrides) {
+  json run_embankment(const std::vector<input::Override>& overrides) {
     std::ifstream file(TALUS_SOURCE_DIR "/tests/data/misleading/two_sided_quake.toml");
     return run({std::istreambuf_iterator<char>(file), {}}, overrides);
   }

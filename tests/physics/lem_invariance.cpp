@@ -113,8 +113,8 @@ TEST(LemInvariance, InFeetAndPounds) {
   expect_same(section, move, foot);
 }
 
-/// Random slope 87 of tools/published/random_slopes.py. Its critical circles lie under the far edge of the load and are as
-/// shallow as the search allows: much smaller than the distance of the trial circles' ends, so that the optimisation
+/// Random slope 87 of tools/published/random_slopes.py. Its critical circles lie under the far edge of the load and are
+/// as shallow as the search allows: much smaller than the distance of the trial circles' ends, so that the optimisation
 /// must find them.
 TEST(LemInvariance, SearchUnderTheEdgeOfALoadMirrored) {
   Section section = make_section({{0, 0}, {16.2, 0}, {44.788, 9}, {64.588, 9}}, make_soil(2.5, 30.1, 20.31), -6.04);
