@@ -108,7 +108,7 @@ class CaseRun {
     if (releases_) {
       check_points(data);
     } else if (has_points) {
-      point_case_ = make_point_case(data, run_);
+      point_case_ = make_point_case(data, run_, direction_note_);
       points_.emplace(loaded_, *point_case_, options_, hash_);
       points_->prepare(run_);
     } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
@@ -121,9 +121,10 @@ class CaseRun {
 
   /// The case of the points: with one direction of an earthquake, and with the stress of finite elements where they
   /// begin with it.
-  std::unique_ptr<const input::Case> make_point_case(const input::Case& data, results::RunResult& run) const {
+  std::unique_ptr<const input::Case> make_point_case(const input::Case& data, results::RunResult& run,
+                                                     std::string& note) const {
     auto own = std::make_unique<input::Case>(data);
-    if (data.earthquake.list_directions().size() > 1) choose_direction(own->earthquake, data, run);
+    if (data.earthquake.list_directions().size() > 1) note = choose_direction(own->earthquake, data);
     if constexpr (D == 2) {
       if (data.initial.stress == input::InitialStress::elements) {
         if (options_.progress) options_.progress->show("finite elements: stress at the start");
@@ -133,24 +134,22 @@ class CaseRun {
     return own;
   }
 
-  /// Points follow one motion: that in which circles have the smaller factor.
-  void choose_direction(input::Earthquake& quake, const input::Case& data, results::RunResult& run) const {
+  /// Points follow one motion: that in which circles have the smaller factor. Returns the sentence that says so.
+  std::string choose_direction(input::Earthquake& quake, const input::Case& data) const {
     if (options_.progress) options_.progress->show("earthquake: weaker direction by circles");
     const auto weaker = find_weaker_direction(data, options_.threads);
     if (options_.progress) options_.progress->clear();
-    if (!weaker) {
-      run.warnings.push_back(
-          "Material points follow the earthquake towards the lower end of the ground, or towards larger x where both "
-          "ends are equally high: no circle shows the weaker direction. Run the other one with 'direction' under "
-          "[earthquake].");
-      return;
-    }
+    if (!weaker)
+      return "Material points follow the earthquake towards the lower end of the ground, or towards larger x where "
+             "both "
+             "ends are equally high: no circle shows the weaker direction. Run the other one with 'direction' under "
+             "[earthquake].";
     quake.direction = *weaker;
     quake.horizontal = std::abs(quake.horizontal);
-    run.warnings.push_back(fmt::format(
+    return fmt::format(
         "Material points follow the earthquake towards {} x, where Bishop's circles have the smaller factor. Run the "
         "other one with 'direction' under [earthquake].",
-        *weaker == input::EarthquakeDirection::left ? "smaller" : "larger"));
+        *weaker == input::EarthquakeDirection::left ? "smaller" : "larger");
   }
 
   /// Points that are let go later are prepared then; what can be wrong with them is found here, at time 0.
@@ -213,7 +212,7 @@ class CaseRun {
     if (beside_.empty()) return;
     released_ = std::make_unique<const ReleaseCase>(std::move(beside_.front()));
     beside_.erase(beside_.begin());
-    point_case_ = make_point_case(released_->data, run_);
+    point_case_ = make_point_case(released_->data, run_, direction_note_);
     points_.emplace(loaded_, *point_case_, options_, hash_);
     points_->prepare(run_);
     points_->open();
@@ -229,12 +228,14 @@ class CaseRun {
       if (!finished) {
         finished = begin_result(loaded_, hash, options.threads);
         use_folder(options.folder, [&] { std::filesystem::create_directories(options.folder); });
-        const auto start = make_point_case(other.data, *finished);
+        std::string note;
+        const auto start = make_point_case(other.data, *finished, note);
         PointRun<D> points(loaded_, *start, options, hash);
         points.prepare(*finished);
         points.open();
         points.calculate(*finished);
         points.finish(*finished);
+        if (!note.empty()) finished->warnings.push_back(note);
         finished->status = results::Status::finished;
         results::write_file(options.folder / summary_file, *finished);
         points.forget();
@@ -273,6 +274,7 @@ class CaseRun {
 
   void finish() {
     if (points_) points_->finish(run_);
+    if (!direction_note_.empty()) run_.warnings.push_back(direction_note_);
     for (const Diagnostic& warning : loaded_.warnings) run_.warnings.push_back(warning.sentence);
     for (const ground::SteepFace& face : ground::find_steep_faces(design_.data))
       run_.warnings.push_back(ground::describe(face));
@@ -376,6 +378,7 @@ class CaseRun {
   std::vector<results::Release> told_beside_;  ///< of those that ran
   bool is_followed_ = false;                   ///< the material points of the run itself came to their end
   std::unique_ptr<const input::Case> point_case_;
+  std::string direction_note_;  ///< of the earthquake that the points follow
   std::optional<PointRun<D>> points_;
   results::RunResult run_;
 };

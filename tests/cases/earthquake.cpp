@@ -40,6 +40,21 @@ TEST_F(EarthquakeTest, FiniteElementsAndLimitAnalysisFindTheWeakSide) {
   EXPECT_EQ(bounds.at("earthquake").at("direction"), -1);
 }
 
+/// The dry slope fails towards larger x.
+TEST_F(EarthquakeTest, MaterialPointsFollowTheWeakerDirectionAndSaySo) {
+  std::ifstream file(TALUS_SOURCE_DIR "/examples/dry_slope/case.toml");
+  const json summary =
+      run({std::istreambuf_iterator<char>(file), {}}, {{"earthquake.horizontal", "0.1"},
+                                                       {"mesh.size", "3"},
+                                                       {"strength_reduction.curve.step", "0.5"},
+                                                       {"strength_reduction.curve.refine", "false"},
+                                                       {"strength_reduction.curve.window", "1"},
+                                                       {"strength_reduction.curve.runout", "[]"},
+                                                       {"strength_reduction.frozen.meshes", "1"},
+                                                       {"strength_reduction.frozen.resolution", "0.2"}});
+  EXPECT_NE(summary.at("warnings").dump().find("follow the earthquake towards larger x"), std::string::npos);
+}
+
 /// The direction of the case is the only one, with the sign of the acceleration.
 TEST_F(EarthquakeTest, ADirectionCanBeGiven) {
   const std::vector<input::Override> circles{{"analysis.methods", "[\"lem\"]"},
