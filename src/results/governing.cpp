@@ -27,11 +27,11 @@ bool has_verdict(const SliceResult& slices, Verdict verdict) {
 
 }  // namespace
 
-std::string describe_side(const EarthquakeSide& side) {
+std::string describe_side(const EarthquakeSide& side, const char* what) {
   const auto name = [](int direction) { return direction < 0 ? "smaller x" : "larger x"; };
   std::string text = fmt::format("the earthquake towards {} governs", name(side.direction));
-  if (side.other_at_least)
-    text += fmt::format(" (towards {} the factor is at least {:.3f})", name(-side.direction), *side.other_at_least);
+  if (side.other_stable)
+    text += fmt::format(" (towards {} {} {:.3f})", name(-side.direction), what, show_lower(*side.other_stable));
   return text;
 }
 

@@ -27,17 +27,21 @@ void describe(V& v, R& r) {
 
 /// The direction of an earthquake that governs where both were tried.
 struct EarthquakeSide {
-  int direction = 0;                     ///< -1 towards smaller x, 1 towards larger x
-  std::optional<double> other_at_least;  ///< the factor in the other direction is not below this
+  int direction = 0;                   ///< -1 towards smaller x, 1 towards larger x
+  std::optional<double> other_stable;  ///< a factor at which the slope is stable in the other direction
 };
 template <class V, As<EarthquakeSide> R>
 void describe(V& v, R& r) {
   v.key("direction", r.direction,
         {"", "direction of the earthquake that governs: -1 towards smaller x, 1 towards larger x"});
-  v.key("other_at_least", r.other_at_least, {"", "the factor in the other direction is not below this"});
+  v.key(
+      "other_stable", r.other_stable,
+      {"", "factor at which the slope is stable in the other direction: with equilibrium on the same mesh, or proven"});
 }
 
-/// "earthquake towards smaller x governs (towards larger x at least 1.62)".
-std::string describe_side(const EarthquakeSide& side);
+/// "the earthquake towards smaller x governs (towards larger x WHAT 1.620)".
+std::string describe_side(const EarthquakeSide& side, const char* what);
+inline constexpr const char *stable_on_mesh = "the same mesh is in equilibrium at",
+                            *proven_stable = "the lower bound is";
 
 }  // namespace talus::results

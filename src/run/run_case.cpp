@@ -141,8 +141,8 @@ class CaseRun {
     if (options_.progress) options_.progress->clear();
     if (!weaker)
       return "Material points follow the earthquake towards the lower end of the ground, or towards larger x where "
-             "both "
-             "ends are equally high: no circle shows the weaker direction. Run the other one with 'direction' under "
+             "both ends are equally high: no circle shows the weaker direction. Run the other one with 'direction' "
+             "under "
              "[earthquake].";
     quake.direction = *weaker;
     quake.horizontal = std::abs(quake.horizontal);

@@ -146,7 +146,7 @@ template <int D>
 ReductionResult<D> reduce_strength(const SolidModel<D>& model, const ReductionOptions& options,
                                    const std::function<void(const ReductionTrial&)>& report = {});
 
-/// Whether there is equilibrium with the strength divided by `factor`. Throws as reduce_strength().
+/// Returns true where there is equilibrium with the strength divided by `factor`. Throws as reduce_strength().
 template <int D>
 bool is_stable(const SolidModel<D>& model, const ReductionOptions& options, double factor);
 

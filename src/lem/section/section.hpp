@@ -102,7 +102,7 @@ struct Section {
   std::vector<Surcharge> surcharges;
   std::vector<RootCohesion> roots;
   double horizontal_acceleration = 0;  ///< k_h over g: out of the slope positive, or as `push` says [-]
-  /// Of the horizontal acceleration: towards smaller x (-1) or larger x (1); 0: as each mass slides.
+  /// Direction of the horizontal acceleration: smaller x (-1), larger x (1), or the sliding of each mass (0).
   int push = 0;
   double vertical_acceleration = 0;  ///< k_v over g, down positive [-]
   std::optional<TensionCrack> crack;

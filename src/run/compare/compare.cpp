@@ -136,7 +136,7 @@ class Comparison {
       row.note = fmt::format("{}, {} elements of {:.3g} m", fem.element, fem.elements, fem.size);
       row.note += run.meshes ? fmt::format(", extrapolated with those of {:.3g} m", run.meshes->front().size)
                              : "; one mesh: the mesh error is not known";
-      if (run.earthquake) row.note += "; " + results::describe_side(*run.earthquake);
+      if (run.earthquake) row.note += "; " + results::describe_side(*run.earthquake, results::stable_on_mesh);
       if (run.verdict == results::Verdict::too_low) row.note = "impossible: below the proven lower bound; " + row.note;
       if (run.verdict == results::Verdict::too_high) row.note = "above the proven upper bound; " + row.note;
       told_.table.push_back(row);
@@ -164,7 +164,7 @@ class Comparison {
     row.upper = bounds.upper;
     row.seconds = bounds.seconds;
     if (!bounds.meshes.empty()) row.note = fmt::format("{} triangles", bounds.meshes.back().triangles);
-    if (bounds.earthquake) row.note += "; " + results::describe_side(*bounds.earthquake);
+    if (bounds.earthquake) row.note += "; " + results::describe_side(*bounds.earthquake, results::proven_stable);
     for (const std::string& why : {bounds.no_lower, bounds.no_upper})
       if (!why.empty()) row.note += "; " + why;
     told_.table.push_back(std::move(row));

@@ -109,7 +109,8 @@ class Reading {
     say("Limit analysis proves that the factor lies between {:.3f} and {:.3f} ({:.1f} % of their middle) for ψ = φ{}.",
         results::show_lower(low), results::show_upper(high), 200 * (high - low) / (high + low),
         run_.bounds->takes_tension ? " and soil that bears no more tension than given" : "");
-    if (run_.bounds->earthquake) say("Limit analysis: {}.", results::describe_side(*run_.bounds->earthquake));
+    if (run_.bounds->earthquake)
+      say("Limit analysis: {}.", results::describe_side(*run_.bounds->earthquake, results::proven_stable));
     std::vector<std::string> inside;
     const auto add = [&](std::optional<double> factor, const std::string& name) {
       if (factor && *factor >= low && *factor <= high) inside.push_back(fmt::format("{:.3f} by {}", *factor, name));
@@ -292,7 +293,8 @@ class Reading {
             results::show_upper(run->interval->upper));
       else
         say("Finite elements ({}), {}: the mesh error is not known.", flow, run->meshes ? "two meshes" : "one mesh");
-      if (run->earthquake) say("Finite elements ({}): {}.", flow, results::describe_side(*run->earthquake));
+      if (run->earthquake)
+        say("Finite elements ({}): {}.", flow, results::describe_side(*run->earthquake, results::stable_on_mesh));
     }
   }
 

@@ -217,8 +217,9 @@ results::EarthquakeSide ElementRun<D>::compare_directions(results::Flow flow, co
   results::EarthquakeSide side{pushes_left ? -1 : 1, found.failed};
   if (!fem::is_stable<D>(other->solid.model, options, found.failed)) {
     fem::ReductionResult<D> beside = search(*other, words + ", earthquake towards the other side");
-    side.other_at_least = std::max(found.stable, beside.stable);
+    side.other_stable = beside.stable;
     if (beside.factor < found.factor) {
+      side.other_stable = found.stable;
       side.direction = -side.direction;
       std::swap(found, beside);
       std::swap(model_, other);
