@@ -89,12 +89,12 @@ void BoundsRun::search_other_direction(const bounds::BoundsOptions& options) {
   if (!is_first_governing) std::swap(file_, other);
   results::BoundsResult& told = file_.summary;
   told.earthquake = results::EarthquakeSide{was_left == is_first_governing ? -1 : 1, other.summary.lower};
-  if (!other.summary.lower) {
-    told.lower.reset();
-    told.no_lower = other.summary.no_lower;
-  } else if (told.lower) {
-    told.lower = std::min(*told.lower, *other.summary.lower);
-  }
+  if (!told.lower || (other.summary.lower && *other.summary.lower >= *told.lower)) return;
+  // What leaves the other direction's bound low leaves this interval wide.
+  told.lower = other.summary.lower;
+  told.no_lower = other.summary.no_lower;
+  for (const std::string& warning : other.summary.warnings)
+    told.warnings.push_back("earthquake in the other direction: " + warning);
 }
 
 void BoundsRun::calculate(std::optional<double> start) {
