@@ -355,6 +355,17 @@ TEST_F(Misleading, TheLineOfTheUnsaturatedSlopeReachesTheCrest) {
   }
 }
 
+TEST_F(Misleading, APullAtTheCrestActsOnSlicesToo) {
+  const json summary = run_case("guy_anchor", {{"analysis.methods", "[\"lem\"]"}, {"lem.referee", "true"}});
+  // Limit analysis of the same file: 1.758 to 1.801, with and without a search of its own. Without the pull: 1.905.
+  const json& referee = summary.at("lem").at("referee");
+  EXPECT_NEAR(summary.at("main_factor").get<double>(), 1.78, 0.03);
+  EXPECT_NEAR(referee.at("lower").get<double>(), 1.76, 0.02);
+  EXPECT_NEAR(referee.at("upper").get<double>(), 1.80, 0.02);
+  for (const double circle : {find_factor(summary, "spencer"), find_factor(summary, "bishop")})
+    EXPECT_NEAR(circle, 1.83, 0.03);
+}
+
 TEST_F(Misleading, StandingWaterPressesOnTheGroundOfMaterialPointsToo) {
   // Its pore pressures alone lifted the toe, and no trial came to rest.
   const json summary = run_case("standing_water", {{"analysis.methods", "[\"lem\", \"mpm\"]"},

@@ -156,6 +156,47 @@ TEST(LemPlane, Surcharge) {
         << to_word(method);
 }
 
+// A pull at the crest, out of the slope or into it, and a push on the foot of a vertical face: forces on a rigid block.
+TEST(LemPlane, HorizontalLoads) {
+  const double angle = 40 * degree, height = 8, c = 15, phi = 25 * degree, gamma = 19;
+  const double top = height / std::tan(angle);
+  struct Loads {
+    double crest, face, lift;  // to larger x; up [kPa]
+  };
+  for (const Loads& loads : {Loads{-12, 0, 0}, Loads{9, 0, 0}, Loads{-12, 10, 0}, Loads{4, 10, -3}}) {
+    Section section = make_section({{-5, 0}, {0, 0}, {0, height}, {60, height}}, make_soil(c, 25, gamma), -5);
+    section.surcharges = {{{{3, 10, loads.crest}, {7, 10, loads.crest}}}};
+    section.face_loads = {{0, 1, 4, {loads.face, loads.lift}}};
+    const double down = gamma * 0.5 * height * top + 40 - 3 * loads.lift, out = -4 * loads.crest - 3 * loads.face;
+    const double expected =
+        (c * height / std::sin(angle) + (down * std::cos(angle) - out * std::sin(angle)) * std::tan(phi)) /
+        (down * std::sin(angle) + out * std::cos(angle));
+    const Slope slope{std::move(section)};
+    for (const Method method : {Method::fellenius, Method::janbu, Method::spencer})
+      EXPECT_NEAR(find_factor(slope, make_polyline({{0, 0}, {top, height}}), method, 40), expected, 1e-6 * expected)
+          << to_word(method) << loads.crest;
+  }
+}
+
+// A pond is a load normal to the ground: the same pressures as tractions on a face and on a step give its factors.
+TEST(LemPond, IsATractionNormalToTheGround) {
+  const double gamma = 9.81;
+  Section pond = make_section({{-20, 0}, {0, 0}, {12, 9}, {40, 9}}, make_soil(10, 25, 19), -5);
+  pond.water_table = {{-20, 6}, {40, 6}};
+  Section loaded = pond;
+  for (Soil& soil : pond.soils) soil.undrained = true;
+  for (Soil& soil : loaded.soils) soil.undrained = true;
+  loaded.water_table.clear();
+  loaded.soils[0].unit_weight = pond.soils[0].unit_weight;
+  loaded.surcharges = {{{{-20, 6 * gamma, 0}, {0, 6 * gamma, 0}}}, {{{0, 6 * gamma, 6 * gamma * 0.75}, {8, 0, 0}}}};
+  const Slope a{std::move(pond)}, b{std::move(loaded)};
+  for (const double radius : {17.0, 19.0, 22.0}) {
+    const Surface arc = make_circle(a, {2, 17.5}, radius);
+    for (const Method method : all_methods)
+      EXPECT_NEAR(find_factor(a, arc, method, 400), find_factor(b, arc, method, 400), 2e-5) << to_word(method);
+  }
+}
+
 // φ = 0: F = c R² θ / moment of the weight, by integration; a slope of 45° and an arc through its toe.
 TEST(LemUndrained, ArcByIntegration) {
   const double height = 10, c = 40, gamma = 18;

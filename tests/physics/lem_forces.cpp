@@ -44,10 +44,9 @@ void expect_equilibrium(const Section& section, const CutSurface& cut, std::size
   fy += left ? on_left[1] - on_right[1] : on_right[1] - on_left[1];
   EXPECT_NEAR(fx, 0, 1e-7 * scale) << i;
   EXPECT_NEAR(fy, 0, 1e-7 * scale) << i;
-  const double x = 0.5 * (s.left + s.right), y = 0.5 * (s.base_left[1] + s.base_right[1]);
+  const double y = 0.5 * (s.base_left[1] + s.base_right[1]);
   if (std::isnan(on_left[2]) || std::isnan(on_right[2])) return;
-  double moment = -(s.load_x - x) * s.surface_load - (s.thrust_level - y) * away * s.surface_thrust +
-                  (s.centroid - y) * away * s.earthquake;
+  double moment = -s.surface_moment + (s.centroid - y) * away * s.earthquake;
   moment += -(on_left[2] - y) * on_left[0] + (on_right[2] - y) * on_right[0];
   moment += left ? -0.5 * dx * (on_left[1] + on_right[1]) : 0.5 * dx * (on_right[1] + on_left[1]);
   EXPECT_NEAR(moment, 0, 1e-7 * scale) << i;

@@ -82,9 +82,10 @@ TEST(LemPond, PressesNormalToTheFace) {
   ASSERT_FALSE(cut.slices.empty());
   double down = 0, side = 0, moment = 0;
   for (const Slice& slice : cut.slices) {
+    const double x = 0.5 * (slice.left + slice.right), y = 0.5 * (slice.base_left[1] + slice.base_right[1]);
     down += slice.surface_load;
     side += slice.surface_thrust;
-    moment += slice.surface_load * slice.load_x + slice.surface_thrust * slice.thrust_level;
+    moment += slice.surface_load * x + slice.surface_thrust * y + slice.surface_moment;
   }
   // Face of 4 in 3 from (0, 0) to (8, 6): ½ γ_w 6² across, ½ γ_w 6 8 down, both at a third of the wet height.
   EXPECT_NEAR(side, 0.5 * 9.81 * 36, 1e-9);

@@ -17,16 +17,19 @@ namespace {
 
 using Faults = std::vector<std::string>;
 
-std::string write_point(const Point& p) {
+template <std::size_t N>
+std::string write_point(const std::array<double, N>& p) {
   return fmt::format("({:.6g}, {:.6g})", p[0], p[1]);
 }
 
-bool is_finite(const Point& p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]);
+template <std::size_t N>
+bool is_finite(const std::array<double, N>& p) {
+  return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
 }
 
 /// A line that must run to the right. `steps`: vertical pieces are allowed.
-void check_line(const std::string& name, const std::vector<Point>& line, bool steps, Faults& faults) {
+template <std::size_t N>
+void check_line(const std::string& name, const std::vector<std::array<double, N>>& line, bool steps, Faults& faults) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (!is_finite(line[i])) {
       faults.push_back(fmt::format("{}: point {} is not a number", name, i + 1));

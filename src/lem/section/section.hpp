@@ -64,9 +64,15 @@ struct PressureGrid {
   std::vector<double> pressure;  ///< u per node, negative is suction [Pa]
 };
 
-/// A vertical load on the ground, linear between its points, none outside [Pa per horizontal metre], down positive.
+/// A load on the ground, linear between its points, none outside [Pa per horizontal metre].
 struct Surcharge {
-  std::vector<std::array<double, 2>> load;  ///< x [m], q [Pa]
+  std::vector<std::array<double, 3>> load;  ///< x [m], part down and part to larger x [Pa]
+};
+
+/// A uniform load on a vertical step of the ground.
+struct FaceLoad {
+  double x = 0, low = 0, high = 0;   ///< [m]
+  std::array<double, 2> traction{};  ///< to larger x and up [Pa]
 };
 
 /// Cohesion of roots by depth under the ground [Pa]: linear between the rows, none below the last.
@@ -100,6 +106,7 @@ struct Section {
   std::optional<PressureGrid> pressure_grid;  ///< used instead of the line for u where it has triangles
   double water_unit_weight = 9810;            ///< γ_w [N/m³]
   std::vector<Surcharge> surcharges;
+  std::vector<FaceLoad> face_loads;
   std::vector<RootCohesion> roots;
   double horizontal_acceleration = 0;  ///< k_h over g: out of the slope positive, or as `push` says [-]
   /// Direction of the horizontal acceleration: smaller x (-1), larger x (1), or the sliding of each mass (0).

@@ -49,12 +49,11 @@ void find_thrust_line(const CutSurface& cut, const Mass& mass, double horizontal
   for (std::size_t i = 0; i < size; ++i) {
     const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
     const Forces& f = forces[i];
-    const double y = 0.5 * (slice.base_left[1] + slice.base_right[1]), middle = 0.5 * (slice.left + slice.right);
+    const double y = 0.5 * (slice.base_left[1] + slice.base_right[1]);
     const double half = 0.5 * (slice.right - slice.left);
     // About the middle of the base, where N and T have no moment.
-    const double about =
-        moment - y * e - half * (x + f.shear_side) + way * (slice.load_x - middle) * slice.surface_load +
-        (slice.centroid - y) * horizontal * slice.weight - (slice.thrust_level - y) * slice.surface_thrust;
+    const double about = moment - y * e - half * (x + f.shear_side) + way * slice.surface_moment +
+                         (slice.centroid - y) * horizontal * slice.weight;
     e = f.normal_side;
     x = f.shear_side;
     moment = about + y * e;

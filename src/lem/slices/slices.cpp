@@ -40,19 +40,19 @@ Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Poin
   slice.weight = weight * width;
   slice.centroid = weight > 0 ? moment / weight : y;
   slice.earthquake = section.horizontal_acceleration * slice.weight;
-  slice.load_x = x;
-  slice.thrust_level = 0.5 * (slice.top_left + slice.top_right);
-  if (strips.loads) slice.surface_load = strip.load.at(dx) * width;
+  const auto load = [&](double at, double down, double right) {
+    slice.surface_load += down;
+    slice.surface_thrust += right;
+    slice.surface_moment += (at - x) * down + (strip.ground.at(at - strip.left) - y) * right;
+  };
+  if (strips.loads) load(x, strip.load.at(dx) * width, strip.thrust.at(dx) * width);
   if (strip.ponded) {
     const double left = std::max(0.0, strip.water.at(a[0] - strip.left) - slice.top_left);
     const double right = std::max(0.0, strip.water.at(b[0] - strip.left) - slice.top_right);
     const double down = section.water_unit_weight * 0.5 * (left + right) * width;
     if (down > 0) {
       const double at = a[0] + width * (left + 2 * right) / (3 * (left + right));
-      slice.load_x = (slice.surface_load * x + down * at) / (slice.surface_load + down);
-      slice.surface_load += down;
-      slice.surface_thrust = down * strip.ground.slope;
-      slice.thrust_level = strip.ground.at(at - strip.left);
+      load(at, down, down * strip.ground.slope);
     }
   }
   add_strength(strips, strip, weight, before, slice);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The slices over a base, and the water that presses on vertical steps of the ground.
+// The slices over a base, and what presses on vertical steps of the ground.
 
 #include <vector>
 
@@ -15,8 +15,7 @@ void fill_slices(const Slope::Strips& strips, const BaseLine& base, int count, C
 /// The end of the mass that is the side of a crack.
 enum class CrackEnd { none, left, right };
 
-/// Adds the thrust of ponded water on the ground's vertical steps, inside and at the ends of the mass; none in the
-/// crack.
+/// Adds ponded water and loads on the ground's vertical steps, inside and at the ends of the mass; none in the crack.
 void press_on_faces(const Slope::Strips& strips, std::vector<Slice>& slices, CrackEnd crack);
 
 }  // namespace talus::lem

@@ -24,10 +24,9 @@ struct Slice {
   double alpha = 0;             ///< inclination of the base, positive where it falls in the direction of sliding [rad]
   double length = 0;            ///< of the base [m]
   double weight = 0;            ///< W of soil and its water, without ponded water
-  double surface_load = 0;      ///< vertical: surcharge and ponded water
-  double surface_thrust = 0;    ///< horizontal load of ponded water, against the sliding positive
-  double load_x = 0;            ///< where the vertical load acts [m]
-  double thrust_level = 0;      ///< elevation where the horizontal load acts [m]
+  double surface_load = 0;      ///< vertical: loads on the ground and ponded water, down positive
+  double surface_thrust = 0;    ///< their horizontal part, against the sliding positive
+  double surface_moment = 0;    ///< of both about the middle of the base, clockwise positive [N m]
   double earthquake = 0;        ///< k_h W, with the sliding positive
   double centroid = 0;          ///< elevation of the centre of the weight at the slice's middle [m]
   double pore_pressure = 0;     ///< u at the middle of the base, compression positive; suction negative [Pa]

@@ -52,15 +52,16 @@ StripLine cut_line(const std::vector<Point>& line, double left, double right) {
   return {line.back()[1], 0};
 }
 
-StripLine sum_loads(const Section& section, double left, double right) {
+/// `part` 1: down, 2: to larger x.
+StripLine sum_loads(const Section& section, std::size_t part, double left, double right) {
   StripLine sum;
   const double middle = 0.5 * (left + right);
   for (const Surcharge& surcharge : section.surcharges)
     for (std::size_t i = 1; i < surcharge.load.size(); ++i) {
       const auto &a = surcharge.load[i - 1], &b = surcharge.load[i];
       if (middle < a[0] || middle >= b[0]) continue;
-      const double slope = (b[1] - a[1]) / (b[0] - a[0]);
-      sum.y += a[1] + slope * (left - a[0]);
+      const double slope = (b[part] - a[part]) / (b[0] - a[0]);
+      sum.y += a[part] + slope * (left - a[0]);
       sum.slope += slope;
     }
   return sum;
@@ -109,7 +110,8 @@ void build_strips(Slope::Strips& strips) {
     strip.ground = cut_line(section.ground, strip.left, strip.right);
     strip.water = water.empty() ? StripLine{no_water, 0} : cut_line(water, strip.left, strip.right);
     strip.water_before = before.empty() ? StripLine{no_water, 0} : cut_line(before, strip.left, strip.right);
-    strip.load = sum_loads(section, strip.left, strip.right);
+    strip.load = sum_loads(section, 1, strip.left, strip.right);
+    strip.thrust = sum_loads(section, 2, strip.left, strip.right);
     const double half = 0.5 * (strip.right - strip.left);
     strip.ponded = strip.water.at(half) > strip.ground.at(half) + 1e-9 * (high - low);
     stack_layers(strips, strip, edges, 1e-6 * (high - low));

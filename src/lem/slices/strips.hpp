@@ -30,7 +30,7 @@ struct Strip {
   double left = 0, right = 0;  ///< [m]
   StripLine ground, water;     ///< water: -infinity without a line
   StripLine water_before;      ///< of the section before drawdown; the same without one
-  StripLine load;              ///< surcharges [Pa]
+  StripLine load, thrust;      ///< loads on the ground, down and to larger x [Pa]
   int first = 0, last = 0;     ///< its layers, from the ground down: [first, last)
   bool ponded = false;         ///< water stands on the ground
 };

@@ -144,9 +144,10 @@ bool WedgeMechanism::measure_interface(const Slope& slope, const Base& base, dou
     interface.tan_friction += here.tan_friction / places;
     double pond = 0;
     if (strip.ponded) pond = section.water_unit_weight * std::max(0.0, strip.water.at(x) - ground);
-    const double load = (strips.loads ? strip.load.at(x) : 0) + pond;
+    double load = pond, thrust = pond * strip.ground.slope;
+    if (strips.loads) load += strip.load.at(x), thrust += strip.thrust.at(x);
     interface.down += sign * width * (vertical * weight + load);
-    interface.push += sign * width * (horizontal * weight + way_ * pond * strip.ground.slope);
+    interface.push += sign * width * (horizontal * weight + way_ * thrust);
   }
   return true;
 }

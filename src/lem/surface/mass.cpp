@@ -33,8 +33,8 @@ void Mass::set(const Slope& slope, const CutSurface& cut, double horizontal) {
     const double x = way * 0.5 * (slice.left + slice.right), y = 0.5 * (slice.base_left[1] + slice.base_right[1]);
     wedge.arm_shear = (yo - y) * wedge.cosine - (x - xo) * wedge.sine;
     wedge.arm_normal = (x - xo) * wedge.cosine + (yo - y) * wedge.sine;
-    moment += (xo - x) * weight + (xo - way * slice.load_x) * slice.surface_load + (yo - slice.centroid) * earthquake -
-              (yo - slice.thrust_level) * slice.surface_thrust;
+    moment += (xo - x) * wedge.down + (yo - slice.centroid) * earthquake - (yo - y) * slice.surface_thrust -
+              way * slice.surface_moment;
     scale += wedge.down;
   }
 }

@@ -11,12 +11,12 @@ namespace talus::lem {
 
 /// Forces on one slice but for those that the methods find [N], and its shape.
 struct Wedge {
-  double sine = 0, cosine = 0;           ///< of α
-  double strength = 0;                   ///< (c - u tanφ) l
-  double friction = 0;                   ///< tanφ
-  double uplift = 0;                     ///< u l
-  double down = 0;                       ///< P: weight and loads
-  double push = 0;                       ///< B: earthquake less thrust of ponded water, with the sliding positive
+  double sine = 0, cosine = 0;  ///< of α
+  double strength = 0;          ///< (c - u tanφ) l
+  double friction = 0;          ///< tanφ
+  double uplift = 0;            ///< u l
+  double down = 0;              ///< P: weight and loads
+  double push = 0;              ///< B: earthquake less horizontal loads on the ground, with the sliding positive
   double arm_shear = 0, arm_normal = 0;  ///< of T (resisting) and N (driving) about the centre [m]
   double ratio = 0;  ///< interslice function f at the side towards the lower end; or X over E where that is given
 };

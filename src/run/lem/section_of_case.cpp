@@ -170,7 +170,17 @@ void add_water(const input::Case& data, lem::Section& section, ground::ToldWater
   weigh_moist_soil(data, nullptr, section);
 }
 
-/// The vertical part of a traction on a named line of the ground, per horizontal metre.
+/// Whether a vertical step of the ground at x holds the stretch from `low` to `high`.
+bool lies_on_step(const ground::Polyline& ground, double x, double low, double high, double near) {
+  for (std::size_t i = 1; i < ground.size(); ++i) {
+    const ground::Point &a = ground[i - 1], &b = ground[i];
+    if (std::abs(a[0] - x) > near || std::abs(b[0] - x) > near) continue;
+    if (low >= std::min(a[1], b[1]) - near && high <= std::max(a[1], b[1]) + near) return true;
+  }
+  return false;
+}
+
+/// Tractions on named lines of the ground and of its vertical steps.
 void add_tractions(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
   const double near = 1e-6 * (section.ground.back()[0] - section.ground.front()[0]);
   for (const input::Traction& t : data.tractions) {
@@ -182,24 +192,29 @@ void add_tractions(const input::Case& data, lem::Section& section, std::vector<s
       for (std::size_t i = 1; i < line->points.size(); ++i) {
         ground::Point a = line->points[i - 1], b = line->points[i];
         if (a[0] > b[0]) std::swap(a, b);
-        if (b[0] - a[0] <= near) continue;
-        if (std::abs(ground::find_level(section.ground, (a[0] + b[0]) / 2) - (a[1] + b[1]) / 2) > near) continue;
-        const double load = -share * t.traction[1] * std::hypot(b[0] - a[0], b[1] - a[1]) / (b[0] - a[0]);
-        section.surcharges.push_back({{{a[0], load}, {b[0], load}}});
+        if (b[0] - a[0] <= near) {
+          const auto [low, high] = std::minmax(a[1], b[1]);
+          if (!lies_on_step(section.ground, a[0], low, high, near)) continue;
+          section.face_loads.push_back({a[0], low, high, {share * t.traction[0], share * t.traction[1]}});
+        } else {
+          if (std::abs(ground::find_level(section.ground, (a[0] + b[0]) / 2) - (a[1] + b[1]) / 2) > near) continue;
+          // Per horizontal metre.
+          const double along = share * std::hypot(b[0] - a[0], b[1] - a[1]) / (b[0] - a[0]);
+          const double down = -along * t.traction[1], right = along * t.traction[0];
+          section.surcharges.push_back({{{a[0], down, right}, {b[0], down, right}}});
+        }
         lies_on_ground = true;
       }
     }
     if (!lies_on_ground)
       notes.push_back(fmt::format("the traction on '{}' is not on the ground: slices leave it out", t.on));
-    else if (std::abs(t.traction[0]) > 1e-9 * std::abs(t.traction[1]))
-      notes.push_back(fmt::format("the traction on '{}' is inclined: slices take its vertical part only", t.on));
   }
 }
 
 void add_surcharges(const input::Case& data, lem::Section& section) {
   for (const input::Surcharge& s : data.surcharges) {
     lem::Surcharge load;
-    for (std::size_t i = 0; i < s.x.size(); ++i) load.load.push_back({s.x[i], s.load.at(i)});
+    for (std::size_t i = 0; i < s.x.size(); ++i) load.load.push_back({s.x[i], s.load.at(i), 0});
     section.surcharges.push_back(std::move(load));
   }
 }
