@@ -21,6 +21,17 @@ void describe(V& v, R& r) {
   v.key("height", r.height, {"m", "level of the ground"});
 }
 
+/// What the ends of the box limit in a runout.
+struct BoxLimit {
+  bool front = false;  ///< soil that moved lies at the end of the box that it moves to
+  bool crest = false;  ///< it reaches back to the other end
+};
+template <class V, As<BoxLimit> R>
+void describe(V& v, R& r) {
+  v.key("front", r.front, {"", "soil that moved lies at the end of the box that it moves to"});
+  v.key("crest", r.crest, {"", "soil that moved reaches back to the other end of the box"});
+}
+
 /// How far soil that moves one way has run.
 struct RunoutSide {
   double moved_volume = 0;          ///< of points displaced by more than the threshold [m³ or m³/m]
@@ -35,6 +46,7 @@ struct RunoutSide {
   double centre_advance = 0;        ///< of the centre of mass of the moved soil, along x [m]
   double centre_drop = 0;           ///< and downwards [m]
   double largest_displacement = 0;  ///< [m]
+  std::optional<BoxLimit> limits;   ///< nothing: the soil that moved keeps away from the ends of the box
 };
 template <class V, class R>
 void describe_side(V& v, R& r) {
@@ -50,6 +62,7 @@ void describe_side(V& v, R& r) {
   v.key("toe", r.toe, {"m", "x of the front"});
   v.key("initial_toe", r.initial_toe, {"m", "x of the toe at the start"});
   v.key("crest", r.crest, {"m", "x of the crest at the start"});
+  v.maybe("limits", r.limits, {"", "what the ends of the box limit"});
 }
 template <class V, As<RunoutSide> R>
 void describe(V& v, R& r) {

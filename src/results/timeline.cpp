@@ -93,8 +93,9 @@ std::string say_releases(const Timeline& t) {
   if (t.releases.empty()) return "";
   const auto say = [](const Release& r, const char* before) {
     if (r.error) return fmt::format("their run did not end: {}", *r.error);
-    return fmt::format("the soil {}moves {:.3g} m at most{}.", before, r.largest_displacement,
-                       r.front_advance > 0 ? fmt::format(", its front {:.3g} m", r.front_advance) : "");
+    return fmt::format("the soil {}moves {:.3g} m at most{}{}.", before, r.largest_displacement,
+                       r.front_advance > 0 ? fmt::format(", its front {:.3g} m", r.front_advance) : "",
+                       r.limits && r.limits->front ? ", where the box ends" : "");
   };
   const Release& first = t.releases.front();
   std::string text = say_loss(t);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "results/elements.hpp"
+#include "results/runout.hpp"
 #include "results/slices.hpp"
 #include "results/water.hpp"
 
@@ -63,6 +64,7 @@ struct Release {
   std::optional<double> start_factor;
   std::optional<std::string> error;
   double largest_displacement = 0, moved_volume = 0, front_advance = 0, toe_distance = 0;  ///< as of Runout
+  std::optional<BoxLimit> limits;                                                          ///< likewise
 };
 template <class V, As<Release> R>
 void describe(V& v, R& r) {
@@ -77,6 +79,7 @@ void describe(V& v, R& r) {
   v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
   v.key("front_advance", r.front_advance, {"m", "advance of the front"});
   v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
+  v.maybe("limits", r.limits, {"", "what the ends of the box limit"});
 }
 
 /// Finite elements at one time.

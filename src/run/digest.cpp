@@ -130,15 +130,19 @@ std::string write_factors(const results::PointFactors& factors) {
   return text;
 }
 
+const char* write_limit(const results::RunoutSide& side) {
+  return side.limits && side.limits->front ? " (limited by the end of the box)" : "";
+}
+
 /// The sides of a section, where the soil moved to both.
 std::string write_sides(const results::Runout& runout) {
   std::string text;
   if (!runout.sides) return text;
   for (const results::RunoutSide& side : *runout.sides)
     text += fmt::format(
-        "  {}: front advances {:.3g} m, to {:.3g} m beyond the toe, crest retreats {:.3g} m, {:.4g} m³ move\n",
-        results::name_side(side.direction), side.front_advance, side.toe_distance, side.crest_retreat,
-        side.moved_volume);
+        "  {}: front advances {:.3g} m, to {:.3g} m beyond the toe{}, crest retreats {:.3g} m, {:.4g} m³ move\n",
+        results::name_side(side.direction), side.front_advance, side.toe_distance, write_limit(side),
+        side.crest_retreat, side.moved_volume);
   return text;
 }
 
@@ -152,18 +156,19 @@ std::string write_runouts(const results::RunResult& run) {
                             r.runout.moved_volume, end, r.trial.time);
       else
         text += fmt::format(
-            "Runout at SRF {:g}: front advances {:.3g} m and passes the toe by {:.3g} m, crest retreats {:.3g} m, "
+            "Runout at SRF {:g}: front advances {:.3g} m and passes the toe by {:.3g} m{}, crest retreats {:.3g} m, "
             "{:.4g} m³ move, {} after {:.3g} s\n",
-            r.trial.factor, r.runout.front_advance, r.runout.toe_distance, r.runout.crest_retreat,
-            r.runout.moved_volume, end, r.trial.time);
+            r.trial.factor, r.runout.front_advance, r.runout.toe_distance, write_limit(r.runout),
+            r.runout.crest_retreat, r.runout.moved_volume, end, r.trial.time);
       text += write_sides(r.runout);
     }
   if (run.runout && run.runout->sides)
     text += fmt::format("Runout to both sides: largest displacement {:.3g} m, {:.4g} m³ move\n{}",
                         run.runout->largest_displacement, run.runout->moved_volume, write_sides(*run.runout));
   else if (run.runout)
-    text += fmt::format("Runout: front advances {:.3g} m, largest displacement {:.3g} m, {:.4g} m³ move\n",
-                        run.runout->front_advance, run.runout->largest_displacement, run.runout->moved_volume);
+    text += fmt::format("Runout: front advances {:.3g} m{}, largest displacement {:.3g} m, {:.4g} m³ move\n",
+                        run.runout->front_advance, write_limit(*run.runout), run.runout->largest_displacement,
+                        run.runout->moved_volume);
   if (run.motion) text += run.motion->sentence + "\n";
   return text;
 }

@@ -254,6 +254,7 @@ class CaseRun {
     told.moved_volume = run.runout->moved_volume;
     told.front_advance = run.runout->front_advance;
     told.toe_distance = run.runout->toe_distance;
+    told.limits = run.runout->limits;
   }
 
   /// A factor for the bounds to begin with; they do not depend on it.

@@ -44,7 +44,7 @@ Collapse run_example(double aspect) {
     EXPECT_EQ(run::run_stage(body, run::make_plan<2>(data, stage, height, 1), state), results::StageEnd::time);
   }
   c.after = mpm::sum_points(body, gravity);
-  c.runout = run::find_runout(body, initial, 0.01 * height);
+  c.runout = run::find_runout(body, {initial, 0.01 * height});
   c.profile = run::find_profile(body, data.mesh.size);
   c.external_work = body.work.external;
   c.lost = body.lost.size();

@@ -7,6 +7,7 @@
 #include "base/interrupt.hpp"
 #include "cases/methods_slope.hpp"
 #include "mesh/generate.hpp"
+#include "output/files/history.hpp"
 #include "run/timeline/begin_later.hpp"
 
 namespace talus {
@@ -105,6 +106,11 @@ TEST_F(Release, NothingMovesOnASlopeThatStands) {
     EXPECT_GT(release.at("factor").get<double>(), 1);
   }
   EXPECT_EQ(summary.at("runout").at("largest_displacement"), releases[0].at("largest_displacement"));
+  // The history ends with the front of the summary.
+  const output::HistoryTable history = output::read_history(folder_ / "history.csv");
+  for (std::size_t k = 0; k < history.columns.size(); ++k)
+    if (const std::string& name = history.columns[k].name; name == "front_advance" || name == "toe_distance")
+      EXPECT_EQ(history.values[k].back(), summary.at("runout").at(name).get<double>()) << name;
   for (const auto& release : {releases[1], releases[2]})
     EXPECT_TRUE(std::filesystem::exists(folder_ / release.at("folder").get<std::string>() / "summary.json"));
   // The rain has gone into the soil before the points begin, and goes on.

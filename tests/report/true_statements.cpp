@@ -150,6 +150,18 @@ TEST_F(TrueStatements, AFrontThatGoesBackDoesNotAdvanceByLessThanNothing) {
               "stays, and 1234 m³ per metre move; after 2 s the soil is at rest.");
 }
 
+TEST_F(TrueStatements, AFrontAtTheEndOfTheBoxIsSaidToBeLimitedByIt) {
+  summary_["runout"].update({{"moved_volume", 1234.5},
+                             {"front_advance", 2.19},
+                             {"toe_distance", 78},
+                             {"crest_retreat", 68},
+                             {"largest_displacement", 59},
+                             {"limits", {{"front", true}, {"crest", true}}}});
+  EXPECT_SAYS(tell(),
+              "the front advances 2.19 m and lies 78 m beyond the toe, where the box ends, which limits them, the "
+              "crest retreats 68 m, to the end of the box, and 1234 m³ per metre move");
+}
+
 TEST_F(TrueStatements, PointsThatLeftAreTakenOutOfTheAnswer) {
   summary_["budgets"] = {{"points", 30}, {"mass", 25}, {"lost", {{"points", 70}, {"mass", 75}}}};
   EXPECT_SAYS(tell(), "70 of 100 points, 75 % of the mass, left the grid");

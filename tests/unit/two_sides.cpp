@@ -129,7 +129,7 @@ TEST(Runout, OfASymmetricalBankIsTheSameOnBothSides) {
   mpm::Body<2> body = make_bank();
   const results::Profile initial = find_profile(body, 1.0);
   move_bank(body, 4, 4);
-  const results::Runout r = find_runout(body, initial, 0.5);
+  const results::Runout r = find_runout(body, {initial, 0.5});
   ASSERT_TRUE(r.sides);
   ASSERT_EQ(r.sides->size(), 2u);
   const results::RunoutSide &left = (*r.sides)[0], &right = (*r.sides)[1];
@@ -153,11 +153,41 @@ TEST(Runout, CountsFromTheToeAndNotFromAHigherBinFarBehindIt) {
   results::Profile initial = find_profile(body, 1.0);
   initial.height.back() += 0.3;  // as a coarse mesh may have it
   move_bank(body, 4, 4);
-  const results::Runout r = find_runout(body, initial, 0.5);
+  const results::Runout r = find_runout(body, {initial, 0.5});
   ASSERT_TRUE(r.sides);
   EXPECT_NEAR((*r.sides)[0].initial_toe, 14, 1e-9);
   EXPECT_NEAR((*r.sides)[1].initial_toe, 26, 1e-9);
   EXPECT_NEAR((*r.sides)[0].toe_distance, (*r.sides)[1].toe_distance, 0.2);
+}
+
+TEST(Runout, ThatMeetsAnEndOfTheBoxIsLimitedByIt) {
+  mpm::Body<2> body = make_bank();
+  const RunoutStart start{find_profile(body, 1.0), 0.5};
+  // Everything right of the middle comes from further left: the soil at the right end moved too.
+  support::for_each_point(body, [&](int id, const auto& p) {
+    if (p.position[0] > centre)
+      body.points.reference[static_cast<std::size_t>(id)] = {p.position[0] - 1, p.position[1]};
+  });
+  const results::Runout right = find_runout(body, start);
+  ASSERT_TRUE(right.limits);
+  EXPECT_TRUE(right.limits->front);
+  EXPECT_FALSE(right.limits->crest);
+  EXPECT_NE(describe_limits(right).find("at the right end of the box"), std::string::npos);
+  mpm::Body<2> away = make_bank();
+  move_bank(away, 4, 4);
+  const results::Runout inside = find_runout(away, start);
+  EXPECT_FALSE(inside.limits) << "the soil keeps 10 m from both ends";
+  EXPECT_EQ(describe_limits(inside), "");
+  // Soil that comes from the left end and does not reach the right one.
+  mpm::Body<2> behind = make_bank();
+  support::for_each_point(behind, [&](int id, const auto& p) {
+    if (p.position[0] < centre)
+      behind.points.reference[static_cast<std::size_t>(id)] = {p.position[0] - 1, p.position[1]};
+  });
+  const results::Runout left = find_runout(behind, start);
+  ASSERT_TRUE(left.limits);
+  EXPECT_FALSE(left.limits->front);
+  EXPECT_TRUE(left.limits->crest);
 }
 
 TEST(Runout, OfOneSideIsThatOfThisSideAlone) {
@@ -165,7 +195,7 @@ TEST(Runout, OfOneSideIsThatOfThisSideAlone) {
   const results::Profile initial = find_profile(both, 1.0);
   move_bank(both, 4, 2);
   move_bank(one, 4, 0);
-  const results::Runout a = find_runout(both, initial, 0.5), b = find_runout(one, initial, 0.5);
+  const results::Runout a = find_runout(both, {initial, 0.5}), b = find_runout(one, {initial, 0.5});
   ASSERT_TRUE(a.sides);
   EXPECT_FALSE(b.sides);
   const results::RunoutSide& left = (*a.sides)[0];

@@ -37,6 +37,8 @@ const std::map<std::string_view, Known>& list_known() {
       {"momentum", {momentum, true}},
       {"centre", {position}},
       {"displacement", {displacement}},
+      {"front_advance", {front}},
+      {"toe_distance", {front}},
       {"velocity", {velocity}},
       {"mean_stress", {stress}},
       {"deviatoric_stress", {stress}},

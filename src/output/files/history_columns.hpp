@@ -23,6 +23,7 @@ enum class HistoryQuantity {
   momentum,
   position,
   displacement,
+  front,  ///< how far the soil has run
   velocity,
   stress,
   strain,
@@ -75,6 +76,7 @@ inline constexpr auto words<output::HistoryQuantity> =
                Word{output::HistoryQuantity::momentum, "momentum"},
                Word{output::HistoryQuantity::position, "position"},
                Word{output::HistoryQuantity::displacement, "displacement"},
+               Word{output::HistoryQuantity::front, "front"},
                Word{output::HistoryQuantity::velocity, "velocity"},
                Word{output::HistoryQuantity::stress, "stress"},
                Word{output::HistoryQuantity::strain, "strain"},

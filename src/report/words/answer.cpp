@@ -214,11 +214,14 @@ class RunoutWords {
 
   std::string describe_front(const results::RunoutSide& runout) const {
     const double advance = runout.front_advance, beyond = runout.toe_distance;
-    return fmt::format("the front {} {} and {}", advance < 0 ? "goes back by" : "advances", length(std::abs(advance)),
-                       beyond > 0 ? "lies " + length(beyond) + " beyond the toe" : "stays behind the toe");
+    return fmt::format("the front {} {} and {}{}", advance < 0 ? "goes back by" : "advances", length(std::abs(advance)),
+                       beyond > 0 ? "lies " + length(beyond) + " beyond the toe" : "stays behind the toe",
+                       runout.limits && runout.limits->front ? ", where the box ends, which limits them" : "");
   }
   std::string describe_crest(const results::RunoutSide& runout) const {
-    return runout.crest_retreat > 0 ? "the crest retreats " + length(runout.crest_retreat) : "the crest stays";
+    if (!(runout.crest_retreat > 0)) return "the crest stays";
+    return fmt::format("the crest retreats {}{}", length(runout.crest_retreat),
+                       runout.limits && runout.limits->crest ? ", to the end of the box" : "");
   }
 
   ShownUnit length_;

@@ -118,7 +118,7 @@ void PointRun<D>::prepare_body(results::RunResult& run) {
   if (body_.conditions.constraints.empty())
     warnings_.push_back("no boundary holds the soil; without [[boundary]] it falls out of the box");
   profile_bin_ = mesh::measure_quality(body_.mesh()).mean_size;
-  initial_ = find_profile(body_, profile_bin_);
+  runout_start_ = {find_profile(body_, profile_bin_), find_onset_threshold(data_.output, slope_height_)};
   return_freed_memory();
 }
 
@@ -265,6 +265,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
   settings.input_hash = checkpoint_hash_;
   settings.data = &data_;
   settings.work_before = work_before_;
+  if (data_.analysis == input::AnalysisKind::run) settings.runout_start = &runout_start_;
   settings.frame_interval = data_.output.frame_interval;
   settings.progress = options_.progress;
   StageState state;
@@ -346,10 +347,11 @@ void PointRun<D>::end_stages(results::RunResult& run) {
 
 template <int D>
 void PointRun<D>::add_runout(results::RunResult& run) {
-  run.runout = find_runout(body_, initial_, find_onset_threshold(data_.output, slope_height_));
+  run.runout = find_runout(body_, runout_start_);
+  if (std::string limits = describe_limits(*run.runout); !limits.empty()) warnings_.push_back(std::move(limits));
   run.failure_time = find_failure_time(options_.folder / "history.csv",
                                        data_.strength_reduction.curve.displacement_ratio * slope_height_);
-  write_profiles(options_.folder / "profile.csv", initial_, find_profile(body_, profile_bin_));
+  write_profiles(options_.folder / "profile.csv", runout_start_.initial, find_profile(body_, profile_bin_));
 }
 
 /// Stages outlive an interruption beside the checkpoint.

@@ -14,6 +14,7 @@
 #include "mpm/step/step.hpp"
 #include "results/run.hpp"
 #include "run/mpm/ranks_stage.hpp"
+#include "run/mpm/record/runout.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/options.hpp"
 
@@ -84,7 +85,7 @@ class PointRun {
   double slope_height_ = 0, profile_bin_ = 0, preparation_ = 0, initial_water_ = 0;
   mpm::Timing trial_timing_;
   std::mutex adding_;
-  results::Profile initial_;
+  RunoutStart runout_start_;
   std::vector<int> monitor_points_;
   std::vector<results::Stage> stages_;
   std::vector<std::string> warnings_;

@@ -96,6 +96,7 @@ export type HistoryQuantity =
   | "momentum"
   | "position"
   | "displacement"
+  | "front"
   | "velocity"
   | "stress"
   | "strain"

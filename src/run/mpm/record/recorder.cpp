@@ -24,7 +24,7 @@ constexpr int rows_per_leg = 200;
 const char* const axes[] = {"x", "y", "z"};
 
 template <int D>
-std::vector<output::Column> list_columns(const input::Case& data, bool wet) {
+std::vector<output::Column> list_columns(const input::Case& data, bool wet, bool has_front) {
   std::vector<output::Column> columns{{"time", "s"},
                                       {"step", "-"},
                                       {"time_step", "s"},
@@ -43,6 +43,8 @@ std::vector<output::Column> list_columns(const input::Case& data, bool wet) {
   for (int d = 0; d < D; ++d) columns.push_back({fmt::format("momentum_{}", axes[d]), "kg m/s"});
   for (int d = 0; d < D; ++d) columns.push_back({fmt::format("centre_{}", axes[d]), data.output.length_unit});
   columns.push_back({"largest_displacement", data.output.displacement_unit});
+  if (has_front)
+    for (const char* name : {"front_advance", "toe_distance"}) columns.push_back({name, data.output.length_unit});
   if (wet) columns.insert(columns.end(), {{"drag_work", "J"}, {"pore_water_work", "J"}});
   return columns;
 }
@@ -129,7 +131,8 @@ void Recorder<D>::open_histories(bool resumes) {
     return resumes ? output::History::resume(path, columns) : output::History::start(path, columns);
   };
   if (!settings_.keeps_history) return;
-  std::vector<output::Column> columns = list_columns<D>(*settings_.data, water_.has_value());
+  std::vector<output::Column> columns =
+      list_columns<D>(*settings_.data, water_.has_value(), settings_.runout_start != nullptr);
   if (water_) {
     const auto more = water_->list_columns();
     columns.insert(columns.end(), more.begin(), more.end());
@@ -247,6 +250,10 @@ void Recorder<D>::write_rows(Pause<D>& now) {
   for (const double p : t.momentum) row.push_back(p);
   for (const double x : t.centre) row.push_back(x / length);
   row.push_back(seen.largest_displacement / displacement);
+  if (settings_.runout_start != nullptr) {
+    const results::Runout runout = find_runout(now.whole(), *settings_.runout_start);
+    row.insert(row.end(), {runout.front_advance / length, runout.toe_distance / length});
+  }
   if (water_) {
     row.insert(row.end(), {work.drag, work.pore_water});
     water_->append(body, seen.water, row);

@@ -11,6 +11,7 @@
 #include "output/files/archive.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
+#include "run/mpm/record/runout.hpp"
 #include "run/mpm/record/state_fields.hpp"
 #include "run/mpm/record/water_record.hpp"
 #include "run/mpm/stage.hpp"
@@ -28,7 +29,8 @@ struct RecorderSettings {
   Progress* progress = nullptr;
   std::string label;                ///< before the stage's name in the line of progress
   std::vector<int> monitor_points;  ///< the points that are followed; empty: those nearest to the monitors now
-  mpm::Work work_before;            ///< of the result that the case starts from; histories do not count it
+  const RunoutStart* runout_start = nullptr;  ///< what the columns of the front are measured from; null: without them
+  mpm::Work work_before;                      ///< of the result that the case starts from; histories do not count it
 };
 
 /// One history of legs (stages, or one trial) in one folder.

@@ -79,10 +79,37 @@ struct MovedPoint {
   double mass, volume;
 };
 
+/// The ends of the box along x.
+struct Ends {
+  double left = std::numeric_limits<double>::max(), right = std::numeric_limits<double>::lowest();  ///< [m]
+  double size = 0;   ///< of the elements [m]; soil nearer than that to an end lies at it
+  double least = 0;  ///< volume of soil there that is more than single grains [m³ or m³/m]
+
+  template <int D>
+  Ends(const mesh::Mesh<D>& mesh, double bin) : size(bin), least(0.5 * std::pow(bin, D)) {
+    for (const Vec<D>& x : mesh.nodes) left = std::min(left, x[0]), right = std::max(right, x[0]);
+  }
+  bool is_at(int direction, double x) const { return (direction > 0 ? right - x : x - left) < size; }
+};
+
+std::optional<results::BoxLimit> find_limits(const std::vector<MovedPoint>& moved, int direction, const Ends& ends,
+                                             double threshold) {
+  double front = 0, crest = 0;
+  for (const MovedPoint& p : moved) {
+    if (direction * p.across > threshold && ends.is_at(direction, p.x)) front += p.volume;
+    if (ends.is_at(-direction, p.x - p.across)) crest += p.volume;
+  }
+  const results::BoxLimit limits{front > ends.least, crest > ends.least};
+  if (!limits.front && !limits.crest) return std::nullopt;
+  return limits;
+}
+
 /// How far the soil of one side went in its `direction`. `initial`: the ground of that side.
-results::RunoutSide measure_side(const std::vector<MovedPoint>& moved, const results::Profile& initial, int direction) {
+results::RunoutSide measure_side(const std::vector<MovedPoint>& moved, const results::Profile& initial, int direction,
+                                 const Ends& ends, double threshold) {
   results::RunoutSide r;
   r.direction = direction;
+  r.limits = find_limits(moved, direction, ends, threshold);
   double mass = 0;
   for (const MovedPoint& p : moved) mass += p.mass;
   std::vector<std::pair<double, double>> before, now;
@@ -114,7 +141,7 @@ results::RunoutSide measure_side(const std::vector<MovedPoint>& moved, const res
 
 /// The sides of a divided section, that to smaller x first.
 std::vector<results::RunoutSide> measure_sides(const std::vector<MovedPoint>& moved, const results::Profile& initial,
-                                               const mesh::Divide& divide) {
+                                               const mesh::Divide& divide, const Ends& ends, double threshold) {
   std::vector<results::RunoutSide> sides;
   for (const bool is_left : {true, false}) {
     std::vector<MovedPoint> own;
@@ -127,7 +154,7 @@ std::vector<results::RunoutSide> measure_sides(const std::vector<MovedPoint>& mo
         ground.x.push_back(initial.x[i]);
         ground.height.push_back(initial.height[i]);
       }
-    sides.push_back(measure_side(own, ground, is_left ? divide.left : -divide.left));
+    sides.push_back(measure_side(own, ground, is_left ? divide.left : -divide.left, ends, threshold));
   }
   if (sides[0].direction > 0) std::swap(sides[0], sides[1]);
   return sides;
@@ -190,7 +217,8 @@ double find_slope_height(const mpm::Body<D>& body, const input::Gravity& gravity
 }
 
 template <int D>
-results::Runout find_runout(const mpm::Body<D>& body, const results::Profile& initial, double threshold) {
+results::Runout find_runout(const mpm::Body<D>& body, const RunoutStart& from) {
+  const auto& [initial, threshold] = from;
   results::Runout r;
   r.threshold = threshold;
   std::vector<MovedPoint> moved;
@@ -206,17 +234,31 @@ results::Runout find_runout(const mpm::Body<D>& body, const results::Profile& in
     soil.push_back({p.position[0] - p.displacement[0], p.displacement[0], p.mass});
     moment += p.mass * p.displacement[0];
   }
+  const Ends ends(body.mesh(), initial.bin);
   if (const auto divide = mesh::find_divide(std::move(soil), threshold)) {
-    r.sides = measure_sides(moved, initial, *divide);
+    r.sides = measure_sides(moved, initial, *divide, ends, threshold);
     const bool is_first = goes_farther((*r.sides)[0], (*r.sides)[1]);
     static_cast<results::RunoutSide&>(r) = (*r.sides)[is_first ? 0 : 1];
     r.moved_volume = 0;
     for (const MovedPoint& p : moved) r.moved_volume += p.volume;
   } else {
-    static_cast<results::RunoutSide&>(r) = measure_side(moved, initial, moment < 0 ? -1 : 1);
+    static_cast<results::RunoutSide&>(r) = measure_side(moved, initial, moment < 0 ? -1 : 1, ends, threshold);
   }
   r.largest_displacement = largest;
   return r;
+}
+
+std::string describe_limits(const results::Runout& runout) {
+  const std::vector<results::RunoutSide> all = runout.sides.value_or(std::vector<results::RunoutSide>{runout});
+  std::string ends;
+  for (const results::RunoutSide& side : all)
+    if (side.limits && side.limits->front)
+      ends += (ends.empty() ? "" : " and the ") + std::string(side.direction < 0 ? "left" : "right");
+  if (ends.empty()) return "";
+  return fmt::format(
+      "soil that moved lies at the {} end of the box, which limits front, runout and moved volume; make "
+      "the box longer there",
+      ends);
 }
 
 void write_profiles(const std::filesystem::path& path, const results::Profile& before, const results::Profile& after) {
@@ -232,7 +274,7 @@ void write_profiles(const std::filesystem::path& path, const results::Profile& b
 #define TALUS_INSTANTIATE(D)                                                        \
   template results::Profile find_profile<D>(const mpm::Body<D>&, double);           \
   template double find_slope_height<D>(const mpm::Body<D>&, const input::Gravity&); \
-  template results::Runout find_runout<D>(const mpm::Body<D>&, const results::Profile&, double);
+  template results::Runout find_runout<D>(const mpm::Body<D>&, const RunoutStart&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

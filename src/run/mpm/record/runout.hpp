@@ -3,6 +3,7 @@
 // How far the soil has run: front, crest, moved volume and deposit, between two states of a body.
 
 #include <filesystem>
+#include <string>
 
 #include "input/case/case.hpp"
 #include "mpm/body/body.hpp"
@@ -19,10 +20,19 @@ results::Profile find_profile(const mpm::Body<D>& body, double bin);
 template <int D>
 double find_slope_height(const mpm::Body<D>& body, const input::Gravity& gravity);
 
+/// A runout is measured from there.
+struct RunoutStart {
+  results::Profile initial;  ///< the ground at the start
+  double threshold = 0;      ///< points that moved less are at rest [m]
+};
+
 /// Compares the body now, along x and y whatever the direction of gravity, with its reference positions
-/// (mpm::reset_displacements). `initial` is the profile then. Points that moved less than `threshold` [m] are at rest.
+/// (mpm::reset_displacements).
 template <int D>
-results::Runout find_runout(const mpm::Body<D>& body, const results::Profile& initial, double threshold);
+results::Runout find_runout(const mpm::Body<D>& body, const RunoutStart& from);
+
+/// Whether an end of the box stopped the front, as a warning; empty: none did.
+std::string describe_limits(const results::Runout& runout);
 
 /// profile.csv: the ground before and after. Throws Error (cannot_write).
 void write_profiles(const std::filesystem::path& path, const results::Profile& before, const results::Profile& after);

@@ -91,7 +91,12 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     if (known && !runs_out) return {*known, {}, {}};
     std::vector<StagePlan<D>> legs{make_trial_plan<D>(*context.data, slope_height, inner)};
     legs[0].name = fmt::format("trial SRF {:g}", factor);
+    RunoutStart runout_start;
     if (runs_out) {
+      mpm::Body<D> start = state;
+      mpm::reset_displacements(start);
+      runout_start = {find_profile(start, bin), moved_share * slope_height};
+      files.runout_start = &runout_start;
       legs.push_back(legs[0]);
       legs[1].name = fmt::format("runout SRF {:g}", factor);
       legs[1].duration = curve.runout_time;
@@ -105,14 +110,11 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     save_trial(files.folder, legs_done.front());
     std::optional<results::RunoutTrial> runout;
     if (runs_out) {
-      mpm::Body<D> start = state;
-      mpm::reset_displacements(start);
-      const results::Profile before = find_profile(start, bin);
       runout = results::RunoutTrial{
-          add_up(legs_done), find_runout(body, before, moved_share * slope_height), find_profile(body, bin),
+          add_up(legs_done), find_runout(body, runout_start), find_profile(body, bin),
           find_failure_time(files.folder / "history.csv", curve.displacement_ratio * slope_height)};
       if (runout->failure_time) *runout->failure_time -= state.time;
-      write_profiles(files.folder / "profile.csv", before, runout->profile);
+      write_profiles(files.folder / "profile.csv", runout_start.initial, runout->profile);
     }
     return {legs_done.front(), runout, {}};
   };

@@ -42,6 +42,7 @@ std::vector<results::Trial> run_trial_legs(const mpm::Body<D>& state, double fac
   settings.data = context.data;
   settings.keeps_history = files.keeps_history;
   settings.keeps_frames = files.keeps_frames;
+  settings.runout_start = files.runout_start;
   settings.frame_interval = files.frame_interval;
   settings.progress = context.progress;
   settings.label = files.label;

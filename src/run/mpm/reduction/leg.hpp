@@ -38,6 +38,7 @@ struct TrialFiles {
   bool keeps_frames = false;  ///< the last frame, or one every `frame_interval`
   bool keeps_history = false;
   double frame_interval = 0;
+  const RunoutStart* runout_start = nullptr;  ///< for the front in the history
   std::string label;
 };
 

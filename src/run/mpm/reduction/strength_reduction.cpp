@@ -74,10 +74,13 @@ void reduce_strength(const mpm::Body<D>& state, const TrialContext& context, dou
       curve.bilinear = results::BilinearLines{*bilinear->criterion.factor, bilinear->first, bilinear->last};
     curve.points = std::move(found.trials);
     write_curve_table(curve.points, context.folder / "curve.csv");
-    for (const results::RunoutTrial& r : found.runouts)
+    for (const results::RunoutTrial& r : found.runouts) {
       if (r.trial.end != results::StageEnd::rest)
         warnings.push_back(fmt::format("the runout at SRF {:g} was still moving after {:g} s; raise runout_time",
                                        r.trial.factor, r.trial.time));
+      if (const std::string limits = describe_limits(r.runout); !limits.empty())
+        warnings.push_back(fmt::format("the runout at SRF {:g}: {}", r.trial.factor, limits));
+    }
     if (!found.runouts.empty()) run.runouts = std::move(found.runouts);
   }
   if (settings.frozen.enabled) {

@@ -15,6 +15,7 @@ export type PanelKind =
   | "water_mass"
   | "pore_pressure"
   | "saturation"
+  | "front"
   | "largest"
   | "displacement"
   | "stress"
@@ -84,6 +85,7 @@ const kinds: Kind[] = [
   { id: "water_mass", title: "Water in the model", log: false, first: false },
   { id: "pore_pressure", title: "Pore pressure", log: false, first: true },
   { id: "saturation", title: "Degree of saturation", log: false, first: true },
+  { id: "front", title: "Front", log: false, first: true },
   { id: "largest", title: "Largest displacement", log: false, first: false },
   { id: "displacement", title: "Displacement", log: false, first: true },
   { id: "stress", title: "Stress", log: false, first: true },
