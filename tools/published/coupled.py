@@ -2,6 +2,8 @@
 """Slopes whose pore pressures follow from steady seepage on the same section, then slices."""
 from __future__ import annotations
 
+import re
+
 from .case_file import number, quantity, write_comment
 from .flow_case import GAMMA_W
 from .problem import FOOT, METHODS, read_problem
@@ -13,15 +15,24 @@ from .table import MISS, Row, judge
 BAND = 0.02
 
 
+def find_edge(problem, place):
+    """"left" or "right" of a place in words: "x=0 edge", "left edge"."""
+    at = re.search(r"\bx\s*=\s*(-?\d+(?:\.\d+)?)", place)
+    if at:
+        return "left" if abs(float(at[1]) * problem.units.length - problem.ground[0][0]) < 1e-6 else "right"
+    for side in ("left", "right"):
+        if re.search(rf"\b{side}\b", place):
+            return side
+    raise Broken(f"seepage_bc names the place '{place}': expected 'x=NUMBER …', 'left …' or 'right …'")
+
+
 def make_coupled_case(problem, size, fringe):
     """Heads at the two edges as the entry says them ("head_40": "x=0 edge"), the ground a face where water may leave."""
     units, material = problem.units, problem.materials[0]
     heads = {}
     for key, place in (problem.entry.get("seepage_bc") or {}).items():
         if key.startswith("head_"):
-            x = float(place.split("x=")[1].split()[0])
-            side = "left" if abs(x * units.length - problem.ground[0][0]) < 1e-6 else "right"
-            heads[side] = round(float(key[5:]) * units.length, 6)
+            heads[find_edge(problem, place)] = round(float(key[5:]) * units.length, 6)
     ring = problem.regions[0][2]
     ground = ", ".join(f"[{number(x)}, {number(y)}]" for x, y in problem.ground)
     lines = []
@@ -53,8 +64,8 @@ def verify(runner, entry):
     problem = read_problem(entry)
     height = max(y for _, y in problem.ground) - min(y for _, y in problem.ground)
     size = height / 16
-    text, heads = make_coupled_case(problem, size, 1.5 * size)
     try:
+        text, heads = make_coupled_case(problem, size, 1.5 * size)
         summary = runner.run(problem.id, text)
     except Broken as fault:
         return [Row(problem.id, "seepage and slices", "", None, None, "", MISS, None, str(fault))]
