@@ -16,7 +16,7 @@ TEST(LemCutArc, EndsAtTheToe) {
   ASSERT_EQ(cut.warnings.size(), 1u);
   EXPECT_TRUE(cut.slides_left);
   EXPECT_DOUBLE_EQ(cut.slices.front().left, 15);
-  EXPECT_GT(cut.slices.front().alpha, 0.3);  // falls outwards to its very end
+  EXPECT_GT(cut.slices.front().alpha(), 0.3);  // falls outwards to its very end
   EXPECT_NEAR(find_factor(slope, arc, Method::bishop), 0.341, 0.001);
   EXPECT_NEAR(find_factor(slope, arc, Method::spencer), 0.3404, 0.001);
   // The whole circle comes out of the ground far before the toe.
@@ -31,7 +31,7 @@ TEST(LemCutArc, MirroredEndsAtTheToe) {
       cut_surface(slope, make_arc({-8.126507, 27.89539}, 21.049263, -28.333334, -15), 100, report_only());
   EXPECT_TRUE(cut.cut_at_toe);
   EXPECT_FALSE(cut.slides_left);
-  EXPECT_GT(cut.slices.back().alpha, 0.3);
+  EXPECT_GT(cut.slices.back().alpha(), 0.3);
 }
 
 // Spencer's equations can have two roots. On arcs with steep passive ends that with a negative λ, in which the lower

@@ -28,10 +28,10 @@ Box bound(const PressureGrid& grid, const std::array<int, 3>& triangle) {
 
 }  // namespace
 
-PressureLocator::PressureLocator(const PressureGrid& grid) : grid_(grid) {
-  if (grid_.triangles.empty()) return;
+PressureLocator::PressureLocator(const PressureGrid& grid) {
+  if (grid.triangles.empty()) return;
   std::vector<Box> boxes;
-  for (const auto& triangle : grid_.triangles) boxes.push_back(bound(grid_, triangle));
+  for (const auto& triangle : grid.triangles) boxes.push_back(bound(grid, triangle));
   Point high = boxes[0].high;
   low_ = boxes[0].low;
   for (const Box& box : boxes)
@@ -53,8 +53,21 @@ PressureLocator::PressureLocator(const PressureGrid& grid) : grid_(grid) {
   }
   first_.push_back(0);
   for (const auto& bucket : buckets) {
-    triangles_.insert(triangles_.end(), bucket.begin(), bucket.end());
-    first_.push_back(static_cast<int>(triangles_.size()));
+    for (const int t : bucket) {
+      const auto& corner = grid.triangles[static_cast<std::size_t>(t)];
+      const auto node = [&](std::size_t i) { return grid.nodes[static_cast<std::size_t>(corner[i])]; };
+      const auto u = [&](std::size_t i) { return grid.pressure[static_cast<std::size_t>(corner[i])]; };
+      const Point a = node(0), b = node(1), c = node(2);
+      const double area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+      if (area == 0) continue;
+      planes_.push_back({a,
+                         {(c[1] - a[1]) / area, (a[0] - c[0]) / area},
+                         {(a[1] - b[1]) / area, (b[0] - a[0]) / area},
+                         u(0),
+                         u(1) - u(0),
+                         u(2) - u(0)});
+    }
+    first_.push_back(static_cast<int>(planes_.size()));
   }
 }
 
@@ -66,23 +79,17 @@ std::optional<double> PressureLocator::find(const Point& p) const {
   const int i = std::clamp(static_cast<int>(x), 0, columns_ - 1), j = std::clamp(static_cast<int>(y), 0, rows_ - 1);
   const auto bucket = find_bucket(i, j);
   for (int k = first_[bucket]; k < first_[bucket + 1]; ++k)
-    if (const auto u = read(static_cast<std::size_t>(triangles_[static_cast<std::size_t>(k)]), p)) return u;
+    if (const auto u = read(planes_[static_cast<std::size_t>(k)], p)) return u;
   return std::nullopt;
 }
 
-std::optional<double> PressureLocator::read(std::size_t triangle, const Point& p) const {
-  const auto& corner = grid_.triangles[triangle];
-  const auto node = [&](std::size_t i) { return grid_.nodes[static_cast<std::size_t>(corner[i])]; };
-  const Point a = node(0), b = node(1), c = node(2);
-  const double area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-  if (area == 0) return std::nullopt;
-  const double wb = ((p[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (p[1] - a[1])) / area;
-  const double wc = ((b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1])) / area;
-  const double wa = 1 - wb - wc;
+std::optional<double> PressureLocator::read(const Plane& plane, const Point& p) {
+  const double dx = p[0] - plane.corner[0], dy = p[1] - plane.corner[1];
+  const double second = plane.second[0] * dx + plane.second[1] * dy;
+  const double third = plane.third[0] * dx + plane.third[1] * dy;
   constexpr double hair = -1e-7;
-  if (wa < hair || wb < hair || wc < hair) return std::nullopt;
-  const auto u = [&](std::size_t i) { return grid_.pressure[static_cast<std::size_t>(corner[i])]; };
-  return wa * u(0) + wb * u(1) + wc * u(2);
+  if (second < hair || third < hair || 1 - second - third < hair) return std::nullopt;
+  return plane.pressure + second * plane.to_second + third * plane.to_third;
 }
 
 }  // namespace talus::lem

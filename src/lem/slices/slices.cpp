@@ -27,7 +27,7 @@ Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Poin
   slice.top_left = strip.ground.at(a[0] - strip.left);
   slice.top_right = strip.ground.at(b[0] - strip.left);
   slice.soil = layer.soil;
-  slice.alpha = std::atan2(b[1] - a[1], width);
+  slice.slope = (b[1] - a[1]) / width;
   slice.length = std::sqrt(width * width + (b[1] - a[1]) * (b[1] - a[1]));
   const double part = layer.unit_weight * std::max(0.0, layer.top.at(dx) - y), above = layer.weight.at(dx);
   double moment = part * 0.5 * (layer.top.at(dx) + y);

@@ -106,7 +106,7 @@ void write_forces(CutSurface& cut, const Scratch& s, bool thrust) {
 }  // namespace
 
 Refusal check_solution(const CutSurface& cut, const Solution& solution, const Checks& checks) {
-  const double toe = cut.slides_left ? cut.slices.front().alpha : cut.slices.back().alpha;
+  const double toe = cut.slides_left ? cut.slices.front().alpha() : cut.slices.back().alpha();
   if (-toe > checks.steepest_toe) return Refusal::steep_toe;
   if (solution.smallest_m_alpha < checks.smallest_m_alpha) return Refusal::m_alpha;
   // Of Fellenius too: his N' = W cos α - u l is in no equilibrium and falls below zero where pressures are high, and a

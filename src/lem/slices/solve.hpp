@@ -2,6 +2,7 @@
 #pragma once
 // The factor of safety of one slip surface by the methods of slices.
 
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -21,18 +22,18 @@ struct Slice {
   Point base_left{}, base_right{};     ///< [m]
   double top_left = 0, top_right = 0;  ///< ground [m]
   int soil = 0;                        ///< at the middle of the base
-  double alpha = 0;             ///< inclination of the base, positive where it falls in the direction of sliding [rad]
-  double length = 0;            ///< of the base [m]
-  double weight = 0;            ///< W of soil and its water, without ponded water
-  double surface_load = 0;      ///< vertical: loads on the ground and ponded water, down positive
-  double surface_thrust = 0;    ///< their horizontal part, against the sliding positive
-  double surface_moment = 0;    ///< of both about the middle of the base, clockwise positive [N m]
-  double earthquake = 0;        ///< k_h W, with the sliding positive
-  double centroid = 0;          ///< elevation of the centre of the weight at the slice's middle [m]
-  double pore_pressure = 0;     ///< u at the middle of the base, compression positive; suction negative [Pa]
-  double cohesion = 0;          ///< c with roots and suction [Pa]
-  double root_cohesion = 0;     ///< part of it [Pa]
-  double suction_strength = 0;  ///< part of it [Pa]
+  double slope = 0;                    ///< tan α of the base, positive where it falls in the direction of sliding
+  double length = 0;                   ///< of the base [m]
+  double weight = 0;                   ///< W of soil and its water, without ponded water
+  double surface_load = 0;             ///< vertical: loads on the ground and ponded water, down positive
+  double surface_thrust = 0;           ///< their horizontal part, against the sliding positive
+  double surface_moment = 0;           ///< of both about the middle of the base, clockwise positive [N m]
+  double earthquake = 0;               ///< k_h W, with the sliding positive
+  double centroid = 0;                 ///< elevation of the centre of the weight at the slice's middle [m]
+  double pore_pressure = 0;            ///< u at the middle of the base, compression positive; suction negative [Pa]
+  double cohesion = 0;                 ///< c with roots and suction [Pa]
+  double root_cohesion = 0;            ///< part of it [Pa]
+  double suction_strength = 0;         ///< part of it [Pa]
   double tan_friction = 0;
   // Of a solution:
   double normal = 0;  ///< total N
@@ -41,6 +42,8 @@ struct Slice {
   /// E (compression positive) and X (positive where the lower part holds up the upper) on the right side.
   double normal_right = 0, shear_right = 0;
   double thrust_right = 0;  ///< elevation of E on the right side; NaN where E vanishes [m]
+
+  double alpha() const { return std::atan(slope); }  ///< [rad]
 };
 
 struct Solution {

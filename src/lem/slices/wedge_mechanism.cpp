@@ -69,12 +69,13 @@ void WedgeMechanism::add_bases(const Slope& slope, const CutSurface& cut, double
   for (std::size_t i = 0; i < size; ++i) {
     const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
     // Rigid wedges need one direction of dilation on each base: they end where φ changes, too.
-    const bool same = last != nullptr && std::abs(slice.alpha - last->alpha) < 1e-4 &&
+    const double steepness = 1 + slice.slope * slice.slope;
+    const bool same = last != nullptr && std::abs(slice.slope - last->slope) < 1e-4 * steepness &&
                       std::abs(slice.tan_friction - last->tan_friction) < 1e-9;
     if (!same) {
       bases_.emplace_back();
-      bases_.back().sine = std::sin(slice.alpha);
-      bases_.back().cosine = std::cos(slice.alpha);
+      bases_.back().cosine = 1 / std::sqrt(steepness);
+      bases_.back().sine = slice.slope * bases_.back().cosine;
       bases_.back().tan_friction = slice.tan_friction;
     }
     Base& base = bases_.back();

@@ -49,7 +49,7 @@ double sum_push(const CutSurface& cut) {
 
 void turn_slices(std::vector<Slice>& slices) {
   for (Slice& slice : slices) {
-    slice.alpha = -slice.alpha;
+    slice.slope = -slice.slope;
     slice.surface_thrust = -slice.surface_thrust;
   }
 }

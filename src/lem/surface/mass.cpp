@@ -93,7 +93,7 @@ void Mass::set_inclinations(SliceMethod method, const CutSurface& cut) {
     const auto number = [&](std::size_t k) { return cut.slides_left ? size - 1 - k : k; };
     const Slice &here = cut.slices[number(i)], &below = cut.slices[number(std::min(i + 1, size - 1))];
     const double ground = 0.5 * (std::atan(find_ground_slope(cut, here)) + std::atan(find_ground_slope(cut, below)));
-    const double base = 0.5 * (here.alpha + below.alpha);
+    const double base = 0.5 * (here.alpha() + below.alpha());
     wedges[i].ratio = std::tan(method == SliceMethod::corps_2 ? ground : 0.5 * (ground + base));
   }
 }

@@ -18,7 +18,7 @@ results::SliceTable tell_table(const lem::Slope& slope, const lem::CutSurface& c
     t.top_left.push_back(s.top_left);
     t.top_right.push_back(s.top_right);
     t.soil.push_back(slope.section().soils.at(static_cast<std::size_t>(s.soil)).name);
-    t.alpha.push_back(s.alpha);
+    t.alpha.push_back(s.alpha());
     t.length.push_back(s.length);
     t.weight.push_back(s.weight);
     t.surface_load.push_back(s.surface_load);
