@@ -215,7 +215,9 @@ class Table:
         return dict(keep_given(self._block, self._data))
 
     def __repr__(self) -> str:
-        return f"{self._block.header} {self._get_given()}"
+        names = ".".join(step for step in self._path if isinstance(step, str))
+        header = f"[[{names}]]" if self._block.kind == "list" else f"[{names}]"
+        return f"{header if names else ''} {self._get_given()}".lstrip()
 
     def _wrap(self, name: str) -> Any:
         """The block `name` for reading and changing; what is no table or list is returned as it is."""

@@ -200,3 +200,12 @@ def test_tables_are_used_like_dicts(slope):
     assert case.echo()["materials"]["sand"]["cohesion"]["value"] == 4
     assert dict(case.mesh) == {"size": 3, "points_per_element": 3} == dict(**case.mesh)
     assert "cohesion = &quot;4 kPa&quot;" in case._repr_html_()
+
+
+def test_tables_show_their_names(slope):
+    case = slope()
+    assert repr(case.materials.sand).startswith("[materials.sand] {'model': 'mohr_coulomb'")
+    assert repr(case.mesh).startswith("[mesh] {")
+    assert repr(case.stage[0]).startswith("[[stage]] {'name'")
+    case.materials["sand"]["water.retention"] = "saturated"
+    assert repr(case.materials.sand.water) == "[materials.sand.water] {'retention': 'saturated'}"
