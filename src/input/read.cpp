@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -15,7 +14,6 @@
 #include <sstream>
 #include <variant>
 
-#include "base/units.hpp"
 #include "base/version.hpp"
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
@@ -26,7 +24,7 @@
 #include "input/echo.hpp"
 #include "input/language/apply_overrides.hpp"
 #include "input/language/codecs.hpp"
-#include "input/language/deep_keys.hpp"
+#include "input/language/parse.hpp"
 #include "input/language/reader.hpp"
 
 namespace talus::input {
@@ -42,41 +40,6 @@ std::string read_text(const std::string& path) {
   if (file) text << file.rdbuf();
   if (!file) throw InputError({{path, 0, 0, fmt::format("the case file cannot be opened: {}", std::strerror(errno))}});
   return text.str();
-}
-
-/// The number with a decimal comma that stands last before a place of a text; empty where there is none.
-std::string find_decimal_comma(const std::string& text, const toml::source_position& at) {
-  std::istringstream lines(text);
-  std::string line;
-  for (toml::source_index i = 0; i < at.line; ++i) std::getline(lines, line);
-  const auto skip_digits = [&](std::size_t i) {
-    while (i < line.size() && std::isdigit(static_cast<unsigned char>(line[i])) != 0) ++i;
-    return i;
-  };
-  std::string found;
-  for (std::size_t equals = line.find('='); equals != std::string::npos; equals = line.find('=', equals + 1)) {
-    const std::size_t begin = line.find_first_not_of(" \t+-", equals + 1);
-    if (begin == std::string::npos) break;
-    const std::size_t comma = skip_digits(begin);
-    if (comma == begin || comma >= line.size() || line[comma] != ',' || comma > at.column) continue;
-    const std::size_t end = skip_digits(comma + 1);
-    if (end > comma + 1) found = line.substr(begin, end - begin);
-  }
-  return found;
-}
-
-toml::table parse(const std::string& text, const std::string& name) {
-  if (const auto place = find_deep_key(text))
-    throw InputError({{name, place->line, place->column, fmt::format("this key has more than {} parts", most_dots)}});
-  try {
-    return toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    const toml::source_position at = error.source().begin;
-    const std::string comma = find_decimal_comma(text, at);
-    throw InputError({{name, static_cast<int>(at.line), static_cast<int>(at.column),
-                       comma.empty() ? fmt::format("this is not TOML: {}", error.description())
-                                     : units::explain_decimal_comma(comma)}});
-  }
 }
 
 void normalise(std::array<double, 3>& v) {
@@ -183,7 +146,7 @@ class Trials {
       : text_(text), name_(name), overrides_(overrides) {
     // Written again without the study, unless that would change a value. Tables are not copied: copies do not know
     // which keys the file gives.
-    toml::table root = parse(text, name);
+    toml::table root = parse_toml(text, name);
     if (root.erase("study") > 0) {
       std::ostringstream shorter;
       shorter << root;
@@ -198,7 +161,7 @@ class Trials {
     all.insert(all.end(), changes.begin(), changes.end());
     Places places(name_);
     Findings findings(places);
-    toml::table root = parse(text_, name_);
+    toml::table root = parse_toml(text_, name_);
     root.erase("study");
     if (auto loaded = read_once(std::move(root), name_, all, CaseScope::whole_or_tests, findings))
       return std::move(*loaded);
@@ -300,7 +263,7 @@ LoadedCase read_case_text(const std::string& text, const std::string& name, cons
                           CaseScope scope) {
   Places places(name);
   Findings findings(places);
-  std::optional<LoadedCase> loaded = read_once(parse(text, name), name, overrides, scope, findings);
+  std::optional<LoadedCase> loaded = read_once(parse_toml(text, name), name, overrides, scope, findings);
   if (loaded) {
     loaded->text = text;
     const Trials trials(text, name, overrides);

@@ -81,6 +81,7 @@ TEST_F(SeriesFromFile, FaultsNameFileAndLine) {
             std::string::npos);
   EXPECT_NE(fault("date,rain [mm]\n2023-03-01,1\n2023-03-02,\n", rain).find("station.csv:3: no value of 'rain'"),
             std::string::npos);
+  EXPECT_NE(fault(std::string("d\0a\0t\0e\0,\0", 10), rain).find("is in UTF-16; save it as UTF-8"), std::string::npos);
   EXPECT_NE(fault("date,rain [mm]\n01/03/2023,1\n", rain).find("'01/03/2023' is no date"), std::string::npos);
   EXPECT_NE(fault("date,rain [mm]\n2023-02-30,1\n", rain).find("'2023-02-30' is no date"), std::string::npos);
   EXPECT_NE(fault("date,rain\n2023-03-01,1\n", rain).find("has no unit; head it 'rain [mm]'"), std::string::npos);

@@ -128,5 +128,41 @@ TEST(Faults, OfUnknownKeysSayThatTheyAre) {
   EXPECT_TRUE(faults[0].is_unknown_key);
 }
 
+/// The one sentence of a text that cannot be read.
+std::string read_fault(const std::string& text) {
+  const auto faults = find_faults(text);
+  EXPECT_EQ(faults.size(), 1u) << text;
+  return faults.empty() ? "" : faults[0].sentence;
+}
+
+TEST(File, WithoutQuotationMarksSaysWhereTheyBelong) {
+  for (const auto& [from, to, said] : std::vector<std::array<std::string, 3>>{
+           {"cohesion = 2", "cohesion = 10 kPa", "put the value with its unit in quotation marks: \"10 kPa\""},
+           {"\"30 deg\"", "25°", "put the value with its unit in quotation marks: \"25°\""},
+           {"\"30 deg\"", "-1.5e1deg # slope", "quotation marks: \"-1.5e1deg\""},
+           {"\"mohr_coulomb\"", "mohr_coulomb", "put the text in quotation marks: \"mohr_coulomb\""},
+           {"[44, 5]", "[44 m, 5]", "quotation marks: \"44 m\""},
+           {"porosity = 0.2", "porosity = True", "'True' is written in small letters: true"}})
+    EXPECT_NE(read_fault(change(slope, from, to)).find(said), std::string::npos) << read_fault(change(slope, from, to));
+  EXPECT_DOUBLE_EQ(read_case_text(change(slope, "\"30 deg\"", "\"30°\""), "").data.materials.at("sand").friction_angle,
+                   read_case_text(slope, "").data.materials.at("sand").friction_angle);
+}
+
+TEST(File, InAnotherEncodingIsToBeSavedAsUtf8) {
+  std::string latin = change(slope, "Dry homogeneous slope", "B\xF6schung");
+  const auto faults = find_faults(latin);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].line, 1);
+  EXPECT_EQ(faults[0].column, 11);
+  EXPECT_NE(faults[0].sentence.find("save it as UTF-8"), std::string::npos) << faults[0].sentence;
+  for (const bool has_mark : {true, false})
+    for (const bool is_big : {true, false}) {
+      std::string wide = !has_mark ? "" : is_big ? "\xFE\xFF" : "\xFF\xFE";
+      for (const char c : slope) wide += is_big ? std::string{'\0', c} : std::string{c, '\0'};
+      EXPECT_EQ(read_fault(wide), "the file is in UTF-16; save it as UTF-8");
+    }
+  EXPECT_TRUE(find_faults("\xEF\xBB\xBF" + change(slope, "Dry homogeneous", "Böschung")).empty()) << "a mark of UTF-8";
+}
+
 }  // namespace
 }  // namespace talus::input

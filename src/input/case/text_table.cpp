@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 
@@ -50,6 +51,7 @@ TextTable::TextTable(const std::filesystem::path& path) : file_(path.string()) {
     report_fault(fmt::format("there is no table '{}'; its path is relative to the case file", file_));
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
+    if (number == 1 && is_utf16(line)) report_fault(fmt::format("'{}' is in UTF-16; save it as UTF-8", file_));
     if (number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // as spreadsheets begin their texts
     if (trim(line).empty() || trim(line)[0] == '#') continue;
     if (separator_ == 0) {

@@ -14,7 +14,7 @@ namespace {
 /// as deep as the ground is wide: a water table along the ground is a load of rounding alone.
 constexpr double rounding_of_loads = 1e-6, rounding_of_water = 1e-12;
 /// Places at which a side is looked at.
-constexpr int places = 9;
+constexpr int side_samples = 9;
 
 /// A polyline at x, level beyond its ends; `y` of equal length.
 double interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
@@ -64,8 +64,8 @@ std::optional<std::string> find_wrong_load(const input::Case& data, const std::v
     const Vec<2> normal{rise / length, run / length};
     left = std::min({left, side.from[0], side.to[0]}), right = std::max({right, side.from[0], side.to[0]});
     if (normal[1] < 1e-6) continue;  // a vertical step has its water beside it
-    for (int i = 1; i <= places; ++i) {
-      const double s = static_cast<double>(i) / (places + 1);
+    for (int i = 1; i <= side_samples; ++i) {
+      const double s = static_cast<double>(i) / (side_samples + 1);
       const Vec<2> x{side.from[0] - s * run, side.from[1] + s * rise};
       const Vec<2> of_case = given.find(x, normal);
       double off = 0;
