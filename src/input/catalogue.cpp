@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -83,6 +85,20 @@ class Collector {
   BlockEntry& block_;
 };
 
+/// Adds a phrase for each key, block and choice of `block` and the blocks within that is called `word`.
+void gather_owners(const BlockEntry& block, const std::string& word, std::vector<std::string>& phrases) {
+  const std::string header = block.name.empty() ? "the top of the file" : block.write_header();
+  for (const KeyEntry& key : block.keys) {
+    if (key.name == word && block.kind != BlockKind::entries) phrases.push_back("it is a key of " + header);
+    for (const auto& choice : key.words)
+      if (choice.first == word) phrases.push_back(fmt::format("it belongs to '{}' in {}", key.name, header));
+  }
+  for (const BlockEntry& inner : block.blocks) {
+    if (inner.key == word && !block.name.empty()) phrases.push_back("write " + inner.write_header());
+    gather_owners(inner, word, phrases);
+  }
+}
+
 }  // namespace
 
 const std::string& KeyEntry::get_example(std::size_t i) const {
@@ -97,6 +113,13 @@ std::string BlockEntry::write_header(const std::string& chosen_name) const {
   if (kind == BlockKind::list) return "[[" + name + "]]";
   if (kind == BlockKind::named) return "[" + name + "." + chosen_name + "]";
   return "[" + name + "]";
+}
+
+std::string describe_owners(const std::string& word) {
+  std::vector<std::string> phrases;
+  gather_owners(collect_catalogue(), word, phrases);
+  if (phrases.empty() || phrases.size() > 2) return "";
+  return phrases.size() == 1 ? phrases[0] : phrases[0] + ", or " + phrases[1];
 }
 
 BlockEntry collect_catalogue() {

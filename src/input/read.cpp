@@ -21,6 +21,7 @@
 #include "input/case/harmful.hpp"
 #include "input/case/series_file.hpp"
 #include "input/case/uncertain_number.hpp"
+#include "input/catalogue.hpp"
 #include "input/echo.hpp"
 #include "input/language/apply_overrides.hpp"
 #include "input/language/codecs.hpp"
@@ -87,6 +88,7 @@ void drop_absent_blocks(nlohmann::json& echo, const Places& places) {
 /// The case without what needs several readings of it: values of a study, soils of element tests. `root` is the file's.
 std::optional<LoadedCase> read_once(toml::table root, const std::string& name, const std::vector<Override>& overrides,
                                     CaseScope scope, Findings& findings) {
+  findings.describe_owners = describe_owners;
   apply_overrides(root, overrides, findings);
   check_format(root, findings.places);
   LoadedCase loaded;

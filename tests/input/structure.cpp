@@ -164,5 +164,13 @@ TEST(File, InAnotherEncodingIsToBeSavedAsUtf8) {
   EXPECT_TRUE(find_faults("\xEF\xBB\xBF" + change(slope, "Dry homogeneous", "Böschung")).empty()) << "a mark of UTF-8";
 }
 
+TEST(UnknownKey, OfAnotherBlockSaysWhereItBelongs) {
+  expect_fault(slope + "[analysis]\nmethods = [@@\"bishop\"]\n",
+               "'bishop' is no choice for 'methods'; it belongs to 'methods' in [lem]; choose one of lem, fem");
+  expect_fault(slope + "[analysis]\n@@noncircular = false\n",
+               "unknown key 'noncircular' in [analysis]; it is a key of [lem]");
+  expect_fault(slope + "[analysis.@@tension_crack]\ndepth = 2\n", "write [lem.tension_crack]");
+}
+
 }  // namespace
 }  // namespace talus::input

@@ -187,9 +187,11 @@ bool decode_word(const Decoding& in, const toml::node& node, const std::string& 
   for (out = 0; out < words.size(); ++out)
     if (words[out] == text->get()) return true;
   const std::string near = find_nearest(text->get(), words);
+  std::string hint = near.empty() ? "" : fmt::format("did you mean '{}'? ", near);
+  if (near.empty() && in.findings.describe_owners)
+    if (const std::string owners = in.findings.describe_owners(text->get()); !owners.empty()) hint = owners + "; ";
   return in.fail(node, path,
-                 fmt::format("'{}' is no choice for '{}'; {}choose one of {}", text->get(), in.key,
-                             near.empty() ? "" : fmt::format("did you mean '{}'? ", near), join(words)));
+                 fmt::format("'{}' is no choice for '{}'; {}choose one of {}", text->get(), in.key, hint, join(words)));
 }
 
 json encode_number(double si, const Spec& spec) {

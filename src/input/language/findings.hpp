@@ -2,6 +2,7 @@
 #pragma once
 // Where in the file each key stands, and what is wrong or odd about it.
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -61,6 +62,8 @@ class Findings {
   bool empty() const { return diagnostics_.empty(); }
 
   Places& places;
+  /// Keys and choices of whole cases by their name: "it is a key of [lem]"; empty where no block has it. Not set: none.
+  std::function<std::string(const std::string& word)> describe_owners;
 
  private:
   struct Warning {

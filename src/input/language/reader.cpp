@@ -146,12 +146,16 @@ void Reader::leave() {
     const std::string name(key.str());
     if (std::find(scope.known.begin(), scope.known.end(), name) != scope.known.end()) continue;
     const std::string near = find_nearest(name, scope.known);
+    const std::string owners =
+        near.empty() && findings_.describe_owners ? findings_.describe_owners(name) : std::string();
     const std::string path = scope.path.empty() ? name : scope.path + "." + name;
     const toml::source_position at = key.source().begin;
-    findings_.add_unknown_key(
-        findings_.places.locate(path, static_cast<int>(at.line), static_cast<int>(at.column)), path,
-        fmt::format("unknown key '{}' {}; {}", name, write_place(scope.header),
-                    near.empty() ? "known are " + join_quoted(scope.known) : fmt::format("did you mean '{}'?", near)));
+    findings_.add_unknown_key(findings_.places.locate(path, static_cast<int>(at.line), static_cast<int>(at.column)),
+                              path,
+                              fmt::format("unknown key '{}' {}; {}", name, write_place(scope.header),
+                                          !near.empty()     ? fmt::format("did you mean '{}'?", near)
+                                          : !owners.empty() ? owners
+                                                            : "known are " + join_quoted(scope.known)));
   }
 }
 
