@@ -18,11 +18,15 @@ TEST(Regions, ReportMistypedNames) {
   expect_fault(slope + "[initial.velocity]\nrock = @@[1, 0]\n", "there is no region 'rock'; known: soil");
 }
 
-TEST(Materials, MustBeUsed) {
-  expect_fault("[materials.sand]",
-               "@@[materials.rock]\nmodel = \"linear_elastic\"\ngrain_density = 2700\nporosity = 0.1\n"
-               "young_modulus = 1e6\npoisson_ratio = 0.2\n\n[materials.sand]",
-               "material 'rock' is not used");
+TEST(Materials, ThatNoRegionUsesAreAWarning) {
+  const LoadedCase loaded =
+      read_case_text(change(slope, "[materials.sand]",
+                            "[materials.rock]\nmodel = \"linear_elastic\"\ngrain_density = 2700\nporosity = 0.1\n"
+                            "young_modulus = 1e6\npoisson_ratio = 0.2\n\n[materials.sand]"),
+                     "slope.toml");
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_EQ(loaded.warnings[0].line, 18);
+  EXPECT_EQ(loaded.warnings[0].sentence, "material 'rock' is not used: no region in [regions] has it");
 }
 
 TEST(Materials, CannotCarryMoreTensionThanTheApex) {
@@ -67,8 +71,14 @@ TEST(Names, MustDiffer) {
 TEST(Polygon, NeedsThreeCornersThatAreNotRepeated) {
   const std::string corners = "[[0, 0], [44, 0], [44, 5], [32, 5], [12, 15], [0, 15]]";
   expect_fault(corners, "@@[[0, 0], [44, 0]]", "polygon 'soil' has 2 points; it needs at least 3");
-  expect_fault(corners, "[@@[0, 0], [44, 0], [44, 5], [0, 0]]", "repeats its point (0, 0)");
+  expect_fault(corners, "[[0, 0], [44, 0], @@[44, 0], [44, 5]]", "repeats its point (44, 0)");
   expect_fault(corners, "[[0, 0], @@[44, 0], [20, 0]]", "turns back on itself at (44, 0)");
+}
+
+TEST(Polygon, MayEndWithItsFirstCorner) {
+  const std::string closed = change(slope, "[0, 15]]", "[0, 15], [0, 0]]");
+  EXPECT_EQ(read_case_text(closed, "slope.toml").data.mesh.polygons[0].points,
+            read_case_text(slope, "slope.toml").data.mesh.polygons[0].points);
 }
 
 TEST(Polygon, MustNotCrossItselfNorLeaveTheBox) {

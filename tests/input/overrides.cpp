@@ -34,8 +34,9 @@ TEST(Override, OfARegionMayLeaveAMaterialOver) {
   const std::string two = change(slope, "[regions]\n",
                                  "[materials.rock]\nmodel = \"linear_elastic\"\ngrain_density = 2700\nporosity = 0\n"
                                  "young_modulus = 1e6\npoisson_ratio = 0.2\n\n[regions]\n");
-  EXPECT_EQ(find_faults(two).size(), 1u) << "in the file it is a slip";
-  EXPECT_TRUE(find_faults(two, {{"regions.soil", "rock"}}).empty()) << "here it compares two soils";
+  EXPECT_EQ(read_case_text(two, "slope.toml").warnings.size(), 1u) << "in the file it is a slip";
+  EXPECT_TRUE(read_case_text(two, "slope.toml", {{"regions.soil", "rock"}}).warnings.empty())
+      << "here it compares two soils";
 }
 
 TEST(Override, IsNamedInItsErrors) {

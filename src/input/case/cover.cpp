@@ -53,6 +53,11 @@ bool has_sound_polygons(const Case& data, const Findings& findings) {
          findings.is_sound("geometry.box") && findings.is_sound("geometry.line");
 }
 
+/// Other programs close a polygon with its first corner.
+void drop_closing_corner(mesh::Polygon& polygon) {
+  if (polygon.points.size() > 3 && polygon.points.front() == polygon.points.back()) polygon.points.pop_back();
+}
+
 /// What the mesh generator would refuse, where there will be a mesh.
 void check_for_mesher(const Case& data, Findings& findings) {
   const bool has_bounds = uses(data, Method::bounds);
@@ -72,6 +77,7 @@ void check_for_mesher(const Case& data, Findings& findings) {
 }  // namespace
 
 void join_polygons(Case& data, Findings& findings) {
+  for (mesh::Polygon& polygon : data.mesh.polygons) drop_closing_corner(polygon);
   if (!has_sound_polygons(data, findings)) return;
   const std::vector<mesh::Joined> joined = mesh::join_corners(data.mesh);
   const double tolerance = mesh::get_section_tolerance(data.mesh);
@@ -87,6 +93,7 @@ void join_polygons(Case& data, Findings& findings) {
                     joined[i].to[0], joined[i].to[1]));
     i = end;
   }
+  for (mesh::Polygon& polygon : data.mesh.polygons) drop_closing_corner(polygon);
 }
 
 void check_cover(const Case& data, Findings& findings) {

@@ -74,7 +74,7 @@ void check_materials(const Case& data, Findings& findings) {
     if (findings.places.find("regions." + region).line == 0) return;
   for (const std::string& name : materials)
     if (used.count(name) == 0)
-      findings.add("materials." + name, fmt::format("material '{}' is not used: no region in [regions] has it", name));
+      findings.warn("materials." + name, fmt::format("material '{}' is not used: no region in [regions] has it", name));
 }
 
 Material::Material() = default;
