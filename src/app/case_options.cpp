@@ -6,7 +6,10 @@ namespace talus::app {
 void CaseOptions::add_to(const Command& command) {
   command.take("case", file, "The case file (TOML)").shown_as("CASE").required();
   // One value each, or "--set a=1 case.toml" would take the case file for a second change.
-  command.take("--set", sets, "Change a key of the case, for example --set materials.sand.cohesion=5; repeatable")
+  command
+      .take("--set", sets,
+            "Change a key of the case, as in --set materials.sand.cohesion=5; KEY= without a value removes the key or "
+            "table; repeatable")
       .shown_as("KEY=VALUE")
       .one_each();
 }

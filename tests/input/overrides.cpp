@@ -74,5 +74,32 @@ TEST(Override, IsWrittenAsKeyAndValue) {
   EXPECT_THROW(parse_override("=3"), Error);
 }
 
+TEST(Override, WithoutValueRemovesWhatTheFileGives) {
+  const std::string crack = slope + "[lem.tension_crack]\ndepth = 2\n";
+  EXPECT_DOUBLE_EQ(read_case_text(crack, "").data.lem.crack.depth, 2);
+  for (const char* key : {"lem.tension_crack.depth", "lem.tension_crack", "lem"})
+    EXPECT_DOUBLE_EQ(read_case_text(crack, "", {{key, ""}}).data.lem.crack.depth, 0) << key;
+  EXPECT_EQ(read_with({{"stage.failure", ""}}).stages.size(), 1u);
+  const auto missing = find_faults(slope, {{"materials.sand.cohesion", ""}});
+  ASSERT_EQ(missing.size(), 1u);
+  EXPECT_NE(missing[0].sentence.find("missing key 'cohesion'"), std::string::npos) << missing[0].sentence;
+  const auto unknown = find_faults(slope, {{"materials.snad", ""}});
+  ASSERT_EQ(unknown.size(), 1u);
+  EXPECT_EQ(to_string(unknown[0]),
+            "--set materials.snad: error: the file has no 'materials.snad' to remove; did you mean 'sand'?");
+}
+
+TEST(Override, ReplacesAWholeTable) {
+  const Case data =
+      read_with({{"materials.sand",
+                  "{ model = \"linear_elastic\", grain_density = 2700, porosity = 0.1, young_modulus = 1e6, "
+                  "poisson_ratio = 0.2 }"}});
+  EXPECT_DOUBLE_EQ(data.materials.at("sand").grain_density, 2700);
+  EXPECT_EQ(data.materials.at("sand").traits().word, std::string("linear_elastic"));
+  const auto faults = find_faults(slope, {{"materials.sand", "{ model = \"linear_elastic\" }"}});
+  ASSERT_EQ(faults.size(), 4u) << "every key that the new table lacks";
+  for (const Diagnostic& fault : faults) EXPECT_EQ(fault.file, "--set materials.sand");
+}
+
 }  // namespace
 }  // namespace talus::input

@@ -14,6 +14,11 @@
 namespace talus::input {
 namespace {
 
+/// A change that takes a key, a table or an entry out of the file: `--set lem.drawdown=`.
+bool is_removal(const Override& change) {
+  return change.value.empty();
+}
+
 /// The value as a table with the one key "v".
 toml::table parse_value(const std::string& text) {
   try {
@@ -92,8 +97,13 @@ void apply(toml::table& root, const Override& change, Findings& findings) {
         at = &child;
         continue;
       }
+      const auto place_in_list = list->cbegin() + static_cast<std::ptrdiff_t>(*entry);
+      if (is_removal(change)) {
+        list->erase(place_in_list);
+        return;
+      }
       toml::table value = parse_value(change.value);
-      value.get("v")->visit([&](auto& v) { list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(*entry), v); });
+      value.get("v")->visit([&](auto& v) { list->replace(place_in_list, v); });
     } else if (toml::table* table = at->as_table()) {
       path += (path.empty() ? "" : ".") + step;
       if (!is_last) {
@@ -107,6 +117,12 @@ void apply(toml::table& root, const Override& change, Findings& findings) {
         }
         at = table->get(step);
         continue;
+      }
+      if (is_removal(change)) {
+        if (table->erase(step) == 0)
+          findings.add_at(place, change.key,
+                          fmt::format("the file has no '{}' to remove{}", path, suggest(step, list_names(*table))));
+        return;
       }
       toml::table value = parse_value(change.value);
       value.get("v")->visit([&](auto& v) { table->insert_or_assign(step, v); });
