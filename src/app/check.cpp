@@ -106,7 +106,7 @@ std::string summarise(const input::Case& data) {
 }  // namespace
 
 void add_check(CLI::App& app) {
-  const Command command(app, "check", "Check a case file and report all of its faults");
+  const Command command(app, "check", "Check a case file: list all of its faults, or what it would calculate");
   const auto options = std::make_shared<CaseOptions>();
   options->add_to(command);
   command.act([options] {

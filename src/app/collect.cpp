@@ -49,9 +49,9 @@ void collect(const std::string& name) {
 }  // namespace
 
 void add_collect(CLI::App& app) {
-  const Command command(app, "collect", "Make result files of the frames that a killed run left behind");
+  const Command command(app, "collect", "Write the result files of a run that was killed, from its frames");
   const auto folder = std::make_shared<std::string>();
-  command.take("DIR", *folder, "folder of the results; trials and variants below it are collected too").required();
+  command.take("DIR", *folder, "Folder of the results, with those of its trials and variants").required();
   command.act([folder] { collect(*folder); });
 }
 

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -62,7 +63,14 @@ Argument Argument::required() const {
 }
 
 Argument Argument::positive() const {
-  return Argument(option_->check(CLI::PositiveNumber));
+  const auto refuse = [](const std::string& text) {
+    int number = 0;
+    const char* end = text.data() + text.size();
+    const auto [last, failure] = std::from_chars(text.data(), end, number);
+    if (failure == std::errc{} && last == end && number > 0) return std::string();
+    return fmt::format("'{}' must be a whole number of at least 1; leave the option out for its default", text);
+  };
+  return Argument(option_->check(CLI::Validator(refuse, "POSITIVE")));
 }
 
 Argument Argument::one_of(const std::vector<std::string>& words) const {
@@ -104,17 +112,19 @@ void Command::act(std::function<void()> action) const {
 
 int run_command_line(int argc, char** argv) {
   check_asked_level();
-  CLI::App app{"Talus: slope stability and runout by the material point method", "talus"};
+  CLI::App app{
+      "Talus: slope stability and runout by limit equilibrium, finite elements, limit analysis and material points",
+      "talus"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", write_version(), "Print what `talus version` prints");
+  app.set_version_flag("--version", write_version(), "Print the version, as `talus version`");
   app.add_flag_callback(
       "--level",
       [] {
         fmt::print("{}\n", instruction_level);
         throw CLI::Success();
       },
-      "Print the level of the instruction set that this program uses here");
-  app.footer("`talus COMMAND --help` explains a command; `talus manual` lists every key of a case file.");
+      "Print the instruction set level that is used on this machine");
+  app.footer("`talus COMMAND --help` lists the options of a command, `talus manual` every key of a case file.");
   for (const auto add : {add_run, add_study, add_collect, add_point, add_calibrate, add_plot, add_report, add_check,
                          add_manual, add_template, add_schema, add_version})
     add(app);

@@ -94,21 +94,18 @@ void plot_folder(const PlotOptions& options) {
 }  // namespace
 
 void add_plot(CLI::App& app) {
-  const Command command(
-      app, "plot",
-      "Draw the curve, the fields or the slip surfaces of a run's results, or the soil-water curves of a case");
+  const Command command(app, "plot",
+                        "Draw curve, fields or slip surfaces of results, or the soil-water curves of a case");
   const auto options = std::make_shared<PlotOptions>();
-  command.take("DIR", options->folder, "folder of the results, or a case file: its soil-water curves").required();
-  command.take("--field", options->field,
-               "field to draw, as it is stored; a component as NAME.xx, NAME.x, NAME.magnitude or NAME.mean");
-  const Argument frame =
-      command.take("--frame", options->frame, "number of the frame, counted from 0, or 'last' (default)");
-  command.take("--time", options->time, "draw the frame nearest to this time [s]").excludes(frame);
-  command.take("--format", options->format, "svg (default) or png (default for more than 20 000 points)")
+  command.take("DIR", options->folder, "Folder of the results; or a case file, for its soil-water curves").required();
+  command.take("--field", options->field, "Field to draw; a component as NAME.xx, NAME.x, NAME.magnitude or NAME.mean");
+  const Argument frame = command.take("--frame", options->frame, "Number of the frame, from 0, or 'last' (default)");
+  command.take("--time", options->time, "Draw the frame nearest to this time [s]").excludes(frame);
+  command.take("--format", options->format, "svg (default) or png (default above 20,000 points)")
       .one_of({"svg", "png"});
-  command.take("--out", options->out, "file of the one picture; its ending, .svg or .png, decides the format");
-  command.flag("--log", options->logarithmic, "logarithmic displacement axis of the curve");
-  command.take("--set", options->sets, "change a key of the case, for example --set materials.sand.water.lambda=0.3")
+  command.take("--out", options->out, "File of the picture; its ending, .svg or .png, sets the format");
+  command.flag("--log", options->logarithmic, "Draw the displacements of the curve on a logarithmic axis");
+  command.take("--set", options->sets, "Change a key of the case, as in --set materials.sand.water.lambda=0.3")
       .shown_as("KEY=VALUE")
       .one_each();
   command.act([options] { fs::is_regular_file(options->folder) ? plot_case(*options) : plot_folder(*options); });

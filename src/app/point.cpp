@@ -39,12 +39,12 @@ void run_tests(PointCommand& command) {
 }  // namespace
 
 void add_point(CLI::App& app) {
-  const Command command(app, "point", "Calculate the element tests of a case: one point, no mesh");
+  const Command command(app, "point", "Run the element tests of a case: one material point, no mesh");
   const auto options = std::make_shared<PointCommand>();
   options->input.add_to(command);
   command.take("-o,--output,--out", options->options.folder,
                "Folder for the results, which may be that of a run (default: the case's name with _point)");
-  command.take("--test", options->options.names, "Calculate only the test of this name; may be repeated").one_each();
+  command.take("--test", options->options.names, "Run only the test of this name; repeatable").one_each();
   command.take("--pictures", options->options.pictures, "Format of the pictures (default: svg)").one_of({"svg", "png"});
   command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
   command.flag("-q,--quiet", options->quiet, "Print errors only");

@@ -15,8 +15,7 @@ namespace talus::app {
 void add_report(CLI::App& app) {
   const Command command(app, "report", "Write a report of a run or a study as one HTML file");
   const auto folder = std::make_shared<std::string>();
-  command.take("DIR", *folder, "folder of the results of a run, finished or not, or of a study; gets report.html")
-      .required();
+  command.take("DIR", *folder, "Folder of the results of a run or a study; report.html is written there").required();
   command.act([folder] { fmt::print("{}\n", report::write_report(*folder).string()); });
 }
 

@@ -143,17 +143,18 @@ void run(RunCommand command) {
 }  // namespace
 
 void add_run(CLI::App& app) {
-  const Command command(app, "run", "Calculate a case");
+  const Command command(app, "run", "Run a case by all methods that it names, and write results and a report");
   const auto options = std::make_shared<RunCommand>();
   options->input.add_to(command);
   command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _results)");
-  command.take("--threads", options->threads, "Threads to use (default: all cores; of several ranks each has one)")
+  command.take("--threads", options->threads, "Threads to use (default: all cores; one for each rank under mpiexec)")
       .positive();
-  command.take("--device", options->device, "What takes material points through their steps: cpu (default) or gpu");
-  const Argument resume = command.flag("--resume", options->resume, "Go on with an interrupted run in the same folder");
+  command.take("--device", options->device, "Device for the material point method: cpu (default) or gpu");
+  const Argument resume = command.flag("--resume", options->resume, "Resume an interrupted run in the same folder");
   command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);
   command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
-  command.flag("--strict", options->strict, "End with code 4 when a stage that was to end at rest still moves");
+  command.flag("--strict", options->strict,
+               "Exit with code 4 if the soil still moves at the end of a stage with until = \"rest\"");
   command.flag("-q,--quiet", options->quiet, "Print errors only");
   command.act([options] { run(*options); });
 }

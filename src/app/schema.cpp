@@ -15,7 +15,7 @@ namespace talus::app {
 void add_schema(CLI::App& app) {
   const Command command(app, "schema", "Print the JSON Schema of case files, for editors");
   const auto of_results = std::make_shared<bool>(false);
-  command.flag("--results", *of_results, "Print that of summary.json, the results of a run");
+  command.flag("--results", *of_results, "Print the schema of summary.json, the results of a run, instead");
   command.act([of_results] {
     if (*of_results)
       fmt::print("{}", results::write_schema());

@@ -99,16 +99,20 @@ void run_study(const StudyCommand& command) {
 /// What the words of the command line mean together.
 void choose(const StudyCommand& command) {
   const auto refuse = [](const std::string& sentence) { throw Error(ExitCode::wrong_input, sentence); };
-  if (const int started = count_started(); started > 1)
-    refuse(fmt::format("{} ranks do not share a study: prepare its jobs (--prepare), and start each one alone (--job)",
-                       started));
+  // A job is calculated alone, also where each rank of a launcher starts one.
+  if (const int started = count_started(); started > 1 && command.job == no_job)
+    refuse(fmt::format(
+        "a study does not run on {} ranks of MPI: prepare its jobs (--prepare) and run each of them (--job K)",
+        started));
   std::error_code unknown;
   const bool is_folder = std::filesystem::is_directory(command.input.file, unknown);
   const bool has_jobs = command.collects || command.job != no_job;
-  if (command.jobs > 0 && command.prepared.empty()) refuse("--jobs says into how many jobs --prepare cuts a study");
+  if (command.jobs > 0 && command.prepared.empty())
+    refuse("--jobs needs --prepare: it is the number of jobs that --prepare writes");
   if (!has_jobs && is_folder)
-    refuse(fmt::format("'{}' is a folder; of one with jobs --job K calculates a job and --collect gathers them",
-                       command.input.file));
+    refuse(fmt::format(
+        "'{}' is a folder, not a case file; for a folder of jobs give --job K to run a job, or --collect to gather all",
+        command.input.file));
   if (!has_jobs) return command.prepared.empty() ? run_study(command) : prepare_jobs(command);
   const std::string word = command.collects ? "--collect" : "--job";
   if (!command.input.sets.empty())
@@ -122,34 +126,41 @@ void choose(const StudyCommand& command) {
 }  // namespace
 
 void add_study(CLI::App& app) {
-  const Command command(app, "study", "Calculate a case for every value that its [study] lists");
+  const Command command(app, "study", "Run a case for every value, or every sample, of its [study]");
   const auto options = std::make_shared<StudyCommand>();
   options->input.add_to(command);
   const Argument output =
       command.take("-o,--output", options->folder, "Folder for the results (default: the case's name with _study)");
-  command.take("--threads", options->threads, "Variants to calculate side by side (default: all cores)").positive();
+  command.take("--threads", options->threads, "Runs at the same time (default: as many as there are cores)").positive();
   const Argument resume =
-      command.flag("--resume", options->resume, "Keep finished variants and go on with interrupted ones");
+      command.flag("--resume", options->resume, "Keep the finished runs and resume the interrupted ones");
   const Argument overwrite =
       command.flag("--overwrite", options->overwrite, "Replace results that are in the folder").excludes(resume);
   const Argument no_report =
       command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
-  const Argument prepare =
-      command.take("--prepare", options->prepared, "Calculate nothing: write the study's jobs into this folder")
-          .shown_as("DIR")
-          .excludes(output)
-          .excludes(no_report);
-  command.take("--jobs", options->jobs, "Jobs to prepare (default: one for each run, or for 1,000 samples by slices)")
+  const Argument prepare = command
+                               .take("--prepare", options->prepared,
+                                     "Only write the jobs of the study into this folder, to be run elsewhere")
+                               .shown_as("DIR")
+                               .excludes(output)
+                               .excludes(no_report);
+  command
+      .take(
+          "--jobs", options->jobs,
+          "Number of jobs that --prepare writes (default: one for each run, or for 1,000 samples by limit equilibrium)")
       .positive();
-  const Argument job =
-      command.take("--job", options->job, "CASE is a folder of jobs: calculate the one with this number, from 0")
-          .shown_as("K")
-          .excludes(output)
-          .excludes(no_report)
-          .excludes(resume)
-          .excludes(overwrite)
-          .excludes(prepare);
-  command.flag("--collect", options->collects, "CASE is a folder of jobs: gather their results into the tables")
+  const Argument job = command
+                           .take("--job", options->job,
+                                 "Run the job with this number, from 0; CASE is the folder that --prepare has written")
+                           .shown_as("K")
+                           .excludes(output)
+                           .excludes(no_report)
+                           .excludes(resume)
+                           .excludes(overwrite)
+                           .excludes(prepare);
+  command
+      .flag("--collect", options->collects,
+            "Gather the results of all jobs; CASE is the folder that --prepare has written")
       .excludes(output)
       .excludes(resume)
       .excludes(overwrite)

@@ -30,7 +30,7 @@ void check_asked_level() {
 }
 
 void add_version(CLI::App& app) {
-  Command(app, "version", "Print the version, the source it was built from, and how").act([] {
+  Command(app, "version", "Print the version, its source revision and its build").act([] {
     fmt::print("{}\n", write_version());
   });
 }

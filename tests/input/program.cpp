@@ -216,5 +216,27 @@ TEST(Program, PrintsASchemaThatIsJson) {
   EXPECT_TRUE(schema["properties"].contains("materials"));
 }
 
+TEST(Program, AsksForWholeNumbersOfThreads) {
+  const std::string path = write_file("talus_threads.toml", slices_alone);
+  for (const char* given : {"0", "-1", "1.5", "x", "99999999999"}) {
+    const Outcome outcome = run_program("run --threads " + std::string(given) + " " + path);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.text.find("--threads: '" + std::string(given) + "' must be a whole number of at least 1"),
+              std::string::npos)
+        << outcome.text;
+  }
+}
+
+/// Each rank of a launcher may run a job of its own.
+TEST(Program, RunsAJobUnderALauncherAndNoStudy) {
+  const std::string path = write_file(
+      "talus_ranks.toml", slices_alone + "[[study.vary]]\nkey = \"materials.soil.cohesion\"\nvalues = [3, 4]\n");
+  const Outcome study = run_program("study " + path, "PMI_SIZE=4");
+  EXPECT_EQ(study.code, 2);
+  EXPECT_NE(study.text.find("a study does not run on 4 ranks"), std::string::npos) << study.text;
+  const Outcome job = run_program("study " + testing::TempDir() + " --job 0", "PMI_SIZE=4");
+  EXPECT_EQ(job.text.find("ranks"), std::string::npos) << job.text;
+}
+
 }  // namespace
 }  // namespace talus::input
