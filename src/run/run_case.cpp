@@ -410,7 +410,9 @@ std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {
 }
 
 void check_methods(const input::Case& data) {
-  if (input::uses(data, Method::lem) && !ground::needs_seepage(data)) prepare_slope(data);
+  // Levels before and after a drawdown are compared in the section; steady seepage is found for it in seconds.
+  const bool compares_levels = data.lem.drawdown && data.initial.water.season == 0;
+  if (input::uses(data, Method::lem) && (compares_levels || !ground::needs_seepage(data))) prepare_slope(data);
   if (input::uses(data, Method::fem) || asks_for_elements(data)) check_solid(data);
   if (!input::uses(data, Method::bounds)) return;
   check_bounds(data);
