@@ -18,7 +18,7 @@ class MethodFactor:
     method: str  #: "lem", "fem", "bounds", "mpm": slices, finite elements, proven bounds, material points
     name: str  #: "spencer", "as_given", "frozen"
     title: str  #: in words
-    criterion: str  #: "critical circle", "no equilibrium"
+    criterion: str  #: "critical circle", "non-convergence"
     surface: str  #: name of its surface in `Results.surfaces`; empty where it has none
     factor: Optional[float]
     lower: Optional[float]  #: the largest factor that is known to stand

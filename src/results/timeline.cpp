@@ -54,7 +54,7 @@ std::string say_failure(const Timeline& t) {
       fmt::format("The factor of safety falls below {:g} between {} and {}, where it is {:.4f} and {:.4f}. ", t.target,
                   say_moment(t, f.from), say_moment(t, f.to), f.factor_from, f.factor_to);
   if (f.earliest < f.from || f.latest != f.to)
-    text += fmt::format("With the {:g} % by which searches scatter it falls {}. ", 100 * search_scatter,
+    text += fmt::format("Allowing ± {:g} % for the search, it fails {}. ", 100 * search_scatter,
                         f.latest ? fmt::format("between {} and {}", say_moment(t, f.earliest), say_moment(t, *f.latest))
                                  : fmt::format("after {}, or not at all", say_moment(t, f.earliest)));
   return text + least;
@@ -67,9 +67,9 @@ std::string say_loss(const Timeline& t) {
   if (!t.equilibrium || !t.equilibrium->to) return "";
   const EquilibriumLoss& loss = *t.equilibrium;
   if (!loss.from)
-    return fmt::format("Finite elements with the strength as given find no equilibrium at {}. ",
+    return fmt::format("Finite elements with the strength as given do not converge at {}. ",
                        say_moment(t, *loss.to));
-  return fmt::format("Finite elements with the strength as given find equilibrium at {} and none at {}. ",
+  return fmt::format("Finite elements with the strength as given converge at {} and not at {}. ",
                      say_moment(t, *loss.from), say_moment(t, *loss.to));
 }
 

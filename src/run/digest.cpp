@@ -217,12 +217,12 @@ std::string write_water(const results::RunResult& run) {
   if (const auto& w = run.season)
     text += fmt::format(
         "Season of {:.4g} days: {:.3g} m³ of rain and inflow entered, {:.3g} m³ left, {:.3g} of {:.3g} m³ transpired; "
-        "closes to {:.1g}\n",
+        "water balance error {:.1g} of the total\n",
         w->duration / 86400, w->inflow, w->outflow, w->transpired, w->potential, std::abs(w->error));
   if (const auto& w = run.water)
     text += fmt::format(
-        "Water: {:.5g} kg at the start, {:.3g} kg came in, {:.3g} kg left, {:.5g} kg now; closes to "
-        "{:.1g}\n",
+        "Water: {:.5g} kg at the start, {:.3g} kg came in, {:.3g} kg left, {:.5g} kg now; water balance "
+        "error {:.1g} of the total\n",
         w->initial, w->entered, w->left, w->stored, std::abs(w->error));
   return text;
 }

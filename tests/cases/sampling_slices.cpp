@@ -118,7 +118,7 @@ highest = "3 m"
   EXPECT_TRUE(block.at("check").is_null());
   EXPECT_EQ(block.at("factor").at("count"), 6);
   EXPECT_LT(block.at("ranks")[0].at("coefficient").get<double>(), 0);
-  EXPECT_NE(block.at("notes").dump().find("searched for itself"), std::string::npos);
+  EXPECT_NE(block.at("notes").dump().find("searched anew for every sample"), std::string::npos);
 }
 
 TEST(SamplingSlices, CorrelationIsThatOfTheCaseAndChangesTheAnswer) {

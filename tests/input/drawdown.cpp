@@ -35,9 +35,9 @@ TEST(Drawdown, ReadsItsKeys) {
 TEST(Drawdown, NeedsWaterThatFalls) {
   expect_fault(slices_alone + envelope + "@@" + three_stages, "there is no water to draw down");
   expect_fault(drawn + "[lem.drawdown]\nmethod = \"three_stage\"\nwater_table = @@[[0, 34.5]]\n",
-               "at y = 34.5 m over x = 0 m, above that of [initial] at 34 m");
+               "At x = 0 m the water table after drawdown (34.5 m) is above the one before (34 m)");
   expect_fault(drawn + "[lem.drawdown]\nmethod = \"three_stage\"\nwater_table = @@[[0, 30], [90, 36]]\n",
-               "over x = 90 m, above that of [initial]");
+               "At x = 90 m the water table after drawdown (36 m) is above");
   EXPECT_TRUE(find_faults(drawn + "[lem.drawdown]\nmethod = \"three_stage\"\nwater_table = [[0, 34]]\n").empty());
   expect_fault(drawn + "[lem.drawdown]\nmethod = \"three_stage\"\nwater_table = @@[]\n", "needs at least one point");
   expect_fault(drawn + "[lem.drawdown]\nmethod = \"three_stage\"\nwater_table = [[5, 20], @@[0, 20]]\n",

@@ -159,7 +159,7 @@ TEST_F(WetReport, TheBudgetClosesWithWhatPassedEachSurface) {
               1e-9 * of("stored"));
   EXPECT_GT(runoff, 0) << "all rain enters, so runoff is not tested";
   EXPECT_NEAR(of("runoff"), runoff, 1e-12 * runoff);
-  EXPECT_SAYS(join_all(wet.at("answer").at("sentences")), "of rain ran off; the water budget closes to");
+  EXPECT_SAYS(join_all(wet.at("answer").at("sentences")), "of rain ran off; the water budget balances to");
 }
 
 TEST_F(WetReport, ColumnsOfHistoriesAreDescribed) {

@@ -94,7 +94,7 @@ class Reduction {
       factor *= 0.5;
     }
     throw Error(ExitCode::wrong_input,
-                fmt::format("the soil finds no equilibrium even with its strength multiplied by {:g}: check weights, "
+                fmt::format("finite elements do not converge even with the strength multiplied by {:g}: check weights, "
                             "supports and pore pressures",
                             1 / options_.smallest));
   }

@@ -31,9 +31,9 @@ void check_fall(const Line& before, const Line& after, Findings& findings) {
       const double from = find_level(before, x), to = find_level(after, x);
       if (to <= from + rounding * std::max(1.0, std::abs(from))) continue;
       return findings.add("lem.drawdown.water_table",
-                          fmt::format("the water table after drawdown is at y = {:.6g} m over x = {:.6g} m, above that "
-                                      "of [initial] at {:.6g} m; drawdown lowers the water",
-                                      to, x, from));
+                          fmt::format("At x = {:.6g} m the water table after drawdown ({:.6g} m) is above the one "
+                                      "before ({:.6g} m); drawdown lowers the water",
+                                      x, to, from));
     }
 }
 

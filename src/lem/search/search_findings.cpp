@@ -35,7 +35,7 @@ std::string describe_refusals(const std::map<Refusal, long>& refused, long tried
   std::string text;
   for (const auto& [count, reason] : reasons)
     text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", name_refusal(reason), group_digits(count));
-  return fmt::format("of {} surfaces tried, refused: {}", group_digits(tried), text.empty() ? "none" : text);
+  return fmt::format("of {} surfaces tried, rejected: {}", group_digits(tried), text.empty() ? "none" : text);
 }
 
 std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& options, const SearchResult& result,

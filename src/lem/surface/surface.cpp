@@ -21,7 +21,7 @@ const char* name_refusal(Refusal refusal) {
     case Refusal::below_base:
       return "reaches below the base";
     case Refusal::no_driving:
-      return "nothing drives it";
+      return "no driving force";
     case Refusal::m_alpha:
       return "m_alpha too small";
     case Refusal::tension:
@@ -29,9 +29,9 @@ const char* name_refusal(Refusal refusal) {
     case Refusal::thrust:
       return "line of thrust outside the sliding mass";
     case Refusal::not_converged:
-      return "equations have no solution";
+      return "no convergence";
     case Refusal::lambda:
-      return "lambda is not that of soil";
+      return "λ outside its limits";
     case Refusal::steep_toe:
       return "passive end too steep";
     case Refusal::kinks:

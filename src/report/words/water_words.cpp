@@ -219,7 +219,8 @@ class WaterAssumptions {
 
 std::string tell_closure(double error) {
   const double size = std::abs(error);
-  return size < 1e-12 ? "closes to round-off" : "closes to " + show_number(size, 1) + " of the water in the model";
+  return size < 1e-12 ? "balances to round-off"
+                      : "has an error of " + show_number(size, 1) + " of the water in the model";
 }
 
 }  // namespace

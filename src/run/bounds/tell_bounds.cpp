@@ -121,7 +121,7 @@ std::vector<std::string> list_warnings(const results::BoundsResult& told, const 
   const double gap = 2 * (*told.upper - *told.lower) / (*told.upper + *told.lower);
   if (gap > told.asked_gap)
     warnings.push_back(fmt::format(
-        "the interval is {:.2g} % wide, and {:.2g} % was asked for: {}", 100 * gap, 100 * told.asked_gap,
+        "the interval is {:.2g} % wide, wider than the {:.2g} % of [bounds] gap: {}", 100 * gap, 100 * told.asked_gap,
         found.stopped.empty()
             ? fmt::format("the last mesh has {} triangles, give more 'triangles' in [bounds]", found.problem.size())
             : found.stopped));

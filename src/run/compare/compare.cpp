@@ -123,7 +123,7 @@ class Comparison {
     for (const results::ElementRun& run : fem.runs) {
       const std::string words = describe_flow(run), band = name_band(run.flow);
       results::MethodRow row =
-          begin_row(Method::fem, results::to_word(run.flow), "Finite elements, " + words, "no equilibrium",
+          begin_row(Method::fem, results::to_word(run.flow), "Finite elements, " + words, "non-convergence",
                     run.slip_line.empty() ? "" : band, run.slip_line.empty() ? Source::none : Source::band);
       row.label = words;
       row.measure = results::FactorMeasure::equilibrium;
@@ -141,7 +141,7 @@ class Comparison {
       if (run.verdict == results::Verdict::too_high) row.note = "above the proven upper bound; " + row.note;
       told_.table.push_back(row);
       if (run.by_displacement) {
-        row.criterion = "displacement runs away";
+        row.criterion = "sharp rise of displacement";
         row.measure = results::FactorMeasure::displacement;
         row.factor = run.by_displacement;
         row.lower = row.upper = row.seconds = std::nullopt;

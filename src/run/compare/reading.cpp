@@ -375,8 +375,8 @@ class Reading {
                              : s.method == Method::fem  ? "finite elements" + name_rule(s)
                                                         : "material points";
       say("In the {} the soil moves to both sides, along a line of its own on each.{}", of,
-          run_.slices ? fmt::format(" Slices are given the line of the soil that moves {}, which is nearer to their "
-                                    "own surface.",
+          run_.slices ? fmt::format(" Spencer's method was run on the slip surface of the soil that moves {}, the "
+                                    "nearer one to its own.",
                                     results::name_side(-*s.direction))
                       : "");
     }

@@ -270,9 +270,9 @@ void check_standing_water(const lem::Section& before, const lem::Section& after)
     if (to > from + near)
       throw Error(
           ExitCode::wrong_input,
-          fmt::format("after drawdown water stands at y = {:.6g} m over x = {:.6g} m, where before it the level "
-                      "is y = {:.6g} m: [lem.drawdown] water_table lowers the water",
-                      to, x, from));
+          fmt::format("At x = {:.6g} m the water after drawdown ({:.6g} m) is above the water before it ({:.6g} m): "
+                      "lower [lem.drawdown] water_table there",
+                      x, to, from));
   }
 }
 

@@ -67,10 +67,10 @@ std::string describe_restless(const input::Stage& stage, const results::Stage& r
   std::string moved;
   if (report.moving && !report.moving->place.empty())
     moved = fmt::format(
-        ": '{}' at ({:.4g}) m still moves at {:.2g} m/s, {:.0f} % of the mass at a tenth of that or more, and the "
-        "largest displacement is {:.3g} m",
+        ": '{}' at ({:.4g}) m still moves at {:.2g} m/s, {:.0f} % of the mass moves faster than {:.2g} m/s, and "
+        "the largest displacement is {:.3g} m",
         report.moving->material, fmt::join(report.moving->place, ", "), report.moving->speed,
-        100 * report.moving->share, report.displacement);
+        100 * report.moving->share, moving_share * report.moving->speed, report.displacement);
   return fmt::format(
       "stage '{}' was not at rest after {:g} s{}; its unbalanced force is {:.2g} of gravity. Where displacements still "
       "grow, the soil there fails, which is a result; where the speed goes up and down, give the stage more damping or "

@@ -23,7 +23,7 @@ export interface MethodRow {
   /** Word of the method of slices, the flow rule or the criterion: "spencer", "spencer_optimised". */
   name: string;
   title: string;
-  /** "critical circle", "no equilibrium". */
+  /** "critical circle", "non-convergence". */
   criterion: string;
   /** Of `surfaces`; empty where there is none. */
   surface: string;

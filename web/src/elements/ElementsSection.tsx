@@ -23,7 +23,7 @@ function FactorRows({ runs }: { runs: FlowRun[] }) {
     <ChartTable
       label="Factors of safety by finite elements"
       class="elements-factors"
-      head={["Flow", ...numbers("ψ", "F, equilibrium lost", "between", "F, displacement runs away")]}
+      head={["Flow", ...numbers("ψ", "F, non-convergence", "between", "F, sharp rise of displacement")]}
     >
       {runs.map((run) => (
         <tr key={run.flow}>

@@ -114,10 +114,10 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
         depends={[axis, hidden, runs]}
         stops={stops}
         showReading
-        hint="Point at a trial to read it: dots are in equilibrium, crosses found none."
+        hint="Point at a trial to read it: dots converged, crosses did not."
         read={(i) => {
           const p = seen[i]!;
-          const state = p.converged ? "in equilibrium" : "no equilibrium";
+          const state = p.converged ? "converged" : "not converged";
           return {
             text: `F = ${p.factor.toFixed(4)}: ${formatQuantity(p.u, unit.name, 3)}, ${state} after ${p.iterations} iterations (${p.run.title})`,
             marks: [{ value: shown(p.u), at: p.factor, colour: styleOf(p.k).colour }],
@@ -125,8 +125,8 @@ export function ReductionChart({ runs }: { runs: FlowRun[] }) {
         }}
       />
       <p class="chart-note">
-        Dashed: the factor where equilibrium is lost; dotted: where the displacement runs away. Crosses are trials that
-        found no equilibrium; their displacement is that of the last iteration
+        Dashed: the factor of non-convergence; dotted: of the sharp rise of displacement. Crosses are trials that
+        did not converge; their displacement is that of the last iteration
         {largest < highest && ", or beyond the upper edge"}.
       </p>
     </figure>

@@ -142,9 +142,8 @@ export function MapFigure({ slices, selected }: { slices: Slices; selected: Slic
         )}
       </ul>
       <p class="chart-note">
-        Each cell has the smallest factor of all trial circles with their centre in it, single gaps the mean of their
-        neighbours; factors above {formatNumber(map.high / map.low, 3)} times the smallest, and centres far from the
-        critical one, are left out.
+        Each cell shows the lowest factor of all circles centred in it; single empty cells are interpolated. Factors above{" "}
+        {formatNumber(map.high / map.low, 3)} times the lowest, and centres far from the critical one, are left out.
       </p>
     </figure>
   );

@@ -18,7 +18,7 @@ export const writeLimitEquilibrium: Writer = ({ slices }) => [
     text:
       "with $N$ the total normal force, $u$ the pore pressure there (below the water table $\\gamma_w$ times the depth " +
       "under it, or of the seepage calculation), and $c$ with what roots and suction add [@duncan2014]. Ponded water " +
-      "and surcharges load the ground; water in a tension crack pushes its depth. The methods differ in what they " +
+      "and surcharges load the ground; water in a tension crack presses on its side. The methods differ in what they " +
       "assume of the forces $E$ and $X$ between slices, and in the equilibrium that they satisfy.",
   },
 ];

@@ -52,10 +52,10 @@ function Conditions({ conditions }: { conditions: HydraulicCondition[] }) {
   );
 }
 
-/** "closes to 4 × 10⁻⁹ of the water in the model". */
+/** "error 4 × 10⁻⁹ of the water in the model". */
 export function describeClosure(error: number): string {
   const size = Math.abs(error);
-  return size < 1e-12 ? "closes to round-off" : `closes to ${formatNumber(size, 1)} of the water in the model`;
+  return size < 1e-12 ? "error: round-off" : `error ${formatNumber(size, 1)} of the water in the model`;
 }
 
 function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 | 3 }) {
@@ -70,7 +70,7 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
     ["Through the ground", formatQuantity(seepage.outflow, rate)],
     [
       "Balance",
-      closes ? "closes to 10⁻⁹ of the flow or better" : `open by ${formatQuantity(seepage.balance_error, rate)}`,
+      closes ? "error below 10⁻⁹ of the flow" : `error ${formatQuantity(seepage.balance_error, rate)}`,
     ],
     ["Solution", `${formatNumber(seepage.iterations)} iterations on the mesh of the calculation`],
     [
