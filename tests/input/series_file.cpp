@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Series in time that stand in files.
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -104,6 +106,50 @@ TEST(Dates, AreReadAndWritten) {
   EXPECT_EQ(say_date(-60), "1969-12-31 23:59");
   EXPECT_FALSE(parse_date("2023-13-01"));
   EXPECT_FALSE(parse_date("2023-3-1"));
+}
+
+TEST_F(SeriesFromFile, MissingValuesAreRefused) {
+  const std::string rain = "column = \"rain\"";
+  for (const char* cell : {"-999", "-9999", "-99.9", "-999.0", "-999,00", "NaN", "nan", "NA", "N/A", "null", "", "-"}) {
+    const std::string said =
+        fault(fmt::format("date;rain [mm]\n2023-03-01;1\n2023-03-02;{}\n2023-03-03;1\n", cell), rain);
+    EXPECT_NE(said.find("station.csv:3: no value of 'rain'; 1 of 3 values are missing"), std::string::npos)
+        << cell << said;
+    EXPECT_NE(said.find("fill = \"zero\""), std::string::npos) << said;
+  }
+  for (const char* cell : {"-9", "-9.9", "-98.9", "99.9", "-0.999"})
+    EXPECT_EQ(fault(fmt::format("date;rain [mm]\n2023-03-01;1\n2023-03-02;{}\n", cell), rain), "") << cell;
+  EXPECT_NE(fault("date,rain [mm]\n2023-03-01,1\n2023-03-02,wet\n", rain).find("'wet' is no number"),
+            std::string::npos);
+}
+
+TEST_F(SeriesFromFile, AMissingDayIsAGapWhereAllOthersAreThere) {
+  std::string daily = "date,rain [mm]\n", events = daily;
+  for (const int d : {1, 2, 3, 4, 5, 6, 9, 10, 11, 12}) daily += fmt::format("2023-03-{:02},{}\n", d, d);
+  for (const int d : {1, 4, 5, 9, 17, 18, 30}) events += fmt::format("2023-03-{:02},{}\n", d, d);
+  const std::string said = fault(daily, "column = \"rain\"");
+  EXPECT_NE(said.find("station.csv:7: the rows after it are missing; 2 of 12 values"), std::string::npos) << said;
+  EXPECT_EQ(fault(events, "column = \"rain\""), "") << "rows as they come";
+}
+
+/// Amounts in mm: the rain of the days around the gap is not spread over it.
+TEST_F(SeriesFromFile, GapsAreFilledOnRequest) {
+  const std::string table =
+      "date,rain [mm]\n2023-03-01,2\n2023-03-02,4\n2023-03-03,-999\n2023-03-04,8\n2023-03-05,1\n"
+      "2023-03-06,1\n2023-03-07,1\n2023-03-10,4\n2023-03-11,1\n2023-03-12,1\n2023-03-13,1\n";
+  for (const auto& [fill, missing, gap] :
+       std::vector<std::tuple<std::string, double, double>>{{"zero", 0, 0}, {"previous", 4, 1}, {"linear", 6, 2}}) {
+    const TimeTable rain = read(table, "column = \"rain\", fill = \"" + fill + "\"").hydraulics.at(1).values();
+    EXPECT_NEAR(rain.at(1.5 * day), 4 * mm / day, 1e-15) << fill;
+    EXPECT_NEAR(rain.at(2.5 * day), missing * mm / day, 1e-15) << fill;
+    EXPECT_NEAR(rain.at(6.5 * day), 1 * mm / day, 1e-15) << fill;
+    EXPECT_NEAR(rain.at(7.5 * day), gap * mm / day, 1e-15) << fill;
+  }
+  EXPECT_NE(fault("date,rain [mm]\n2023-03-01,NA\n2023-03-02,1\n", "column = \"rain\", fill = \"previous\"")
+                .find("station.csv:2: fill = \"previous\" has no value before it"),
+            std::string::npos);
+  EXPECT_NE(fault(table, "column = \"rain\", fill = \"none\"").find("choose one of zero, previous, linear"),
+            std::string::npos);
 }
 
 }  // namespace

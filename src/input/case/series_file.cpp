@@ -10,7 +10,7 @@
 #include "base/dates.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
-#include "input/case/text_table.hpp"
+#include "input/case/missing_values.hpp"
 
 namespace talus::input {
 namespace {
@@ -74,9 +74,10 @@ std::vector<double> read_times(const TextTable& table, const std::optional<Date>
   return times;
 }
 
-/// The values of a column in the SI unit of its own dimension, and whether they are amounts: lengths for rates.
-std::vector<double> read_values(const TextTable& table, const std::string& name, const std::string& wanted,
-                                bool& is_amount) {
+/// The values of a column in the SI unit of its own dimension at the times of its rows, and whether they are amounts:
+/// lengths for rates.
+MeasuredColumn read_column(const TextTable& table, const std::vector<double>& times, const std::string& name,
+                           const std::string& wanted, bool& is_amount) {
   const std::size_t column = table.find_column(name);
   const std::string& unit = table.header()[column].unit;
   const char* example = wanted == "m/s" ? "mm" : wanted == "Pa" ? "kPa" : "m";
@@ -85,14 +86,15 @@ std::vector<double> read_values(const TextTable& table, const std::string& name,
   is_amount = wanted == "m/s" && units::get_dimension_name(unit) == units::get_dimension_name("m");
   const double factor = units::parse_as_si("1 " + unit, is_amount ? "m" : wanted,
                                            fmt::format("the column '{}' of '{}'", name, table.file()));
-  std::vector<double> values;
+  const double code = wanted == "Pa" ? -999 : -99;
+  MeasuredColumn read{times, {}, {}};
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (table.cell(i, column).empty())
-      reject(
-          fmt::format("{}: no value of '{}'; write 0 where there is none, or leave the row out", table.place(i), name));
-    values.push_back(factor * table.number(i, column));
+    read.values.push_back(is_missing(table.cell(i, column), code) ? std::nullopt
+                                                                  : std::optional(factor * table.number(i, column)));
+    read.rows.push_back(i);
   }
-  return values;
+  add_missing_rows(read);
+  return read;
 }
 
 /// Amounts become rates, which hold from row to row.
@@ -104,23 +106,31 @@ void spread_amounts(const TextTable& table, std::vector<double>& times, std::vec
   values.push_back(0);
 }
 
-void load(const Wanted& wanted, const std::filesystem::path& folder, const std::optional<Date>& zero) {
+void load(const Wanted& wanted, const std::filesystem::path& folder, const std::optional<Date>& zero,
+          Findings& findings) {
   const SeriesFile source = *wanted.table.source;
   const TextTable table((folder / source.file).lexically_normal());
   if (table.rows() == 0) reject(fmt::format("the table '{}' has no row", table.file()));
-  std::vector<double> times = read_times(table, zero);
+  const std::vector<double> rows = read_times(table, zero);
   bool is_amount = false;
-  std::vector<double> values = read_values(table, source.column, wanted.unit, is_amount);
+  const MeasuredColumn column = read_column(table, rows, source.column, wanted.unit, is_amount);
+  std::vector<double> times = column.times;
+  std::string note;
+  std::vector<double> values = fill_missing(table, source.column, source.fill, column, note);
+  if (!note.empty()) findings.warn(wanted.path, note);
   if (!source.minus.empty()) {
     bool is_other_amount = false;
-    const std::vector<double> less = read_values(table, source.minus, wanted.unit, is_other_amount);
+    const MeasuredColumn other = read_column(table, rows, source.minus, wanted.unit, is_other_amount);
+    note.clear();
+    const std::vector<double> less = fill_missing(table, source.minus, source.fill, other, note);
+    if (!note.empty()) findings.warn(wanted.path, note);
     if (is_amount != is_other_amount)
       reject(fmt::format("'{}' and '{}' of '{}' have different dimensions", source.column, source.minus, table.file()));
     for (std::size_t i = 0; i < values.size(); ++i) values[i] -= less[i];
   }
   if (wanted.positive_only)
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] < 0) reject(fmt::format("{}: '{}' is below zero", table.place(i), source.column));
+      if (values[i] < 0) reject(fmt::format("{}: '{}' is below zero", table.place(column.rows[i]), source.column));
   if (is_amount) {
     spread_amounts(table, times, values);
     wanted.shape = SeriesShape::steps;
@@ -188,7 +198,7 @@ void load_series(Case& data, const std::string& file, Findings& findings) {
   for (const Wanted& wanted : list_series(data)) {
     const std::string table = wanted.table.source->file;
     try {
-      load(wanted, folder, data.initial.date);
+      load(wanted, folder, data.initial.date, findings);
       if (findings.is_sound("timeline")) check_span(data, wanted, table, findings);
     } catch (const Error& error) {
       findings.add(wanted.path, error.what());

@@ -14,6 +14,9 @@ using Pairs = std::vector<std::array<double, 2>>;
 const Spec seconds = quantity("s");
 const Spec share = plain().at_least(0).at_most(1);
 
+/// How missing values of a file are filled.
+const std::vector<std::string> fillings{"zero", "previous", "linear"};
+
 constexpr const char* file_form = "{ file = \"station.csv\", column = \"rain\" }";
 
 bool decode_file(const Decoding& in, const toml::table& table, const std::string& path, SeriesFile& out) {
@@ -23,15 +26,19 @@ bool decode_file(const Decoding& in, const toml::table& table, const std::string
     std::string* part = name == "file"     ? &out.file
                         : name == "column" ? &out.column
                         : name == "minus"  ? &out.minus
+                        : name == "fill"   ? &out.fill
                                            : nullptr;
     if (part == nullptr)
-      is_good = in.fail(node, path,
-                        fmt::format("'{}' from a file has 'file', 'column' and 'minus', and no '{}'", in.key, name));
+      is_good =
+          in.fail(node, path,
+                  fmt::format("'{}' from a file has 'file', 'column', 'minus' and 'fill', and no '{}'", in.key, name));
     else if (const auto* text = node.as_string(); text != nullptr && !text->get().empty())
       *part = text->get();
     else
       is_good = in.fail_type(node, fmt::format("{}.{}", path, name), "a text in quotation marks");
   }
+  if (std::size_t word = 0; is_good && !out.fill.empty())
+    is_good = decode_word(in, *table.get("fill"), path + ".fill", fillings, word);
   if (is_good && (out.file.empty() || out.column.empty()))
     return in.fail(table, path, fmt::format("'{}' from a file needs 'file' and 'column', as in {}", in.key, file_form));
   if (is_good) in.record(table, path);
@@ -113,10 +120,11 @@ json Codec<Series>::schema(const Spec& spec) {
   json choices = number.contains("anyOf") ? number["anyOf"] : json::array({number});
   choices.push_back(rows);
   const json text{{"type", "string"}};
-  choices.push_back({{"type", "object"},
-                     {"properties", {{"file", text}, {"column", text}, {"minus", text}}},
-                     {"required", {"file", "column"}},
-                     {"additionalProperties", false}});
+  choices.push_back(
+      {{"type", "object"},
+       {"properties", {{"file", text}, {"column", text}, {"minus", text}, {"fill", {{"enum", fillings}}}}},
+       {"required", {"file", "column"}},
+       {"additionalProperties", false}});
   return {{"anyOf", choices}};
 }
 

@@ -13,6 +13,7 @@ struct SeriesFile {
   std::string file;    ///< as given: relative to the case file
   std::string column;  ///< of the value
   std::string minus;   ///< of what is taken off it; empty: nothing
+  std::string fill;    ///< for missing values and rows: "zero", "previous" or "linear"; empty: they are refused
 };
 
 /// Linear between rows, constant before the first and after the last. Two rows at one time are a jump, whose second
