@@ -249,5 +249,24 @@ TEST(Documents, HaveTheBlockWithinAMaterial) {
   EXPECT_EQ(rate[2]["items"]["prefixItems"].size(), 2u);
 }
 
+/// n = 1/(1 - λ) below 2: the slope of k_r at saturation is infinite.
+TEST(SeepageOverTime, HasAnAirEntryWhereMualemsCurveNeedsOne) {
+  PoreWater soil;
+  soil.retention = RetentionCurve::van_genuchten;
+  soil.relative_conductivity = ConductivityCurve::mualem;
+  soil.lambda = 0.36;
+  EXPECT_DOUBLE_EQ(add_air_entry(soil).air_entry.value_or(-1), 200);
+  soil.air_entry = 1000;
+  EXPECT_DOUBLE_EQ(add_air_entry(soil).air_entry.value_or(-1), 1000) << "as given";
+  soil.air_entry = 0;
+  EXPECT_DOUBLE_EQ(add_air_entry(soil).air_entry.value_or(-1), 0) << "none, as asked for";
+  soil.air_entry.reset();
+  soil.lambda = 0.5;
+  EXPECT_FALSE(add_air_entry(soil).air_entry);
+  soil.lambda = 0.36;
+  soil.relative_conductivity = ConductivityCurve::constant;
+  EXPECT_FALSE(add_air_entry(soil).air_entry);
+}
+
 }  // namespace
 }  // namespace talus::input

@@ -27,7 +27,7 @@ material::Conductivity make_relative_conductivity(const PoreWater& soil) {
   switch (soil.relative_conductivity) {
     case ConductivityCurve::mualem: {
       material::Mualem law{soil.lambda, measure};
-      if (soil.air_entry)
+      if (soil.air_entry.value_or(0) > 0)
         law = material::Mualem::with_air_entry(soil.lambda, measure, make_retention(soil), *soil.air_entry);
       law.same_curve =
           soil.retention == RetentionCurve::van_genuchten && measure == material::SaturationMeasure::effective;
@@ -43,6 +43,15 @@ material::Conductivity make_relative_conductivity(const PoreWater& soil) {
       break;
   }
   return material::ConstantConductivity{};
+}
+
+PoreWater add_air_entry(const PoreWater& soil) {
+  constexpr double small = 200;       // [Pa]
+  constexpr double least_safe = 0.5;  // λ from which the slope at saturation is finite
+  PoreWater safe = soil;
+  if (soil.relative_conductivity == ConductivityCurve::mualem && soil.lambda < least_safe && !soil.air_entry)
+    safe.air_entry = small;
+  return safe;
 }
 
 double find_saturated_conductivity(const PoreWater& soil, const Water& water, double gravity) {

@@ -96,6 +96,18 @@ void check_porosity(const Soil& soil) {
                                            n, soil.name));
 }
 
+/// Seepage over time cannot follow an infinite slope.
+void warn_of_air_entry(const Case& data, const Soil& soil) {
+  const bool in_time = data.timeline || data.initial.water.season > 0;
+  const PoreWater safe = add_air_entry(soil.material.water);
+  if (!in_time || soil.material.water.air_entry || !safe.air_entry || !soil.is_sound("lambda")) return;
+  soil.findings.warn(
+      soil.path + ".relative_conductivity",
+      fmt::format("material '{}': Mualem's conductivity with lambda = {:.3g} falls with infinite slope at saturation; "
+                  "seepage over time uses air_entry = {:g} kPa. Give 'air_entry' to choose another, or 0 for none",
+                  soil.name, soil.material.water.lambda, *safe.air_entry / 1e3));
+}
+
 /// Below the water table all curves are flat, and water is stored by its own compression alone.
 void check_bulk_modulus(const Case& data, Findings& findings) {
   const std::string path = "water.bulk_modulus";
@@ -167,6 +179,7 @@ void check_water(const Case& data, Findings& findings) {
     check_curves(soil);
     check_conductivity(soil);
     check_porosity(soil);
+    warn_of_air_entry(data, soil);
   }
   check_bulk_modulus(data, findings);
   // A material whose water is wrong may only seem dry.

@@ -176,9 +176,15 @@ void describe(Visitor& v, PoreWater& w) {
   v.key("exponent", w.exponent,
         plain().at_least(0).needed_with("relative_conductivity", w.relative_conductivity, K::hillel).example("3"),
         "r of Hillel's conductivity.");
-  v.key("air_entry", w.air_entry,
-        quantity("kPa").above(0).allowed_with("relative_conductivity", w.relative_conductivity, K::mualem).example("2"),
-        "Mualem's conductivity falls from this suction on only; without it, it falls with infinite slope for λ < 1/2.");
+  v.key(
+      "air_entry", w.air_entry,
+      quantity("kPa")
+          .at_least(0)
+          .allowed_with("relative_conductivity", w.relative_conductivity, K::mualem)
+          .example("2"),
+      "Mualem's conductivity falls from this suction on only. For λ < 1/2 it would fall with infinite slope from zero, "
+      "which stops seepage over time: there (initial.season, [timeline]) 0.2 kPa (2 cm of water) are used where no "
+      "value is given (Vogel et al. 2001). 0: none.");
   v.key("conductivity_table", conductivity,
         quantity("kPa")
             .at_least(0)
