@@ -97,7 +97,7 @@ void extend(std::vector<results::Point>& line, const Point& x) {
 void split_table(const Polyline& table, const std::vector<Pond>& ponds, const Polyline& ground,
                  results::WaterState& state) {
   const std::vector<double> breaks = list_breaks(table, ground);
-  const double step = 1e-7 * (ground.back()[0] - ground.front()[0]);
+  const double step = 1e-7 * (ground.back()[0] - ground.front()[0]), no_depth = 10 * step;
   bool goes_on = false;
   for (std::size_t i = 1; i < breaks.size(); ++i) {
     const double a = breaks[i - 1], b = breaks[i], middle = (a + b) / 2;
@@ -105,7 +105,7 @@ void split_table(const Polyline& table, const std::vector<Pond>& ponds, const Po
     const double y = find_water_table(table, middle);
     if (find_standing_level(ponds, {}, ground, middle)) {
       goes_on = false;
-    } else if (y > find_level(ground, middle)) {
+    } else if (y > find_level(ground, middle) + no_depth) {
       state.ponds.push_back({{a, find_level(ground, a + step)},
                              {b, find_level(ground, b - step)},
                              find_water_table(table, a),

@@ -15,6 +15,7 @@
 #include "ground/ground_line.hpp"
 #include "ground/plane_water.hpp"
 #include "ground/steep_faces.hpp"
+#include "ground/water_shape.hpp"
 #include "input/echo.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
@@ -49,6 +50,13 @@ bool asks_for_elements(const input::Case& data) {
   return data.initial.stress == input::InitialStress::elements ||
          (data.timeline && data.timeline->release &&
           data.timeline->release->criterion == input::ReleaseCriterion::equilibrium);
+}
+
+/// Sentences on ground and water that no method can make right.
+std::vector<std::string> list_ground_warnings(const input::Case& data) {
+  std::vector<std::string> sentences = ground::find_odd_water(data);
+  for (const ground::SteepFace& face : ground::find_steep_faces(data)) sentences.push_back(ground::describe(face));
+  return sentences;
 }
 
 /// One case in D dimensions.
@@ -277,8 +285,7 @@ class CaseRun {
     if (points_) points_->finish(run_);
     if (!direction_note_.empty()) run_.warnings.push_back(direction_note_);
     for (const Diagnostic& warning : loaded_.warnings) run_.warnings.push_back(warning.sentence);
-    for (const ground::SteepFace& face : ground::find_steep_faces(design_.data))
-      run_.warnings.push_back(ground::describe(face));
+    for (std::string& sentence : list_ground_warnings(design_.data)) run_.warnings.push_back(std::move(sentence));
     results::Timing& timing = run_.timing.emplace();
     timing.wall = std::chrono::duration<double>(Clock::now() - start_).count();
     if (points_) {
@@ -404,8 +411,7 @@ std::vector<std::string> list_warnings(const input::LoadedCase& loaded) {
   for (const Diagnostic& warning : loaded.warnings) lines.push_back(input::write_warning(warning));
   if (!loaded.is_whole) return lines;
   const ground::DesignValues design = ground::apply_partial_factors(loaded.data);
-  for (const ground::SteepFace& face : ground::find_steep_faces(design.data))
-    lines.push_back("warning: " + ground::describe(face));
+  for (const std::string& sentence : list_ground_warnings(design.data)) lines.push_back("warning: " + sentence);
   return lines;
 }
 

@@ -56,11 +56,41 @@ std::vector<results::CriticalSurface> solve_given(const input::Case& data, const
   return list;
 }
 
+/// A sentence on ground that floats: a pore pressure above the weight of soil and water over it, at the place where it
+/// exceeds it most. Empty where there is none.
+std::string describe_uplift(const lem::Slope& slope) {
+  constexpr int columns = 200, rows = 60;
+  constexpr double rounding = 0.02;  // of the weight
+  const lem::Section& section = slope.section();
+  double worst = 0, worst_weight = 0;
+  lem::Point place{};
+  for (int c = 0; c < columns; ++c) {
+    const double x = slope.left() + (slope.right() - slope.left()) * (c + 0.5) / columns, ground = slope.ground(x);
+    const double standing = std::max(0.0, slope.water_table(x) - ground) * section.water_unit_weight;
+    for (int r = 1; r <= rows; ++r) {
+      const double y = ground + (section.base - ground) * (r - 0.5) / rows;
+      int soil = -1;
+      const double weight = slope.weight_above(x, y, soil) + standing;
+      if (soil < 0 || section.soils[static_cast<std::size_t>(soil)].undrained) continue;
+      const double excess = slope.pore_pressure({x, y}) - weight;
+      if (excess > rounding * weight && excess > worst) worst = excess, worst_weight = weight, place = {x, y};
+    }
+  }
+  if (worst <= 0) return "";
+  return fmt::format(
+      "the ground floats: at ({:.4g}, {:.4g}) m the pore pressure of {:.3g} kPa exceeds the weight above it, {:.3g} "
+      "kPa. "
+      "It heaves there whatever the factor of a slip surface is",
+      place[0], place[1], (worst + worst_weight) / 1e3, worst_weight / 1e3);
+}
+
 }  // namespace
 
 PreparedSlope prepare_slope(const input::Case& data) {
   SectionOfCase made = make_section(data);
-  return {std::make_shared<const lem::Slope>(std::move(made.section)), std::move(made.notes), std::move(made.water)};
+  auto slope = std::make_shared<const lem::Slope>(std::move(made.section));
+  if (std::string uplift = describe_uplift(*slope); !uplift.empty()) made.notes.push_back(std::move(uplift));
+  return {std::move(slope), std::move(made.notes), std::move(made.water)};
 }
 
 lem::SearchOptions make_search_options(const input::LimitEquilibrium& settings, int threads) {
