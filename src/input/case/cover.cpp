@@ -5,9 +5,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
 #include "base/nearest.hpp"
 #include "input/case/checks.hpp"
 #include "mesh/check_plan.hpp"
+#include "mesh/planar.hpp"
 
 namespace talus::input {
 namespace {
@@ -58,6 +64,57 @@ void drop_closing_corner(mesh::Polygon& polygon) {
   if (polygon.points.size() > 3 && polygon.points.front() == polygon.points.back()) polygon.points.pop_back();
 }
 
+/// Size of the smallest elements in and around a polygon [m].
+double find_smallest_size(const mesh::Plan& plan, const mesh::Polygon& polygon) {
+  mesh::Point2 low = polygon.points.front(), high = low;
+  for (const mesh::Point2& p : polygon.points)
+    for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], p[d]), high[d] = std::max(high[d], p[d]);
+  double size = plan.size;
+  for (const mesh::Refinement& r : plan.refinements)
+    for (const mesh::Point2& p : r.near)
+      if (p[0] > low[0] - r.distance && p[0] < high[0] + r.distance && p[1] > low[1] - r.distance &&
+          p[1] < high[1] + r.distance)
+        size = std::min(size, r.size);
+  return size;
+}
+
+/// Soil that ends just short of the box: the elements in the gap set the time step.
+void warn_of_slivers(const mesh::Plan& plan, Findings& findings) {
+  constexpr double narrow = 0.1;  // of an element
+  const double tolerance = mesh::get_section_tolerance(plan);
+  const std::array sides{std::tuple{"left", 0, plan.box_min[0]}, std::tuple{"right", 0, plan.box_max[0]},
+                         std::tuple{"bottom", 1, plan.box_min[1]}, std::tuple{"top", 1, plan.box_max[1]}};
+  for (const auto& [side, axis, wall] : sides) {
+    double gap = narrow * plan.size;
+    const mesh::Polygon* nearest = nullptr;
+    for (const mesh::Polygon& polygon : plan.polygons)
+      for (const auto& p : polygon.points)
+        if (const double d = std::abs(p[axis] - wall); d > 1e-3 * tolerance && d < gap) gap = d, nearest = &polygon;
+    if (nearest != nullptr)
+      findings.warn("geometry.box",
+                    fmt::format("a corner of polygon '{}' is {:.2g} m from the {} side of the box: elements of that "
+                                "width set the time step. Let the polygon end on the side, or {:.2g} m from it",
+                                nearest->name, gap, side, plan.size));
+  }
+}
+
+/// Seams without room for one element.
+void warn_of_seams(const mesh::Plan& plan, Findings& findings) {
+  for (std::size_t i = 0; i < plan.polygons.size(); ++i) {
+    const auto& p = plan.polygons[i].points;
+    const double size = find_smallest_size(plan, plan.polygons[i]);
+    double outline = 0;
+    for (std::size_t k = 0; k < p.size(); ++k)
+      outline += std::hypot(p[(k + 1) % p.size()][0] - p[k][0], p[(k + 1) % p.size()][1] - p[k][1]);
+    const double width = outline > 0 ? 2 * std::abs(mesh::compute_area(p)) / outline : size;
+    if (width < size)
+      findings.warn(fmt::format("{}.{}.points", polygons_path, i),
+                    fmt::format("polygon '{}' is {:.2g} m thick on average, less than one element of {:.3g} m: shear "
+                                "in it is not resolved. Give it smaller elements with [[mesh.refine]]",
+                                plan.polygons[i].name, width, size));
+  }
+}
+
 /// What the mesh generator would refuse, where there will be a mesh.
 void check_for_mesher(const Case& data, Findings& findings) {
   const bool has_bounds = uses(data, Method::bounds);
@@ -70,8 +127,10 @@ void check_for_mesher(const Case& data, Findings& findings) {
   try {
     mesh::check_plan(plan);
   } catch (const Error& error) {
-    findings.add("geometry", error.what());
+    return findings.add("geometry", error.what());
   }
+  if (uses(data, Method::mpm)) warn_of_slivers(plan, findings);
+  if (uses(data, Method::mpm) || uses(data, Method::fem)) warn_of_seams(plan, findings);
 }
 
 }  // namespace
