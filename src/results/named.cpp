@@ -16,6 +16,8 @@ namespace {
 
 /// Two factors are one when they differ by less.
 constexpr double same_factor = 1e-9;
+/// Ends the title of a discharge into the soil, which [[compare]] counts negative.
+constexpr const char* inflow_sign = ", counted negative";
 
 /// Finds a number of a described struct by its key.
 struct Member {
@@ -237,7 +239,8 @@ class Values {
   void add_seepage(const Seepage& seepage) {
     for (const Discharge& d : seepage.discharges)
       add({fmt::format("seepage.discharge[{}]", d.name),
-           fmt::format("steady seepage out through '{}'", d.name),
+           fmt::format("steady seepage {} through '{}'{}", d.inflow > d.outflow ? "in" : "out", d.name,
+                       d.inflow > d.outflow ? inflow_sign : ""),
            "m3/s",
            ResultKind::seepage,
            "discharge",

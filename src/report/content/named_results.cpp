@@ -37,9 +37,11 @@ json list_named_results(const ResultFolder& folder) {
     // Of a strength reduction the runout is that of a trial.
     const bool of_run = folder.data.analysis == input::AnalysisKind::run;
     if (has_lost_all(folder.run) && about.kind == results::ResultKind::runout && of_run) continue;
+    // Its title says so.
+    const bool flows_in = about.quantity == "discharge" && result.value < 0;
     list.push_back({{"name", result.name},
-                    {"title", result.title},
-                    {"value", result.value},
+                    {"title", flows_in ? result.title.substr(0, result.title.rfind(',')) : result.title},
+                    {"value", flows_in ? -result.value : result.value},
                     {"unit", to_json(choose_unit(result))},
                     {"kind", results::to_word(about.kind)},
                     {"quantity", about.quantity},
