@@ -39,8 +39,9 @@ struct CentreGrid {
 };
 
 struct TensionCrack {
-  double depth = 0;  ///< [m]; 0: none
-  double water = 0;  ///< height of water in it [m]
+  double depth = 0;   ///< [m]; 0: none
+  double water = 0;   ///< height of water in it [m]
+  bool limit = true;  ///< it is no deeper than tension reaches
 };
 
 /// The water beside the slope falls faster than its soil drains.
@@ -149,6 +150,11 @@ void describe(Visitor& v, TensionCrack& t) {
   v.key("depth", t.depth, quantity("m").at_least(0),
         "Depth of a vertical crack at the upper end of every surface; 0: none.");
   v.key("water", t.water, quantity("m").at_least(0), "Height of the water in it, above its bottom.");
+  v.key(
+      "limit", t.limit, plain(),
+      "The crack ends where the soil would no longer be in tension beside it: Rankine's active stress, less the "
+      "pressure of the water in the crack, is zero there (2c/γ·tan(45° + φ/2) where all is dry). false: it is as deep "
+      "as `depth` says, as a joint that was measured.");
 }
 
 template <class Visitor>

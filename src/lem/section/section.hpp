@@ -83,8 +83,9 @@ struct RootCohesion {
 };
 
 struct TensionCrack {
-  double depth = 0;  ///< under the ground [m]; the slip surface ends in a vertical crack where it is less deep
-  double water = 0;  ///< height of the water in it above its bottom [m]
+  double depth = 0;      ///< under the ground [m]; the slip surface ends in a vertical crack where it is less deep
+  double water = 0;      ///< height of the water in it above its bottom [m]
+  bool limited = false;  ///< it ends where the soil beside it would no longer be in tension
 };
 
 struct Section;

@@ -3,9 +3,11 @@
 
 #include "lem/section/slope.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
+#include "lem/section/tension_depth.hpp"
 #include "lem/slices/strips.hpp"
 
 namespace talus::lem {
@@ -21,6 +23,7 @@ Slope::Slope(Section section) : strips_(std::make_unique<Strips>()) {
   if (strips_->section.drawdown)
     strips_->before = std::make_unique<const Slope>(Section(*strips_->section.drawdown->before));
   build_strips(*strips_);
+  if (strips_->section.crack && strips_->section.crack->limited) strips_->crack_depths = compute_crack_depths(*this);
 }
 
 Slope::~Slope() = default;
@@ -68,6 +71,17 @@ double Slope::pore_pressure(const Point& p) const {
   if (const auto u = strips_->pressure.find(p)) return *u;
   if (section().water_table.empty()) return 0;
   return section().water_unit_weight * (water_table(p[0]) - p[1]);
+}
+
+double Slope::crack_depth(double x) const {
+  if (!section().crack) return 0;
+  const std::vector<Point>& depths = strips_->crack_depths;
+  if (depths.empty()) return section().crack->depth;
+  const auto after =
+      std::upper_bound(depths.begin(), depths.end(), x, [](double at, const Point& p) { return at < p[0]; });
+  if (after == depths.begin() || after == depths.end()) return (after == depths.end() ? depths.back() : *after)[1];
+  const Point &a = *std::prev(after), &b = *after;
+  return a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
 }
 
 double Slope::weight_above(double x, double bottom, int& soil) const {

@@ -28,6 +28,9 @@ class Slope {
   /// Weight of the soil between the ground and `bottom` [N/m²], and the soil at `bottom`.
   double weight_above(double x, double bottom, int& soil) const;
 
+  /// Depth of the section's tension crack at x [m]; 0 without one.
+  double crack_depth(double x) const;
+
   /// The slope before a rapid drawdown, of which this is the end; nullptr without one.
   const Slope* before() const;
 

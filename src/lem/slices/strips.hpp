@@ -44,6 +44,7 @@ struct Slope::Strips {
   double bin = 1;                               ///< width of a bin [m]
   PressureLocator pressure;
   std::unique_ptr<const Slope> before;  ///< drawdown
+  std::vector<Point> crack_depths;      ///< of a crack that is limited: x and depth [m]
   double deepest_roots = 0;             ///< [m]
   bool roots = false, loads = false;
 

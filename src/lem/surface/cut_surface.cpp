@@ -54,20 +54,22 @@ void turn_slices(std::vector<Slice>& slices) {
   }
 }
 
-/// x where the base is as deep as the crack, searched from the upper end; none when it is nowhere.
-std::optional<double> find_crack(const BaseLine& base, const CutSurface& cut, double depth, double& bottom) {
+/// x where the base is as deep as the crack, whose depth is `depth_at` of x, searched from the upper end; none when it
+/// is nowhere.
+template <class DepthAt>
+std::optional<double> find_crack(const BaseLine& base, const CutSurface& cut, const DepthAt& depth_at, double& bottom) {
   const auto size = cut.slices.size();
   for (std::size_t i = 0; i < size; ++i) {
     const Slice& slice = cut.slices[cut.slides_left ? size - 1 - i : i];
     const double near = cut.slides_left ? slice.top_right - slice.base_right[1] : slice.top_left - slice.base_left[1];
     const double far = cut.slides_left ? slice.top_left - slice.base_left[1] : slice.top_right - slice.base_right[1];
-    if (far < depth) continue;
     double a = cut.slides_left ? slice.right : slice.left, b = cut.slides_left ? slice.left : slice.right;
-    if (near >= depth) b = a;
+    if (far < depth_at(b)) continue;
+    if (near >= depth_at(a)) b = a;
     for (int k = 0; k < 60 && a != b; ++k) {
       const double x = 0.5 * (a + b), t = (x - slice.left) / (slice.right - slice.left);
       const double ground = slice.top_left + t * (slice.top_right - slice.top_left);
-      (ground - base.at(x) < depth ? a : b) = x;
+      (ground - base.at(x) < depth_at(x) ? a : b) = x;
     }
     bottom = base.at(b);
     return b;
@@ -121,12 +123,13 @@ Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Ch
       surface.crack > 0 ? TensionCrack{surface.crack, 0} : slope.section().crack.value_or(TensionCrack{});
   if (crack.depth > 0) {
     double bottom = 0;
-    const auto x = find_crack(base, cut, crack.depth, bottom);
+    const auto depth_at = [&](double at) { return surface.crack > 0 ? surface.crack : slope.crack_depth(at); };
+    const auto x = find_crack(base, cut, depth_at, bottom);
     const double kept = x ? (cut.slides_left ? *x - from : to - *x) : 0;
     if (kept < 1e-3 * (to - from)) return Refusal::too_shallow;
     base.divide(slope, cut.slides_left ? from : *x, cut.slides_left ? *x : to);
     slice_mass(slope, base, count, cut.slides_left ? CrackEnd::right : CrackEnd::left, cut);
-    const double height = std::min(crack.water, crack.depth);
+    const double height = std::min(crack.water, depth_at(*x));
     cut.crack_thrust = 0.5 * slope.section().water_unit_weight * height * height;
     cut.crack_thrust_level = bottom + height / 3;
   }

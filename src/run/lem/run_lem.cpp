@@ -14,6 +14,9 @@
 namespace talus::run {
 namespace {
 
+/// Of a depth: less is not worth a sentence.
+constexpr double least_limit = 1e-3;
+
 bool is_check(lem::Refusal refusal) {
   return refusal == lem::Refusal::m_alpha || refusal == lem::Refusal::tension || refusal == lem::Refusal::thrust ||
          refusal == lem::Refusal::steep_toe || refusal == lem::Refusal::too_shallow || refusal == lem::Refusal::kinks;
@@ -84,12 +87,38 @@ std::string describe_uplift(const lem::Slope& slope) {
       place[0], place[1], (worst + worst_weight) / 1e3, worst_weight / 1e3);
 }
 
+/// A sentence on a tension crack that is not as deep as given; or deeper than the slope is high. Empty for others.
+std::string describe_crack(const lem::Slope& slope) {
+  const auto& crack = slope.section().crack;
+  if (!crack) return "";
+  const std::vector<lem::Point>& ground = slope.section().ground;
+  const auto [low, high] = std::minmax_element(ground.begin(), ground.end(),
+                                               [](const lem::Point& a, const lem::Point& b) { return a[1] < b[1]; });
+  if (!crack->limited)
+    return crack->depth <= (*high)[1] - (*low)[1]
+               ? ""
+               : fmt::format("the tension crack is {:.3g} m deep, and the slope {:.3g} m high", crack->depth,
+                             (*high)[1] - (*low)[1]);
+  // Of a level crest the end towards the slope, not that of the section.
+  const double middle = 0.5 * (slope.left() + slope.right());
+  double crest = (*high)[0];
+  for (const lem::Point& p : ground)
+    if (p[1] == (*high)[1] && std::abs(p[0] - middle) < std::abs(crest - middle)) crest = p[0];
+  const double depth = slope.crack_depth(crest);
+  if (depth > (1 - least_limit) * crack->depth) return "";
+  return fmt::format(
+      "the tension crack of {:.3g} m ends at {:.3g} m at the crest (x = {:.4g} m): deeper down the soil beside it is "
+      "not in tension. limit = false in [lem.tension_crack] keeps the depth that is given",
+      crack->depth, depth, crest);
+}
+
 }  // namespace
 
 PreparedSlope prepare_slope(const input::Case& data) {
   SectionOfCase made = make_section(data);
   auto slope = std::make_shared<const lem::Slope>(std::move(made.section));
-  if (std::string uplift = describe_uplift(*slope); !uplift.empty()) made.notes.push_back(std::move(uplift));
+  for (std::string sentence : {describe_crack(*slope), describe_uplift(*slope)})
+    if (!sentence.empty()) made.notes.push_back(std::move(sentence));
   return {std::move(slope), std::move(made.notes), std::move(made.water)};
 }
 

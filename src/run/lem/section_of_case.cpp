@@ -324,7 +324,8 @@ SectionOfCase make_section(const input::Case& data) {
   section.horizontal_acceleration = is_both ? std::abs(data.earthquake.horizontal) : data.earthquake.horizontal;
   section.push = is_both ? 0 : direction == input::EarthquakeDirection::left ? -1 : 1;
   section.vertical_acceleration = data.earthquake.vertical;
-  if (data.lem.crack.depth > 0) section.crack = lem::TensionCrack{data.lem.crack.depth, data.lem.crack.water};
+  if (data.lem.crack.depth > 0)
+    section.crack = lem::TensionCrack{data.lem.crack.depth, data.lem.crack.water, data.lem.crack.limit};
   if (data.lem.drawdown) {
     section = draw_down(data, *data.lem.drawdown, std::move(section));
     ground::add_lowered_state(data, data.lem.drawdown->water_table, result.water);
