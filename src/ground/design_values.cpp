@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "input/case/partial_factors.hpp"
+#include "results/referee.hpp"
 
 namespace talus::ground {
 namespace {
@@ -122,14 +123,30 @@ DesignValues apply_partial_factors(const input::Case& data) {
   return result;
 }
 
+std::string describe_factored_quake(const input::Case& data) {
+  const input::PartialFactorValues v = input::find_partial_factors(data.partial_factors);
+  const bool shakes = data.earthquake.horizontal != 0 || data.earthquake.vertical != 0;
+  const bool has_variable =
+      std::any_of(data.surcharges.begin(), data.surcharges.end(), [](const input::Surcharge& s) { return s.variable; });
+  const bool is_factored = v.permanent_load != 1 || (v.variable_load != 1 && has_variable);
+  if (!shakes || !v.is_active() || !is_factored) return "";
+  return fmt::format(
+      "The case has an earthquake and the set {} with factors on actions (γ_G = {:g}, γ_Q = {:g}). In seismic design "
+      "situations actions have none (EN 1990, 6.4.3.4), and EN 1998-5, 3.1(3) factors the strengths: set = "
+      "\"EN1998-5\" does that.",
+      v.set, v.permanent_load, v.variable_load);
+}
+
 void state_over_design(results::DesignStatement& statement, double resistance, double factor) {
+  constexpr double rounding = 1e-9;  // of the quotient
   const double over_design = factor / resistance;
   statement.over_design = over_design;
   statement.text = fmt::format(
       "Partial factors {}: {}. The factor of safety with design values is {:.3f}{}: the over-design factor is "
       "{:.3f}, {}.",
       statement.set, list_words(statement.values), factor,
-      resistance == 1 ? "" : fmt::format(", the resistance factor {:g}", resistance), over_design,
+      resistance == 1 ? "" : fmt::format(", the resistance factor {:g}", resistance),
+      results::show_lower(over_design + rounding),
       over_design >= 1 ? "which is at least 1 as required" : "below the 1 that is required");
 }
 

@@ -21,6 +21,9 @@ struct DesignValues {
 /// Error (wrong_input) for a soil without cohesion and friction angle.
 DesignValues apply_partial_factors(const input::Case& data);
 
+/// A sentence on partial factors on actions beside an earthquake, whose design situation has none; empty elsewhere.
+std::string describe_factored_quake(const input::Case& data);
+
 /// Writes the over-design factor of a factor of safety that was calculated with design values into the statement, and
 /// says it in words.
 void state_over_design(results::DesignStatement& statement, double resistance, double factor);

@@ -26,6 +26,18 @@ std::string write_interval(const std::optional<results::ElementInterval>& interv
   return fmt::format(" [{:.3f}, {:.3f}]", results::show_lower(interval->lower), results::show_upper(interval->upper));
 }
 
+/// The check of a design set: what is compared with 1 is the factor of safety over γ_R.
+std::string write_design_check(const results::RunResult& run) {
+  if (!run.methods || !run.methods->partial_factors || !run.methods->partial_factors->over_design) return "";
+  const results::DesignStatement& design = *run.methods->partial_factors;
+  const bool has_resistance =
+      std::any_of(design.values.begin(), design.values.end(),
+                  [](const results::PartialFactor& v) { return v.key == "resistance" && v.value != 1.0; });
+  return fmt::format("Check with {}: {} = {:.3f}, {}\n", design.set, has_resistance ? "F/γ_R" : "F",
+                     results::show_lower(*design.over_design + 1e-9),
+                     *design.over_design < 1 ? "below 1: the slope is NOT verified" : "at least 1: verified");
+}
+
 /// The factor that governs, with its method and surface.
 std::string write_main_factor(const results::RunResult& run) {
   const std::optional<double> factor = results::find_main_factor(run);
@@ -231,6 +243,7 @@ std::string write_water(const results::RunResult& run) {
 
 std::string write_digest(const results::RunResult& run) {
   std::string text = run.title + "\n";
+  text += write_design_check(run);
   text += write_main_factor(run);
   text += write_drawdown(run);
   if (run.timeline && run.methods) text += "At time 0:\n";

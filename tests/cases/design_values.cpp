@@ -119,12 +119,39 @@ set = ")";
     EXPECT_NE(statement.text.find("1.100, which is at least 1"), std::string::npos);
   }
   {
+    const DesignValues d = apply("EN1998-5");
+    EXPECT_NEAR(d.data.materials.at("sand").cohesion, 1600, 1e-9);
+    EXPECT_NEAR(std::tan(d.data.materials.at("sand").friction_angle), tan_30 / 1.25, 1e-12);
+    EXPECT_NEAR(d.data.materials.at("clay").cohesion, 30e3, 1e-9) << "γ_cu = 1.4";
+    EXPECT_NEAR(d.data.surcharges[1].load[0], 10e3, 1e-9) << "actions have no factors";
+    EXPECT_EQ(d.resistance, 1);
+  }
+  {
+    const DesignValues d = apply("AASHTO-0.75");
+    EXPECT_NEAR(d.data.materials.at("sand").cohesion, 2000, 1e-9);
+    EXPECT_NEAR(1 / d.resistance, 0.75, 1e-12);
+    EXPECT_NEAR(1 / apply("AASHTO-0.65").resistance, 0.65, 1e-12);
+  }
+  {
     const DesignValues d = apply("by_hand", "friction = 1.3\nweight = 1.1\n");
     EXPECT_NEAR(d.data.materials.at("sand").cohesion, 2000, 1e-9);
     EXPECT_NEAR(std::tan(d.data.materials.at("sand").friction_angle), tan_30 / 1.3, 1e-12);
     EXPECT_NEAR(*d.data.materials.at("clay").slices.unit_weight, 19e3 / 1.1, 1e-9);
     EXPECT_NEAR(d.data.materials.at("sand").grain_density, 2650 / 1.1, 1e-9);
   }
+}
+
+TEST(DesignValues, WarnOfFactoredActionsBesideAnEarthquake) {
+  const auto describe = [](const std::string& set, const std::string& quake) {
+    return describe_factored_quake(read("[partial_factors]\nset = \"" + set + "\"\n" + quake));
+  };
+  const std::string quake = "[earthquake]\nhorizontal = 0.1\n";
+  EXPECT_NE(describe("DA2", quake).find("γ_G = 1.35"), std::string::npos);
+  const std::string traffic = "[[surcharge]]\nname = \"traffic\"\nx = [2, 10]\nload = [10, 10]\nvariable = true\n";
+  EXPECT_NE(describe("DA1-2", quake + traffic).find("γ_Q = 1.3"), std::string::npos);
+  EXPECT_EQ(describe("DA1-2", quake), "") << "no variable action";
+  EXPECT_EQ(describe("EN1998-5", quake), "");
+  EXPECT_EQ(describe("DA2", ""), "");
 }
 
 /// What the report's table of design values says is what the case has.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program itself: what it prints where, and its exit codes.
 
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -236,6 +237,24 @@ TEST(Program, RunsAJobUnderALauncherAndNoStudy) {
   EXPECT_NE(study.text.find("a study does not run on 4 ranks"), std::string::npos) << study.text;
   const Outcome job = run_program("study " + testing::TempDir() + " --job 0", "PMI_SIZE=4");
   EXPECT_EQ(job.text.find("ranks"), std::string::npos) << job.text;
+}
+
+/// ACADS 1(a) has 0.99 to 1.00 with characteristic values.
+TEST(Program, SaysTheCheckOfADesignSetFirst) {
+  const std::string folder = testing::TempDir() + "talus_design";
+  for (const auto& [cohesion, part] :
+       {std::pair{"3", "below 1: the slope is NOT verified"}, {"30", "at least 1: verified"}}) {
+    const std::string path =
+        write_file("talus_design.toml", change(slices_alone, "cohesion = 3", fmt::format("cohesion = {}", cohesion)) +
+                                            "[lem]\nmethods = [\"bishop\"]\nnoncircular = false\nreferee = false\n"
+                                            "[partial_factors]\nset = \"DA2\"\n");
+    const std::string said = run_program("run --overwrite --no-report -o " + folder + " " + path).text;
+    const auto check = said.find("Check with DA2: F/γ_R = "), factor = said.find("\nFactor of safety ");
+    ASSERT_NE(check, std::string::npos) << said;
+    ASSERT_LT(check, factor) << said;
+    EXPECT_NE(said.substr(check, factor - check).find(part), std::string::npos) << said;
+    EXPECT_NEAR(std::stod(said.substr(factor + 18)), 1.1 * std::stod(said.substr(check + 25)), 2e-3) << said;
+  }
 }
 
 }  // namespace

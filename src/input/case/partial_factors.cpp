@@ -46,6 +46,18 @@ PartialFactorValues take_set(DesignApproach set) {
       take_actions_2(v);
       take_materials_2(v);
       break;
+    case DesignApproach::en_1998_5:
+      v.set = "EN 1998-5";
+      take_materials_2(v);
+      break;
+    case DesignApproach::aashto_75:
+      v.set = "AASHTO LRFD, φ = 0.75";
+      v.resistance = 1 / 0.75;
+      break;
+    case DesignApproach::aashto_65:
+      v.set = "AASHTO LRFD, φ = 0.65";
+      v.resistance = 1 / 0.65;
+      break;
     case DesignApproach::by_hand:
       v.set = "by hand";
       break;

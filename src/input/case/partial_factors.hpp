@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// [partial_factors]: those of Eurocode 7 for the stability of slopes: the named sets, and what is divided or
-// multiplied.
+// [partial_factors]: sets of design codes for the stability of slopes, and what is divided or multiplied.
 
 #include <array>
 #include <optional>
@@ -11,8 +10,8 @@
 
 namespace talus::input {
 
-/// Eurocode 7, EN 1997-1 Annex A; or factors by hand.
-enum class DesignApproach { none, da1_1, da1_2, da2, da3, by_hand };
+/// EN 1997-1 Annex A, EN 1998-5, AASHTO LRFD; or factors by hand.
+enum class DesignApproach { none, da1_1, da1_2, da2, da3, en_1998_5, aashto_75, aashto_65, by_hand };
 
 struct PartialFactors {
   DesignApproach set = DesignApproach::none;
@@ -29,11 +28,19 @@ struct PartialFactors {
 template <>
 inline constexpr auto choices<DesignApproach> = std::array{
     Choice{DesignApproach::none, "none", "characteristic values"},
-    Choice{DesignApproach::da1_1, "DA1-1", "A1 + M1 + R1: γ_G 1.35, γ_Q 1.5"},
-    Choice{DesignApproach::da1_2, "DA1-2", "A2 + M2 + R1: γ_Q 1.3, γ_φ' 1.25, γ_c' 1.25, γ_cu 1.4"},
+    Choice{DesignApproach::da1_1, "DA1-1", "A1 + M1 + R1: γ_G 1.35, γ_Q 1.5; also the UK National Annex (BS 6031)"},
+    Choice{DesignApproach::da1_2, "DA1-2",
+           "A2 + M2 + R1: γ_Q 1.3, γ_φ' 1.25, γ_c' 1.25, γ_cu 1.4; also the UK National Annex (BS 6031)"},
     Choice{DesignApproach::da2, "DA2", "A1 + M1 + R2: γ_G 1.35, γ_Q 1.5, γ_R;e 1.1"},
     Choice{DesignApproach::da3, "DA3",
            "A2 + M2 + R3: γ_Q 1.3, γ_φ' 1.25, γ_c' 1.25, γ_cu 1.4; loads on a slope count as geotechnical actions"},
+    Choice{DesignApproach::en_1998_5, "EN1998-5",
+           "earthquake, EN 1998-5:2004, 3.1(3): γ_φ' 1.25, γ_c' 1.25, γ_cu 1.4; actions without factors"},
+    Choice{DesignApproach::aashto_75, "AASHTO-0.75",
+           "AASHTO LRFD, 9th edition, overall stability: resistance factor 0.75, load factors 1; well defined soil, no "
+           "structure on the slope"},
+    Choice{DesignApproach::aashto_65, "AASHTO-0.65",
+           "the same with 0.65: limited information, or a structure on the slope"},
     Choice{DesignApproach::by_hand, "by_hand", "the factors below; those not given are 1"},
 };
 
@@ -41,8 +48,8 @@ template <class Visitor>
 void describe(Visitor& v, PartialFactors& p) {
   const auto none = DesignApproach::none;
   v.key("set", p.set, plain(),
-        "Partial factors of EN 1997-1:2004, Annex A (recommended values). Factors that are given replace those of the "
-        "set.");
+        "Partial factors of a code: DA1 to DA3 are those of EN 1997-1:2004, Annex A (recommended values). Factors that "
+        "are given replace those of the set.");
   v.key("cohesion", p.cohesion, plain().above(0).allowed_unless("set", p.set, none).example("1.25"),
         "γ_c', which divides c' and the cohesion of roots. M1: 1, M2: 1.25.");
   v.key("friction", p.friction, plain().above(0).allowed_unless("set", p.set, none).example("1.25"),
@@ -59,7 +66,7 @@ void describe(Visitor& v, PartialFactors& p) {
   v.key("variable_load", p.variable_load, plain().above(0).allowed_unless("set", p.set, none).example("1.5"),
         "γ_Q of variable surcharges, which are to stand only where they are unfavourable. A1: 1.5, A2: 1.3.");
   v.key("resistance", p.resistance, plain().above(0).allowed_unless("set", p.set, none).example("1.1"),
-        "γ_R;e, which divides the factor of safety. R1 and R3: 1, R2: 1.1.");
+        "γ_R;e, which divides the factor of safety. R1 and R3: 1, R2: 1.1; AASHTO: one over its resistance factor.");
 }
 
 /// The factors of a set with those given by hand in their places [-].
@@ -78,7 +85,8 @@ struct PartialFactorValues {
 
 /// EN 1997-1:2004, Annex A, recommended values for slopes and overall stability (tables A.3, A.4 and A.14):
 /// DA1-1: A1+M1+R1, DA1-2: A2+M2+R1, DA2: A1+M1+R2, DA3: A2+M2+R3, as all loads on a slope count as geotechnical
-/// actions (2.4.7.3.4.4, note 2).
+/// actions (2.4.7.3.4.4, note 2). EN 1998-5:2004, 3.1(3): factors of materials in seismic design situations, whose
+/// actions have none (EN 1990, 6.4.3.4). AASHTO LRFD, 9th edition (2020), 11.6.3.7: γ_R = 1/φ with load factors of 1.
 PartialFactorValues find_partial_factors(const PartialFactors& given);
 
 /// The same with γ_G = 1. The factor of safety is a ratio: multiplying weight, water and permanent loads by γ_G, as

@@ -3,15 +3,21 @@
 import { report } from "../state";
 import { FactorTable, methodNames } from "./FactorTable";
 import { formatCount, formatFactor, formatQuantity, formatSentence } from "./format";
-import { splitFactors } from "./shortFactors";
+import { getResistance, splitFactors } from "./shortFactors";
 import { WarningLink, Warnings } from "./Warnings";
+import { formatNumber } from "../charts/base/numbers";
 import type { Factor, NamedResult } from "../contract";
 import "./answer.css";
 
 /** Partial factors make it one of design values, and failure a matter of verification. */
 const hasDesignValues = () => report.value.method_table?.partial_factors !== undefined;
+const resistance = () => getResistance(report.value.method_table);
+/** What is compared with 1: the factor of safety over γ_R. */
+const check = (factor: number | null) => (factor === null ? null : factor / resistance());
 const nameFactor = () =>
-  hasDesignValues() ? "Factor of safety with design values"
+  hasDesignValues() ?
+    resistance() === 1 ? "Factor of safety with design values"
+    : `Factor of safety with design values over the resistance factor ${formatNumber(resistance(), 4)}`
   : report.value.slices?.drawdown ? "Factor of safety after drawdown"
   : "Factor of safety";
 const sayFailure = () =>
@@ -20,7 +26,8 @@ const sayFailure = () =>
   : "the slope fails as it stands";
 
 /** Both ends of what is proven, or the one that there is. */
-function Interval({ factor: { lower, upper } }: { factor: Factor }) {
+function Interval({ factor }: { factor: Factor }) {
+  const [lower, upper] = [check(factor.lower), check(factor.upper)];
   const text =
     lower === null
       ? `≤ ${formatFactor(upper)}`
@@ -40,7 +47,7 @@ function ProvenInterval({ factor }: { factor: Factor }) {
       <WarningLink />
       <p class="label">
         {nameFactor()}
-        {factor.upper !== null && factor.upper < 1 && <strong class="bad">, below 1: {sayFailure()}</strong>}
+        {factor.upper !== null && check(factor.upper)! < 1 && <strong class="bad">, below 1: {sayFailure()}</strong>}
         <span class="criterion">{factor.title}</span>
       </p>
     </div>
@@ -55,7 +62,7 @@ function MethodValue({ factor }: { factor: Factor }) {
         {factor.value === null ? (
           <Interval factor={factor} />
         ) : (
-          <span class={factor.value < 1 ? "value bad" : "value"}>{formatFactor(factor.value)}</span>
+          <span class={check(factor.value)! < 1 ? "value bad" : "value"}>{formatFactor(check(factor.value))}</span>
         )}
         <span class="criterion">{factor.title}</span>
       </dd>
@@ -67,7 +74,9 @@ function MethodValue({ factor }: { factor: Factor }) {
 function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | undefined }) {
   const governs = proven?.main === true;
   const shown = [...(proven && governs ? [proven] : []), ...factors, ...(proven && !governs ? [proven] : [])];
-  const fails = governs ? (proven.upper ?? 1) < 1 : factors.some((factor) => factor.value! < 1);
+  const fails = governs
+    ? proven.upper !== null && check(proven.upper)! < 1
+    : factors.some((factor) => check(factor.value)! < 1);
   return (
     <div class={governs ? "main-factor several by-proof" : "main-factor several"}>
       <dl>
@@ -85,14 +94,14 @@ function MainFactors({ factors, proven }: { factors: Factor[]; proven: Factor | 
 }
 
 function MainFactor({ factor }: { factor: Factor }) {
-  const fails = factor.value !== null && factor.value < 1;
+  const fails = factor.value !== null && check(factor.value)! < 1;
   return (
     <div class="main-factor">
       <p class="number">
-        <span class={fails ? "value bad" : "value"}>{formatFactor(factor.value)}</span>
+        <span class={fails ? "value bad" : "value"}>{formatFactor(check(factor.value))}</span>
         {factor.lower !== null && factor.upper !== null && (
           <span class="bracket">
-            {formatFactor(factor.lower)} – {formatFactor(factor.upper)}
+            {formatFactor(check(factor.lower))} – {formatFactor(check(factor.upper))}
           </span>
         )}
       </p>

@@ -2,9 +2,9 @@
 // What the answer shows first where several methods were asked.
 import { describe, expect, it } from "vitest";
 
-import type { Factor, Report } from "../contract";
+import type { Factor, MethodTable, Report } from "../contract";
 import { findMechanism } from "./opening";
-import { splitFactors } from "./shortFactors";
+import { getResistance, splitFactors } from "./shortFactors";
 
 const makeFactor = (method: Factor["method"], name: string, value: number, kind: Partial<Factor>, main = false) =>
   ({ method, name, title: name, value, lower: null, upper: null, note: "", main, ...kind }) as Factor;
@@ -20,6 +20,16 @@ const factors = [
   makeFactor("mpm", "factor_of_safety.bilinear", 1.593, { by: "bilinear" }),
   makeFactor("mpm", "factor_of_safety.jump", 1.625, { by: "jump" }),
 ];
+
+describe("the check with design values", () => {
+  const table = { partial_factors: { values: [{ key: "resistance", title: "", symbol: "", value: 1.1 }] } };
+
+  it("divides by the resistance factor, which is 1 without a set", () => {
+    expect(getResistance(table as MethodTable)).toBe(1.1);
+    expect(getResistance(undefined)).toBe(1);
+    expect(1.068 / getResistance(table as MethodTable)).toBeLessThan(1);
+  });
+});
 
 describe("the short table", () => {
   it("has the main rows and what explains them, the fold all others", () => {
