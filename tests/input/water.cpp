@@ -249,6 +249,26 @@ TEST(Documents, HaveTheBlockWithinAMaterial) {
   EXPECT_EQ(rate[2]["items"]["prefixItems"].size(), 2u);
 }
 
+TEST(WeightStage, OfWetSoilIsDrainedUnlessItSaysOtherwise) {
+  const std::string rest =
+      change(wet_slope, "damping = 0.7\nconductivity_factor = 2", "damping = 0.7\nuntil = \"rest\"");
+  const auto read_first = [](const std::string& text, const std::vector<Override>& changes = {}) {
+    return read_case_text(text, "wet.toml", changes).data.stages.at(0).step;
+  };
+  EXPECT_EQ(read_first(rest).water, WaterMotion::held);
+  EXPECT_EQ(read_first(rest).geometry, Geometry::frozen);
+  EXPECT_EQ(read_case_text(rest, "wet.toml").data.stages.at(1).step.water, WaterMotion::seeps);
+  for (const auto& [key, value] : std::vector<Override>{{"stage.0.water", "seeps"},
+                                                        {"stage.0.geometry", "moving"},
+                                                        {"stage.0.conductivity_factor", "1"},
+                                                        {"initial.stress", "k0"},
+                                                        {"stage.0.until", "time"}}) {
+    EXPECT_EQ(read_first(rest, {{key, value}}).water, WaterMotion::seeps) << key;
+    EXPECT_EQ(read_first(rest, {{key, value}}).geometry, Geometry::moving) << key;
+  }
+  EXPECT_EQ(read_first(slope).water, WaterMotion::seeps) << "dry soil";
+}
+
 /// n = 1/(1 - λ) below 2: the slope of k_r at saturation is infinite.
 TEST(SeepageOverTime, HasAnAirEntryWhereMualemsCurveNeedsOne) {
   PoreWater soil;

@@ -65,5 +65,31 @@ TEST(FastWater, IsSaidOfOpenSoilThatWaterSeepsThrough) {
   EXPECT_EQ(say({.water = input::WaterMotion::seeps, .conductivity_factor = 0.1}), "");
 }
 
+/// Water that cannot drain carries σ, held water only u: σ' = γ'(H - y) on the mean.
+TEST(UndrainedWeight, IsSaidOfSoilAtRestUnderExcessPressure) {
+  input::Material silt = support::make_wet_soil(young);
+  silt.water.conductivity = 1e-8;
+  input::Case data = support::make_box_case<2>(silt);
+  data.initial.water = {input::InitialPressure::water_table, {{0, height}}};
+  data.hydraulics = {support::make_hydraulic("top", input::WaterCondition::total_head, height)};
+  for (const bool is_held : {true, false}) {
+    mpm::Body<2> body = make_wet_column(data);
+    input::StepSettings settings{.damping = 0.5};
+    if (is_held) settings.geometry = input::Geometry::frozen, settings.water = input::WaterMotion::held;
+    const run::CarriedWeight before = run::find_carried_weight(body);
+    EXPECT_EQ(support::run_plan(body, support::make_rest_stage(data, body, 20, settings)), results::StageEnd::rest);
+    const run::CarriedWeight after = run::find_carried_weight(body);
+    const double buoyant = 0.6 * (2650 - 1000) * 9.81 * height / 2;
+    const std::string said = run::describe_undrained_weight(body, "gravity", before).value_or("");
+    if (is_held) {
+      EXPECT_NEAR(after.grains, buoyant, 0.03 * buoyant);
+      EXPECT_EQ(said, "");
+    } else {
+      EXPECT_LT(after.grains, 0.1 * buoyant);
+      EXPECT_NE(said.find("stage 'gravity': at its end the pore water carries"), std::string::npos) << said;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace talus

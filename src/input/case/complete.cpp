@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "input/case/checks.hpp"
+
 namespace talus::input {
 namespace {
 
@@ -52,6 +54,20 @@ void complete_density(Material& material, const Gravity& gravity, const std::str
   material.grain_density = *material.slices.unit_weight / (gravity.acceleration * (1 - material.porosity));
 }
 
+/// Water that may move carries the weight first, and soil at rest under it is not in its effective stresses.
+void drain_weight(Case& data, const Places& places) {
+  if (data.stages.empty() || !is_wet(data)) return;
+  Stage& first = data.stages.front();
+  const bool brings_weight = first.until == Until::rest && data.initial.stress == InitialStress::none &&
+                             data.initial.result.empty() && data.initial.water.pressure != InitialPressure::zero &&
+                             data.gravity.acceleration > 0;
+  if (!brings_weight || places.is_given("stage.0.water") || places.is_given("stage.0.geometry") ||
+      places.is_given("stage.0.conductivity_factor"))
+    return;
+  first.step.water = WaterMotion::held;
+  first.step.geometry = Geometry::frozen;
+}
+
 }  // namespace
 
 void complete_porosities(Case& data) {
@@ -71,6 +87,7 @@ void complete(Case& data, const std::string& file, const Places& places) {
     material::complete_soil(material, name, find_file);
   }
   complete_without_points(data, places);
+  drain_weight(data, places);
   // A ready mesh cannot be coarsened, and a second mesh of tetrahedra costs memory and time.
   if (!places.is_given("fem.meshes") && (data.mesh.dimension == 3 || !data.mesh.file.empty())) data.fem.meshes = 1;
   if (data.initial.result.empty()) return;

@@ -109,12 +109,17 @@ void describe(Visitor& v, StepSettings& s) {
         "The inertia is multiplied by it, for larger time steps in quasi-static stages.");
   v.key("integration", s.integration, plain(), "Where the internal forces are integrated.");
   v.key("smoothing", s.smoothing, plain(), "Against volumetric locking.");
-  v.key("geometry", s.geometry, plain(), "Whether the soil changes its place.");
+  v.key("geometry", s.geometry, plain(),
+        "Whether the soil changes its place. Default of a weight stage of wet soil (see `water`): \"frozen\".");
   v.key("objective_rate", s.objective_rate, plain(), "Rotate the stress with the soil.");
   v.key("fade_unseen", s.fade_unseen, plain(),
         "Take velocities of points away that no node sees; false keeps them, as the textbook step does.");
   v.key("courant", s.courant, plain().above(0).at_most(1), "Time step over the largest stable one.");
-  v.key("water", s.water, plain(), "Whether pore water moves.");
+  v.key(
+      "water", s.water, plain(),
+      "Whether pore water moves. A weight stage is a first stage with until = \"rest\" that brings the weight on soil "
+      "with a water table or seepage and without initial stress; where it names neither `water` nor `geometry`, its "
+      "pore pressures are held, so that the weight is drained. With moving water the water would carry it first.");
   v.key("drag", s.drag, plain(), "How the drag between water and grains is integrated.");
   v.key("water_damping", s.water_damping, plain().at_least(0).below(1), "Local damping of the water.");
   v.key("damped_force", s.damped_force, plain(), "The force on which the damping of the water acts.");

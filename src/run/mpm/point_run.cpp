@@ -290,6 +290,11 @@ void PointRun<D>::run_stages(results::RunResult& run) {
     }
     if (const auto slow = describe_slow_wave(body_, plan)) warnings_.push_back(*slow);
     if (const auto fast = describe_fast_water(body_, plan)) warnings_.push_back(*fast);
+    // Before the first stage no soil bears weight.
+    const bool brings_weight = i == 0 && !state.started && body_.water.is_wet() && data_.initial.result.empty() &&
+                               data_.initial.stress == input::InitialStress::none;
+    const std::optional<CarriedWeight> before =
+        brings_weight ? std::optional(find_carried_weight(body_)) : std::nullopt;
     const auto start = Clock::now();
     const StageHooks<D> hooks = watch_bands(body_, recorder.begin_leg(i, plan, body_, state));
     results::Stage report;
@@ -306,6 +311,9 @@ void PointRun<D>::run_stages(results::RunResult& run) {
     if (plan.until_rest && report.end != results::StageEnd::rest) report.moving = find_moving_soil(body_);
     if (!state.setbacks.empty()) report.setbacks = state.setbacks;
     warn_about(stage, report, i + 1 == count);
+    if (const auto undrained =
+            before && plan.until_rest ? describe_undrained_weight(body_, stage.name, *before) : std::nullopt)
+      warnings_.push_back(*undrained);
     if (const auto narrow = describe_narrow_band(body_, state, data_.softening_length))
       warnings_.push_back(fmt::format("stage '{}': {}", stage.name, *narrow));
     if (is_equilibrium_stage(data_, i))

@@ -19,6 +19,9 @@ constexpr double largest_share = 0.1;
 /// Conductivity of soil in which water takes k/(n g), some milliseconds, to follow a change of its drag [m/s].
 constexpr double open_soil = 1e-2;
 
+/// Part of the weight that water may carry at the end of a weight stage.
+constexpr double largest_excess = 0.05;
+
 /// To one digit.
 double round_down(double x) {
   const double unit = std::pow(10.0, std::floor(std::log10(x)));
@@ -81,10 +84,43 @@ std::optional<std::string> describe_fast_water(const mpm::Body<D>& body, const S
   return std::nullopt;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                           \
-  template DrainedWave find_drained_wave<D>(const mpm::Body<D>&, const StagePlan<D>&);                 \
-  template std::optional<std::string> describe_slow_wave<D>(const mpm::Body<D>&, const StagePlan<D>&); \
-  template std::optional<std::string> describe_fast_water<D>(const mpm::Body<D>&, const StagePlan<D>&);
+template <int D>
+CarriedWeight find_carried_weight(const mpm::Body<D>& body) {
+  CarriedWeight carried;
+  double volume = 0;
+  for (int id = 0; id < body.points.size(); ++id) {
+    if (!mpm::is_present(body, id)) continue;
+    const auto p = mpm::view_point(body, id);
+    if (!p.wet) continue;
+    volume += p.volume;
+    carried.water -= p.volume * p.pressure;
+    carried.grains -= p.volume * p.stress[1];
+  }
+  if (volume > 0) carried = {carried.water / volume, carried.grains / volume};
+  return carried;
+}
+
+template <int D>
+std::optional<std::string> describe_undrained_weight(const mpm::Body<D>& body, const std::string& stage,
+                                                     const CarriedWeight& before) {
+  const CarriedWeight now = find_carried_weight(body);
+  const double excess = now.water - before.water, weight = excess + now.grains - before.grains;
+  if (!(excess > largest_excess * weight) || !(weight > 0)) return std::nullopt;
+  return fmt::format(
+      "stage '{}': at its end the pore water carries {:.0f} % of the weight that the stage brought on (mean excess "
+      "pressure {:.3g} kPa): the soil is at rest, not drained, and its effective stresses are too low. Leave `water` "
+      "and "
+      "`geometry` of a weight stage out, which holds the pore pressures, or give the water time to drain",
+      stage, 100 * std::min(1.0, excess / weight), excess / 1e3);
+}
+
+#define TALUS_INSTANTIATE(D)                                                                                \
+  template DrainedWave find_drained_wave<D>(const mpm::Body<D>&, const StagePlan<D>&);                      \
+  template std::optional<std::string> describe_slow_wave<D>(const mpm::Body<D>&, const StagePlan<D>&);      \
+  template std::optional<std::string> describe_fast_water<D>(const mpm::Body<D>&, const StagePlan<D>&);     \
+  template CarriedWeight find_carried_weight<D>(const mpm::Body<D>&);                                       \
+  template std::optional<std::string> describe_undrained_weight<D>(const mpm::Body<D>&, const std::string&, \
+                                                                   const CarriedWeight&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)
 #undef TALUS_INSTANTIATE

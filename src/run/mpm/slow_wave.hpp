@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a stage says of its inertia: mass scaling makes soil slow, until it no longer keeps up with what happens to it,
-// and water that seeps has none.
+// What a stage says of its inertia and its water: mass scaling makes soil slow, until it no longer keeps up with what
+// happens to it, water that seeps has none, and water that has not drained carries the weight.
 
 #include <optional>
 #include <string>
@@ -27,5 +27,20 @@ std::optional<std::string> describe_slow_wave(const mpm::Body<D>& body, const St
 /// "stage 'rain': water = "seeps" leaves …"; nothing where no soil is so open that its water has an inertia of its own.
 template <int D>
 std::optional<std::string> describe_fast_water(const mpm::Body<D>& body, const StagePlan<D>& plan);
+
+/// What pore water and grains carry, as means over the volume of the wet points, positive in compression [Pa].
+struct CarriedWeight {
+  double water = 0;   ///< pore pressure
+  double grains = 0;  ///< vertical effective stress
+};
+
+template <int D>
+CarriedWeight find_carried_weight(const mpm::Body<D>& body);
+
+/// "stage 'gravity': …" where water carries a noticeable part of the weight that the stage brought on: soil at rest
+/// that is not in its effective stresses. `before`: at the start of the stage. Nothing where the weight is drained.
+template <int D>
+std::optional<std::string> describe_undrained_weight(const mpm::Body<D>& body, const std::string& stage,
+                                                     const CarriedWeight& before);
 
 }  // namespace talus::run
