@@ -3,6 +3,7 @@
 
 #include "report/pack/pack.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "report_page.hpp"
@@ -84,6 +85,44 @@ TEST(Pack, NumbersAreExact) {
   const std::vector<double> reals{0.5, -1e-30, 44.25};
   const auto back = go_around([&](Packer& p) { return p.add_reals("x", reals, {3}); });
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(back[i], static_cast<double>(static_cast<float>(reals[i])));
+}
+
+/// Points of two frames over a section of 40 m by 12 m; the last one leaves the grid.
+std::vector<double> draw_places(const std::vector<double>& origin) {
+  support::Draw draw(11);
+  std::vector<double> places;
+  for (int i = 0; i < 2 * 300; ++i)
+    for (const double d : {draw(0, 40), draw(0, 12)}) places.push_back(origin[places.size() % 2] + d);
+  places[places.size() - 1] = places[places.size() - 2] = std::numeric_limits<double>::quiet_NaN();
+  return places;
+}
+
+TEST(Pack, PlacesOfAMapKeepTheirDigits) {
+  const std::vector<double> map{500000.25, 4000000.5};
+  const std::vector<double> here = draw_places({0, 0}), there = draw_places(map);
+  const auto go = [](const std::vector<double>& places) {
+    return go_around([&](Packer& p) { return p.add_quantised_places("a", places, {2, 300, 2}, true); });
+  };
+  const std::vector<double> packed_here = go(here), packed_there = go(there);
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    if (std::isnan(here[i])) {
+      EXPECT_TRUE(std::isnan(packed_there[i]));
+      continue;
+    }
+    // Half a step of the component's own range.
+    EXPECT_NEAR(packed_there[i], there[i], (i % 2 == 0 ? 40 : 12) / 65534.0 / 2 * (1 + 1e-4));
+    EXPECT_NEAR(packed_there[i] - map[i % 2], packed_here[i], 40 / 65534.0 * (1 + 1e-4));
+  }
+}
+
+TEST(Pack, NodesOfAMapKeepTheirDigits) {
+  const std::vector<double> map{500000.25, 4000000.5};
+  std::vector<double> nodes = draw_places(map);
+  nodes.resize(nodes.size() - 2);
+  const auto back = go_around([&](Packer& p) { return p.add_places("n", nodes, {nodes.size() / 2, 2}); });
+  // Half of the last bit of a float of 20 m.
+  for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(back[i], nodes[i], 20 * 6e-8);
+  EXPECT_TRUE(go_around([](Packer& p) { return p.add_places("n", {}, {0, 2}); }).empty());
 }
 
 TEST(Pack, RowsThatResembleEachOtherGetShorter) {

@@ -84,6 +84,8 @@ std::vector<double> decode(const nlohmann::json& array, const std::string& base6
       float value;
       std::memcpy(&value, &n, 4);
       values.push_back(value);
+    } else if (array.contains("origin")) {
+      values.push_back(n == 65535 ? std::nan("") : n);
     } else if (array.contains("range")) {
       const double min = array["range"][0], max = array["range"][1];
       values.push_back(n == 65535 ? std::nan("") : min + n / 65534.0 * (max - min));
@@ -91,6 +93,10 @@ std::vector<double> decode(const nlohmann::json& array, const std::string& base6
       values.push_back(n);
     }
   }
+  if (!array.contains("origin")) return values;
+  const std::size_t components = array["origin"].size();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = array["origin"][i % components].get<double>() + array["step"][i % components].get<double>() * values[i];
   return values;
 }
 

@@ -33,6 +33,11 @@ export async function readFrame(page, array, frame) {
   const values = Array.from({ length: row }, () => 0);
   for (let f = array.delta ? 0 : frame; f <= frame; ++f)
     for (let i = 0; i < row; ++i) values[i] = (values[i] + read(f * row + i)) % 256 ** width;
+  if (array.origin)
+    return values.map((q, i) => {
+      const component = i % array.origin.length;
+      return q === 65535 ? Number.NaN : array.origin[component] + array.step[component] * q;
+    });
   if (!array.range) return values;
   const [min, max] = array.range;
   return values.map((q) => (q === 65535 ? Number.NaN : min + (q * (max - min)) / 65534));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Reads the document and its packed arrays from the page. */
-import type { PackedArray, Report } from "./contract";
+import type { PackedArray, PackedPlaces, Report } from "./contract";
 
 /** Packed array → text in base64. The page finds it in the document; a test reads it from a file. */
 export type Source = (id: string) => string;
@@ -66,4 +66,17 @@ export async function readValues(array: PackedArray, source: Source = fromPage):
   const values = new Float32Array(numbers.length);
   for (let i = 0; i < values.length; ++i) values[i] = numbers[i] === 65535 ? Number.NaN : min + numbers[i]! * step;
   return values;
+}
+
+/** Packed coordinates [m]; NaN where there is none. */
+export async function readPlaces(array: PackedPlaces, source: Source = fromPage): Promise<Float64Array> {
+  const numbers = await readIntegers(array, source);
+  const { origin, step, type } = array;
+  const width = origin.length;
+  const places = new Float64Array(numbers.length);
+  for (let i = 0; i < places.length; ++i) {
+    const none = type === "u16" && numbers[i] === 65535;
+    places[i] = none ? Number.NaN : origin[i % width]! + step[i % width]! * numbers[i]!;
+  }
+  return places;
 }

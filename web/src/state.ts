@@ -2,8 +2,8 @@
 /** What the parts of the page share: the frame that is shown, the field, the point that was picked. */
 import { computed, signal } from "@preact/signals";
 
-import type { PackedArray, Report, Sequence } from "./contract";
-import { readIntegers, readValues } from "./data";
+import type { PackedArray, PackedPlaces, Report, Sequence } from "./contract";
+import { readIntegers, readPlaces, readValues } from "./data";
 
 /** The report, set once before anything is drawn. */
 export const report = signal<Report>(null as unknown as Report);
@@ -19,7 +19,7 @@ export const pickedPoint = signal<number | null>(null);
 
 export const sequence = computed<Sequence | null>(() => report.value.sequences[sequenceIndex.value] ?? null);
 
-function makeCache<T>(read: (array: PackedArray) => Promise<T>): (array: PackedArray) => Promise<T> {
+function makeCache<A extends PackedArray, T>(read: (array: A) => Promise<T>): (array: A) => Promise<T> {
   const cache = new Map<string, Promise<T>>();
   return (array) => {
     let numbers = cache.get(array.id);
@@ -29,7 +29,10 @@ function makeCache<T>(read: (array: PackedArray) => Promise<T>): (array: PackedA
 }
 
 /** The values of a packed array, decoded once. */
-export const load = makeCache((array) => readValues(array));
+export const load = makeCache((array: PackedArray) => readValues(array));
+
+/** Likewise coordinates [m]. */
+export const loadPlaces = makeCache((array: PackedPlaces) => readPlaces(array));
 
 /** Likewise its numbers as they are stored: those of points go beyond what a value of 32 bits tells apart. */
-export const loadIntegers = makeCache((array) => readIntegers(array));
+export const loadIntegers = makeCache((array: PackedArray) => readIntegers(array));

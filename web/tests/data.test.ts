@@ -3,8 +3,8 @@
 import { deflateSync } from "node:zlib";
 import { describe, expect, it } from "vitest";
 
-import type { PackedArray } from "../src/contract";
-import { readIntegers, readValues } from "../src/data";
+import type { PackedArray, PackedPlaces } from "../src/contract";
+import { readIntegers, readPlaces, readValues } from "../src/data";
 
 /** The text that the page holds for these bytes. */
 const pack = (bytes: number[]) => Buffer.from(deflateSync(Uint8Array.from(bytes))).toString("base64");
@@ -83,5 +83,29 @@ describe("readValues", () => {
   it("gives numbers without a range as they are", async () => {
     const array: PackedArray = { ...base, type: "u16", shape: [1] };
     expect([...(await readValues(array, of([0xff, 0xff])))]).toEqual([65535]);
+  });
+});
+
+describe("readPlaces", () => {
+  const easting = 500_000.25;
+  const northing = 4_000_000.5;
+
+  it("gives each component its own origin and step, and keeps the digits of a map", async () => {
+    const places: PackedPlaces = {
+      ...base, type: "u16", shape: [2, 1, 2], delta: true, origin: [easting, northing], step: [0.001, 0.0005],
+    };
+    // Rows (3, 7) and (65535, 9): the differences are 65532 = 0xfffc and 2.
+    const read = await readPlaces(places, of([3, 0, 7, 0, 0xfc, 0xff, 2, 0]));
+    expect(read[0]).toBeCloseTo(easting + 0.003, 9);
+    expect(read[1]).toBeCloseTo(northing + 0.0035, 9);
+    expect(read[2]).toBeNaN();
+    expect(read[3]).toBeCloseTo(northing + 0.0045, 9);
+  });
+
+  it("adds floats to the origin in double precision", async () => {
+    const places: PackedPlaces = { ...base, type: "f32", shape: [1, 2], origin: [easting, northing], step: [1, 1] };
+    // -1.5 and 0.1f, as above: a float of 4,000,000.6 would be off by 0.1.
+    const read = await readPlaces(places, of([0, 0, 0xc0, 0xbf, 0xcd, 0xcc, 0xcc, 0x3d]));
+    expect([...read]).toEqual([easting - 1.5, northing + Math.fround(0.1)]);
   });
 });

@@ -2,7 +2,7 @@
 /** Slices and finite elements of a real report (TALUS_REPORT) against its results folder (TALUS_RESULTS). */
 import { describe, expect, it } from "vitest";
 
-import { readIntegers, readValues } from "../src/data";
+import { readIntegers, readPlaces, readValues } from "../src/data";
 import { findGiven, readJson, readReportFile } from "./reportFile";
 
 const given = findGiven();
@@ -60,7 +60,7 @@ describe.skipIf(!summary?.methods)("the methods of a report", () => {
     if (!trials) return;
     const file = readJson(folder, summary.lem.trials_file);
     const factors = await readValues(trials.factors, source);
-    const circles = await readValues(trials.circles, source);
+    const circles = await readPlaces(trials.circles, source);
     expect(trials.count).toBe(file.trials.length);
     for (const i of [0, trials.count >> 1, trials.count - 1]) {
       const row = file.trials[i];

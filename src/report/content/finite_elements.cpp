@@ -90,7 +90,7 @@ json pack_mesh(const results::ElementMesh& file, Packer& packer) {
   for (const std::uint32_t node : cells)
     if (node >= nodes)
       throw Error(ExitCode::wrong_input, fmt::format("an element names the node {} of {}", node, nodes));
-  return {{"nodes", packer.add_reals("fem.nodes", join_rows<double, double>(file.nodes, 2), {nodes, 2})},
+  return {{"nodes", packer.add_places("fem.nodes", join_rows<double, double>(file.nodes, 2), {nodes, 2})},
           {"elements", packer.add_numbers("fem.elements", cells, {elements, corners}, true)}};
 }
 

@@ -206,7 +206,7 @@ void add_mesh(const mesh::Mesh<D>& mesh, bool is_measured, json& block, Packer& 
   std::vector<std::uint32_t> cells;
   for (const auto& e : mesh.elements)
     for (const int node : e) cells.push_back(static_cast<std::uint32_t>(node));
-  block["positions"] = packer.add_reals("mesh.positions", positions, {mesh.nodes.size(), D});
+  block["positions"] = packer.add_places("mesh.positions", positions, {mesh.nodes.size(), D});
   block["cells"] = packer.add_numbers("mesh.cells", cells, {mesh.elements.size(), D + 1}, true);
 }
 

@@ -67,7 +67,7 @@ json pack_holding(const results::HoldingField& field, Packer& packer) {
       stress.push_back((corners[d] + corners[components + d] + corners[2 * components + d]) / 3);
   }
   return {
-      {"nodes", packer.add_reals("bounds.holds.nodes", join_places(field.nodes), {field.nodes.size(), 2})},
+      {"nodes", packer.add_places("bounds.holds.nodes", join_places(field.nodes), {field.nodes.size(), 2})},
       {"triangles", packer.add_numbers("bounds.holds.triangles", join_triangles(field.triangles, 3, field.nodes.size()),
                                        {triangles, 3}, true)},
       {"stress", packer.add_values("bounds.holds.stress", stress, {triangles, components}, false)},
@@ -79,7 +79,7 @@ json pack_moving(const results::MovingField& field, Packer& packer) {
   constexpr std::size_t nodes_of_triangle = 6;
   const std::size_t triangles = field.triangles.size(), nodes = field.nodes.size();
   if (!can_be_drawn(triangles, field.shear_rate.size()) || field.velocity.size() != nodes) return {};
-  return {{"nodes", packer.add_reals("bounds.moves.nodes", join_places(field.nodes), {nodes, 2})},
+  return {{"nodes", packer.add_places("bounds.moves.nodes", join_places(field.nodes), {nodes, 2})},
           {"triangles",
            packer.add_numbers("bounds.moves.triangles", join_triangles(field.triangles, nodes_of_triangle, nodes),
                               {triangles, nodes_of_triangle}, true)},

@@ -75,8 +75,8 @@ class SequencePacker {
                   {"point_count", count}};
     sequence["ids"] = packer.add_numbers(plan_.id + ".ids", ids_, {count}, true);
     sequence["materials"] = packer.add_bytes(plan_.id + ".materials", materials_, {count});
-    sequence["positions"] =
-        packer.add_values(plan_.id + ".positions", gather_positions(), {frames_.size(), count, dimension_}, true);
+    sequence["positions"] = packer.add_quantised_places(plan_.id + ".positions", gather_positions(),
+                                                        {frames_.size(), count, dimension_}, true);
     json fields = json::array();
     for (std::size_t s = 0; s < scalars_.size(); ++s) fields.push_back(pack_field(s, packer));
     sequence["fields"] = fields;

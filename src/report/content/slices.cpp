@@ -115,7 +115,7 @@ json pack_trials(const results::SliceTrials& file, Packer& packer) {
   }
   return {{"count", count},
           {"methods", file.methods},
-          {"circles", packer.add_reals("lem.circles", circles, {count, 5})},
+          {"circles", packer.add_places("lem.circles", circles, {count, 5})},
           {"factors", packer.add_reals("lem.factors", factors, {count, methods})}};
 }
 

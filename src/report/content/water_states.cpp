@@ -79,7 +79,7 @@ json pack_water_mesh(const results::WaterFields& file, const std::string& name, 
     }
   }
   return {{"unit_weight", file.unit_weight},
-          {"nodes", packer.add_reals(name + ".nodes", nodes, {file.nodes.size(), 2})},
+          {"nodes", packer.add_places(name + ".nodes", nodes, {file.nodes.size(), 2})},
           {"elements", packer.add_numbers(name + ".elements", elements, {file.elements.size(), 3}, true)}};
 }
 

@@ -39,6 +39,14 @@ void subtract_rows(std::vector<T>& numbers, const std::vector<std::size_t>& shap
   for (std::size_t i = numbers.size(); i-- > row;) numbers[i] = static_cast<T>(numbers[i] - numbers[i - row]);
 }
 
+/// The values of a component of the last axis, which has `width` of them.
+std::vector<double> take_component(std::span<const double> values, std::size_t width, std::size_t component) {
+  std::vector<double> taken;
+  taken.reserve(values.size() / width);
+  for (std::size_t i = component; i < values.size(); i += width) taken.push_back(values[i]);
+  return taken;
+}
+
 std::vector<std::uint8_t> deflate_bytes(const std::vector<std::uint8_t>& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::vector<std::uint8_t> packed(size);
@@ -92,6 +100,40 @@ nlohmann::json Packer::add_values(const std::string& id, std::span<const double>
   if (delta) subtract_rows(q.codes, shape);
   nlohmann::json array = keep(id, "u16", shape, delta, split_planes(q.codes));
   array["range"] = {q.min, q.max};
+  return array;
+}
+
+nlohmann::json Packer::add_quantised_places(const std::string& id, std::span<const double> values,
+                                            const std::vector<std::size_t>& shape, bool delta) {
+  const std::size_t width = shape.back();
+  std::vector<std::uint16_t> codes(values.size());
+  std::vector<double> origin, step;
+  for (std::size_t c = 0; c < width; ++c) {
+    const Quantised q = quantise(take_component(values, width, c));
+    for (std::size_t i = 0; i < q.codes.size(); ++i) codes[i * width + c] = q.codes[i];
+    origin.push_back(q.min);
+    step.push_back((q.max - q.min) / largest_code);
+  }
+  if (delta) subtract_rows(codes, shape);
+  nlohmann::json array = keep(id, "u16", shape, delta, split_planes(codes));
+  array["origin"] = origin;
+  array["step"] = step;
+  return array;
+}
+
+nlohmann::json Packer::add_places(const std::string& id, std::span<const double> values,
+                                  const std::vector<std::size_t>& shape) {
+  const std::size_t width = shape.back();
+  std::vector<double> local(values.begin(), values.end()), origin;
+  for (std::size_t c = 0; c < width; ++c) {
+    const std::vector<double> component = take_component(values, width, c);
+    const auto [least, most] = std::minmax_element(component.begin(), component.end());
+    origin.push_back(component.empty() ? 0 : *least + (*most - *least) / 2);
+    for (std::size_t i = c; i < local.size(); i += width) local[i] -= origin[c];
+  }
+  nlohmann::json array = add_reals(id, local, shape);
+  array["origin"] = origin;
+  array["step"] = std::vector<double>(width, 1.0);
   return array;
 }
 

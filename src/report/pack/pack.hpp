@@ -35,10 +35,17 @@ class Packer {
   /// shorter where a row resembles the one before it.
   nlohmann::json add_values(const std::string& id, std::span<const double> values,
                             const std::vector<std::size_t>& shape, bool delta);
+  /// Coordinates as u16: each component, which the last axis counts, has a range of its own. An elevation so keeps its
+  /// digits beside an easting of a map.
+  nlohmann::json add_quantised_places(const std::string& id, std::span<const double> values,
+                                      const std::vector<std::size_t>& shape, bool delta);
   nlohmann::json add_bytes(const std::string& id, std::span<const std::uint8_t> values,
                            const std::vector<std::size_t>& shape);
   nlohmann::json add_numbers(const std::string& id, std::span<const std::uint32_t> values,
                              const std::vector<std::size_t>& shape, bool delta);
+  /// Coordinates as f32: each component, which the last axis counts, from the middle of its range.
+  nlohmann::json add_places(const std::string& id, std::span<const double> values,
+                            const std::vector<std::size_t>& shape);
   /// f32.
   nlohmann::json add_reals(const std::string& id, std::span<const double> values,
                            const std::vector<std::size_t>& shape);

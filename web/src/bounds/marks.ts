@@ -54,7 +54,7 @@ export function drawCrosses(pen: Pen, middles: number[][], stress: Float32Array)
 }
 
 /** Arrows as long as the velocities. */
-export function drawArrows(pen: Pen, nodes: Float32Array, velocity: Float32Array): void {
+export function drawArrows(pen: Pen, nodes: Float64Array, velocity: Float32Array): void {
   const { context, place } = pen;
   const places = Array.from({ length: nodes.length / 2 }, (_, n) => place([nodes[2 * n]!, nodes[2 * n + 1]!]));
   context.strokeStyle = "#111111";

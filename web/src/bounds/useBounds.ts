@@ -4,17 +4,17 @@ import { useEffect, useState } from "preact/hooks";
 
 import type { ProvenBounds } from "../contract";
 import type { Triangles } from "../drawing/trianglePainter";
-import { load, loadIntegers } from "../state";
+import { load, loadIntegers, loadPlaces } from "../state";
 
 export interface BoundsFields {
   holds: { mesh: Triangles; middles: number[][]; stress: Float32Array; utilisation: Float32Array } | null;
-  moves: { mesh: Triangles; nodes: Float32Array; velocity: Float32Array; shear_rate: Float32Array } | null;
+  moves: { mesh: Triangles; nodes: Float64Array; velocity: Float32Array; shear_rate: Float32Array } | null;
 }
 
 /** Every triangle on nodes of its own, so that it has one colour; `stride`: nodes of a triangle, corners first. */
-export function separate(nodes: Float32Array, triangles: ArrayLike<number>, stride: number): Triangles {
+export function separate(nodes: ArrayLike<number>, triangles: ArrayLike<number>, stride: number): Triangles {
   const count = triangles.length / stride;
-  const own = new Float32Array(6 * count);
+  const own = new Float64Array(6 * count);
   for (let t = 0; t < count; ++t)
     for (const corner of [0, 1, 2])
       for (const d of [0, 1]) own[6 * t + 2 * corner + d] = nodes[2 * triangles[stride * t + corner]! + d]!;
@@ -35,7 +35,7 @@ function findMiddles({ nodes }: Triangles): number[][] {
 async function loadHolds(field: ProvenBounds["holds"]): Promise<BoundsFields["holds"]> {
   if (!field) return null;
   const [nodes, triangles, stress, utilisation] = await Promise.all([
-    load(field.nodes),
+    loadPlaces(field.nodes),
     loadIntegers(field.triangles),
     load(field.stress),
     load(field.utilisation),
@@ -47,7 +47,7 @@ async function loadHolds(field: ProvenBounds["holds"]): Promise<BoundsFields["ho
 async function loadMoves(field: ProvenBounds["moves"]): Promise<BoundsFields["moves"]> {
   if (!field) return null;
   const [nodes, triangles, velocity, shear_rate] = await Promise.all([
-    load(field.nodes),
+    loadPlaces(field.nodes),
     loadIntegers(field.triangles),
     load(field.velocity),
     load(field.shear_rate),

@@ -70,7 +70,7 @@ describe("deformed elements", () => {
   });
 
   it("move by their displacement times the magnification", () => {
-    const mesh = { nodes: Float32Array.from([0, 0, 1, 2]), elements: new Uint32Array() };
+    const mesh = { nodes: Float64Array.from([0, 0, 1, 2]), elements: new Uint32Array() };
     const moves = Float32Array.from([0, 0, 0.5, -0.25]);
     expect(Array.from(moveNodes(mesh, moves, 4))).toEqual([0, 0, 3, 1]);
     expect(moveNodes(mesh, moves, 0)).toBe(mesh.nodes);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The interval that limit analysis proves. */
-import type { PackedArray } from "./units";
+import type { PackedArray, PackedPlaces } from "./units";
 
 export interface ProvenBounds {
   /** Why there is no answer. */
@@ -30,7 +30,7 @@ export interface ProvenBounds {
   slip_lines: number[][][];
   /** The stress field of the lower bound; absent where there is none, and of a mesh too large to draw. */
   holds?: {
-    nodes: PackedArray;
+    nodes: PackedPlaces;
     triangles: PackedArray;
     /** [triangle][3] u16: effective xx, yy, xy in its middle, positive in tension [Pa]. */
     stress: PackedArray;
@@ -39,7 +39,7 @@ export interface ProvenBounds {
   };
   /** The velocity field of the upper bound. */
   moves?: {
-    nodes: PackedArray;
+    nodes: PackedPlaces;
     /** [triangle][6]: corners, then middles of the sides. */
     triangles: PackedArray;
     /** [node][2] u16; the fastest has 1. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Strength reduction with quadratic finite elements. */
-import type { Flow, PackedArray } from "./units";
+import type { Flow, PackedArray, PackedPlaces } from "./units";
 
 /** Strength reduction with quadratic elements. */
 export interface FiniteElements {
@@ -16,7 +16,7 @@ export interface FiniteElements {
   seconds: number;
   runs: FlowRun[];
   /** Absent in 3D, and of a mesh too large to draw. */
-  mesh?: { nodes: PackedArray; elements: PackedArray };
+  mesh?: { nodes: PackedPlaces; elements: PackedArray };
 }
 
 /** One strength reduction: with the flow rule as given, or associated. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The calculation model: geometry, supports, loads, soils, stages, mesh. */
-import type { PackedArray } from "./units";
+import type { PackedArray, PackedPlaces } from "./units";
 import type { SoilWater, WaterMesh, WaterState } from "./water";
 
 export interface Model {
@@ -30,7 +30,7 @@ export interface Model {
     smallest_altitude: number;
     critical_time_step: number;
     /** [node][dimension] f32 [m] and [element][dimension + 1] u32; absent when the folder holds no mesh. */
-    positions?: PackedArray;
+    positions?: PackedPlaces;
     cells?: PackedArray;
   };
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** What one run has: frames, the displacement curve, tables over time, motion, sections. */
-import type { Criterion, PackedArray, TableColumn, Unit } from "./units";
+import type { Criterion, PackedArray, PackedPlaces, TableColumn, Unit } from "./units";
 
 /** Frames that belong together: the stages, the trials of the curve, one runout. */
 export interface Sequence {
@@ -19,7 +19,7 @@ export interface Sequence {
   /** [point] u8. */
   materials: PackedArray;
   /** [frame][point][dimension] u16 with range, one range for all axes [m]. */
-  positions: PackedArray;
+  positions: PackedPlaces;
   fields: SequenceField[];
 }
 

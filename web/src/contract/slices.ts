@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Methods of slices: critical surfaces, and what was tried. */
-import type { PackedArray, SliceMethod } from "./units";
+import type { PackedArray, PackedPlaces, SliceMethod } from "./units";
 
 /** Methods of slices: critical surfaces, and what was tried. */
 export interface Slices {
@@ -131,7 +131,7 @@ export interface SliceTrials {
   /** Of the columns of `factors`. */
   methods: string[];
   /** [circle][x and y of the centre, radius, x where the arc begins and ends] f32 [m]. */
-  circles: PackedArray;
+  circles: PackedPlaces;
   /** [circle][method] f32; 0: refused. */
   factors: PackedArray;
 }

@@ -59,6 +59,15 @@ export interface PackedArray {
   range?: [number, number];
 }
 
+/**
+ * Coordinates [m], of which the last axis counts the components: value = origin + step × number, each component with its
+ * own, in double precision; q = 65535 of an `u16` stands for "no value".
+ */
+export interface PackedPlaces extends PackedArray {
+  origin: number[];
+  step: number[];
+}
+
 export interface Column {
   name: string;
   title: string;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /** Pore water: soils, conditions, start, weather before the run, budget. */
-import type { PackedArray, Unit } from "./units";
+import type { PackedArray, PackedPlaces, Unit } from "./units";
 
 /** The triangles that fields of pore water lie on. */
 export interface WaterMesh {
   /** Of water [N/m³]. */
   unit_weight: number;
   /** [node][2] f32 [m], [element][3] u32. */
-  nodes: PackedArray;
+  nodes: PackedPlaces;
   elements: PackedArray;
 }
 

@@ -6,7 +6,7 @@ import type { Pen } from "./pen";
 
 export interface Triangles {
   /** [node][2] [m], [triangle][3]. */
-  nodes: Float32Array;
+  nodes: Float64Array;
   triangles: Uint32Array;
 }
 

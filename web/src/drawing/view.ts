@@ -3,7 +3,7 @@
 import { printing } from "../charts/base/printing";
 import { saveFile } from "../charts/base/saveFile";
 import { Camera } from "../viewer/camera";
-import { drawRulers } from "../viewer/rulers";
+import { drawRulers, findRulerWidth } from "../viewer/rulers";
 import { drawScaleBar, uprightFrom, type Bar, type Key } from "../viewer/scaleBar";
 import { isDark, paperTheme, readTheme, watchTheme, type Theme } from "../viewer/theme";
 import type { Box, Pen } from "./pen";
@@ -68,14 +68,14 @@ export class View {
     if (!wanted) return;
     this.density = theme ? 2 : Math.min(2, devicePixelRatio || 1);
     const { box, bar, tallest } = this.drawing;
+    const [low, high] = box;
     const upright = wanted >= uprightFrom;
     const margins = {
-      left: upright ? 62 : 52,
+      left: (upright ? 62 : 52) + findRulerWidth(low[1]!, high[1]!),
       right: upright && bar ? 126 : 24,
       top: bar && !upright ? 70 : 34,
       bottom: 48,
     };
-    const [low, high] = box;
     const body = ((wanted - margins.left - margins.right) * (high[1]! - low[1]!)) / (high[0]! - low[0]! || 1);
     const height = Math.round(Math.min(tallest, Math.max(220, body + margins.top + margins.bottom + 8)));
     Object.assign(this.camera, { width: wanted, height, margins });

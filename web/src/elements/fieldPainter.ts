@@ -6,7 +6,7 @@ import type { Scale } from "../viewer/scale";
 
 export interface QuadraticMesh {
   /** [node][2], [element][6]: corners, then the middles of the sides 0–1, 1–2, 2–0. */
-  nodes: Float32Array;
+  nodes: Float64Array;
   elements: Uint32Array;
 }
 
@@ -23,7 +23,7 @@ export function countElements(mesh: QuadraticMesh): number {
 }
 
 /** Places of the nodes moved by `scale` times their displacement. */
-export function moveNodes(mesh: QuadraticMesh, displacement: Float32Array, scale: number): Float32Array {
+export function moveNodes(mesh: QuadraticMesh, displacement: Float32Array, scale: number): Float64Array {
   return scale === 0 ? mesh.nodes : mesh.nodes.map((x, i) => x + scale * displacement[i]!);
 }
 
@@ -31,7 +31,7 @@ export function moveNodes(mesh: QuadraticMesh, displacement: Float32Array, scale
 export function paintField(
   pen: Pen,
   mesh: QuadraticMesh,
-  nodes: Float32Array,
+  nodes: Float64Array,
   values: Float32Array,
   colours: Uint8Array,
   scale: Scale,
@@ -44,7 +44,7 @@ export function paintField(
 }
 
 /** Sides of the elements; curved ones through their middles. */
-export function drawMesh({ context, place, theme }: Pen, mesh: QuadraticMesh, nodes: Float32Array): void {
+export function drawMesh({ context, place, theme }: Pen, mesh: QuadraticMesh, nodes: Float64Array): void {
   const at = (n: number) => place([nodes[2 * n]!, nodes[2 * n + 1]!]);
   context.beginPath();
   for (let e = 0; e < mesh.elements.length; e += 6) {
@@ -63,7 +63,7 @@ export function drawMesh({ context, place, theme }: Pen, mesh: QuadraticMesh, no
 export function drawYielding(
   { context, place, camera }: Pen,
   mesh: QuadraticMesh,
-  nodes: Float32Array,
+  nodes: Float64Array,
   yields: Float32Array,
 ): void {
   context.beginPath();

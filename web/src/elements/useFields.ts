@@ -3,7 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 
 import type { FiniteElements, FlowRun } from "../contract";
-import { load, loadIntegers } from "../state";
+import { load, loadIntegers, loadPlaces } from "../state";
 import type { QuadraticMesh } from "./fieldPainter";
 
 export interface ElementFields {
@@ -23,7 +23,7 @@ export function useFields(elements: FiniteElements | undefined, run: FlowRun | u
     const { displacement, shear_strain, yields } = run.fields;
     let wanted = true;
     Promise.all([
-      load(mesh.nodes),
+      loadPlaces(mesh.nodes),
       loadIntegers(mesh.elements),
       load(displacement),
       load(shear_strain),

@@ -2,12 +2,16 @@
 // Numbers as engineers write them.
 import { describe, expect, it } from "vitest";
 
+import type { Report } from "../contract";
+import { report } from "../state";
 import {
+  formatCoordinate,
   formatDate,
   formatDifference,
   formatDuration,
   formatFactor,
   formatNumber,
+  formatPlace,
   formatQuantity,
   formatSentence,
 } from "./format";
@@ -73,4 +77,17 @@ it("writes differences with one decimal", () => {
     "+1.6\u00a0%",
     "−3.7\u00a0%",
   ]);
+});
+
+it("writes coordinates to a ten-thousandth of the model, in the unit of lengths, wherever the axes begin", () => {
+  const write = (low: number[], high: number[], si: number, place: number[]) => {
+    report.value = { model: { bounds: [low, high] }, units: { length: { name: si === 1 ? "m" : "ft", si } } } as Report;
+    return formatPlace(place);
+  };
+  expect(write([0, 0], [44, 17], 1, [12, 15.0625])).toBe("(12, 15.063)\u00a0m");
+  expect(write([500_000, 4_000_000], [500_044, 4_000_017], 1, [500_012.5, 4_000_015.062])).toBe(
+    "(500\u202f012.5, 4\u202f000\u202f015.062)\u00a0m",
+  );
+  expect(write([0, 0], [30.48, 12], 0.3048, [3.048, 6.096])).toBe("(10, 20)\u00a0ft");
+  expect(formatCoordinate(0)).toBe("0");
 });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Writes numbers as engineers read them: few digits, real minus signs, SI names. */
 import type { Unit } from "../contract";
+import { report } from "../state";
 
 const superscripts: { [character: string]: string } = { "-": "⁻" };
 for (let digit = 0; digit < 10; ++digit) superscripts[String(digit)] = "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]!;
@@ -89,7 +90,16 @@ export function formatDifference(share: number): string {
   return `${Number(size) === 0 ? "±" : share > 0 ? "+" : "−"}${size}\u00a0%`;
 }
 
-/** [x, y] → "(12, 15)". */
-export function formatPlace(place: number[]): string {
-  return `(${place.map((x) => formatNumber(x)).join(", ")})`;
+/** A coordinate [m] in the unit of lengths: as many decimals as tell a ten-thousandth of the model, whatever its origin. */
+export function formatCoordinate(value: number): string {
+  const { model, units } = report.value;
+  const { si } = units.length;
+  const size = Math.max(...model.bounds[1].map((high, k) => high - model.bounds[0][k]!)) / si || 1;
+  const text = (value / si).toFixed(Math.min(6, Math.max(0, 4 - Math.floor(Math.log10(size)))));
+  return groupDigits(text.includes(".") ? text.replace(/\.?0+$/, "") : text).replace(/^−0$/, "0");
+}
+
+/** [x, y] [m] → "(12, 15) m". */
+export function formatPlace(place: readonly number[]): string {
+  return `(${place.map(formatCoordinate).join(", ")})\u00a0${report.value.units.length.name}`;
 }

@@ -4,7 +4,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 
 import { formatNumber } from "../charts/base/numbers";
 import type { FactorMap, SlicedSurface, Slices } from "../contract";
-import { formatFactor } from "../page/format";
+import { formatFactor, formatPlace } from "../page/format";
 import { useDark } from "../drawing/dark";
 import { drawOutlines, drawSoils, drawWater } from "../drawing/ground";
 import { LineKey } from "../drawing/Keys";
@@ -123,15 +123,14 @@ export function MapFigure({ slices, selected }: { slices: Slices; selected: Slic
           const [i, j] = [Math.floor((p[0] - from[0]!) / width), Math.floor((p[1] - from[1]!) / height)];
           const factor = i >= 0 && j >= 0 && i < columns && j < rows ? value(i, j) : Number.NaN;
           if (Number.isNaN(factor)) return "";
-          const tell = (v: number) => formatNumber(v / length.si, 4);
-          return `Centre near (${tell(p[0])}, ${tell(p[1])}) ${length.name}: smallest F = ${factor.toFixed(3)}`;
+          return `Centre near ${formatPlace(p)}: smallest F = ${factor.toFixed(3)}`;
         }}
       />
       <ul class="drawing-keys" aria-label="Legend">
         {circle && (
           <LineKey colour={criticalLook.colour} width={2.6}>
-            {nameSurface(selected)}: F = {formatFactor(selected.factor, "none")}, centre (
-            {circle.centre.map((v) => formatNumber(v / length.si, 4)).join(", ")}), radius{" "}
+            {nameSurface(selected)}: F = {formatFactor(selected.factor, "none")}, centre{" "}
+            {formatPlace(circle.centre)}, radius{" "}
             {formatNumber(circle.radius / length.si, 4)} {length.name}
           </LineKey>
         )}

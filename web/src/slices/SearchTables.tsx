@@ -2,7 +2,7 @@
 /** How the search went: what was tried and refused, limits that were hit, and separate local minima. */
 import { formatNumber, formatQuantity } from "../charts/base/numbers";
 import type { LocalMinimum, SlicedSurface, Slices, SliceSearch } from "../contract";
-import { formatSentence } from "../page/format";
+import { formatCoordinate, formatSentence } from "../page/format";
 import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
 import { nameReason, titleMethod } from "./sliceData";
@@ -14,7 +14,7 @@ const kinds: Record<SliceSearch["kind"], string> = {
 
 function describeRanges(search: SliceSearch): string {
   const { length } = report.value.units;
-  const tell = (v: number) => formatNumber(v / length.si, 4);
+  const tell = formatCoordinate;
   const parts = [];
   if (search.exit) parts.push(`exit from x = ${tell(search.exit[0]!)} to ${tell(search.exit[1]!)} ${length.name}`);
   if (search.entry) parts.push(`entry from x = ${tell(search.entry[0]!)} to ${tell(search.entry[1]!)} ${length.name}`);
@@ -97,7 +97,7 @@ export function Minima({ slices, selected, lit, light }: MinimaProps) {
   const minima = slices.minima.filter((m) => m.method === selected.method);
   if (minima.length === 0) return null;
   const { length } = report.value.units;
-  const tell = (v: number) => formatNumber(v / length.si, 4);
+  const tell = formatCoordinate;
   return (
     <figure class="chart-figure" aria-label="Local minima">
       <h4>Local minima, {titleMethod(slices, selected.method)}</h4>
@@ -107,7 +107,7 @@ export function Minima({ slices, selected, lit, light }: MinimaProps) {
             <button type="button" aria-pressed={lit === m} onClick={() => light(lit === m ? null : m)}>
               <strong>F = {m.factor.toFixed(3)}</strong>
               {m.circle &&
-                ` centre (${m.circle.centre.map(tell).join(", ")}), radius ${tell(m.circle.radius)} ${length.name}`}
+                ` centre (${m.circle.centre.map(tell).join(", ")}), radius ${formatNumber(m.circle.radius / length.si, 4)} ${length.name}`}
               {m.points.length > 1 &&
                 `, from x = ${tell(m.points[0]![0]!)} to ${tell(m.points.at(-1)![0]!)} ${length.name}`}
             </button>

@@ -5,7 +5,7 @@ import { useMemo, useState } from "preact/hooks";
 import { Choice } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import type { LocalMinimum, SlicedSurface, Slices } from "../contract";
-import { formatFactor } from "../page/format";
+import { formatFactor, formatPlace } from "../page/format";
 import { useDark } from "../drawing/dark";
 import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
@@ -145,8 +145,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
                 const i = findTrial(at, reach, arrays.circles, trials, most);
                 if (i < 0) return "";
                 const [x, y, r] = arrays.circles.subarray(trialWidth * i, trialWidth * i + 3);
-                const tell = (v: number) => formatNumber(v / length.si, 4);
-                return `F = ${trials.factors[i]!.toFixed(3)}: centre (${tell(x!)}, ${tell(y!)}), radius ${tell(r!)} ${length.name}`;
+                return `F = ${trials.factors[i]!.toFixed(3)}: centre ${formatPlace([x!, y!])}, radius ${formatNumber(r! / length.si, 4)} ${length.name}`;
               }
             : undefined
         }

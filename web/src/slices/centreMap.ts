@@ -52,7 +52,7 @@ function fillGaps(factor: Float32Array, columns: number, rows: number): Float32A
 }
 
 /** `circles` as in the report. */
-export function binTrials(circles: Float32Array, trials: RankedTrials, soil: Box): CentreMap | null {
+export function binTrials(circles: ArrayLike<number>, trials: RankedTrials, soil: Box): CentreMap | null {
   const centre = (i: number) => [circles[trialWidth * i]!, circles[trialWidth * i + 1]!];
   const [low, high] = findWindow(centre(trials.order.at(-1)!), soil);
   const chosen = trials.order.filter((i) => {

@@ -132,7 +132,7 @@ describe("bands of the trials", () => {
 const circle = (x: number, y: number, r: number) => [x, y, r, x - r, x + r];
 
 describe("trials", () => {
-  const circles = Float32Array.from([...circle(0, 0, 1), ...circle(0, 0, 2), ...circle(1, 1, 2), ...circle(90, 1, 2)]);
+  const circles = Float64Array.from([...circle(0, 0, 1), ...circle(0, 0, 2), ...circle(1, 1, 2), ...circle(90, 1, 2)]);
   // Two methods; 0 is refused.
   const factors = [1.5, 9, 1.2, 9, 0, 9, 1.4, 9];
 

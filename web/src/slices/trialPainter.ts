@@ -17,7 +17,7 @@ const findAngle = (x: number, centre: number, radius: number) =>
  */
 export function drawTrials(
   pen: Pen,
-  circles: Float32Array,
+  circles: Float64Array,
   trials: RankedTrials,
   bands: Bands,
   limit: number,
@@ -58,7 +58,7 @@ export function drawTrials(
 export function findTrial(
   at: [number, number],
   reach: number,
-  circles: Float32Array,
+  circles: Float64Array,
   trials: RankedTrials,
   most: number,
 ): number {

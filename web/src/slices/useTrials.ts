@@ -3,10 +3,10 @@
 import { useEffect, useState } from "preact/hooks";
 
 import type { Slices } from "../contract";
-import { load } from "../state";
+import { load, loadPlaces } from "../state";
 
 export interface TrialArrays {
-  circles: Float32Array;
+  circles: Float64Array;
   factors: Float32Array;
 }
 
@@ -15,7 +15,7 @@ export function useTrials({ trials }: Slices): { arrays: TrialArrays | null; fai
   const [failure, setFailure] = useState("");
   useEffect(() => {
     if (!trials) return;
-    Promise.all([load(trials.circles), load(trials.factors)]).then(
+    Promise.all([loadPlaces(trials.circles), load(trials.factors)]).then(
       ([circles, factors]) => setArrays({ circles, factors }),
       (error) => setFailure(String(error?.message ?? error)),
     );

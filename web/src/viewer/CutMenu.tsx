@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** A model in space: from where it is seen, and the planes between which its points are shown. */
 import { report } from "../state";
-import { writeNumber } from "./format";
+import { formatCoordinate } from "../page/format";
 import { cut } from "./settings";
 import { shown } from "./shown";
 import type { Stage } from "./stage";
@@ -24,7 +24,7 @@ function AxisCut(props: { axis: number; name: string }) {
   const { length } = report.value.units;
   const [low, high] = shown.value?.box ?? [[0, 0, 0], [1, 1, 1]];
   const pair = cut.value[axis]!;
-  const write = (share: number) => writeNumber((low[axis]! + share * (high[axis]! - low[axis]!)) / length.si);
+  const write = (share: number) => formatCoordinate(low[axis]! + share * (high[axis]! - low[axis]!));
   const set = (end: 0 | 1, share: number) => {
     const next: [number, number] = [...pair];
     next[end] = share;

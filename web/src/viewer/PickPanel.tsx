@@ -5,6 +5,7 @@ import { useEffect, useState } from "preact/hooks";
 import type { SequenceField } from "../contract";
 import { readValues } from "../data";
 import { fieldName, load, pickedPoint, report } from "../state";
+import { formatCoordinate } from "../page/format";
 import { writeNumber, writeUnit } from "./format";
 import { saveFile } from "../charts/base/saveFile";
 import { writePointCsv } from "./pointCsv";
@@ -45,7 +46,7 @@ function useSeries(now: Shown, point: number): Map<string, Float32Array> {
 function Position(props: { now: Shown; point: number; stage: Stage }) {
   const { model, units } = report.value;
   const at = props.stage.locate(props.point).slice(0, model.dimension);
-  const text = at.map((value, k) => `${"xyz"[k]} = ${writeNumber(value / units.length.si)} ${units.length.name}`);
+  const text = at.map((value, k) => `${"xyz"[k]} = ${formatCoordinate(value)} ${units.length.name}`);
   return <span>{text.join(", ")}</span>;
 }
 

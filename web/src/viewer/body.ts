@@ -29,6 +29,7 @@ export function describeBody(theme: Theme): Body {
   return {
     dimension,
     count,
+    origin: low,
     positions: takePositions(now, frame.value),
     values: takeFrame(now.values, frame.value, count),
     radii: radii.value,

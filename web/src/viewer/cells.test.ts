@@ -3,6 +3,8 @@
 import { describe, expect, it } from "vitest";
 
 import { findCells, measureArea, type Cells } from "./cells";
+import { findMovedLimits } from "./moved";
+import { toLocal } from "./painter";
 import { shareVolume } from "./sizes";
 
 /** Points near the middles of squares of side 0.5 in a box of 20 m by 10 m, those left out where `isGap`. */
@@ -16,7 +18,7 @@ function makeBlock(isGap: (x: number, y: number) => boolean = () => false) {
 }
 
 /** Whether a place lies in one of the triangles. */
-function isCovered(cover: Float32Array, x: number, y: number): boolean {
+function isCovered(cover: ArrayLike<number>, x: number, y: number): boolean {
   for (let t = 0; t < cover.length; t += 6) {
     const side = (i: number, j: number) => {
       const [fromX, fromY] = [cover[t + i]!, cover[t + i + 1]!];
@@ -97,4 +99,36 @@ it("shares the body out by volume: squares and cubes together fill what the mean
   expect(sizes[4]).toBe(2);
   const cubes = shareVolume([1, 8], 2, 1, 3);
   expect(cubes[1]! / cubes[0]!).toBeCloseTo(2, 6);
+});
+
+describe("a body in the coordinates of a map", () => {
+  const { positions, sizes } = makeBlock((x, y) => y > 4 + 0.3 * x);
+  const origin: [number, number, number] = [500_000.25, 4_000_000.5, 0];
+  const moved = Float64Array.from(positions, (x, i) => x + origin[i % 2]!);
+  const here = findCells(positions, sizes, [0, 0, 20]);
+  const there = findCells(moved, sizes, [origin[0], origin[1], origin[0] + 20]);
+
+  it("has the cells, cover and outlines of the same body at the origin of the axes", () => {
+    const largest = (a: ArrayLike<number>, b: ArrayLike<number>) =>
+      Math.max(...Array.from(a, (v, i) => Math.abs(v - b[i]!)));
+    expect(there.outlines.length).toBe(here.outlines.length);
+    expect(largest(there.radii, here.radii)).toBeLessThan(1e-6);
+    const cover = toLocal(there.cover, 2, origin);
+    expect(cover.length).toBe(here.cover.length);
+    expect(largest(cover, here.cover)).toBeLessThan(1e-6);
+    expect(Math.abs(measureArea(there.outlines[0]!))).toBeCloseTo(Math.abs(measureArea(here.outlines[0]!)), 5);
+  });
+
+  it("has the slip surface of the same body at the origin of the axes", () => {
+    const displacement = Float32Array.from({ length: sizes.length }, (_, i) =>
+      positions[2 * i + 1]! > 2 + 0.1 * positions[2 * i]! ? 1 : 0,
+    );
+    const [line] = findMovedLimits(positions, displacement, null, 0.5, 0.5);
+    const [other] = findMovedLimits(moved, displacement, null, 0.5, 0.5);
+    expect(other!.length).toBe(line!.length);
+    line!.forEach((p, i) => {
+      expect(other![i]![0] - origin[0]).toBeCloseTo(p[0], 6);
+      expect(other![i]![1] - origin[1]).toBeCloseTo(p[1], 6);
+    });
+  });
 });

@@ -8,7 +8,7 @@ export interface Cells {
   /** [point] within this distance [m] a cell belongs to the body: anywhere inside, half a point near the surface. */
   reach: Float32Array;
   /** Corners of triangles that cover the rest of the body, near its surface, x y each [m]. */
-  cover: Float32Array;
+  cover: Float64Array;
   /** Closed lines around the body and around its larger gaps [m]. */
   outlines: [number, number][][];
 }
@@ -31,7 +31,7 @@ const smallestLoop = 6;
  * for [m]; `walls`: left, lower and right ends [m], which nothing passes.
  */
 export function findCells(
-  positions: Float32Array,
+  positions: ArrayLike<number>,
   sizes: Float32Array,
   walls: readonly number[] = [-Infinity, -Infinity, Infinity],
 ): Cells {
@@ -125,7 +125,7 @@ export function findCells(
     const typical = edges.reduce((sum, e) => sum + size(triangles[e]!), 0) / edges.length;
     if (Math.abs(measureArea(line)) > smallestLoop * typical ** 2) outlines.push(line);
   }
-  return { radii, reach, cover: Float32Array.from(cover), outlines };
+  return { radii, reach, cover: Float64Array.from(cover), outlines };
 }
 
 /** [point] 0 on the surface, 1 beside such points, and so on up to one more than the rings that are needed. */
@@ -161,9 +161,10 @@ function measureCircumradius(at: Float64Array, a: number, b: number, c: number):
 /** Area within a closed line [m²]; its sign is the sense in which the line runs. */
 export function measureArea(line: number[][]): number {
   let twice = 0;
+  const [x0, y0] = line[0] ?? [0, 0];
   line.forEach(([x, y], i) => {
     const [nextX, nextY] = line[(i + 1) % line.length]!;
-    twice += x! * nextY! - nextX! * y!;
+    twice += (x! - x0!) * (nextY! - y0!) - (nextX! - x0!) * (y! - y0!);
   });
   return twice / 2;
 }

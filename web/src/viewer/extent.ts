@@ -13,7 +13,7 @@ export interface Extent {
 }
 
 /** Mean distance of points, from the cells of a grid that hold one: (volume / points)^(1 / dimension). */
-export function measureSpacing(positions: Float32Array, dimension: number, cell: number): number {
+export function measureSpacing(positions: ArrayLike<number>, dimension: number, cell: number): number {
   const cells = new Set<string>();
   const count = positions.length / dimension;
   for (let i = 0; i < count; ++i) {
@@ -24,7 +24,7 @@ export function measureSpacing(positions: Float32Array, dimension: number, cell:
   return cell * Math.pow(cells.size / Math.max(1, count), 1 / dimension);
 }
 
-function findBox(positions: Float32Array, current: Sequence): [Vec, Vec] {
+function findBox(positions: Float64Array, current: Sequence): [Vec, Vec] {
   const { model } = report.value;
   const low: Vec = [Infinity, Infinity, 0];
   const high: Vec = [-Infinity, -Infinity, 0];
@@ -46,7 +46,7 @@ function findBox(positions: Float32Array, current: Sequence): [Vec, Vec] {
 }
 
 /** `positions` [frame][point][dimension] [m]. */
-export function measureExtent(positions: Float32Array, current: Sequence): Extent {
+export function measureExtent(positions: Float64Array, current: Sequence): Extent {
   const { dimension, mesh, polygons, bounds } = report.value.model;
   const first = positions.subarray(0, current.point_count * dimension);
   const depth = dimension === 3 ? bounds[1][2]! - bounds[0][2]! : 1;

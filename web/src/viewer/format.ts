@@ -32,7 +32,7 @@ export function makeTicks(low: number, high: number, count: number): { value: nu
   const ticks = [];
   for (let i = Math.ceil(low / step - 1e-6); i * step <= high + 1e-6 * span; ++i) {
     const value = i * step;
-    const text = digits > 4 || Math.abs(high) >= 1e6 ? value.toExponential(1) : (value + 0).toFixed(digits);
+    const text = digits > 4 || step >= 1e5 ? value.toExponential(1) : (value + 0).toFixed(digits);
     ticks.push({ value, text: text.replace(/^-(?=0(\.0*)?$)/, "").replace("-", "−") });
   }
   return ticks;

@@ -5,7 +5,7 @@ import {
   ShaderMaterial, Sphere, Vector3, ZeroFactor, type BlendingDstFactor, type BlendingSrcFactor, type Scene,
 } from "three";
 
-import type { Body } from "./painter";
+import { toLocal, type Body } from "./painter";
 import { plainFragments, plainVertices, screenVertices } from "./shaders";
 
 function makeMaterial(
@@ -44,7 +44,7 @@ export function makeCoverMeshes(scene: Scene) {
     scene.add(mesh);
   });
   const everywhere = new Sphere(new Vector3(), 1e9);
-  let drawn: Float32Array | null = null;
+  let drawn: Float64Array | null = null;
 
   function set(body: Body): void {
     triangles.visible = screen.visible = body.cover !== null && body.showPoints;
@@ -53,7 +53,7 @@ export function makeCoverMeshes(scene: Scene) {
     triangles.geometry.dispose();
     triangles.geometry = new BufferGeometry().setAttribute(
       "position",
-      new BufferAttribute(drawn, 2).setUsage(DynamicDrawUsage),
+      new BufferAttribute(toLocal(drawn, 2, body.origin), 2).setUsage(DynamicDrawUsage),
     );
     triangles.geometry.boundingSphere = everywhere;
   }

@@ -5,13 +5,13 @@ import {
   WebGLRenderer,
 } from "three";
 
-import type { Camera } from "./camera";
+import type { Camera, Vec } from "./camera";
 import { makeCoverMeshes } from "./glCover";
 import { makePointMeshes } from "./glPoints";
-import type { Body, Painter } from "./painter";
+import { toLocal, type Body, type Painter } from "./painter";
 
 /** `margin` [px]: how far the eye sees beyond each edge of the canvas. */
-function setEye(eye: OrthographicCamera, camera: Camera, reach: number, margin: number): void {
+function setEye(eye: OrthographicCamera, camera: Camera, origin: Vec, reach: number, margin: number): void {
   const { right, up, near } = camera.findAxes();
   const [cx, cy] = camera.centre;
   eye.left = -(cx + margin) / camera.scale;
@@ -22,7 +22,8 @@ function setEye(eye: OrthographicCamera, camera: Camera, reach: number, margin: 
   eye.far = 2 * reach;
   eye.updateProjectionMatrix();
   const [r, u, n] = [right, up, near].map((v) => new Vector3(...v)) as [Vector3, Vector3, Vector3];
-  eye.matrix = new Matrix4().makeBasis(r, u, n).setPosition(new Vector3(...camera.target).addScaledVector(n, reach));
+  const target = new Vector3(...camera.target).sub(new Vector3(...origin));
+  eye.matrix = new Matrix4().makeBasis(r, u, n).setPosition(target.addScaledVector(n, reach));
   eye.matrixWorldNeedsUpdate = true;
 }
 
@@ -48,7 +49,7 @@ export function makeGlPainter(onLost: () => void): Painter {
   edges.frustumCulled = false;
   edges.renderOrder = 4;
   scene.add(edges);
-  let drawnEdges: Float32Array | null = null;
+  let drawnEdges: Float64Array | null = null;
 
   function setEdges(body: Body): void {
     edges.visible = body.edges !== null;
@@ -58,7 +59,10 @@ export function makeGlPainter(onLost: () => void): Painter {
     line.depthTest = !body.cover;
     if (body.edges === drawnEdges) return;
     edges.geometry.dispose();
-    edges.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(body.edges, 3));
+    edges.geometry = new BufferGeometry().setAttribute(
+      "position",
+      new BufferAttribute(toLocal(body.edges, 3, body.origin), 3),
+    );
     drawnEdges = body.edges;
   }
 
@@ -74,7 +78,7 @@ export function makeGlPainter(onLost: () => void): Painter {
       points.set(body, { pixelsOfMetre, largest, depthOfMetre: 1 / (2 * reach) });
       // A point whose middle is out of sight is not drawn at all: sight goes beyond the edges as far as points do.
       const margin = Math.ceil(points.findLongest() * camera.scale) + 1;
-      setEye(eye, camera, reach, margin);
+      setEye(eye, camera, body.origin, reach, margin);
       renderer.setViewport(-margin, -margin, camera.width + 2 * margin, camera.height + 2 * margin);
       cover.set(body);
       setEdges(body);

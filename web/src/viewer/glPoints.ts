@@ -5,7 +5,7 @@ import {
   Sphere, Vector3, type Scene,
 } from "three";
 
-import type { Body } from "./painter";
+import { toLocal, type Body } from "./painter";
 import { pointFragments, pointVertices } from "./shaders";
 
 interface Measures {
@@ -57,6 +57,15 @@ export function makePointMeshes(scene: Scene) {
     }
   }
 
+  /** Frames are views of one array: the place where a view begins tells whether it is another one. */
+  let placed = { buffer: null as ArrayBufferLike | null, at: -1, local: new Float32Array() };
+  function setPositions({ positions, dimension, origin }: Body): void {
+    const { buffer, byteOffset: at } = positions;
+    if (placed.buffer !== buffer || placed.at !== at)
+      placed = { buffer, at, local: toLocal(positions, dimension, origin) as Float32Array<ArrayBuffer> };
+    setAttribute("position", placed.local, dimension);
+  }
+
   function set(body: Body, measures: Measures): void {
     if (count !== body.count) {
       geometry.dispose();
@@ -64,7 +73,7 @@ export function makePointMeshes(scene: Scene) {
       for (const slice of slices) slice.geometry = geometry;
       count = body.count;
     }
-    setAttribute("position", body.positions, body.dimension);
+    setPositions(body);
     setAttribute("value", body.values, 1);
     setAttribute("radius", body.radii, 1);
     setAttribute("reach", body.cover?.reach ?? body.radii, 1);
@@ -97,7 +106,8 @@ export function makePointMeshes(scene: Scene) {
     uniforms.flatCells.value = body.cover !== null;
     uniforms.logarithmic.value = body.scale.logarithmic;
     uniforms.limits.value = [body.scale.low, body.scale.high];
-    uniforms.walls.value = body.walls;
+    const [x, y] = body.origin;
+    uniforms.walls.value = [body.walls[0] - x, body.walls[1] - y, body.walls[2] - x];
   }
 
   function dispose(): void {

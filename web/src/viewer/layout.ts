@@ -2,6 +2,7 @@
 /** How the stage shares its width and height out between the body and what stands around it. */
 import { report } from "../state";
 import type { Camera, Margins } from "./camera";
+import { findRulerWidth } from "./rulers";
 import { uprightFrom } from "./scaleBar";
 
 /** Height of the stage [px] that the section fills, within what a screen can spare. */
@@ -16,7 +17,8 @@ function chooseHeight(width: number, margins: Margins): number {
 }
 
 export function layOut(camera: Camera, width: number): void {
+  const [low, high] = report.value.model.bounds;
   const upright = width >= uprightFrom;
-  const margins = { left: upright ? 62 : 52, right: upright ? 126 : 24, top: upright ? 34 : 70, bottom: 48 };
+  const margins = { left: (upright ? 62 : 52) + findRulerWidth(low[1]!, high[1]!), right: upright ? 126 : 24, top: upright ? 34 : 70, bottom: 48 };
   Object.assign(camera, { width, height: chooseHeight(width, margins), margins });
 }

@@ -2,13 +2,13 @@
 /** The lines of the background mesh: all of them in a section, those on the surface of a mesh in space. */
 import { effect, signal } from "@preact/signals";
 
-import { readIntegers, readValues } from "../data";
+import { readIntegers, readPlaces } from "../data";
 import { report } from "../state";
 import { layers } from "./settings";
 import { fail } from "./shown";
 
 /** Pairs of points x y z [m]; decoded when the layer is switched on. */
-export const meshEdges = signal<Float32Array | null>(null);
+export const meshEdges = signal<Float64Array | null>(null);
 
 /**
  * Pairs of nodes, each once. `cells` [element][nodes per element]: triangles give all their sides; of tetrahedra only
@@ -47,9 +47,9 @@ function findSurface(cells: ArrayLike<number>, nodes: number): Iterable<number[]
 async function loadMeshEdges(): Promise<void> {
   const { mesh, dimension } = report.value.model;
   if (!mesh.positions || !mesh.cells) return;
-  const [positions, cells] = await Promise.all([readValues(mesh.positions), readIntegers(mesh.cells)]);
+  const [positions, cells] = await Promise.all([readPlaces(mesh.positions), readIntegers(mesh.cells)]);
   const pairs = findEdges(cells, dimension === 3 ? 4 : 3, positions.length / dimension);
-  const edges = new Float32Array(pairs.length * 6);
+  const edges = new Float64Array(pairs.length * 6);
   pairs.flat().forEach((node, at) => {
     for (let k = 0; k < dimension; ++k) edges[3 * at + k] = positions[node * dimension + k]!;
   });

@@ -7,21 +7,28 @@ type Line = [number, number][];
 /** Rise of the plane that a wedge of soil sinks along, 45° + φ/2, for φ = 30°. */
 const wedgeSlope = Math.sqrt(3);
 
+/** Left end of the points [m]: columns counted from there divide the soil alike wherever the axes begin. */
+export function findLeft(positions: ArrayLike<number>): number {
+  let left = Infinity;
+  for (let i = 0; i < positions.length; i += 2) if (positions[i]! < left) left = positions[i]!;
+  return left;
+}
+
 /** Leads the line of a side that ends under the divide, where the other side begins, up to the ground beyond it. */
-function leadUp(line: Line, positions: Float32Array, spacing: number, divide: Divide, isLeft: boolean): Line {
+function leadUp(line: Line, positions: ArrayLike<number>, spacing: number, divide: Divide, isLeft: boolean): Line {
   const end = (isLeft ? line.at(-1) : line[0])!;
-  const width = 1.5 * spacing;
+  const [width, start] = [1.5 * spacing, findLeft(positions)];
   if (Math.abs(end[0] - divide.x) > 2 * width) return line; // the soil between the sides stayed
   const tops = new Map<number, number>();
   for (let i = 0; i < positions.length; i += 2) {
-    const c = Math.floor(positions[i]! / width);
+    const c = Math.floor((positions[i]! - start) / width);
     tops.set(c, Math.max(tops.get(c) ?? -Infinity, positions[i + 1]!));
   }
   const added: Line = [];
   for (let k = 1; ; ++k) {
     const rise = (k * spacing) / 2;
     const next: [number, number] = [end[0] + (isLeft ? rise : -rise), end[1] + wedgeSlope * rise];
-    const top = tops.get(Math.floor(next[0] / width));
+    const top = tops.get(Math.floor((next[0] - start) / width));
     if (top === undefined) break;
     added.push(next);
     if (next[1] >= top) break;
@@ -35,7 +42,7 @@ function leadUp(line: Line, positions: Float32Array, spacing: number, divide: Di
  * along x [m]; null: not known, and one limit is drawn. The rest as for findMovedLimit().
  */
 export function findMovedLimits(
-  positions: Float32Array,
+  positions: ArrayLike<number>,
   displacement: Float32Array,
   across: Float32Array | null,
   spacing: number,
@@ -61,16 +68,16 @@ export function findMovedLimits(
  * `positions` [point][2] [m], `displacement` [point] [m], `spacing`: mean distance of the points [m].
  */
 export function findMovedLimit(
-  positions: Float32Array,
+  positions: ArrayLike<number>,
   displacement: Float32Array,
   spacing: number,
   threshold: number,
 ): [number, number][] {
-  const width = 1.5 * spacing;
+  const [width, left] = [1.5 * spacing, findLeft(positions)];
   const columns = new Map<number, number[]>();
   for (let i = 0; i < displacement.length; ++i) {
     if (Number.isNaN(displacement[i]!)) continue;
-    const c = Math.floor(positions[2 * i]! / width);
+    const c = Math.floor((positions[2 * i]! - left) / width);
     const column = columns.get(c);
     if (column) column.push(i);
     else columns.set(c, [i]);
@@ -100,7 +107,7 @@ export function findMovedLimit(
     if (height === null) continue;
     if (c - last > 2) current = [];
     last = c;
-    current.push([(c + 0.5) * width, height]);
+    current.push([left + (c + 0.5) * width, height]);
     if (current.length > longest.length) longest = current;
   }
   return longest.length < 6 ? [] : smooth(longest);

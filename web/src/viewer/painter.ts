@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 /** What the two ways of drawing the body, WebGL and the plain canvas, have in common. */
-import type { Camera } from "./camera";
+import type { Camera, Vec } from "./camera";
 import type { Scale } from "./scale";
 
 /** The body as it is drawn now: one frame of one sequence. */
 export interface Body {
   dimension: 2 | 3;
   count: number;
+  /** Corner of the model near which a graphics processor counts [m]: its 32 bits would not hold places of a map. */
+  origin: Vec;
   /** [point][dimension] [m] */
-  positions: Float32Array;
+  positions: Float64Array;
   /** [point], NaN for no value. */
   values: Float32Array;
   /** [point] radius [m] that a point is drawn with; 0 for a point that is not shown, below 0 where it has no value. */
@@ -26,7 +28,7 @@ export interface Body {
   walls: [number, number, number];
   showPoints: boolean;
   /** Pairs of points [m], x y z each, or null. */
-  edges: Float32Array | null;
+  edges: Float64Array | null;
   edgeColour: string;
 }
 
@@ -34,9 +36,14 @@ export interface Cover {
   /** [point] as in Cells. */
   reach: Float32Array;
   /** Corners of triangles, x y each [m]. */
-  triangles: Float32Array;
+  triangles: Float64Array;
   /** Closed lines around the same area [m]. */
   outlines: [number, number][][];
+}
+
+/** Places [m], `width` components each, counted from the origin. */
+export function toLocal(places: ArrayLike<number>, width: number, origin: Vec): Float32Array {
+  return Float32Array.from({ length: places.length }, (_, i) => places[i]! - origin[i % width]!);
 }
 
 export interface Painter {

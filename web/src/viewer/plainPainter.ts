@@ -50,7 +50,7 @@ function clipToBody(context: CanvasRenderingContext2D, body: Body, project: Proj
   context.clip("evenodd");
 }
 
-function drawEdges(context: CanvasRenderingContext2D, edges: Float32Array, colour: string, project: Project): void {
+function drawEdges(context: CanvasRenderingContext2D, edges: ArrayLike<number>, colour: string, project: Project): void {
   context.strokeStyle = colour;
   context.globalAlpha = 0.3;
   context.lineWidth = 1;

@@ -17,7 +17,8 @@ export function tabulatePoint(now: Shown, point: number, series: Map<string, Arr
   ];
   for (let k = 0; k < model.dimension; ++k) {
     const at = (f: number) => positions[(f * count + point) * model.dimension + k]!;
-    const values = frames.map((_, f) => round(at(f) / units.length.si));
+    // A micrometre is finer than the page stores, and all digits of a map are kept.
+    const values = frames.map((_, f) => Number((at(f) / units.length.si).toFixed(6)));
     columns.push({ name: "xyz"[k]!, unit: units.length.name, values });
   }
   for (const field of sequence.fields) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Where soil shears most: the ridge of the deviatoric strain. */
+import { findLeft } from "./moved";
 import { smooth } from "./smooth";
 
 /**
@@ -8,7 +9,7 @@ import { smooth } from "./smooth";
  *
  * `positions` [point][2] [m], `strain` [point], `spacing`: mean distance of the points [m].
  */
-export function findStrainRidge(positions: Float32Array, strain: Float32Array, spacing: number): [number, number][] {
+export function findStrainRidge(positions: ArrayLike<number>, strain: Float32Array, spacing: number): [number, number][] {
   const count = strain.length;
   // Some thousand points tell the median as well as all do, and sorting them does not hold up the playing.
   const stride = Math.max(1, Math.floor(count / 4000));
@@ -18,11 +19,11 @@ export function findStrainRidge(positions: Float32Array, strain: Float32Array, s
   const threshold = Math.max(4 * median, 0.3 * peak);
   if (!(peak > 8 * median)) return [];
 
-  const width = 1.5 * spacing;
+  const [width, left] = [1.5 * spacing, findLeft(positions)];
   const columns = new Map<number, number[]>();
   for (let i = 0; i < count; ++i) {
     if (Number.isNaN(strain[i]!)) continue;
-    const c = Math.floor(positions[2 * i]! / width);
+    const c = Math.floor((positions[2 * i]! - left) / width);
     const column = columns.get(c);
     if (column) column.push(i);
     else columns.set(c, [i]);
@@ -51,7 +52,7 @@ export function findStrainRidge(positions: Float32Array, strain: Float32Array, s
     const y = findHeight(c);
     if (y === null && ++gap <= 2) continue;
     if (y === null) current = [];
-    else [gap] = [0, current.push([(c + 0.5) * width, y])];
+    else [gap] = [0, current.push([left + (c + 0.5) * width, y])];
     if (current.length > longest.length) longest = current;
   }
   return longest.length < 6 ? [] : smooth(longest);

@@ -6,6 +6,11 @@ import { strokeLine, type Pixel } from "./lines";
 import { fontFamily, uprightFrom, veil } from "./scaleBar";
 import type { Theme } from "./theme";
 
+/** Pixels beside a body whose heights lie between two ends [m], in which its ruler stands. */
+export function findRulerWidth(low: number, high: number): number {
+  return Math.max(0, ...[low, high].map((y) => 7 * (Math.round(y).toFixed(0).length - 4)));
+}
+
 /** Lengths along the lower and the left edge [m]. */
 export function drawRulers(context: CanvasRenderingContext2D, camera: Camera, theme: Theme): void {
   const { width, height, scale, target } = camera;
@@ -17,7 +22,9 @@ export function drawRulers(context: CanvasRenderingContext2D, camera: Camera, th
   context.font = `11px ${fontFamily}`;
   context.lineWidth = 1;
   context.textBaseline = "alphabetic";
-  const [left, base, top] = [40, height - 22, camera.margins.top];
+  const [base, top] = [height - 22, camera.margins.top];
+  const heights = makeTicks(toY(base), toY(top), (base - top) / 60);
+  const left = Math.max(40, 12 + Math.max(...heights.map(({ text }) => context.measureText(text).width)));
   veil(context, theme, [0, 0, left, height]);
   veil(context, theme, [left, base, width - left, height - base]);
   context.fillStyle = theme.muted;
@@ -27,10 +34,11 @@ export function drawRulers(context: CanvasRenderingContext2D, camera: Camera, th
     const x = cx + (tick.value - target[0]) * scale;
     context.moveTo(x, base);
     context.lineTo(x, base + 5);
-    if (x > left + 24 && x < right - 14) context.fillText(tick.text, x, base + 17);
+    const half = context.measureText(tick.text).width / 2;
+    if (x > left + half + 12 && x < right - half - 4) context.fillText(tick.text, x, base + 17);
   }
   context.textAlign = "right";
-  for (const tick of makeTicks(toY(base), toY(top), (base - top) / 60)) {
+  for (const tick of heights) {
     const y = cy - (tick.value - target[1]) * scale;
     context.moveTo(left, y);
     context.lineTo(left - 5, y);

@@ -3,7 +3,7 @@
 import { computed, effect, signal } from "@preact/signals";
 
 import type { Sequence, SequenceField } from "../contract";
-import { fieldName, frameIndex, load, loadIntegers, report, sequence } from "../state";
+import { fieldName, frameIndex, load, loadIntegers, loadPlaces, report, sequence } from "../state";
 import { measureExtent, type Extent } from "./extent";
 import { makeScale, type Scale } from "./scale";
 import { handLimits, inSpace, limitMode, logarithmic } from "./settings";
@@ -12,7 +12,7 @@ export interface Shown extends Extent {
   sequence: Sequence;
   field: SequenceField;
   /** [frame][point][dimension] [m]; NaN for a point that is not there. */
-  positions: Float32Array;
+  positions: Float64Array;
   /** [frame][point], or [point] of what does not change. */
   values: Float32Array;
   /** [frame][point] volumes that the points stand for [m³, m³/m], or null where none are stored. */
@@ -48,13 +48,13 @@ export const field = computed<SequenceField | null>(
 export const frame = computed(() => Math.min(frameIndex.value, (shown.value?.sequence.frames.length ?? 1) - 1));
 
 /** One frame of an array with `size` numbers per point; a view, not a copy. */
-export function takeFrame(array: Float32Array, index: number, count: number, size = 1): Float32Array {
+export function takeFrame<A extends Float32Array | Float64Array>(array: A, index: number, count: number, size = 1): A {
   if (array.length === count * size) return array;
-  return array.subarray(index * count * size, (index + 1) * count * size);
+  return array.subarray(index * count * size, (index + 1) * count * size) as A;
 }
 
 /** Positions [point][dimension] of a frame. */
-export function takePositions(now: Shown, index: number): Float32Array {
+export function takePositions(now: Shown, index: number): Float64Array {
   return takeFrame(now.positions, index, now.sequence.point_count, report.value.model.dimension);
 }
 
@@ -63,7 +63,7 @@ let extentOf: (Extent & { id: string }) | null = null;
 async function loadShown(current: Sequence, wanted: SequenceField): Promise<void> {
   const stored = current.fields.find((f) => f.name === "volume");
   const [positions, values, ids, volumes] = await Promise.all([
-    load(current.positions),
+    loadPlaces(current.positions),
     load(wanted.values),
     loadIntegers(current.ids),
     stored ? load(stored.values) : null,

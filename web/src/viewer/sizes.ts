@@ -37,7 +37,7 @@ export const sizes = computed<Float32Array>(() => {
 
 /** Numbers of cells that are kept, so that a second round of playing need not find them again. */
 const kept = 1.5e6;
-let cellsOf: { positions: Float32Array; frames: Map<number, Cells> } | null = null;
+let cellsOf: { positions: Float64Array; frames: Map<number, Cells> } | null = null;
 
 function lookUpCells(now: Shown, index: number): Cells {
   if (cellsOf?.positions !== now.positions) cellsOf = { positions: now.positions, frames: new Map() };

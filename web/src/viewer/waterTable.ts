@@ -83,7 +83,7 @@ function smoothLine(line: Line): Line {
  * pressures are averaged over neighbours first.
  */
 export function findWaterTable(
-  positions: Float32Array,
+  positions: ArrayLike<number>,
   pressure: Float32Array,
   isWet: (point: number) => boolean,
   spacing: number,

@@ -3,7 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 
 import type { WaterMesh, WaterState } from "../contract";
-import { load, loadIntegers } from "../state";
+import { load, loadIntegers, loadPlaces } from "../state";
 import type { Triangles } from "../drawing/trianglePainter";
 
 export type WaterQuantity = "pressure" | "head" | "saturation";
@@ -13,7 +13,7 @@ export interface WaterArrays {
   mesh: Triangles;
   /** [node] [Pa], [m]. */
   pressure: Float32Array;
-  head: Float32Array;
+  head: Float64Array;
   /** [triangle]; [triangle][2] [m/s]. */
   saturation: Float32Array | null;
   velocity: Float32Array | null;
@@ -23,7 +23,7 @@ async function loadState(state: WaterState, told: WaterMesh | undefined): Promis
   const { fields } = state;
   if (!told || !fields) return null;
   const [nodes, numbers, pressure] = await Promise.all([
-    load(told.nodes),
+    loadPlaces(told.nodes),
     loadIntegers(told.elements),
     load(fields.pressure),
   ]);
@@ -31,7 +31,7 @@ async function loadState(state: WaterState, told: WaterMesh | undefined): Promis
     state,
     mesh: { nodes, triangles: Uint32Array.from(numbers) },
     pressure,
-    head: pressure.map((p, i) => nodes[2 * i + 1]! + p / told.unit_weight),
+    head: Float64Array.from(pressure, (p, i) => nodes[2 * i + 1]! + p / told.unit_weight),
     saturation: fields.saturation ? await load(fields.saturation) : null,
     velocity: fields.velocity ? await load(fields.velocity) : null,
   };
@@ -56,11 +56,11 @@ export function useWaterArrays(state: WaterState | undefined, mesh: WaterMesh | 
 export function takeQuantity(
   arrays: WaterArrays,
   quantity: WaterQuantity,
-): { mesh: Triangles; values: Float32Array } | null {
+): { mesh: Triangles; values: ArrayLike<number> } | null {
   if (quantity !== "saturation") return { mesh: arrays.mesh, values: arrays[quantity] };
   const { saturation, mesh } = arrays;
   if (!saturation) return null;
-  const nodes = new Float32Array(2 * mesh.triangles.length);
+  const nodes = new Float64Array(2 * mesh.triangles.length);
   mesh.triangles.forEach((n, i) => nodes.set(mesh.nodes.subarray(2 * n, 2 * n + 2), 2 * i));
   return {
     mesh: { nodes, triangles: Uint32Array.from(mesh.triangles.keys()) },
@@ -69,7 +69,7 @@ export function takeQuantity(
 }
 
 /** Least and greatest value at the nodes of triangles. */
-export function findLimits({ mesh, values }: { mesh: Triangles; values: Float32Array }): [number, number] {
+export function findLimits({ mesh, values }: { mesh: Triangles; values: ArrayLike<number> }): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (const n of mesh.triangles) {
     low = Math.min(low, values[n]!);

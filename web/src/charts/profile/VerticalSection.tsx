@@ -4,7 +4,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 
 import type { InputTable, Sequence } from "../../contract";
 import { findSetting } from "../../page/methods/settings";
-import { fieldName, frameIndex, load, report, sequenceIndex } from "../../state";
+import { fieldName, frameIndex, load, loadPlaces, report, sequenceIndex } from "../../state";
 import type { CsvColumn } from "../base/csv";
 import { CsvButton } from "../base/Legend";
 import { formatQuantity, titleWithUnit } from "../base/numbers";
@@ -48,12 +48,12 @@ export function VerticalSection() {
     [0, 1, 2].slice(0, dimension).map((d) => (d === vertical ? null : (bounds[0][d]! + bounds[1][d]!) / 2)),
   );
   const length = report.value.units.length;
-  const [data, setData] = useState<{ positions: Float32Array; values: Float32Array; of: string } | null>(null);
+  const [data, setData] = useState<{ positions: Float64Array; values: Float32Array; of: string } | null>(null);
   const [trouble, setTrouble] = useState("");
 
   useEffect(() => {
     let current = true;
-    Promise.all([load(sequence.positions), load(field.values)]).then(
+    Promise.all([loadPlaces(sequence.positions), load(field.values)]).then(
       ([positions, values]) => current && setData({ positions, values, of: field.values.id }),
       (error: Error) => current && setTrouble(error.message),
     );

@@ -3,7 +3,7 @@
 
 export interface Section {
   /** Coordinates of the points, [point][dimension] [m]. */
-  positions: Float32Array;
+  positions: ArrayLike<number>;
   dimension: 2 | 3;
   /** Axis that points up. */
   vertical: number;
@@ -69,7 +69,7 @@ export function findLayer(meanSize: number): number {
 }
 
 /** Row `frame` of an array [frame][...]. */
-export function takeFrame(values: Float32Array, shape: readonly number[], frame: number): Float32Array {
+export function takeFrame<A extends Float32Array | Float64Array>(values: A, shape: readonly number[], frame: number): A {
   const row = shape.slice(1).reduce((a, b) => a * b, 1);
-  return values.subarray(frame * row, (frame + 1) * row);
+  return values.subarray(frame * row, (frame + 1) * row) as A;
 }

@@ -4,6 +4,7 @@ import * as Plot from "@observablehq/plot";
 import { type Signal, signal } from "@preact/signals";
 import { useMemo, useState } from "preact/hooks";
 
+import { formatPlace } from "../../page/format";
 import { report } from "../../state";
 import { centred, describeAxis, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -136,8 +137,7 @@ export function SectionFigure({ runs }: { runs: SectionOfRun[] }) {
   const value: [number, number] =
     near ? [low - pad, high + pad] : [low >= 0 ? 0 : low - pad, high <= 0 ? 0 : high + pad];
   const ends = { place: [Math.min(...places), Math.max(...places)] as [number, number], value };
-  const tell = (p: number[]) =>
-    `(${p.slice(0, report.value.model.dimension).map((x) => Number((x / length.si).toPrecision(4))).join(", ")})`;
+  const tell = (p: number[]) => formatPlace(p.slice(0, report.value.model.dimension));
   return (
     <figure aria-label={`Section ${section.name}`} class="chart-figure section-figure">
       <div class="chart-head">

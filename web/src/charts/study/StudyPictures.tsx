@@ -3,7 +3,7 @@
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 
 import type { Sequence, SequenceField, Study, StudyRow } from "../../contract";
-import { load, report } from "../../state";
+import { load, loadPlaces, report } from "../../state";
 import { Camera } from "../../viewer/camera";
 import { findCells } from "../../viewer/cells";
 import { chooseColourMap, tabulateColours, writeColour } from "../../viewer/colours";
@@ -43,7 +43,7 @@ async function describe(props: PictureProps): Promise<Body> {
   const [low, high] = report.value.model.bounds;
   const stored = sequence.fields.find((f) => f.name === "volume");
   const [positions, values, volumes] = await Promise.all([
-    load(sequence.positions),
+    loadPlaces(sequence.positions),
     load(field.values),
     stored ? load(stored.values) : null,
   ]);
@@ -55,6 +55,7 @@ async function describe(props: PictureProps): Promise<Body> {
   return {
     dimension: 2,
     count,
+    origin: [low[0]!, low[1]!, 0],
     positions: here,
     values: takeFrame(values, frame, count),
     radii: cells.radii,

@@ -5,7 +5,7 @@ import { Fragment, type ComponentChildren } from "preact";
 import { report } from "../../state";
 import { asksFor } from "../asked";
 import { DataTable, Facts } from "../DataTable";
-import { formatNumber, formatPlace, formatQuantity, formatSentence } from "../format";
+import { formatCoordinate, formatNumber, formatPlace, formatQuantity, formatSentence } from "../format";
 import type { Unit, Water } from "../../contract";
 
 const second: Unit = { name: "s", si: 1 };
@@ -26,13 +26,13 @@ function thin(points: number[][]): number[][] {
   return Array.from({ length: mostPoints }, (_, i) => points[Math.round(i * step)]!);
 }
 
-/** Coordinates in the report's unit of length, one after the other. */
-function Points({ points, unit }: { points: number[][]; unit: Unit }) {
+/** Coordinates in the unit of lengths, one after the other. */
+function Points({ points }: { points: number[][] }) {
   return (
     <span class="points">
       {points.map((point, i) => (
         <Fragment key={i}>
-          <span>{formatPlace(point.map((x) => x / unit.si))}</span>{" "}
+          <span>({point.map(formatCoordinate).join(", ")})</span>{" "}
         </Fragment>
       ))}
     </span>
@@ -43,7 +43,6 @@ export function GeometryTables() {
   const { input, model, units, water: wet } = report.value;
   const { mesh, polygons, water } = model;
   const length = (x: number) => formatQuantity(x, units.length);
-  const place = (x: number[]) => formatPlace(x.map((value) => value / units.length.si));
   const [low, high] = model.bounds;
   const soilSize = high.map((x, d) => length(x - (low[d] ?? 0))).join(" × ");
   // A run that was killed has no summary: what it would tell is not known, and not zero.
@@ -65,7 +64,7 @@ export function GeometryTables() {
   ];
   const rows: [string, ComponentChildren][] = [
     ["Dimension", model.dimension === 2 ? "2D, plane strain; quantities per metre of thickness" : "3D"],
-    ["Box", `${soilSize}, from ${place(low)} to ${place(high)} ${units.length.name}`],
+    ["Box", `${soilSize}, from ${formatPlace(low)} to ${formatPlace(high)}`],
     ["Slope height H", known(model.slope_height, length(model.slope_height))],
     ["Water", Object.keys(input).length > 0 ? describeWater(model.dimension, water.length, wet) : "not known"],
     ...(hasPoints ? ofPoints : []),
@@ -81,7 +80,7 @@ export function GeometryTables() {
               <th scope="row">{polygon.name}</th>
               <td>{polygon.material || "–"}</td>
               <td class="prose">
-                <Points points={polygon.points} unit={units.length} />
+                <Points points={polygon.points} />
               </td>
             </tr>
           ))}
@@ -96,7 +95,7 @@ export function GeometryTables() {
             <tr key={i}>
               <th scope="row">{used.tables.length > 1 ? `${used.title}, line ${i + 1}` : used.title}</th>
               <td class="prose">
-                <Points points={thin(points)} unit={units.length} />
+                <Points points={thin(points)} />
                 {points.length > mostPoints && (
                   <span class="note"> ({mostPoints} of {points.length} points)</span>
                 )}

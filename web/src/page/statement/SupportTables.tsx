@@ -6,9 +6,8 @@ import { DataTable } from "../DataTable";
 import { formatPlace, formatSentence } from "../format";
 
 export function SupportTables() {
-  const { model, units, input } = report.value;
+  const { model, input } = report.value;
   const { boundaries, loads, monitors } = model;
-  const place = (x: number[]) => `${formatPlace(x.map((value) => value / units.length.si))}\u00a0${units.length.name}`;
   // Slices have no supports; elements without any are held at the sides and at the bottom.
   const hasSupports = boundaries.length > 0 || asksFor(report.value, "mpm");
   if (Object.keys(input).length === 0) return <p>Not known: the results hold no summary of the input.</p>;
@@ -42,7 +41,7 @@ export function SupportTables() {
       {monitors.length > 0 && (
         <p>
           Monitored points:{" "}
-          {monitors.map((monitor) => `${monitor.name} at ${place(monitor.at)} (point ${monitor.id})`).join("; ")}.
+          {monitors.map((monitor) => `${monitor.name} at ${formatPlace(monitor.at)} (point ${monitor.id})`).join("; ")}.
         </p>
       )}
     </>

@@ -3,7 +3,7 @@
 import { report } from "../../state";
 import { DataTable, Facts, SymbolText, numbers } from "../DataTable";
 import { SeasonTable } from "./SeasonTable";
-import { formatNumber, formatPlace, formatQuantity, formatSentence, formatUnit } from "../format";
+import { formatCoordinate, formatNumber, formatPlace, formatQuantity, formatSentence, formatUnit } from "../format";
 import type { HydraulicCondition, SteadySeepage, Unit, Water, WaterBudget, WaterState } from "../../contract";
 
 /** Rows of a series that are written out; more are seen in its chart. */
@@ -61,8 +61,7 @@ export function describeClosure(error: number): string {
 function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 | 3 }) {
   const { units } = report.value;
   const rate: Unit = { name: dimension === 2 ? "m³/s per m" : "m³/s", si: 1 };
-  const place = (x: number[]) => `${formatPlace(x.map((v) => v / units.length.si))}\u00a0${units.length.name}`;
-  const height = (x: number[]) => formatQuantity(x[1], units.length);
+  const height = (x: number[]) => `${formatCoordinate(x[1]!)}\u00a0${units.length.name}`;
   const runoff = seepage.discharges.reduce((sum, d) => sum + d.runoff, 0);
   const hasRunoff = seepage.discharges.some((d) => d.runoff !== 0);
   const closes = Math.abs(seepage.balance_error) <= 1e-9 * Math.max(seepage.inflow, seepage.outflow);
@@ -75,12 +74,12 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
     ["Solution", `${formatNumber(seepage.iterations)} iterations on the mesh of the calculation`],
     [
       "Largest suction",
-      `${formatQuantity(seepage.largest_suction, units.stress)} at ${place(seepage.largest_suction_at)}`,
+      `${formatQuantity(seepage.largest_suction, units.stress)} at ${formatPlace(seepage.largest_suction_at)}`,
     ],
     ...seepage.exits.map((exit): [string, string] => [
       `Water leaves ${exit.name}`,
       dimension === 2
-        ? `from ${place(exit.lowest)} up to the exit point ${place(exit.highest)}`
+        ? `from ${formatPlace(exit.lowest)} up to the exit point ${formatPlace(exit.highest)}`
         : `between the heights ${height(exit.lowest)} and ${height(exit.highest)}`,
     ]),
   ];
@@ -112,9 +111,7 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
 
 /** What passed each side at the end of the season: not what the steady seepage before it would let through. */
 function Transient({ state, dimension }: { state: WaterState; dimension: 2 | 3 }) {
-  const { units } = report.value;
   const rate = dimension === 2 ? "m³/s per m" : "m³/s";
-  const place = (x: number[]) => `${formatPlace(x.map((v) => v / units.length.si))}\u00a0${units.length.name}`;
   return (
     <>
       <DataTable
@@ -140,7 +137,7 @@ function Transient({ state, dimension }: { state: WaterState; dimension: 2 | 3 }
           ["Growth of the stored water", `${formatNumber(state.storage_rate)} ${rate}`],
           ...state.exits.map((exit): [string, string] => [
             `Water leaves ${exit.name}`,
-            `from ${place(exit.lowest)} up to the exit point ${place(exit.highest)}`,
+            `from ${formatPlace(exit.lowest)} up to the exit point ${formatPlace(exit.highest)}`,
           ]),
         ]}
       />
