@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/coordinates.hpp"
 #include "base/error.hpp"
 
 namespace talus::ground {
@@ -79,9 +80,9 @@ void check_column(std::vector<std::pair<double, int>> levels, double x, double l
   for (const auto& [from, to] : filled) {
     if (from - top > least)
       throw Error(ExitCode::wrong_input,
-                  fmt::format("the soil at x = {:.4g} m has a gap between y = {:.4g} m and {:.4g} m: methods of slices "
+                  fmt::format("the soil at x = {} m has a gap between y = {} m and {} m: methods of slices "
                               "need soil without overhangs and cavities from the ground down",
-                              x, top, from));
+                              format_coordinate(x), format_coordinate(top), format_coordinate(from)));
     top = std::max(top, to);
   }
 }
@@ -117,9 +118,9 @@ Polyline find_ground(const mesh::Plan& plan) {
     }
     if (top == nullptr)
       throw Error(ExitCode::wrong_input,
-                  fmt::format("there is no soil between x = {:.4g} m and {:.4g} m: methods of slices need a ground "
+                  fmt::format("there is no soil between x = {} m and {} m: methods of slices need a ground "
                               "without gaps",
-                              breaks[i], breaks[i + 1]));
+                              format_coordinate(breaks[i]), format_coordinate(breaks[i + 1])));
     check_column(std::move(levels), middle, least);
     add({breaks[i], top->at(breaks[i])});
     add({breaks[i + 1], top->at(breaks[i + 1])});

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/coordinates.hpp"
 #include "ground/initial_water.hpp"
 #include "ground/pore_water.hpp"
 
@@ -79,9 +80,9 @@ std::vector<std::string> find_open_ends(const std::vector<Pond>& ponds, const Po
     if (x <= ground.front()[0] || x >= ground.back()[0] || find_standing_level(ponds, {}, ground, x)) return;
     if (level - find_level(ground, x) < noticeable * find_width(ground)) return;
     notes.push_back(
-        fmt::format("the standing water with its level at y = {:.4g} m has no bank at x = {:.4g} m, where the ground "
-                    "is at {:.4g} m: extend its line to the bank",
-                    level, end[0], find_level(ground, x)));
+        fmt::format("the standing water with its level at y = {} m has no bank at x = {} m, where the ground "
+                    "is at {} m: extend its line to the bank",
+                    format_coordinate(level), format_coordinate(end[0]), format_coordinate(find_level(ground, x))));
   };
   for (const Pond& p : ponds) {
     look(p.from, p.level_from, -1);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/coordinates.hpp"
 #include "base/error.hpp"
 #include "mesh/planar.hpp"
 
@@ -76,10 +77,10 @@ std::vector<SteepFace> find_steep_faces(const input::Case& data) {
 
 std::string describe(const SteepFace& face) {
   return fmt::format(
-      "The ground between ({:.4g}, {:.4g}) and ({:.4g}, {:.4g}) rises at {:.1f}°, more than φ = {:.1f}° of '{}', which "
+      "The ground between {} and {} rises at {:.1f}°, more than φ = {:.1f}° of '{}', which "
       "has no cohesion: it is unstable by inspection (a long slope of it has the factor {:.2f}), whatever a method "
       "finds. Check the cohesion and the geometry.",
-      face.lower[0], face.lower[1], face.upper[0], face.upper[1], face.slope / degree, face.friction_angle / degree,
+      format_point(face.lower), format_point(face.upper), face.slope / degree, face.friction_angle / degree,
       face.material, face.factor());
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "base/coordinates.hpp"
 #include "base/error.hpp"
 #include "mesh/planar.hpp"
 
@@ -76,7 +77,7 @@ void check_polygon(const Polygon& polygon, double tolerance) {
       fail("polygon '{}' has the point ({}, {}) twice in a row; the first point is not repeated at the end",
            polygon.name, points[i][0], points[i][1]);
   if (const auto place = find_self_contact(points, tolerance))
-    fail("polygon '{}' crosses or touches itself at ({:.6g}, {:.6g})", polygon.name, (*place)[0], (*place)[1]);
+    fail("polygon '{}' crosses or touches itself at {}", polygon.name, format_point(*place));
 }
 
 void check_line(const Line& line) {

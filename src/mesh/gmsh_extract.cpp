@@ -9,6 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "base/coordinates.hpp"
 #include "base/error.hpp"
 #include "mesh/gmsh_mesh.hpp"
 
@@ -80,9 +81,10 @@ void check_plane(const Mesh<2>& mesh, const Nodes& nodes) {
     for (int node : element)
       if (const auto& x = nodes.places[node]; x[2] != first[2])
         throw Error(ExitCode::wrong_input,
-                    fmt::format("the triangles of the mesh do not lie in one plane of constant z: z is {:.6g} at "
-                                "({:.6g}, {:.6g}) and {:.6g} elsewhere",
-                                x[2], x[0], x[1], first[2]));
+                    fmt::format("the triangles of the mesh do not lie in one plane of constant z: z is {} at "
+                                "({}, {}) and {} elsewhere",
+                                format_coordinate(x[2]), format_coordinate(x[0]), format_coordinate(x[1]),
+                                format_coordinate(first[2])));
 }
 
 /// How far the nodes inside one geometric entity, flat as all of a plan's are, may move.

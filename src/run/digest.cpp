@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/coordinates.hpp"
 #include "base/units.hpp"
 #include "results/governing.hpp"
 
@@ -198,8 +199,9 @@ std::string write_state(const results::WaterState& state) {
   double level = -std::numeric_limits<double>::infinity();
   for (const results::StandingWater& pond : state.ponds) level = std::max({level, pond.level_from, pond.level_to});
   if (std::isfinite(level))
-    text += fmt::format("{} stands on the ground up to y = {:.4g} m\n",
-                        state.flow == results::WaterFlow::lowered ? "After drawdown water" : "Water", level);
+    text += fmt::format("{} stands on the ground up to y = {} m\n",
+                        state.flow == results::WaterFlow::lowered ? "After drawdown water" : "Water",
+                        format_coordinate(level));
   return text;
 }
 

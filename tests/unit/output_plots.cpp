@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include <regex>
 #include <sstream>
 
+#include "base/coordinates.hpp"
 #include "base/error.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/plots/curve_plot.hpp"
@@ -225,6 +227,35 @@ TEST_F(Pictures, OfASectionNameEverySurfaceWithItsFactor) {
   EXPECT_LT(wet.find("$ponds using"), wet.find("$surface0 using")) << "surfaces lie on the water";
   plot.surfaces.clear();
   EXPECT_THROW(output::draw(plot, folder_ / "none.svg"), Error);
+}
+
+TEST_F(Pictures, OfASectionInMapCoordinatesHaveAllDigits) {
+  output::SectionPlot plot;
+  plot.title = "A bank";
+  plot.outlines = {{{441871.25, 6329700.5}, {441891.25, 6329700.5}, {441881.125, 6329710.0625}}};
+  plot.surfaces = {
+      {"lem.bishop", "Bishop", Method::lem, 1.2344, {{441873.3333, 6329707}, {441880, 6329701}}, {}, {}, {}}};
+  output::draw(plot, folder_ / "section.svg");
+  const std::string script = read("section.gp");
+  for (const char* part :
+       {"441871.25 6329700.5\n", "441881.125 6329710.0625\n", "$surface0 << END\n441873.3333 6329707\n"})
+    EXPECT_NE(script.find(part), std::string::npos) << part;
+  const Frame map = read_frame(script);
+  plot.outlines = {{{0, 0}, {20, 0}, {9.875, 9.5625}}};
+  plot.surfaces[0].points = {{2.0833, 6.5}, {8.75, 0.5}};
+  output::draw(plot, folder_ / "local.svg");
+  const Frame local = read_frame(read("local.gp"));
+  EXPECT_NEAR(map.x1 - map.x0, local.x1 - local.x0, 1e-6);
+  // The heights of a map have three digits more than there was room for.
+  EXPECT_NEAR(map.width * map.left - local.width * local.left, 3 * 7, 1);
+}
+
+TEST(Coordinates, NameAPlaceOfAMap) {
+  EXPECT_EQ(format_coordinate(4000012.5), "4000012.5");
+  EXPECT_EQ(format_coordinate(6329707.123456), "6329707.12346");
+  EXPECT_EQ(format_coordinate(-1e-9), "0");
+  EXPECT_EQ(format_coordinate(20.0 / 3), "6.66667");
+  EXPECT_EQ(format_point(std::array{441871.25, 850.0, -0.5}), "(441871.25, 850, -0.5)");
 }
 
 /// Exit code and output of the program.

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "base/coordinates.hpp"
 #include "base/error.hpp"
 
 namespace talus::fem {
@@ -15,12 +16,6 @@ namespace {
 
 [[noreturn]] void fail(const std::string& sentence) {
   throw Error(ExitCode::wrong_input, sentence);
-}
-
-template <int D>
-std::string format_point(const std::array<double, D>& x) {
-  if constexpr (D == 2) return fmt::format("({:.6g}, {:.6g})", x[0], x[1]);
-  if constexpr (D == 3) return fmt::format("({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
 }
 
 template <int D>
@@ -125,14 +120,14 @@ std::string describe_inner_side(const mesh::Mesh<D>& mesh, const std::string& bo
     for (std::size_t d = 0; d < D; ++d) x[d] += mesh.nodes[static_cast<std::size_t>(node)][d] / D;
   }
   return fmt::format("The hydraulic boundary \"{}\" at {} m is no surface: there is soil on both sides.", boundary,
-                     format_point<D>(x));
+                     format_point(x));
 }
 
 template <int D>
 std::string describe_contradiction(const mesh::Mesh<D>& mesh, int node, const std::string& one, double one_head,
                                    const std::string& other, double other_head) {
   return fmt::format("The hydraulic boundaries \"{}\" and \"{}\" meet at {} m with different heads, {:g} and {:g} m.",
-                     one, other, format_point<D>(mesh.nodes[static_cast<std::size_t>(node)]), one_head, other_head);
+                     one, other, format_point(mesh.nodes[static_cast<std::size_t>(node)]), one_head, other_head);
 }
 
 #define TALUS_INSTANTIATE(D)                                                                            \

@@ -2,6 +2,7 @@
 // Whether the soil polygons fit one another: corners that nearly meet, overlaps and gaps.
 
 #include "mesh/cover.hpp"
+#include "base/coordinates.hpp"
 
 #include <fmt/format.h>
 
@@ -20,15 +21,11 @@ namespace {
 
 constexpr const char* polygons_path = "geometry.polygon";
 
-std::string write_place(const mesh::Point2& p) {
-  return fmt::format("({:.6g}, {:.6g})", p[0], p[1]);
-}
-
 /// "0.2 m² from (0, 4.98) to (20, 5), around (10, 4.995)", of the largest piece.
 std::string write_piece(const mesh::Misfit& misfit) {
   const mesh::Piece& piece = misfit.largest;
-  const std::string place = fmt::format("from {} to {}, around {}", write_place(piece.low), write_place(piece.high),
-                                        write_place(piece.place));
+  const std::string place = fmt::format("from {} to {}, around {}", format_point(piece.low), format_point(piece.high),
+                                        format_point(piece.place));
   if (misfit.pieces == 1) return fmt::format("{:.4g} m² {}", misfit.area, place);
   return fmt::format("{:.4g} m² in {} places, the largest of {:.4g} m² {}", misfit.area, misfit.pieces, piece.area,
                      place);

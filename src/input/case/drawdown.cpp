@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/coordinates.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {
@@ -31,9 +32,9 @@ void check_fall(const Line& before, const Line& after, Findings& findings) {
       const double from = find_level(before, x), to = find_level(after, x);
       if (to <= from + rounding * std::max(1.0, std::abs(from))) continue;
       return findings.add("lem.drawdown.water_table",
-                          fmt::format("At x = {:.6g} m the water table after drawdown ({:.6g} m) is above the one "
-                                      "before ({:.6g} m); drawdown lowers the water",
-                                      x, to, from));
+                          fmt::format("At x = {} m the water table after drawdown ({} m) is above the one before "
+                                      "({} m); drawdown lowers the water",
+                                      format_coordinate(x), format_coordinate(to), format_coordinate(from)));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "base/coordinates.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {
@@ -36,10 +37,6 @@ bool do_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
          (cdb == 0 && is_between(c, d, b));
 }
 
-std::string write_point(const Point& p) {
-  return fmt::format("({:.6g}, {:.6g})", p[0], p[1]);
-}
-
 void check_inside(const mesh::Plan& plan, const std::vector<Point>& points, const std::string& path,
                   const std::string& what, Findings& findings) {
   // Coordinates that come from other units carry rounding errors; a billionth of the box is far below any element.
@@ -49,8 +46,8 @@ void check_inside(const mesh::Plan& plan, const std::vector<Point>& points, cons
     if (p[0] < plan.box_min[0] - slack || p[0] > plan.box_max[0] + slack || p[1] < plan.box_min[1] - slack ||
         p[1] > plan.box_max[1] + slack)
       findings.add(fmt::format("{}.points.{}", path, i),
-                   fmt::format("the point {} of {} is outside the box from {} to {}", write_point(p), what,
-                               write_point(plan.box_min), write_point(plan.box_max)));
+                   fmt::format("the point {} of {} is outside the box from {} to {}", format_point(p), what,
+                               format_point(plan.box_min), format_point(plan.box_max)));
   }
 }
 
@@ -64,14 +61,14 @@ void check_polygon(const mesh::Polygon& polygon, const std::string& path, Findin
     if (p[i] == p[(i + 1) % n])
       return findings.add(fmt::format("{}.points.{}", path, (i + 1) % n),
                           fmt::format("polygon '{}' repeats its point {}; each corner is written once", polygon.name,
-                                      write_point(p[i])));
+                                      format_point(p[i])));
   for (std::size_t i = 0; i < n; ++i) {
     const Point &a = p[i], &b = p[(i + 1) % n], &c = p[(i + 2) % n];
     const double forward = (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]);
     if (measure_turn(a, b, c) == 0 && forward < 0)
       return findings.add(
           fmt::format("{}.points.{}", path, (i + 1) % n),
-          fmt::format("polygon '{}' crosses itself: it turns back on itself at {}", polygon.name, write_point(b)));
+          fmt::format("polygon '{}' crosses itself: it turns back on itself at {}", polygon.name, format_point(b)));
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
@@ -80,7 +77,7 @@ void check_polygon(const mesh::Polygon& polygon, const std::string& path, Findin
         return findings.add(
             fmt::format("{}.points.{}", path, j),
             fmt::format("polygon '{}' crosses itself: its side from {} to {} meets that from {} to {}", polygon.name,
-                        write_point(p[i]), write_point(p[i + 1]), write_point(p[j]), write_point(p[(j + 1) % n])));
+                        format_point(p[i]), format_point(p[i + 1]), format_point(p[j]), format_point(p[(j + 1) % n])));
     }
   }
   double area = 0;

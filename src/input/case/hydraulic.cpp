@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "base/coordinates.hpp"
 #include "input/case/checks.hpp"
 #include "mesh/planar.hpp"
 
@@ -183,9 +184,9 @@ bool check_water_table(const std::vector<std::array<double, 2>>& line, const std
   for (std::size_t i = 1; i < line.size(); ++i)
     if (line[i][0] <= line[i - 1][0]) {
       findings.add(fmt::format("{}.{}", path, i),
-                   fmt::format("'water_table' goes from x = {:.6g} m to x = {:.6g} m; its points must run from "
+                   fmt::format("'water_table' goes from x = {} m to x = {} m; its points must run from "
                                "left to right, x increasing",
-                               line[i - 1][0], line[i][0]));
+                               format_coordinate(line[i - 1][0]), format_coordinate(line[i][0])));
       return false;
     }
   return true;

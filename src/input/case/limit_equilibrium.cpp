@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/coordinates.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/soil_outline.hpp"
 
@@ -54,10 +55,10 @@ void check_grid(const CentreGrid& grid, const SoilOutline& soil, Findings& findi
                  "'corners' is to be the lower left and the upper right corner of the grid, two points [x, y]");
   if (check_range(grid.levels, levels, "levels y", findings) &&
       (grid.levels[0] > soil.top() || grid.levels[1] < soil.bottom()))
-    findings.add(levels,
-                 fmt::format("no soil lies between the 'levels' of the deepest points, {:.6g} m and {:.6g} m; it "
-                             "goes from y = {:.6g} m to y = {:.6g} m",
-                             grid.levels[0], grid.levels[1], soil.bottom(), soil.top()));
+    findings.add(levels, fmt::format("no soil lies between the 'levels' of the deepest points, {} m and {} m; it "
+                                     "goes from y = {} m to y = {} m",
+                                     format_coordinate(grid.levels[0]), format_coordinate(grid.levels[1]),
+                                     format_coordinate(soil.bottom()), format_coordinate(soil.top())));
 }
 
 void check_crack(const TensionCrack& crack, Findings& findings) {

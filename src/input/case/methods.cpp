@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/coordinates.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {
@@ -164,8 +165,8 @@ void check_cohesion_gradient(const Case& data, const Material& m, const std::str
   const double least = m.cohesion + s.find_extra(bottom);
   if (least < 0 && findings.is_sound(path + ".cohesion"))
     findings.add(path + ".cohesion_gradient",
-                 fmt::format("the cohesion of material '{}' would be negative, {:.6g} kPa at y = {:.6g} m", name,
-                             least / 1e3, bottom));
+                 fmt::format("the cohesion of material '{}' would be negative, {:.6g} kPa at y = {} m", name,
+                             least / 1e3, format_coordinate(bottom)));
 }
 
 void check_weight(const Case& data, const Material& m, const std::string& name, Findings& findings) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/coordinates.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/soil_outline.hpp"
 
@@ -25,14 +26,12 @@ void check_circle(const SlipSurface& s, const std::string& path, const SoilOutli
   if (check_range(s.ends, path + ".ends", "places x", findings)) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!soil.spans(s.ends[i]))
-        return findings.add(path + ".ends",
-                            fmt::format("an end of surface '{}', x = {:.6g} m, is not on the ground, {}", s.name,
-                                        s.ends[i], soil.write_span()));
+        return findings.add(path + ".ends", fmt::format("an end of surface '{}', x = {} m, is not on the ground, {}",
+                                                        s.name, format_coordinate(s.ends[i]), soil.write_span()));
       if (std::abs(s.ends[i] - xc) > r + slack)
-        return findings.add(path + ".ends",
-                            fmt::format("the end x = {:.6g} m of surface '{}' is farther from the centre "
-                                        "than its radius, {:.6g} m",
-                                        s.ends[i], s.name, r));
+        return findings.add(path + ".ends", fmt::format("the end x = {} m of surface '{}' is farther from the centre "
+                                                        "than its radius, {:.6g} m",
+                                                        format_coordinate(s.ends[i]), s.name, r));
     }
     return;
   }
@@ -52,13 +51,13 @@ void check_circle(const SlipSurface& s, const std::string& path, const SoilOutli
 void check_end(const SlipSurface& s, const Point& end, const std::string& path, const SoilOutline& soil,
                Findings& findings) {
   if (!soil.spans(end[0]))
-    return findings.add(path, fmt::format("surface '{}' begins or ends at x = {:.6g} m, outside the ground, {}", s.name,
-                                          end[0], soil.write_span()));
+    return findings.add(path, fmt::format("surface '{}' begins or ends at x = {} m, outside the ground, {}", s.name,
+                                          format_coordinate(end[0]), soil.write_span()));
   const double above = end[1] - soil.find_ground(end[0]);
   if (std::abs(above) > end_slack * (s.points.back()[0] - s.points.front()[0]))
-    findings.add(path, fmt::format("the end ({:.6g}, {:.6g}) of surface '{}' is {:.3g} m {} the ground; a surface "
+    findings.add(path, fmt::format("the end {} of surface '{}' is {:.3g} m {} the ground; a surface "
                                    "goes from ground to ground",
-                                   end[0], end[1], s.name, std::abs(above), above > 0 ? "above" : "below"));
+                                   format_point(end), s.name, std::abs(above), above > 0 ? "above" : "below"));
 }
 
 void check_polyline(const SlipSurface& s, const std::string& path, const SoilOutline& soil, Findings& findings) {
@@ -70,9 +69,9 @@ void check_polyline(const SlipSurface& s, const std::string& path, const SoilOut
     if (s.points[i][0] <= s.points[i - 1][0])
       return findings.add(
           fmt::format("{}.{}", points, i),
-          fmt::format("surface '{}' goes from x = {:.6g} m to x = {:.6g} m; its points run from left to "
+          fmt::format("surface '{}' goes from x = {} m to x = {} m; its points run from left to "
                       "right, x increasing",
-                      s.name, s.points[i - 1][0], s.points[i][0]));
+                      s.name, format_coordinate(s.points[i - 1][0]), format_coordinate(s.points[i][0])));
   check_end(s, s.points.front(), points + ".0", soil, findings);
   check_end(s, s.points.back(), fmt::format("{}.{}", points, s.points.size() - 1), soil, findings);
   for (std::size_t i = 0; i < s.points.size(); ++i) {
@@ -80,13 +79,11 @@ void check_polyline(const SlipSurface& s, const std::string& path, const SoilOut
     const std::string at = fmt::format("{}.{}", points, i);
     if (!findings.is_sound(at)) continue;
     if (p[1] < soil.bottom() - soil.slack())
-      findings.add(at,
-                   fmt::format("the point ({:.6g}, {:.6g}) of surface '{}' is below the soil, whose lowest level is "
-                               "{:.6g} m",
-                               p[0], p[1], s.name, soil.bottom()));
+      findings.add(at, fmt::format("the point {} of surface '{}' is below the soil, whose lowest level is "
+                                   "{} m",
+                                   format_point(p), s.name, format_coordinate(soil.bottom())));
     else if (i > 0 && i + 1 < s.points.size() && p[1] > soil.find_ground(p[0]) + soil.slack())
-      findings.add(at,
-                   fmt::format("the point ({:.6g}, {:.6g}) of surface '{}' is above the ground", p[0], p[1], s.name));
+      findings.add(at, fmt::format("the point {} of surface '{}' is above the ground", format_point(p), s.name));
   }
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/coordinates.hpp"
+
 namespace talus::input {
 
 SoilOutline::SoilOutline(const mesh::Plan& plan) : plan_(plan) {
@@ -19,7 +21,7 @@ SoilOutline::SoilOutline(const mesh::Plan& plan) : plan_(plan) {
 }
 
 std::string SoilOutline::write_span() const {
-  return fmt::format("which goes from x = {:.6g} m to x = {:.6g} m", left_, right_);
+  return fmt::format("which goes from x = {} m to x = {} m", format_coordinate(left_), format_coordinate(right_));
 }
 
 double SoilOutline::find_ground(double x) const {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/coordinates.hpp"
 #include "lem/search/local_minima.hpp"
 
 namespace talus::lem {
@@ -50,12 +51,13 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
     for (double limit : range) {
       if (std::abs(x - limit) > near) continue;
       const bool edge = std::abs(limit - slope.left()) < near || std::abs(limit - slope.right()) < near;
-      add(edge ? fmt::format("the {} of the critical {} lies at x = {:.4g} m, the edge of the model; "
+      add(edge ? fmt::format("the {} of the critical {} lies at x = {} m, the edge of the model; "
                              "extend the ground beyond it",
-                             end, what, x)
-               : fmt::format("the {} of the critical {} lies at x = {:.4g} m, an end of the range "
-                             "searched ({:.4g} to {:.4g} m); widen [lem.entry_exit] {}",
-                             end, what, x, range[0], range[1], key));
+                             end, what, format_coordinate(x))
+               : fmt::format("the {} of the critical {} lies at x = {} m, an end of the range "
+                             "searched ({} to {} m); widen [lem.entry_exit] {}",
+                             end, what, format_coordinate(x), format_coordinate(range[0]), format_coordinate(range[1]),
+                             key));
     }
   };
   check(ends[slides_left ? 0 : 1], slides_left ? circles.left : circles.right, "exit", "exit");

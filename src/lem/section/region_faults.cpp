@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/coordinates.hpp"
 #include "lem/slices/strips.hpp"
 #include "mesh/planar.hpp"
 
@@ -49,7 +50,7 @@ bool check_polygon(const Section& section, std::size_t number, double size, std:
     return false;
   }
   if (const auto place = mesh::find_self_contact(polygon, 1e-9 * size)) {
-    faults.push_back(fmt::format("{} crosses or touches itself at ({:.6g}, {:.6g})", name, (*place)[0], (*place)[1]));
+    faults.push_back(fmt::format("{} crosses or touches itself at {}", name, format_point(*place)));
     return false;
   }
   if (std::abs(mesh::compute_area(polygon)) < 1e-12 * size * size) {
@@ -83,8 +84,8 @@ void extend_gap(Gap& gap, bool found, const Strip& strip, std::vector<std::strin
   if (found && !gap.open) gap.from = strip.left;
   if (found) gap.to = strip.right;
   if (!found && gap.open)
-    faults.push_back(
-        fmt::format("no soil {} between x = {:.6g} and x = {:.6g}: no region covers it", gap.what, gap.from, gap.to));
+    faults.push_back(fmt::format("no soil {} between x = {} and x = {}: no region covers it", gap.what,
+                                 format_coordinate(gap.from), format_coordinate(gap.to)));
   gap.open = found;
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/coordinates.hpp"
 #include "lem/section/region_faults.hpp"
 
 namespace talus::lem {
@@ -16,11 +17,6 @@ namespace talus::lem {
 namespace {
 
 using Faults = std::vector<std::string>;
-
-template <std::size_t N>
-std::string write_point(const std::array<double, N>& p) {
-  return fmt::format("({:.6g}, {:.6g})", p[0], p[1]);
-}
 
 template <std::size_t N>
 bool is_finite(const std::array<double, N>& p) {
@@ -36,8 +32,8 @@ void check_line(const std::string& name, const std::vector<std::array<double, N>
       return;
     }
     if (i > 0 && (line[i][0] < line[i - 1][0] || (!steps && line[i][0] == line[i - 1][0]))) {
-      faults.push_back(fmt::format("{} runs backwards from {} to {}: x must {}", name, write_point(line[i - 1]),
-                                   write_point(line[i]), steps ? "never fall" : "grow from point to point"));
+      faults.push_back(fmt::format("{} runs backwards from {} to {}: x must {}", name, format_point(line[i - 1]),
+                                   format_point(line[i]), steps ? "never fall" : "grow from point to point"));
       return;
     }
   }
@@ -55,7 +51,7 @@ void check_ground(const Section& section, Faults& faults) {
   for (const Point& p : section.ground)
     if (section.base > p[1] + 1e-9 * (b[0] - a[0])) {
       faults.push_back(
-          fmt::format("the base at elevation {:.6g} lies above the ground at {}", section.base, write_point(p)));
+          fmt::format("the base at elevation {:.6g} lies above the ground at {}", section.base, format_point(p)));
       break;
     }
 }

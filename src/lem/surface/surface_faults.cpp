@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/coordinates.hpp"
 #include "lem/surface/base_line.hpp"
 
 namespace talus::lem {
@@ -21,10 +22,10 @@ void check_end(const Slope& slope, const std::string& name, const BaseLine& base
                std::vector<std::string>& faults) {
   const BasePiece& piece = left ? base.pieces.front() : base.pieces.back();
   const double x = left ? piece.from : piece.to, y = base.at(piece, x);
-  const std::string end = fmt::format("{}: its {} end ({:.6g}, {:.6g})", name, left ? "left" : "right", x, y);
+  const std::string end = fmt::format("{}: its {} end {}", name, left ? "left" : "right", format_point(Point{x, y}));
   if (x < slope.left() - near || x > slope.right() + near) {
-    faults.push_back(fmt::format("{} lies outside the ground, which runs from x = {:.6g} to {:.6g}", end, slope.left(),
-                                 slope.right()));
+    faults.push_back(fmt::format("{} lies outside the ground, which runs from x = {} to {}", end,
+                                 format_coordinate(slope.left()), format_coordinate(slope.right())));
   } else if (!base.ends_on_ground(slope.strips(), piece, x, near)) {
     const double off = y - slope.ground(x);
     faults.push_back(
@@ -42,9 +43,8 @@ bool check_shape(const Surface& surface, const std::string& name, std::vector<st
     for (std::size_t i = 1; i < surface.line.size(); ++i) {
       const Point &a = surface.line[i - 1], &b = surface.line[i];
       if (!(b[0] > a[0]))
-        faults.push_back(
-            fmt::format("{} runs backwards from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}): x must grow from point to point",
-                        name, a[0], a[1], b[0], b[1]));
+        faults.push_back(fmt::format("{} runs backwards from {} to {}: x must grow from point to point", name,
+                                     format_point(a), format_point(b)));
     }
   }
   return faults.empty();

@@ -16,7 +16,7 @@
 namespace talus::output {
 namespace {
 
-constexpr double left = 75, right = 125, bottom = 62;  ///< [px]
+constexpr double right = 125, bottom = 62;  ///< [px]
 
 // Viridis (van der Walt and Smith 2015, https://bids.github.io/colormap, CC0) at ten even places.
 constexpr const char* viridis =
@@ -100,6 +100,7 @@ void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
 
   // The frame has exactly the shape of the data, so that lengths are true and the colour bar is as high as it.
   const auto [w, h] = fit_frame(box);
+  const double left = find_left_margin(box);
   const double title_width = estimate_width(plot.title) * 14 / 12, subtitle_width = estimate_width(plot.subtitle);
   const bool two_rows = title_width + subtitle_width + 30 > w + right - 20;
   const double top = two_rows ? 66 : 46;

@@ -13,7 +13,7 @@
 namespace talus::output {
 namespace {
 
-constexpr double left = 75, right = 30, axis = 62, heading = 46;  ///< [px]
+constexpr double right = 30, axis = 62, heading = 46;  ///< [px]
 constexpr const char* water_colour = "#2f7fd6";
 constexpr double row_height = 22, sample = 48, gap = 20;  ///< of the legend [px]
 
@@ -32,7 +32,7 @@ std::string find_style(const results::MethodSurface& s, std::size_t number) {
 /// The legend in as many columns as fit, its first row at `top` [px from the lower edge].
 class Legend {
  public:
-  Legend(const std::vector<results::MethodSurface>& surfaces, double width) {
+  Legend(const std::vector<results::MethodSurface>& surfaces, double left, double width) : left_(left) {
     for (const results::MethodSurface& s : surfaces)
       column_ = std::max(column_, sample + estimate_width(describe(s)) + gap);
     const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor(width / column_)));
@@ -46,7 +46,7 @@ class Legend {
     std::string script;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
       const std::size_t column = i / rows_, row = i % rows_;
-      const double x = left + column_ * static_cast<double>(column);
+      const double x = left_ + column_ * static_cast<double>(column);
       const double y = (height() - row_height * (static_cast<double>(row) + 0.5)) / total_height;
       script += fmt::format("set arrow from screen {:.6f}, screen {:.6f} to screen {:.6f}, screen {:.6f} nohead {}\n",
                             x / total_width, y, (x + sample - 8) / total_width, y, find_style(surfaces[i], i));
@@ -57,6 +57,7 @@ class Legend {
   }
 
  private:
+  double left_;        ///< [px]
   double column_ = 0;  ///< width of one [px]
   std::size_t rows_ = 0;
 };
@@ -78,7 +79,8 @@ void draw(const SectionPlot& plot, const std::filesystem::path& picture) {
     }
   box.widen(0.02 * std::max(box.x1 - box.x0, box.y1 - box.y0));
   const auto [w, h] = fit_frame(box);
-  const Legend legend(plot.surfaces, w);
+  const double left = find_left_margin(box);
+  const Legend legend(plot.surfaces, left, w);
   const double bottom = axis + legend.height();
   const double total_w =
       left + right + std::max({w, legend.width(), estimate_width(plot.title) * 14 / 12});  // the title's font is larger

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace talus::output {
 namespace {
 
@@ -20,10 +22,16 @@ FrameSize fit_frame(Box& box) {
   return {std::max(w, smallest_width), h};
 }
 
+double find_left_margin(const Box& box) {
+  constexpr double margin = 75, digit = 7, usual = 4;
+  const auto digits = static_cast<double>(fmt::format("{:.0f}", std::max(std::abs(box.y0), std::abs(box.y1))).size());
+  return margin + digit * std::max(0.0, digits - usual);
+}
+
 std::string draw_line(const std::vector<results::Point>& points, double unit, bool close) {
   std::string rows;
-  for (const auto& p : points) rows += fmt::format("{:.7g} {:.7g}\n", p[0] * unit, p[1] * unit);
-  if (close && !points.empty()) rows += fmt::format("{:.7g} {:.7g}\n", points[0][0] * unit, points[0][1] * unit);
+  for (const auto& p : points) rows += fmt::format("{:.12g} {:.12g}\n", p[0] * unit, p[1] * unit);
+  if (close && !points.empty()) rows += fmt::format("{:.12g} {:.12g}\n", points[0][0] * unit, points[0][1] * unit);
   return rows + "\n";
 }
 

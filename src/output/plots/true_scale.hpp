@@ -29,6 +29,9 @@ struct FrameSize {
 /// The frame that has exactly the shape of `box`; a very flat box is made higher.
 FrameSize fit_frame(Box& box);
 
+/// Width [px] left of the frame, where its heights and their title stand.
+double find_left_margin(const Box& box);
+
 /// The lines of a data block for one line of points, with an empty line at the end; `close` returns to the first point.
 std::string draw_line(const std::vector<results::Point>& points, double unit, bool close);
 

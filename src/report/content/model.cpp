@@ -78,7 +78,8 @@ void add_loads_of_slices(const input::Case& data, const ShownUnits& units, json&
   for (const input::Surcharge& s : data.surcharges) {
     std::string text;
     for (std::size_t i = 0; i < std::min(s.x.size(), s.load.size()); ++i)
-      text += fmt::format("{}{} at x = {}", i ? ", " : "", show(s.load[i], units.stress), show(s.x[i], units.length));
+      text += fmt::format("{}{} at x = {}", i ? ", " : "", show(s.load[i], units.stress),
+                          show_coordinate(s.x[i], units.length));
     list.push_back({{"name", "surcharge " + s.name}, {"text", text + (s.variable ? " (variable)" : " (permanent)")}});
   }
   const auto [across, down, direction] = data.earthquake;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/coordinates.hpp"
 #include "base/units.hpp"
 
 namespace talus::report {
@@ -55,6 +56,10 @@ std::string show_number(double value, int digits) {
     text = text.substr(0, e) + " × 10" + power;
   }
   return (value < 0 ? "−" : "") + text;
+}
+
+std::string show_coordinate(double si, const ShownUnit& unit) {
+  return (si < 0 ? "−" : "") + format_coordinate(std::abs(si) / unit.si) + " " + unit.name;
 }
 
 std::string show(double si, const ShownUnit& unit, int digits) {

@@ -30,6 +30,8 @@ ShownUnits read_units(const results::RunResult& run);
 std::string show_number(double value, int digits = 3);
 /// "3.23 m".
 std::string show(double si, const ShownUnit& unit, int digits = 3);
+/// A coordinate with all its digits: "4000012.5 m".
+std::string show_coordinate(double si, const ShownUnit& unit);
 /// The largest unit of time that the duration [s] has two of.
 ShownUnit choose_time_unit(double duration);
 /// 0 for a value that is not finite.

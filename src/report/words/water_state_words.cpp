@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/coordinates.hpp"
 #include "report/content/water_states.hpp"
 #include "report/words/numbers.hpp"
 
@@ -43,9 +44,9 @@ class StateWords {
 
  private:
   std::string place(const std::vector<double>& x) const {
-    std::vector<std::string> parts;
-    for (const double v : x) parts.push_back(show_number(v / length_.si, 4));
-    return fmt::format("({}) {}", fmt::join(parts, ", "), length_.name);
+    std::vector<double> shown;
+    for (const double v : x) shown.push_back(v / length_.si);
+    return format_point(shown) + " " + length_.name;
   }
 
   /// "; up to (45.1, 10.8) m" where the side is wet above the standing water.
@@ -92,7 +93,7 @@ class StateWords {
     std::vector<std::string> levels;
     for (const results::StandingWater& pond : state_.ponds)
       for (const double level : {pond.level_from, pond.level_to})
-        if (const std::string text = show(level, length_, 4);
+        if (const std::string text = show_coordinate(level, length_);
             std::find(levels.begin(), levels.end(), text) == levels.end())
           levels.push_back(text);
     if (!levels.empty())

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/coordinates.hpp"
+
 namespace talus::run {
 namespace {
 
@@ -77,9 +79,8 @@ std::optional<std::string> find_wrong_load(const input::Case& data, const std::v
   }
   const double water = data.water.density * data.gravity.acceleration * (right - left);
   if (!(most > rounding_of_loads * largest + rounding_of_water * water)) return std::nullopt;
-  return fmt::format(
-      "at ({:.4g}, {:.4g}) the load on the ground differs from that of the case by {:.3g} kPa: nothing is proven",
-      where[0], where[1], most / 1e3);
+  return fmt::format("at {} the load on the ground differs from that of the case by {:.3g} kPa: nothing is proven",
+                     format_point(where), most / 1e3);
 }
 
 }  // namespace talus::run

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/coordinates.hpp"
 #include "base/error.hpp"
 #include "run/lem/section_of_case.hpp"
 #include "run/lem/tell_slices.hpp"
@@ -36,11 +37,10 @@ void lead_through_ends(const lem::Slope& slope, const std::string& name, lem::Su
                height = r > chord / 2 ? std::sqrt(r * r - chord * chord / 4) : -1;
   const lem::Point centre{(a[0] + b[0]) / 2 - height * dy / chord, (a[1] + b[1]) / 2 + height * dx / chord};
   if (height < 0 || std::hypot(centre[0] - circle.centre[0], centre[1] - circle.centre[1]) > farthest * r)
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("the circle '{}' about ({:g}, {:g}) with radius {:g} m does not meet the ground at its ends, "
-                    "x = {:g} m and {:g} m",
-                    name, circle.centre[0], circle.centre[1], r, a[0], b[0]));
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the circle '{}' about {} with radius {:g} m does not meet the ground at its ends, "
+                            "x = {} m and {} m",
+                            name, format_point(circle.centre), r, format_coordinate(a[0]), format_coordinate(b[0])));
   circle.centre = centre;
 }
 
@@ -189,11 +189,11 @@ lem::Surface make_surface(const lem::Slope& slope, const input::SlipSurface& giv
   }
   const auto arcs = lem::find_arcs(slope, *surface.circle);
   if (arcs.empty())
-    throw Error(
-        ExitCode::wrong_input,
-        fmt::format("the circle '{}' about ({:g}, {:g}) with radius {:g} m does not enter and leave the ground "
-                    "between x = {:g} m and {:g} m",
-                    given.name, (*given.centre)[0], (*given.centre)[1], *given.radius, slope.left(), slope.right()));
+    throw Error(ExitCode::wrong_input,
+                fmt::format("the circle '{}' about {} with radius {:g} m does not enter and leave the ground "
+                            "between x = {} m and {} m",
+                            given.name, format_point(*given.centre), *given.radius, format_coordinate(slope.left()),
+                            format_coordinate(slope.right())));
   const auto widest = std::max_element(arcs.begin(), arcs.end(),
                                        [](const auto& a, const auto& b) { return a[1] - a[0] < b[1] - b[0]; });
   surface.from = (*widest)[0];

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/coordinates.hpp"
 #include "base/error.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/initial_water.hpp"
@@ -268,11 +269,10 @@ void check_standing_water(const lem::Section& before, const lem::Section& after)
     const double x = 0.5 * (a[0] + b[0]), ground = 0.5 * (a[1] + b[1]);
     const double from = std::max(ground, level(before, x)), to = std::max(ground, level(after, x));
     if (to > from + near)
-      throw Error(
-          ExitCode::wrong_input,
-          fmt::format("At x = {:.6g} m the water after drawdown ({:.6g} m) is above the water before it ({:.6g} m): "
-                      "lower [lem.drawdown] water_table there",
-                      x, to, from));
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("At x = {} m the water after drawdown ({} m) is above the water before it ({} m): "
+                              "lower [lem.drawdown] water_table there",
+                              format_coordinate(x), format_coordinate(to), format_coordinate(from)));
   }
 }
 
