@@ -30,6 +30,12 @@ double shorten(double value) {
   return std::round(value / unit) * unit;
 }
 
+/// To a hundredth of a millimetre, whatever the origin: six digits of a map's coordinate would be metres.
+results::Point shorten_place(double x, double y) {
+  constexpr double per_metre = 1e5;
+  return {std::round(x * per_metre) / per_metre, std::round(y * per_metre) / per_metre};
+}
+
 template <int D>
 void tell_sides(const fem::SeepageResult<D>& r, std::vector<results::Discharge>& discharges,
                 std::vector<results::SeepageExit>& exits) {
@@ -149,7 +155,7 @@ results::WaterFields lay_fields(const input::Case& data, const Polyline& ground)
     for (int r = 0; r <= rows; ++r) {
       const double y = base + (find_level(ground, x) - base) * r / rows;
       const double p = told.unit_weight * (find_water_table(data.initial.water.water_table, x) - y);
-      told.nodes.push_back({shorten(x), shorten(y)});
+      told.nodes.push_back(shorten_place(x, y));
       field.pressure.push_back(shorten(std::max(p, -data.initial.water.largest_suction)));
     }
   for (int c = 0; c + 1 < static_cast<int>(places.size()); ++c)
@@ -221,7 +227,7 @@ std::optional<results::WaterFields> begin_fields(const input::Case& data, const 
   fields.elements = list_elements<2>(wet_mesh);
   if (fields.elements.size() > most_elements) return std::nullopt;
   fields.unit_weight = find_water_weight(data);
-  for (const auto& x : wet_mesh.nodes) fields.nodes.push_back({shorten(x[0]), shorten(x[1])});
+  for (const auto& x : wet_mesh.nodes) fields.nodes.push_back(shorten_place(x[0], x[1]));
   return fields;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Water at rest under the table of a case: what of it lies in the soil, what stands on the ground, and its pressures.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,6 +62,36 @@ TEST(WaterStates, ItsPressuresAreHydrostaticAndSuctionIsCut) {
   EXPECT_NEAR(highest, 10, 1e-9);
   for (const auto& element : fields.elements)
     for (const int node : element) ASSERT_LT(static_cast<std::size_t>(node), fields.nodes.size());
+}
+
+/// A bank whose lower left corner is at (x, y), under a table that falls from 3 m below its crest to its toe.
+ToldWater tell_bank(double x, double y) {
+  const auto at = [&](double dx, double dy) { return fmt::format("[{:.2f}, {:.2f}]", x + dx, y + dy); };
+  const std::string polygon =
+      fmt::format("{}, {}, {}, {}, {}, {}", at(0, 0), at(30, 0), at(30, 4), at(22, 4), at(10, 10), at(0, 10));
+  const std::string table = fmt::format("{}, {}, {}", at(0, 7), at(10, 6.5), at(30, 4));
+  const std::string text =
+      "title = \"A bank\"\n"
+      "geometry.polygon = [{ name = \"bank\", points = [" +
+      polygon +
+      "] }]\n"
+      "materials.clay = { model = \"mohr_coulomb\", unit_weight = 18, cohesion = 5, friction_angle = 25 }\n"
+      "regions.bank = \"clay\"\nanalysis.methods = [\"lem\"]\n"
+      "initial = { pore_pressure = \"water_table\", water_table = [" +
+      table + "] }\n";
+  return tell_water_table(input::read_case_text(text, "bank.toml", {}).data);
+}
+
+TEST(WaterStates, FieldsOfAMapAreThoseOfTheOrigin) {
+  const double x = 500000.25, y = 4000000.5;
+  const ToldWater here = tell_bank(0, 0), there = tell_bank(x, y);
+  ASSERT_TRUE(here.fields && there.fields);
+  ASSERT_EQ(here.fields->nodes.size(), there.fields->nodes.size());
+  for (std::size_t i = 0; i < here.fields->nodes.size(); ++i) {
+    EXPECT_NEAR(there.fields->nodes[i][0] - x, here.fields->nodes[i][0], 2e-5);
+    EXPECT_NEAR(there.fields->nodes[i][1] - y, here.fields->nodes[i][1], 2e-5);
+    EXPECT_NEAR(there.fields->states[0].pressure[i], here.fields->states[0].pressure[i], 1);
+  }
 }
 
 TEST(WaterStates, APondOfAConditionReplacesTheTable) {

@@ -67,9 +67,9 @@ std::vector<LimitHit> find_limit_hits(const Slope& slope, const SearchOptions& o
     const double bottom = c.centre[1] - c.radius, base = slope.section().base;
     if (bottom < base + near && c.centre[0] > ends[0] && c.centre[0] < ends[1])
       add(
-          fmt::format("the critical circle {} the base at {:.4g} m; a deeper model may give a smaller "
+          fmt::format("the critical circle {} the base at {} m; a deeper model may give a smaller "
                       "factor unless firm ground begins there",
-                      bottom < base - near ? "is cut level at" : "touches", base));
+                      bottom < base - near ? "is cut level at" : "touches", format_coordinate(base)));
   }
   if (options.checks.smallest_depth > 0 && critical.cut.depth < 1.005 * options.checks.smallest_depth)
     add(

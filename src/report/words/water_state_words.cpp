@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/coordinates.hpp"
 #include "report/content/water_states.hpp"
@@ -45,7 +46,7 @@ class StateWords {
  private:
   std::string place(const std::vector<double>& x) const {
     std::vector<double> shown;
-    for (const double v : x) shown.push_back(v / length_.si);
+    for (const double v : x) shown.push_back(std::round(1e3 * v / length_.si) / 1e3);
     return format_point(shown) + " " + length_.name;
   }
 

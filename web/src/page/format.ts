@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Writes numbers as engineers read them: few digits, real minus signs, SI names. */
-import type { Unit } from "../contract";
+import type { HydraulicCondition, Unit } from "../contract";
 import { report } from "../state";
 
 const superscripts: { [character: string]: string } = { "-": "⁻" };
@@ -102,4 +102,11 @@ export function formatCoordinate(value: number): string {
 /** [x, y] [m] → "(12, 15) m". */
 export function formatPlace(place: readonly number[]): string {
   return `(${place.map(formatCoordinate).join(", ")})\u00a0${report.value.units.length.name}`;
+}
+
+/** The value of a hydraulic condition in its unit, "2 mm/h"; a head is a level, and has all digits of a coordinate. */
+export function writeCondition({ condition, series }: HydraulicCondition, value: number): string {
+  if (!series) return "";
+  const { name, si } = series.unit;
+  return condition === "total_head" ? `${formatCoordinate(value * si)}\u00a0${name}` : formatQuantity(value, { name, si: 1 });
 }

@@ -5,11 +5,17 @@ import { useState } from "preact/hooks";
 import { CsvButton } from "../charts/base/Legend";
 import { formatNumber, titleWithUnit } from "../charts/base/numbers";
 import type { SlicedSurface } from "../contract";
-import { formatFactor } from "../page/format";
+import { formatCoordinate, formatFactor } from "../page/format";
 import { SymbolText } from "../page/DataTable";
 import { Scroller } from "../page/Scroller";
+import { report } from "../state";
 import { orderValues } from "./order";
 import { makeSliceTable, nameSurface } from "./sliceData";
+
+const writeValue = (value: number | null, digits: number | "place") =>
+  digits !== "place" ? formatNumber(value, digits)
+  : value === null ? "–"
+  : formatCoordinate(value * report.value.units.length.si);
 
 const lowerFirst = (text: string) => text[0]!.toLowerCase() + text.slice(1);
 
@@ -64,7 +70,7 @@ export function SliceTable({ surface }: { surface: SlicedSurface }) {
                   const value = c.values[row]!;
                   return (
                     <td key={c.name} class={typeof value === "string" ? undefined : "number"}>
-                      {typeof value === "string" ? value : formatNumber(value, c.digits)}
+                      {typeof value === "string" ? value : writeValue(value, c.digits)}
                     </td>
                   );
                 })}

@@ -22,7 +22,8 @@ export interface SliceColumn {
   symbol: string;
   unit: string;
   values: (number | string | null)[];
-  digits: number;
+  /** Significant ones; "place": a coordinate. */
+  digits: number | "place";
 }
 
 const degrees = 180 / Math.PI;
@@ -34,7 +35,7 @@ type MakeColumn = (
   unit: { name: string; si: number },
   values: (number | null)[],
   always?: boolean,
-  digits?: number,
+  digits?: number | "place",
 ) => SliceColumn[];
 
 /** What the strength after a rapid drawdown comes from. */
@@ -76,7 +77,7 @@ export function makeSliceTable(surface: SlicedSurface): SliceColumn[] {
       digits: 4,
       values: Array.from({ length: count }, (_, i) => i + 1),
     },
-    ...column("x", "Middle of the slice", "x", length, middle),
+    ...column("x", "Middle of the slice", "x", length, middle, true, "place"),
     ...column(
       "width",
       "Width",
@@ -112,7 +113,7 @@ export function makeSliceTable(surface: SlicedSurface): SliceColumn[] {
     ...column("shear", "Mobilised shear force", "T", force, s.shear),
     ...column("normal_right", "Force between slices on the right side, horizontal", "E", force, s.normal_right, false),
     ...column("shear_right", "Force between slices on the right side, vertical", "X", force, s.shear_right, false),
-    ...column("thrust_right", "Elevation of E on the right side", "y_E", length, s.thrust_right, false),
+    ...column("thrust_right", "Elevation of E on the right side", "y_E", length, s.thrust_right, false, "place"),
     ...(surface.drawdown ? makeDrawdownColumns(surface.drawdown, column, stress) : []),
     ...column("m_alpha", "Denominator of the normal force", "m_α", plain, s.m_alpha, false, 3),
   ];

@@ -2,6 +2,7 @@
 /** What the lines and symbols in the section mean. */
 import type { HydraulicCondition } from "../contract";
 import { pickedPoint, report } from "../state";
+import { writeCondition } from "../page/format";
 import { writeNumber, writeUnit } from "./format";
 import { evaluateSeries } from "./hydraulics";
 import { chooseLook } from "../drawing/surfaceLines";
@@ -46,10 +47,10 @@ const hydraulicSymbols: { [condition: string]: string } = {
 };
 
 /** "total head 10 m": what a condition is in the shown frame. */
-function writeCondition(condition: HydraulicCondition, time: number): string {
+function describeCondition(condition: HydraulicCondition, time: number): string {
   const value = evaluateSeries(condition, time);
   if (!condition.series || Number.isNaN(value)) return condition.title;
-  return `${condition.title} ${writeNumber(value)} ${writeUnit(condition.series.unit)}`;
+  return `${condition.title} ${writeCondition(condition, value)}`;
 }
 
 export function Legend() {
@@ -108,7 +109,7 @@ export function Legend() {
             path={condition.lines.length && !inSpace.value ? hydraulicSymbols[condition.condition] ?? bar : ""}
             colour="#2f7fd6"
             width={1.3}
-            text={`${condition.on}: ${writeCondition(condition, time)}`}
+            text={`${condition.on}: ${describeCondition(condition, time)}`}
           />
         ))}
     </ul>

@@ -37,6 +37,13 @@ test("all ticks of an axis have different texts that read back as their values",
   }
 });
 
+test("ticks of coordinates of a map have no power of ten, which would hide what tells them apart", () => {
+  const { format, power } = describeAxis(6_329_708, 6_329_713, 5);
+  expect(power).toBe("");
+  expect([6_329_709, 6_329_710].map(format)).toEqual(["6329709", "6329710"]);
+  expect(describeAxis(0, 6_329_713, 5).power).toBe("10⁶");
+});
+
 test("logarithmic ticks lie inside, are few, and are named rightly", () => {
   for (const [low, high] of [[3e-15, 0.5], [0.2, 5000], [2, 30], [0.9, 1.1e5], [0.4, 0.9]] as const) {
     const ticks = findLogTicks([low, high], 6);

@@ -44,6 +44,14 @@ const steps: Record<string, (i: number, last: number) => number> = {
   End: (_, last) => last,
 };
 
+/** Plot with a left margin in which the longest text of its ordinate has room. */
+function drawPlot(options: Plot.PlotOptions): ReturnType<typeof Plot.plot> {
+  const plot = Plot.plot(options);
+  const texts = plot.querySelectorAll('[aria-label="y-axis tick label"] text');
+  const room = 18 + 6.2 * Math.max(0, ...Array.from(texts, (text) => text.textContent?.length ?? 0));
+  return room > (options.marginLeft ?? room) ? Plot.plot({ ...options, marginLeft: room }) : plot;
+}
+
 export function Chart(props: ChartProps) {
   const box = useRef<HTMLDivElement>(null);
   const [width, setWidth] = useState(0);
@@ -66,7 +74,7 @@ export function Chart(props: ChartProps) {
   useLayoutEffect(() => {
     if (drawn <= 0) return;
     const options = latest.current.draw(drawn);
-    const plot = Plot.plot({ ...options, width: drawn, className: "talus-plot" });
+    const plot = drawPlot({ ...options, width: drawn, className: "talus-plot" });
     const svg = plot as unknown as SVGSVGElement;
     svg.setAttribute("aria-hidden", "true");
     box.current!.replaceChildren(svg);

@@ -23,11 +23,15 @@ export function findStep(low: number, high: number, count: number): number {
   return factor * power;
 }
 
-/** All ticks with the same decimals; numbers below 0.01 or from 1e5 on share a power of ten (a multiple of three). */
+/**
+ * All ticks with the same decimals; numbers below 0.01 or from 1e5 on share a power of ten (a multiple of three), but
+ * where they differ by little, as coordinates of a map do: a power would hide what tells them apart.
+ */
 export function describeAxis(low: number, high: number, count: number): AxisText {
   const largest = Math.max(Math.abs(low), Math.abs(high));
   const tenth = largest > 0 ? Math.log10(largest) : 0;
-  const exponent = tenth < -2 || tenth >= 5 ? 3 * Math.floor(tenth / 3) : 0;
+  const isFar = tenth >= 5 && high - low < largest / 100;
+  const exponent = !isFar && (tenth < -2 || tenth >= 5) ? 3 * Math.floor(tenth / 3) : 0;
   const step = findStep(low, high, count) / 10 ** exponent;
   const decimals = step > 0 ? Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) : 0;
   return {

@@ -4,10 +4,12 @@ import * as Plot from "@observablehq/plot";
 import { useMemo } from "preact/hooks";
 
 import type { Table } from "../../contract";
-import { centred } from "../base/axes";
+import { formatCoordinate } from "../../page/format";
+import { report } from "../../state";
+import { centred, describeAxis } from "../base/axes";
 import { Chart } from "../base/Chart";
 import { CsvButton, Legend } from "../base/Legend";
-import { formatQuantity, titleWithUnit } from "../base/numbers";
+import { titleWithUnit } from "../base/numbers";
 import { styleOf } from "../base/styles";
 
 const margin = { left: 52, right: 16, top: 28, bottom: 46 };
@@ -35,10 +37,16 @@ export function GroundChart({ table }: { table: Table }) {
     const scaled = ((width - margin.left - margin.right) * (high - low + 2 * pad)) / (length || 1);
     return { scaled, taken: Math.min(460, Math.max(140, scaled)) };
   };
+  /** Both axes are in the unit of lengths. */
+  const tell = (value: number | null | undefined) =>
+    Number.isFinite(value) ? `${formatCoordinate(value! * report.value.units.length.si)} ${unit}` : "–";
   const change = x.map((at, i) => [at, first.values[i] ?? Number.NaN, last.values[i] ?? Number.NaN]);
 
   const draw = (width: number): Plot.PlotOptions => {
     const height = findHeight(width);
+    const ticks = width < 480 ? 5 : 8;
+    const along = describeAxis(x[0] ?? 0, x[x.length - 1] ?? 1, ticks);
+    const upright = describeAxis(low - pad, high + pad, 5);
     const exaggeration = height.taken / height.scaled;
     return {
       height: height.taken + margin.top + margin.bottom,
@@ -46,8 +54,8 @@ export function GroundChart({ table }: { table: Table }) {
       marginRight: margin.right,
       marginTop: margin.top,
       marginBottom: margin.bottom,
-      x: { label: titleWithUnit(abscissa, table.x.unit), ...centred, ticks: width < 480 ? 5 : 8 },
-      y: { domain: [low - pad, high + pad], label: titleWithUnit("Height", unit), labelArrow: "none", ticks: 5 },
+      x: { label: titleWithUnit(abscissa, table.x.unit), ...centred, ticks, tickFormat: along.format },
+      y: { domain: [low - pad, high + pad], label: titleWithUnit("Height", unit), labelArrow: "none", ticks: 5, tickFormat: upright.format },
       marks: [
         Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
         Plot.areaY(change, { x: "0", y1: "1", y2: "2", fill: lines[1]?.style.colour ?? "none", fillOpacity: 0.12 }),
@@ -82,8 +90,8 @@ export function GroundChart({ table }: { table: Table }) {
         showReading
         hint="Point at the ground to read it."
         read={(i) => ({
-          text: `${abscissa} = ${formatQuantity(x[i], table.x.unit)}: ${lines
-            .map((l) => `${l.title.toLowerCase()} ${formatQuantity(l.values[i], l.unit)}`)
+          text: `${abscissa} = ${tell(x[i])}: ${lines
+            .map((l) => `${l.title.toLowerCase()} ${tell(l.values[i])}`)
             .join(", ")}`,
           marks: lines.flatMap((l) => {
             const value = l.values[i] ?? null;

@@ -3,6 +3,7 @@
 import * as Plot from "@observablehq/plot";
 
 import type { SequenceField } from "../../contract";
+import { formatCoordinate } from "../../page/format";
 import { report } from "../../state";
 import { centred, describeAxis, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -60,6 +61,7 @@ export function ProfileChart({ lines, field, vertical, onRemove }: ProfileProps)
       label: titleWithUnit(`Height ${letter}`, length.name),
       labelArrow: "none",
       ticks: 6,
+      tickFormat: describeAxis(bottom / length.si, highest / length.si, 6).format,
     },
     marks: [
       Plot.gridX({ ticks: 6, stroke: "var(--line)", strokeOpacity: 1 }),
@@ -110,7 +112,7 @@ export function ProfileChart({ lines, field, vertical, onRemove }: ProfileProps)
           const tell = (bin?: Bin) => formatQuantity(bin && bin.mean / unit.si, unit.name);
           const values = hits.map(({ line, bin }) => `${line.title}: ${tell(bin)}`);
           return {
-            text: `${letter} = ${formatQuantity(heights[i], length.name)}; ${values.join("; ")}`,
+            text: `${letter} = ${formatCoordinate(heights[i]! * length.si)} ${length.name}; ${values.join("; ")}`,
             marks: hits.flatMap(({ line, bin }) =>
               bin ? [{ value: bin.mean / unit.si, at: bin.height / length.si, colour: line.style.colour }] : [],
             ),

@@ -4,6 +4,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 
 import type { InputTable, Sequence } from "../../contract";
 import { findSetting } from "../../page/methods/settings";
+import { formatCoordinate } from "../../page/format";
 import { fieldName, frameIndex, load, loadPlaces, report, sequenceIndex } from "../../state";
 import type { CsvColumn } from "../base/csv";
 import { CsvButton } from "../base/Legend";
@@ -80,7 +81,7 @@ export function VerticalSection() {
   const unit = field.unit;
   const letter = (d: number) => "xyz"[d]!;
   const tell = (metres: number) => formatQuantity(metres / length.si, length.name, 3);
-  const place = across.map((d) => `${letter(d)} = ${tell(at[d] ?? 0)}`).join(", ");
+  const place = across.map((d) => `${letter(d)} = ${formatCoordinate(at[d] ?? 0)} ${length.name}`).join(", ");
 
   const columns = (): CsvColumn[] => {
     const rows = lines.flatMap((l) => l.bins.map((bin) => ({ line: l, bin })));
@@ -153,7 +154,7 @@ export function VerticalSection() {
                 <input
                   type="number"
                   {...common}
-                  value={Number(common.value.toPrecision(4))}
+                  value={Number(common.value.toFixed(3))}
                   onChange={(e) => set(e.currentTarget.valueAsNumber)}
                 />
                 {length.name}

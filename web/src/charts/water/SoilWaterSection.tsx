@@ -4,6 +4,7 @@ import * as Plot from "@observablehq/plot";
 
 import type { HydraulicCondition, MaterialRow, SoilWater } from "../../contract";
 import { SymbolText } from "../../page/DataTable";
+import { writeCondition } from "../../page/format";
 import { report } from "../../state";
 import { centred, describeAxis, findLogTicks, formatLogTick, titleWithPower } from "../base/axes";
 import { Chart } from "../base/Chart";
@@ -164,7 +165,7 @@ function SeriesChart({ condition }: { condition: HydraulicCondition }) {
       showReading
       hint={`${title}.`}
       read={(i) => ({
-        text: `${title} at ${tellTime(i)}: ${formatQuantity(series.values[i], series.unit.name)}`,
+        text: `${title} at ${tellTime(i)}: ${writeCondition(condition, series.values[i]!)}`,
         marks: [{ value: series.values[i]!, colour: "var(--series-1)" }],
       })}
     />
