@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "output/files/frames_reader.hpp"
 #include "report/report.hpp"
 #include "report_page.hpp"
 #include "schema.hpp"
@@ -38,6 +39,39 @@ TEST(TimelineReport, LeadsWithTheLeastFactorAndKeepsTheContract) {
   EXPECT_TRUE(factors[0].at("main"));
   EXPECT_EQ(factors[0].at("value"), summary.at("main_factor"));
   for (std::size_t i = 1; i < factors.size(); ++i) EXPECT_FALSE(factors[i].at("main").get<bool>());
+  std::filesystem::remove_all(folder);
+}
+
+TEST(TimelineReport, HasThePointsOfEveryReleaseWhereTheyCameToLie) {
+  const std::filesystem::path folder = make_test_folder("released");
+  std::ifstream file(TALUS_SOURCE_DIR "/tests/ranks/release.toml");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  run::RunOptions options;
+  options.folder = folder;
+  options.overwrite = true;
+  support::run_case(input::read_case_text(text, "case.toml", {{"lem.referee", "false"}}), options);
+  const ReadPage page(read_text(write_report(folder)));
+  EXPECT_EQ(find_schema_faults(page.document), "");
+  std::vector<std::string> ids, titles;
+  for (const auto& sequence : page.document.at("sequences")) {
+    ids.push_back(sequence.at("id"));
+    titles.push_back(sequence.at("title"));
+  }
+  EXPECT_EQ(ids, (std::vector<std::string>{"stages", "released_earlier", "released_later"}));
+  EXPECT_EQ(titles.front(), "Released at 12 h");
+  for (const std::string& id : ids) {
+    const std::filesystem::path results = id == "stages" ? folder : folder / id;
+    const output::ResultsReader reader(results);
+    const output::Frame last = reader.read(reader.size() - 1);
+    const auto& sequence = page.sequence(id);
+    const auto positions = page.values(sequence.at("positions"));
+    const std::size_t count = sequence.at("point_count"), start = (sequence.at("frames").size() - 1) * count;
+    ASSERT_EQ(count, last.ids.size());
+    // A thousandth of an element of 0.7 m.
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t d = 0; d < 2; ++d)
+        ASSERT_NEAR(positions[2 * (start + i) + d], last.positions[3 * i + d], 0.0007) << id;
+  }
   std::filesystem::remove_all(folder);
 }
 

@@ -11,15 +11,30 @@
 namespace talus::report {
 namespace {
 
-SequencePlan plan_stages(const ResultFolder& folder) {
-  SequencePlan plan{SequenceKind::stages, "stages", "Stages", {}};
-  if (!folder.frames) return plan;
-  for (int i = 0; i < folder.frames->size(); ++i) {
+SequencePlan plan_stages(const std::shared_ptr<const output::ResultsReader>& frames, std::string id,
+                         std::string title) {
+  SequencePlan plan{SequenceKind::stages, std::move(id), std::move(title), {}};
+  if (!frames) return plan;
+  for (int i = 0; i < frames->size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    plan.frames.push_back({folder.frames, i, std::nullopt,
-                           fmt::format("{}, t = {:.3g} s", folder.frames->stages()[k], folder.frames->times()[k])});
+    plan.frames.push_back(
+        {frames, i, std::nullopt, fmt::format("{}, t = {:.3g} s", frames->stages()[k], frames->times()[k])});
   }
   return plan;
+}
+
+/// The stages of the run, and those of the material points that a timeline released earlier and later.
+std::vector<SequencePlan> plan_all_stages(const ResultFolder& folder) {
+  std::vector<SequencePlan> plans;
+  if (!folder.run.timeline || folder.run.timeline->releases.empty())
+    plans.push_back(plan_stages(folder.frames, "stages", "Stages"));
+  else
+    for (const results::Release& r : folder.run.timeline->releases)
+      plans.push_back(plan_stages(r.folder.empty() ? folder.frames : open_frames(folder.path / r.folder),
+                                  r.folder.empty() ? "stages" : r.folder,
+                                  "Released at " + results::say_moment(*folder.run.timeline, r.time)));
+  std::erase_if(plans, [](const SequencePlan& plan) { return plan.frames.empty(); });
+  return plans;
 }
 
 /// The last frame of the trial itself, before it runs out.
@@ -55,8 +70,8 @@ std::vector<SequencePlan> plan_trials(const ResultFolder& folder) {
 }  // namespace
 
 nlohmann::json pack_sequences(const ResultFolder& folder, Packer& packer) {
-  std::vector<SequencePlan> plans = plan_trials(folder);
-  if (SequencePlan stages = plan_stages(folder); !stages.frames.empty()) plans.insert(plans.begin(), std::move(stages));
+  std::vector<SequencePlan> plans = plan_all_stages(folder);
+  for (SequencePlan& plan : plan_trials(folder)) plans.push_back(std::move(plan));
   nlohmann::json sequences = nlohmann::json::array();
   // Where all soil has left the grid there is nothing to look at.
   std::erase_if(plans, [](const SequencePlan& plan) {

@@ -4,7 +4,7 @@ import type { Criterion, PackedArray, PackedPlaces, TableColumn, Unit } from "./
 
 /** Frames that belong together: the stages, the trials of the curve, one runout. */
 export interface Sequence {
-  /** "stages", "curve", "runout_1.75". */
+  /** "stages", "curve", "runout_1.75"; of points that a timeline released as well the folder, "released_later". */
   id: string;
   kind: "stages" | "curve" | "runout" | "variant";
   title: string;

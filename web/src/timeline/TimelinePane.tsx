@@ -1,14 +1,39 @@
 // SPDX-License-Identifier: MIT
-/** The first figure of a run with a timeline: the factor of safety and the rain, and the section at the chosen time. */
+/** The first figure of a run with a timeline: the factor of safety and the rain with the section at the chosen time, or
+ * the material points. */
+import { Choice } from "../charts/base/Legend";
+import type { Timeline } from "../contract";
 import { report } from "../state";
-import { chooseMoment, chosenMoment } from "./chosen";
+import { Viewer } from "../viewer/Viewer";
+import { chooseFigure, chooseMoment, chosenFigure, chosenMoment, type FirstFigure } from "./chosen";
 import { FactorChart } from "./FactorChart";
 import { MomentFigure } from "./MomentFigure";
 import "./timeline.css";
 
+const titles: Record<FirstFigure, string> = { motion: "material points", time: "factor in time" };
+
 export function TimelinePane() {
-  const { timeline } = report.value;
+  const { timeline, sequences } = report.value;
   if (!timeline) return null;
+  const shown = chosenFigure(timeline);
+  return (
+    <>
+      {sequences.length > 0 && (
+        <div class="chart-bar no-print">
+          <Choice
+            label="First figure"
+            value={shown}
+            options={(["motion", "time"] as const).map((value) => ({ value, title: titles[value] }))}
+            onChange={chooseFigure}
+          />
+        </div>
+      )}
+      {shown === "motion" ? <Viewer /> : <History timeline={timeline} />}
+    </>
+  );
+}
+
+function History({ timeline }: { timeline: Timeline }) {
   const chosen = chosenMoment(timeline);
   const { title } = timeline.factors[chosen]!;
   return (

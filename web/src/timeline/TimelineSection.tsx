@@ -5,7 +5,7 @@ import { ChartTable, numbers } from "../page/DataTable";
 import type { Release } from "../contract/timeline";
 import { formatFactor, formatQuantity } from "../page/format";
 import { report } from "../state";
-import { chooseMoment, chosenMoment } from "./chosen";
+import { chooseMoment, chosenMoment, findRelease, showRelease } from "./chosen";
 import "./timeline.css";
 
 /** What moved after each hand-over: how much of it hangs on its time. */
@@ -32,7 +32,15 @@ function Releases({ releases }: { releases: Release[] }) {
           ) : (
             <td colSpan={3}>{r.error}</td>
           )}
-          <td>{r.folder || "this report"}</td>
+          <td>
+            {findRelease(r) < 0 ? (
+              r.folder || "this folder"
+            ) : (
+              <a class="link" href="#section" onClick={() => showRelease(r)}>
+                show its end
+              </a>
+            )}
+          </td>
         </tr>
       ))}
     </ChartTable>

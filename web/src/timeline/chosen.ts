@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/** The time of the timeline that is shown: one for the curve, the section and the table. */
+/** What of the timeline is shown: the time, one for the curve, the section and the table; the released points. */
 import { signal } from "@preact/signals";
 
-import type { Timeline } from "../contract";
+import type { Release, Timeline } from "../contract/timeline";
+import { frameIndex, report, sequenceIndex } from "../state";
 
 const picked = signal<number | null>(null);
 
@@ -14,4 +15,30 @@ export function chosenMoment(timeline: Timeline): number {
 
 export function chooseMoment(moment: number) {
   picked.value = moment;
+}
+
+export type FirstFigure = "time" | "motion";
+const figure = signal<FirstFigure | null>(null);
+
+/** Which first figure is shown: where points were released, where they came to lie is the answer. */
+export function chosenFigure(timeline: Timeline): FirstFigure {
+  const moved = timeline.releases?.some((r) => r.error === null) ?? false;
+  return report.value.sequences.length === 0 ? "time" : (figure.value ?? (moved ? "motion" : "time"));
+}
+
+export function chooseFigure(first: FirstFigure) {
+  figure.value = first;
+}
+
+/** Index of the sequence with the points of a release; -1: its frames are not in this report. */
+export const findRelease = ({ folder }: Release): number =>
+  report.value.sequences.findIndex((s) => s.id === (folder || "stages"));
+
+/** Shows the end of a release in the first figure. */
+export function showRelease(release: Release) {
+  const found = findRelease(release);
+  if (found < 0) return;
+  sequenceIndex.value = found;
+  frameIndex.value = report.value.sequences[found]!.frames.length - 1;
+  chooseFigure("motion");
 }

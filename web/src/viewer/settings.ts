@@ -99,5 +99,7 @@ export function openAtFailure(): void {
   sequenceIndex.value = best;
   frameIndex.value = telling.frames.length - 1;
   const fields = telling.fields.map((f) => f.name);
+  // Released soil is looked at for how far it went.
+  if (report.value.timeline?.releases && fields.includes("displacement")) fieldName.value = "displacement";
   if (!fields.includes(fieldName.value)) fieldName.value = fields[0] ?? "";
 }
