@@ -88,7 +88,8 @@ json make_run(const ResultFolder& folder, Packer& packer) {
   if (run.error && !run.error->empty()) document["error"] = *run.error;
   document["answer"] = make_answer(folder);
   document["answer"]["results"] = list_named_results(folder);
-  document["warnings"] = run.warnings;
+  document["warnings"] = list_unrest(run);
+  for (const std::string& warning : run.warnings) document["warnings"].push_back(warning);
   if (json curve = make_curve(folder); !curve.is_null()) document["curve"] = std::move(curve);
   document["sequences"] = pack_sequences(folder, packer);
   document["tables"] = make_tables(folder, document["warnings"]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The report of a run with a timeline: the least factor in time stands first, and its figure has all times.
 
+#include <algorithm>
 #include <fstream>
 
 #include "output/files/frames_reader.hpp"
@@ -38,6 +39,12 @@ TEST(TimelineReport, LeadsWithTheLeastFactorAndKeepsTheContract) {
   EXPECT_EQ(factors[0].at("name"), "timeline.least");
   EXPECT_TRUE(factors[0].at("main"));
   EXPECT_EQ(factors[0].at("value"), summary.at("main_factor"));
+  // In words as well, before what is proven at time 0.
+  const auto& sentences = document.at("answer").at("sentences");
+  EXPECT_EQ(sentences[0], timeline.at("sentence"));
+  EXPECT_TRUE(std::any_of(sentences.begin() + 1, sentences.end(), [](const nlohmann::json& sentence) {
+    return sentence.get<std::string>().starts_with("At time 0 limit analysis of the soil of limit equilibrium");
+  })) << sentences;
   for (std::size_t i = 1; i < factors.size(); ++i) EXPECT_FALSE(factors[i].at("main").get<bool>());
   std::filesystem::remove_all(folder);
 }

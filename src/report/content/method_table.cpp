@@ -330,6 +330,13 @@ std::string say_referee(const results::RunResult& run) {
   if (!run.slices || run.slices->error || !run.slices->referee || !run.slices->referee->is_interval()) return "";
   const double lower = results::show_lower(*run.slices->referee->lower),
                upper = results::show_upper(*run.slices->referee->upper);
+  if (run.slices->referee->upper_only)
+    return fmt::format("For ψ = φ limit analysis proves that {} is at most {:.3f}; it has no lower bound: {}.",
+                       run.timeline ? "the factor at time 0" : "it", upper, *run.slices->referee->upper_only);
+  // Of what is proven beside it the tension differs.
+  if (run.timeline || (run.bounds && !run.bounds->error))
+    return fmt::format("{} of the soil of limit equilibrium (ψ = φ, tension up to c/tan φ) proves {:.3f} to {:.3f}.",
+                       run.timeline ? "At time 0 limit analysis" : "Limit analysis", lower, upper);
   if (results::find_governing_surface(run))
     return fmt::format("For ψ = φ limit analysis proves that it lies between {:.3f} and {:.3f}.", lower, upper);
   return fmt::format(
@@ -341,8 +348,9 @@ std::string say_referee(const results::RunResult& run) {
 std::string say_proven(const results::RunResult& run) {
   if (!run.bounds || run.bounds->error) return "";
   const results::BoundsResult& bounds = *run.bounds;
-  const std::string soil = bounds.is_davis ? "For soil with the strength of Davis, an estimate for ψ < φ, it"
-                                           : "For ψ = φ the factor of safety";
+  const std::string soil = bounds.is_davis
+                               ? std::string("For soil with the strength of Davis, an estimate for ψ < φ, it")
+                               : std::string(run.timeline ? "At time 0, for" : "For") + " ψ = φ the factor of safety";
   const double lower = results::show_lower(bounds.lower.value_or(0)),
                upper = results::show_upper(bounds.upper.value_or(0));
   if (bounds.is_interval()) return fmt::format("{} is proven to lie between {:.3f} and {:.3f}.", soil, lower, upper);

@@ -101,7 +101,7 @@ constexpr const char* too_low = "A factor below one: the slope does not stand wi
 void say_methods(const results::RunResult& run, const std::vector<Factor>& factors, json& sentences) {
   const std::string found = say_main_factors(run, factors), proven = say_proven(run), referee = say_referee(run);
   // Where no factor by limit equilibrium is possible the interval stands first, else behind the answer.
-  const bool is_answer = !referee.empty() && !results::find_governing_surface(run);
+  const bool is_answer = !run.timeline && !referee.empty() && !results::find_governing_surface(run);
   if (is_answer) sentences.push_back(referee);
   if (found.empty() && proven.empty()) {
     if (is_answer) return;
@@ -304,8 +304,18 @@ void say_state(const results::RunResult& run, json& sentences) {
                                   reason.empty() || reason.ends_with('.') ? reason : reason + "."));
 }
 
-/// Stages that were to end at rest and did not: all displacements and runouts are those of soil that still moves.
-void say_unrest(const results::RunResult& run, json& sentences) {
+/// The factor in time stands before those of its first moment.
+void say_timeline(const results::RunResult& run, json& sentences) {
+  if (!run.timeline) return;
+  sentences.push_back(results::say_failure(*run.timeline));
+  if (std::string releases = results::say_releases(*run.timeline); !releases.empty())
+    sentences.push_back(std::move(releases));
+}
+
+}  // namespace
+
+std::vector<std::string> list_unrest(const results::RunResult& run) {
+  std::vector<std::string> sentences;
   for (const results::Stage& stage : run.stages.value_or(std::vector<results::Stage>{}))
     if (stage.moving)
       sentences.push_back(fmt::format(
@@ -313,9 +323,8 @@ void say_unrest(const results::RunResult& run, json& sentences) {
           stage.moving->material.empty()
               ? ""
               : fmt::format(": '{}' still moves at {:.2g} m/s", stage.moving->material, stage.moving->speed)));
+  return sentences;
 }
-
-}  // namespace
 
 json make_answer(const ResultFolder& folder) {
   const results::RunResult& run = folder.run;
@@ -327,16 +336,11 @@ json make_answer(const ResultFolder& folder) {
     if (factor.method == Method::bounds) factor.is_main = results::is_main_factor_proven(run);
   json sentences = json::array(), listed = json::array();
   say_state(run, sentences);
-  say_unrest(run, sentences);
+  say_timeline(run, sentences);
   const bool lone = !asks_for_others(folder);
   if (!lone) say_methods(run, factors, sentences);
   say_drawdown(run, sentences);
   say_factor(run, own, lone, sentences);
-  if (run.timeline) {
-    sentences.push_back(results::say_failure(*run.timeline));
-    if (std::string releases = results::say_releases(*run.timeline); !releases.empty())
-      sentences.push_back(std::move(releases));
-  }
   say_runouts(run, sentences);
   if (run.motion && !run.motion->sentence.empty()) sentences.push_back(run.motion->sentence);
   for (const std::string& sentence : tell_water(folder)) sentences.push_back(sentence);

@@ -3,7 +3,7 @@
 import { CsvButton } from "../charts/base/Legend";
 import type { MethodRow, MethodTable } from "../contract";
 import { methodNames } from "../page/FactorTable";
-import { formatDifference, formatDuration, formatFactor, formatSentence } from "../page/format";
+import { formatDifference, formatDuration, formatFactor, formatInterval, formatSentence } from "../page/format";
 import { ChartTable, numbers, wrapped } from "../page/DataTable";
 import { report } from "../state";
 import { FactorMark, type FactorScale, makeFactorScale } from "./FactorMark";
@@ -52,9 +52,7 @@ function RowTable({ rows, reference, compare, scale, label }: RowsProps) {
             <td class="number">
               <strong>{formatFactor(row.factor, row.method === "bounds" ? "–" : "none")}</strong>
             </td>
-            <td class="number">
-              {row.lower === null || row.upper === null ? "–" : `${formatFactor(row.lower)}–${formatFactor(row.upper)}`}
-            </td>
+            <td class="number">{formatInterval(row)}</td>
             {scale && (
               <td>
                 <FactorMark scale={scale} row={row} />

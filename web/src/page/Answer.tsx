@@ -2,7 +2,7 @@
 /** The answer: the factor of safety large, in words, beside other criteria; runout; warnings. */
 import { report } from "../state";
 import { FactorTable, methodNames } from "./FactorTable";
-import { formatCount, formatFactor, formatQuantity, formatSentence } from "./format";
+import { formatCount, formatFactor, formatInterval, formatQuantity, splitSentences } from "./format";
 import { getResistance, splitFactors } from "./shortFactors";
 import { WarningLink, Warnings } from "./Warnings";
 import { formatNumber } from "../charts/base/numbers";
@@ -14,6 +14,7 @@ const hasDesignValues = () => report.value.method_table?.partial_factors !== und
 const resistance = () => getResistance(report.value.method_table);
 /** What is compared with 1: the factor of safety over γ_R. */
 const check = (factor: number | null) => (factor === null ? null : factor / resistance());
+const checkInterval = ({ lower, upper }: Factor) => ({ lower: check(lower), upper: check(upper) });
 const nameFactor = () =>
   hasDesignValues() ?
     resistance() === 1 ? "Factor of safety with design values"
@@ -25,16 +26,14 @@ const sayFailure = () =>
   : report.value.timeline ? "the slope fails in this time"
   : "the slope fails as it stands";
 
-/** Both ends of what is proven, or the one that there is. */
+/** What is proven of a factor. */
 function Interval({ factor }: { factor: Factor }) {
-  const [lower, upper] = [check(factor.lower), check(factor.upper)];
-  const text =
-    lower === null
-      ? `≤ ${formatFactor(upper)}`
-      : upper === null
-        ? `≥ ${formatFactor(lower)}`
-        : `${formatFactor(lower)} – ${formatFactor(upper)}`;
-  return <span class={(lower ?? upper)! < 1 ? "value interval bad" : "value interval"}>{text}</span>;
+  const { lower, upper } = checkInterval(factor);
+  return (
+    <span class={(lower ?? upper)! < 1 ? "value interval bad" : "value interval"}>
+      {formatInterval({ lower, upper })}
+    </span>
+  );
 }
 
 /** Of bounds alone. */
@@ -65,9 +64,17 @@ function MethodValue({ factor }: { factor: Factor }) {
           <span class={check(factor.value)! < 1 ? "value bad" : "value"}>{formatFactor(check(factor.value))}</span>
         )}
         <span class="criterion">{factor.title}</span>
+        <Referee factor={factor} />
       </dd>
     </div>
   );
+}
+
+/** The interval that limit analysis proves for the soil of limit equilibrium. */
+function Referee({ factor }: { factor: Factor }) {
+  const { method, lower, upper } = factor;
+  if (method !== "lem" || (lower ?? upper) === null) return null;
+  return <span class="criterion">proven: {formatInterval(checkInterval(factor))}</span>;
 }
 
 /** One beside the other where several methods answer. What is proven stands last, unless it governs. */
@@ -99,9 +106,10 @@ function MainFactor({ factor }: { factor: Factor }) {
     <div class="main-factor">
       <p class="number">
         <span class={fails ? "value bad" : "value"}>{formatFactor(check(factor.value))}</span>
-        {factor.lower !== null && factor.upper !== null && (
+        {(factor.lower ?? factor.upper) !== null && (
           <span class="bracket">
-            {formatFactor(check(factor.lower))} – {formatFactor(check(factor.upper))}
+            {factor.method === "lem" && "proven: "}
+            {formatInterval(checkInterval(factor))}
           </span>
         )}
       </p>
@@ -182,6 +190,29 @@ function Results({ results, large }: { results: NamedResult[]; large: boolean })
   );
 }
 
+/** Sentences before the table; the others are folded, and stand in the report for signature. */
+const mostWords = 3;
+
+function MoreWords({ sentences }: { sentences: string[] }) {
+  const shown = sentences.slice(0, mostWords - 1);
+  const folded = sentences.slice(mostWords - 1);
+  return (
+    <>
+      {shown.length > 0 && <p class="more-words">{shown.join(" ")}</p>}
+      {folded.length > 0 && (
+        <details class="more-factors no-print">
+          <summary>{formatCount(folded.length, "more sentence", "more sentences")}</summary>
+          <ul class="more-words listed">
+            {folded.map((text) => (
+              <li key={text}>{text}</li>
+            ))}
+          </ul>
+        </details>
+      )}
+    </>
+  );
+}
+
 export function Answer() {
   const { answer } = report.value;
   // The one that governs stands first.
@@ -193,15 +224,7 @@ export function Answer() {
     ({ method, lower, upper }) => method === "bounds" && (lower !== null || upper !== null),
   );
   const results = pickResults(answer.results, main ? 4 : 6);
-  const [first, ...others] = answer.sentences;
-  const moreWords = others.length > 0 && <p class="more-words">{others.map(formatSentence).join(" ")}</p>;
-  const listedWords = others.length > 0 && (
-    <ul class="more-words listed">
-      {others.map((text) => (
-        <li key={text}>{formatSentence(text)}</li>
-      ))}
-    </ul>
-  );
+  const [first, ...others] = answer.sentences.flatMap(splitSentences);
   return (
     <section id="answer" class="answer" aria-labelledby="answer-title" tabIndex={-1}>
       <h2 id="answer-title" class="unseen">
@@ -214,8 +237,8 @@ export function Answer() {
       ) : (
         proven && <ProvenInterval factor={proven} />
       )}
-      {first && <p class={main || proven ? "in-words" : "in-words only"}>{formatSentence(first)}</p>}
-      {mains.length > 1 ? listedWords : moreWords}
+      {first && <p class={main || proven ? "in-words" : "in-words only"}>{first}</p>}
+      <MoreWords sentences={others} />
       {answer.factors.length > 0 && <Factors factors={answer.factors} />}
       {results.length > 0 && <Results results={results} large={!main && !proven} />}
       <Warnings />

@@ -34,7 +34,18 @@ export function WarningLink() {
 }
 
 export function Warnings() {
-  const { status, warnings } = report.value;
+  const { status, warnings, slices } = report.value;
+  const limits = slices?.search?.limit_hits ?? [];
+  if (warnings.length === 0 && limits.length > 0) {
+    return (
+      <div class="warnings">
+        <h3>
+          <WarningSign /> {formatCount(limits.length, "limit of the search", "limits of the search")}
+        </h3>
+        <WarningList warnings={limits} />
+      </div>
+    );
+  }
   if (warnings.length === 0) {
     return (
       <p class="no-warnings">

@@ -14,6 +14,7 @@ import {
   formatPlace,
   formatQuantity,
   formatSentence,
+  splitSentences,
 } from "./format";
 
 describe("formatNumber", () => {
@@ -68,6 +69,14 @@ it("makes sentences of the results' lines", () => {
   expect(formatSentence("the mesh is coarse")).toBe("The mesh is coarse.");
   expect(formatSentence("Is it?")).toBe("Is it?");
   expect(formatSentence("λ = 0.45")).toBe("λ = 0.45.");
+});
+
+it("splits a text at the ends of its sentences alone", () => {
+  expect(splitSentences("it falls below 1 at 8 h, where F = 1.006. It is least at 16 h, 0.885.")).toEqual([
+    "It falls below 1 at 8 h, where F = 1.006.",
+    "It is least at 16 h, 0.885.",
+  ]);
+  expect(splitSentences("suction gives 3.8 % of it")).toEqual(["Suction gives 3.8 % of it."]);
 });
 
 it("writes differences with one decimal", () => {

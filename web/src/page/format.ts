@@ -40,6 +40,12 @@ export function formatFactor(value: number | null | undefined, none = "–"): st
   return value === null || value === undefined ? none : value.toFixed(3).replace("-", "−");
 }
 
+/** Both ends of an interval, or the one that there is: "1.379 – 1.409", "≤ 1.114". */
+export function formatInterval({ lower, upper }: { lower: number | null; upper: number | null }): string {
+  if (lower === null) return upper === null ? "–" : `≤ ${formatFactor(upper)}`;
+  return upper === null ? `≥ ${formatFactor(lower)}` : `${formatFactor(lower)} – ${formatFactor(upper)}`;
+}
+
 /** The name of a unit as it follows a number; quantities without one show nothing. */
 export function formatUnit(name: string): string {
   const shown =
@@ -82,6 +88,13 @@ export function formatSentence(text: string): string {
   if (!trimmed) return "";
   // Symbols stay as they are: "λ = 0.45".
   return trimmed.replace(/^[a-z]/, (first) => first.toUpperCase()) + (/[.!?]$/.test(trimmed) ? "" : ".");
+}
+
+/** "It fails at 8 h. It is least at 16 h." → both sentences. A full stop between digits or after a symbol ends none. */
+export function splitSentences(text: string): string[] {
+  return formatSentence(text)
+    .split(/(?<=[\p{L}\p{N})%'][.!?])\s+(?=\p{Lu}\p{L}+[ ,])/u)
+    .map(formatSentence);
 }
 
 /** A relative difference: "+1.6 %", "±0.0 %". */
