@@ -39,6 +39,10 @@ struct NamedValue {
 /// that of the section: a plane one is one metre thick.
 std::vector<NamedValue> list_values(const RunResult& run, int dimension);
 
+/// Whether two names call one result. A time of the timeline is a number, which a reader may round or write otherwise:
+/// `timeline.factor[1110093]` is the factor at a time within a millionth of that.
+bool is_same_result(const std::string& known, const std::string& asked);
+
 /// The one called `name` [SI]; nothing when the run did not reach it.
 std::optional<double> find_value(const RunResult& run, const std::string& name);
 

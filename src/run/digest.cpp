@@ -241,6 +241,22 @@ std::string write_water(const results::RunResult& run) {
   return text;
 }
 
+/// "Spencer, factor of safety: 1.386, published 1.39 ± 0.02 (a referee): passes".
+std::string write_comparisons(const std::vector<results::Comparison>& comparisons) {
+  std::string text = comparisons.empty() ? "" : "Compared with published values:\n";
+  for (const results::Comparison& c : comparisons) {
+    const std::string unit = c.unit.name.empty() ? "" : " " + c.unit.name;
+    const std::string computed = c.computed ? fmt::format("{:.4g}{}", *c.computed / c.unit.si, unit) : "not calculated";
+    text += fmt::format("  {}: {}, published {:.4g}{} ± {} ({}){}{}\n", c.title, computed, c.published / c.unit.si,
+                        unit, c.tolerance_text, c.source,
+                        !c.computed ? ""
+                        : c.passes  ? ": passes"
+                                    : ": misses",
+                        c.note.empty() ? "" : "; " + c.note);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string write_digest(const results::RunResult& run) {
@@ -263,6 +279,7 @@ std::string write_digest(const results::RunResult& run) {
   if (run.factor_of_safety) text += write_factors(*run.factor_of_safety);
   text += write_runouts(run);
   text += write_water(run);
+  text += write_comparisons(run.comparisons);
   for (const std::string& w : run.warnings) text += fmt::format("warning: {}\n", w);
   return text;
 }

@@ -2,6 +2,8 @@
 // [[compare]]: names, units and tolerances of the values that results are compared with.
 
 #include "input/case/result_names.hpp"
+#include "results/named.hpp"
+#include "run/digest.hpp"
 #include "slope.hpp"
 
 namespace talus::input {
@@ -45,6 +47,37 @@ TEST(Compare, TolerancesArePerCentOfTheValueOrInItsUnit) {
   EXPECT_DOUBLE_EQ(tolerance("\"31 mm\"", "\"2 mm\""), 0.002);
   EXPECT_DOUBLE_EQ(tolerance("0.031", "0.002"), 0.002);
   EXPECT_DOUBLE_EQ(tolerance("\"31 mm\"", "2"), 0.002) << "not two metres";
+}
+
+TEST(Compare, CallsAFactorInTimeByTheUsersOwnNumber) {
+  using results::is_same_result;
+  EXPECT_TRUE(is_same_result("timeline.factor[1110093]", "timeline.factor[1110093]"));
+  // 12.848298611 days, and as six digits wrote it.
+  EXPECT_TRUE(is_same_result("timeline.factor[1110092.99999]", "timeline.factor[1110093]"));
+  EXPECT_TRUE(is_same_result("timeline.factor[1110093]", "timeline.factor[1.110093e6]"));
+  EXPECT_FALSE(is_same_result("timeline.factor[1110093]", "timeline.factor[1110100]"));
+  EXPECT_FALSE(is_same_result("timeline.factor[0]", "timeline.factor[1]"));
+  EXPECT_FALSE(is_same_result("timeline.factor[43200]", "timeline.factor[43200"));
+  EXPECT_FALSE(is_same_result("lem.bishop", "lem.spencer"));
+  results::RunResult run;
+  run.timeline.emplace().factors.emplace_back().time = 1110093;
+  run.timeline->factors.back().factor = 1.25;
+  EXPECT_EQ(results::find_value(run, "timeline.factor[1110093]"), 1.25);
+}
+
+TEST(Compare, StandsInTheTerminal) {
+  results::RunResult run;
+  run.title = "A slope";
+  run.comparisons = {
+      {"lem.spencer", "Spencer, critical circle", {"", 1}, 1.386, 1.39, 0.02, "0.02", "a referee", true, ""},
+      {"stage[a].displacement", "largest displacement", {"mm", 1e-3}, 0.05, 0.03, 0.003, "10 %", "B", false, ""},
+      {"fem.factor", "finite elements", {"", 1}, {}, 1.4, 0.1, "0.1", "C", false, "the case leaves it out"}};
+  const std::string text = run::write_digest(run);
+  for (const char* line : {"Compared with published values:\n",
+                           "  Spencer, critical circle: 1.386, published 1.39 ± 0.02 (a referee): passes\n",
+                           "  largest displacement: 50 mm, published 30 mm ± 10 % (B): misses\n",
+                           "  finite elements: not calculated, published 1.4 ± 0.1 (C); the case leaves it out\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
 }
 
 }  // namespace

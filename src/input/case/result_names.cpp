@@ -241,7 +241,7 @@ std::optional<NamedValue> find_result_name(const Case& data, const std::string& 
   const bool has_curve = data.analysis == AnalysisKind::strength_reduction && data.strength_reduction.curve.enabled;
   if (const auto factor = find_trial_factor(name); factor && has_curve) return name_trial(name, *factor);
   for (const NamedValue& known : list_result_names(data))
-    if (known.name == name) return known;
+    if (results::is_same_result(known.name, name)) return known;
   return std::nullopt;
 }
 
