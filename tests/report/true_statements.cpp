@@ -134,6 +134,13 @@ TEST_F(TrueStatements, SoilThatMovesToBothSidesIsToldOnEach) {
 TEST_F(TrueStatements, LengthsAreInTheUnitOfTheCase) {
   summary_["units"] = {{"length", "ft"}};
   EXPECT_SAYS(tell(), "largest displacement is 0.001 ft");
+  // 100 ft³ per foot.
+  summary_["runout"]["moved_volume"] = 100 * 0.3048 * 0.3048;
+  EXPECT_SAYS(tell(), "100 ft³ per foot move");
+  const json units = report().at("units");
+  EXPECT_EQ(units.at("volume").at("name"), "ft³/ft");
+  EXPECT_NEAR(units.at("flow").at("si").get<double>(), 0.3048 * 0.3048, 1e-12);
+  EXPECT_EQ(units.at("speed").at("name"), "ft/s");
   std::ofstream(folder_ / "profile.csv") << "x [m],ground before [m],ground after [m]\n0.3048,3.048,\n";
   const json table = report().at("tables").at(0);
   EXPECT_EQ(table.at("x").at("unit"), "ft");

@@ -54,7 +54,8 @@ std::string to_title(const std::string& name) {
 ShownUnit choose_unit(const std::string& stored, std::size_t dimension, const ShownUnits& units) {
   if (stored == "m") return units.displacement;
   if (stored == "Pa") return units.stress;
-  if (stored == "m3") return {dimension == 2 ? "m³/m" : "m³", 1};
+  if (stored == "m3") return units.volume(dimension);
+  if (stored == "m/s") return units.speed();
   return {stored.empty() ? "-" : stored, 1};
 }
 

@@ -35,7 +35,7 @@ json to_json(const Shown& shown) {
 
 /// Nothing for a condition without a number.
 std::optional<Shown> read_series(const input::Hydraulic& h, const ShownUnits& units) {
-  const ShownUnit rain{"mm/h", 1e-3 / 3600};
+  const ShownUnit rain = units.rain();
   const auto show = [&](const char* title, const ShownUnit& unit) -> std::optional<Shown> {
     const input::TimeTable series = h.values();
     if (series.time.empty()) return std::nullopt;

@@ -10,6 +10,7 @@
 
 #include "input/case/boundary.hpp"
 #include "mesh/quality.hpp"
+#include "report/content/asked_methods.hpp"
 #include "report/content/boundary_lines.hpp"
 #include "report/content/materials.hpp"
 #include "report/content/soil_water.hpp"
@@ -91,6 +92,16 @@ void add_loads_of_slices(const input::Case& data, const ShownUnits& units, json&
                     {"text", fmt::format("pseudo-static: k_h = {:g} {}, k_v = {:g} down", across, towards, down)}});
 }
 
+/// The water in it presses; without water it is no load, and shortens every surface all the same.
+json describe_crack(const input::TensionCrack& crack, const ShownUnits& units) {
+  return {{"name", "tension crack"},
+          {"text", fmt::format("slip surfaces of slices end in a vertical crack, {} deep at most{}",
+                               show(crack.depth, units.length),
+                               crack.water > 0 ? ", in which water stands " + show(crack.water, units.length) +
+                                                     " deep and presses on its side"
+                                               : ", without water")}};
+}
+
 /// For the pictures of slices: x [m] and loads [Pa].
 json list_surcharges(const input::Case& data) {
   json list = json::array();
@@ -101,7 +112,7 @@ json list_surcharges(const input::Case& data) {
 json list_loads(const input::Case& data, std::size_t dimension, const ShownUnits& units) {
   json list = json::array();
   list.push_back({{"name", "gravity"},
-                  {"text", fmt::format("{:g} m/s² along {}", data.gravity.acceleration,
+                  {"text", fmt::format("{} along {}", show(data.gravity.acceleration, units.acceleration(), 4),
                                        show_vector(data.gravity.direction, dimension))}});
   for (const input::Traction& t : data.tractions)
     list.push_back(
@@ -282,18 +293,23 @@ json make_model(const ResultFolder& folder, std::optional<double> factor_of_safe
     polygons.push_back(
         {{"name", p.name}, {"material", material != data.regions.end() ? material->second : ""}, {"points", p.points}});
   }
-  return {{"dimension", dimension},
-          {"bounds", find_bounds(folder, dimension, plane, space)},
-          {"slope_height", folder.run.slope_height.value_or(0)},
-          {"polygons", polygons},
-          {"boundaries", list_boundaries(data, dimension, plane)},
-          {"loads", has_weight ? list_loads(data, dimension, units) : json::array()},
-          {"surcharges", list_surcharges(data)},
-          {"water", list_water_states(folder)},
-          {"monitors", list_monitors(folder, dimension)},
-          {"materials", list_materials(folder, factor_of_safety)},
-          {"stages", list_stages(folder, units)},
-          {"mesh", mesh}};
+  json loads = has_weight ? list_loads(data, dimension, units) : json::array();
+  const bool has_crack = data.lem.crack.depth > 0 && asks_for(folder, Method::lem);
+  if (has_crack) loads.push_back(describe_crack(data.lem.crack, units));
+  json model{{"dimension", dimension},
+             {"bounds", find_bounds(folder, dimension, plane, space)},
+             {"slope_height", folder.run.slope_height.value_or(0)},
+             {"polygons", polygons},
+             {"boundaries", list_boundaries(data, dimension, plane)},
+             {"loads", loads},
+             {"surcharges", list_surcharges(data)},
+             {"water", list_water_states(folder)},
+             {"monitors", list_monitors(folder, dimension)},
+             {"materials", list_materials(folder, factor_of_safety)},
+             {"stages", list_stages(folder, units)},
+             {"mesh", mesh}};
+  if (has_crack) model["crack"] = {{"depth", data.lem.crack.depth}, {"water", data.lem.crack.water}};
+  return model;
 }
 
 }  // namespace talus::report

@@ -19,10 +19,15 @@ bool has_lost_all(const results::RunResult& run) {
   return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
 }
 
-/// Long times of a timeline are told in hours or days.
-ShownUnit choose_unit(const results::NamedResult& result) {
-  if (result.unit.name == "s") return choose_time_unit(std::abs(result.value));
-  return {result.unit.name, result.unit.si};
+/// Long times of a timeline are told in hours or days; volumes, flows and speeds in feet where lengths are.
+ShownUnit choose_unit(const results::NamedResult& result, const ShownUnits& units, std::size_t dimension) {
+  const std::string& name = result.unit.name;
+  if (name == "s") return choose_time_unit(std::abs(result.value));
+  if (name == "m") return units.length;
+  if (name == "m/s") return units.speed();
+  if (name.starts_with("m3/s")) return units.flow(dimension);
+  if (name.starts_with("m3")) return units.volume(dimension);
+  return {name, result.unit.si};
 }
 
 }  // namespace
@@ -31,6 +36,8 @@ json list_named_results(const ResultFolder& folder) {
   std::map<std::string, results::NamedValue> known;
   for (const results::NamedValue& value : results::list_values(folder.run, folder.data.mesh.dimension))
     known.emplace(value.name, value);
+  const ShownUnits units = read_units(folder.run);
+  const std::size_t dimension = get_dimension(folder.run);
   json list = json::array();
   for (const results::NamedResult& result : folder.run.results) {
     const results::NamedValue about = known[result.name];  // nothing: another version knew other results
@@ -42,7 +49,7 @@ json list_named_results(const ResultFolder& folder) {
     list.push_back({{"name", result.name},
                     {"title", flows_in ? result.title.substr(0, result.title.rfind(',')) : result.title},
                     {"value", flows_in ? -result.value : result.value},
-                    {"unit", to_json(choose_unit(result))},
+                    {"unit", to_json(choose_unit(result, units, dimension))},
                     {"kind", results::to_word(about.kind)},
                     {"quantity", about.quantity},
                     {"by", about.by ? to_word(*about.by) : ""}});

@@ -53,10 +53,10 @@ std::string name_conductivity(const input::PoreWater& soil) {
   }
 }
 
-json list_parameters(const input::PoreWater& soil, const ShownUnit& stress, double conductivity) {
+json list_parameters(const input::PoreWater& soil, const ShownUnits& units, double conductivity) {
   using R = input::RetentionCurve;
   using K = input::ConductivityCurve;
-  const ShownUnit share{"-", 1};
+  const ShownUnit &stress = units.stress, share{"-", 1}, speed = units.speed();
   json rows = json::array();
   const auto add = [&](const char* key, const char* title, const char* symbol, const ShownUnit& unit, double value) {
     rows.push_back({{"key", key},
@@ -78,7 +78,7 @@ json list_parameters(const input::PoreWater& soil, const ShownUnit& stress, doub
   if (soil.retention == R::exponential || relative == K::exponential)
     add("decay", "decay with suction", "α", {"1/" + stress.name, 1 / stress.si}, soil.decay);
   if (soil.permeability) add("permeability", "intrinsic permeability", "κ", {"m²", 1}, *soil.permeability);
-  if (conductivity > 0) add("conductivity", "conductivity, saturated", "k_s", {"m/s", 1}, conductivity);
+  if (conductivity > 0) add("conductivity", "conductivity, saturated", "k_s", speed, conductivity);
   if (relative == K::hillel) add("exponent", "exponent of the conductivity", "r", share, soil.exponent);
   if (soil.air_entry) add("air_entry", "suction from which the conductivity falls", "s_a", stress, *soil.air_entry);
   if (soil.chi == input::BishopChi::khalili_khabbaz)
@@ -151,7 +151,7 @@ json describe_soil_water(const ResultFolder& folder, const input::PoreWater& soi
              {"chi", soil.chi == input::BishopChi::khalili_khabbaz
                          ? "χ after Khalili and Khabbaz: (s/s_e)^(−0.55) above the air entry, 1 below"
                          : "χ = S"},
-             {"parameters", list_parameters(soil, read_units(folder.run).stress, conductivity)}};
+             {"parameters", list_parameters(soil, read_units(folder.run), conductivity)}};
   block["curves"] = sample_curves(soil, conductivity, find_largest_suction(folder.run));
   return block;
 }

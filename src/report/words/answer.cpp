@@ -178,9 +178,7 @@ std::string describe_end(results::StageEnd end, double time, double force_ratio)
 class RunoutWords {
  public:
   RunoutWords(const results::RunResult& run, json& sentences)
-      : length_(read_units(run).length),
-        volume_(get_dimension(run) == 2 ? "m³ per metre" : "m³"),
-        sentences_(sentences) {}
+      : length_(read_units(run).length), volume_(read_units(run).volume(get_dimension(run))), sentences_(sentences) {}
 
   void say(const results::Runout& runout, const std::string& where, const std::string& end,
            std::optional<double> failure_time) {
@@ -189,8 +187,9 @@ class RunoutWords {
     if (runout.sides)
       say_sides(runout, *runout.sides, largest, end);
     else if (runout.moved_volume > 0)
-      sentences_.push_back(fmt::format("{}, {}, {}, and {} {} move; {}.", largest, describe_front(runout),
-                                       describe_crest(runout), show_number(runout.moved_volume, 4), volume_, end));
+      sentences_.push_back(fmt::format("{}, {}, {}, and {} move; {}.", largest, describe_front(runout),
+                                       describe_crest(runout), show_per_thickness(runout.moved_volume, volume_, 4),
+                                       end));
     else
       sentences_.push_back(fmt::format("{}: no soil moves further than 1 % of the height; {}.", largest, end));
     if (failure_time)
@@ -204,12 +203,12 @@ class RunoutWords {
 
   void say_sides(const results::Runout& runout, const std::vector<results::RunoutSide>& sides,
                  const std::string& largest, const std::string& end) {
-    sentences_.push_back(fmt::format("{}, and {} {} move to both sides; {}.", largest,
-                                     show_number(runout.moved_volume, 4), volume_, end));
+    sentences_.push_back(fmt::format("{}, and {} move to both sides; {}.", largest,
+                                     show_per_thickness(runout.moved_volume, volume_, 4), end));
     for (const results::RunoutSide& side : sides)
-      sentences_.push_back(fmt::format("On the {} {}, {}, and {} {} move.", side.direction < 0 ? "left" : "right",
-                                       describe_front(side), describe_crest(side), show_number(side.moved_volume, 4),
-                                       volume_));
+      sentences_.push_back(fmt::format("On the {} {}, {}, and {} move.", side.direction < 0 ? "left" : "right",
+                                       describe_front(side), describe_crest(side),
+                                       show_per_thickness(side.moved_volume, volume_, 4)));
   }
 
   std::string describe_front(const results::RunoutSide& runout) const {
@@ -225,7 +224,7 @@ class RunoutWords {
   }
 
   ShownUnit length_;
-  std::string volume_;
+  ShownUnit volume_;
   json& sentences_;
 };
 
@@ -318,11 +317,11 @@ std::vector<std::string> list_unrest(const results::RunResult& run) {
   std::vector<std::string> sentences;
   for (const results::Stage& stage : run.stages.value_or(std::vector<results::Stage>{}))
     if (stage.moving)
-      sentences.push_back(fmt::format(
-          "Stage '{}' did not come to rest{}.", stage.name,
-          stage.moving->material.empty()
-              ? ""
-              : fmt::format(": '{}' still moves at {:.2g} m/s", stage.moving->material, stage.moving->speed)));
+      sentences.push_back(fmt::format("Stage '{}' did not come to rest{}.", stage.name,
+                                      stage.moving->material.empty()
+                                          ? ""
+                                          : fmt::format(": '{}' still moves at {}", stage.moving->material,
+                                                        show(stage.moving->speed, read_units(run).speed(), 2))));
   return sentences;
 }
 

@@ -39,8 +39,25 @@ ShownUnits read_units(const results::RunResult& run) {
   const auto read = [](const std::string& name) { return ShownUnit{name, units::get_si_factor(name)}; };
   const Companions& others = find_companions(run.units.stress);
   const ShownUnit weight{others.unit_weight_title, units::get_si_factor(others.unit_weight)};
-  return {read(run.units.length), read(run.units.displacement), read(run.units.stress), read(others.stiffness), weight,
-          read(others.line_force)};
+  const bool in_feet = run.units.length == "ft" || run.units.length == "in";
+  return {read(run.units.length),  read(run.units.displacement), read(run.units.stress), read(others.stiffness), weight,
+          read(others.line_force), read(in_feet ? "ft" : "m")};
+}
+
+ShownUnit ShownUnits::volume(std::size_t dimension) const {
+  const double cube = span.si * span.si * span.si;
+  if (dimension == 3) return {span.name + "³", cube};
+  return {span.name + "³/" + span.name, cube / span.si};
+}
+
+ShownUnit ShownUnits::flow(std::size_t dimension) const {
+  const ShownUnit whole = volume(dimension);
+  return {span.name + "³/s" + whole.name.substr(span.name.size() + std::string("³").size()), whole.si};
+}
+
+ShownUnit ShownUnits::rain() const {
+  constexpr double hour = 3600;
+  return span.name == "ft" ? ShownUnit{"in/h", units::get_si_factor("in") / hour} : ShownUnit{"mm/h", 1e-3 / hour};
 }
 
 std::string show_number(double value, int digits) {
@@ -56,6 +73,13 @@ std::string show_number(double value, int digits) {
     text = text.substr(0, e) + " × 10" + power;
   }
   return (value < 0 ? "−" : "") + text;
+}
+
+std::string show_per_thickness(double si, const ShownUnit& unit, int digits) {
+  ShownUnit words = unit;
+  for (const auto& [sign, word] : {std::pair{"/m", " per metre"}, std::pair{"/ft", " per foot"}})
+    if (unit.name.ends_with(sign)) words.name = unit.name.substr(0, unit.name.rfind('/')) + word;
+  return show(si, words, digits);
 }
 
 std::string show_coordinate(double si, const ShownUnit& unit) {

@@ -23,6 +23,16 @@ struct ShownUnits {
   ShownUnit length{"m", 1}, displacement{"mm", 1e-3}, stress{"kPa", 1e3};
   // They go with the stress: pounds with psf.
   ShownUnit stiffness{"MPa", 1e6}, unit_weight{"kN/m³", 1e3}, line_force{"kN/m", 1e3};
+  ShownUnit span{"m", 1};  ///< metres, or feet beside lengths in feet or inches: of volumes, flows, and speeds
+
+  /// "m³/m", "ft³/ft" in the plane; "m³" in space.
+  ShownUnit volume(std::size_t dimension) const;
+  /// "m³/s/m".
+  ShownUnit flow(std::size_t dimension) const;
+  ShownUnit speed() const { return {span.name + "/s", span.si}; }
+  ShownUnit acceleration() const { return {span.name + "/s²", span.si}; }
+  /// Of rain: "mm/h" or "in/h".
+  ShownUnit rain() const;
 };
 ShownUnits read_units(const results::RunResult& run);
 /// "3.23", "−0.061", "4.06 × 10⁻⁶": `digits` significant digits, and all before the point; "–" for a value that is
@@ -30,6 +40,8 @@ ShownUnits read_units(const results::RunResult& run);
 std::string show_number(double value, int digits = 3);
 /// "3.23 m".
 std::string show(double si, const ShownUnit& unit, int digits = 3);
+/// "2.54 m³ per metre": a volume or flow of one metre or foot of the plane, for sentences.
+std::string show_per_thickness(double si, const ShownUnit& unit, int digits = 3);
 /// A coordinate with all its digits: "4000012.5 m".
 std::string show_coordinate(double si, const ShownUnit& unit);
 /// The largest unit of time that the duration [s] has two of.

@@ -32,7 +32,7 @@ class StateWords {
       : folder_(folder),
         state_(state),
         length_(read_units(folder.run).length),
-        rate_(get_dimension(folder.run) == 2 ? "m³/s per metre" : "m³/s") {}
+        rate_(read_units(folder.run).flow(get_dimension(folder.run))) {}
 
   std::vector<std::string> collect() {
     if (state_.flow == WaterFlow::steady || state_.flow == WaterFlow::transient) {
@@ -62,7 +62,7 @@ class StateWords {
     std::vector<std::string> sides;
     for (const results::Discharge& d : state_.discharges)
       if (d.*flow > no_flow * all)
-        sides.push_back(fmt::format("{} {} through {}{}", show_number(d.*flow), rate_, name_side(d.name),
+        sides.push_back(fmt::format("{} through {}{}", show_per_thickness(d.*flow, rate_), name_side(d.name),
                                     with_exit ? find_exit(d.name) : ""));
     return sides;
   }
@@ -106,7 +106,7 @@ class StateWords {
   const ResultFolder& folder_;
   const results::WaterState& state_;
   ShownUnit length_;
-  const char* rate_;
+  ShownUnit rate_;
   std::vector<std::string> sentences_;
 };
 

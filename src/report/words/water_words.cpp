@@ -228,15 +228,16 @@ std::string tell_closure(double error) {
 std::vector<std::string> tell_water(const ResultFolder& folder) {
   std::vector<std::string> sentences = tell_water_state(folder);
   if (!is_wet(folder)) return sentences;
-  const ShownUnit stress = read_units(folder.run).stress;
-  const bool is_plane = get_dimension(folder.run) == 2;
+  const ShownUnits units = read_units(folder.run);
+  const ShownUnit& stress = units.stress;
+  const std::size_t dimension = get_dimension(folder.run);
   if (const auto& seepage = folder.run.seepage) {
     const std::string suction = show(seepage->largest_suction, stress);
-    sentences.push_back(
-        folder.run.season ? fmt::format("In the steady seepage before the season {}{} flow through the ground; its "
-                                        "largest suction is {}.",
-                                        show_number(seepage->outflow), is_plane ? " m³/s per metre" : " m³/s", suction)
-                          : fmt::format("The largest suction in the steady seepage is {}.", suction));
+    sentences.push_back(folder.run.season
+                            ? fmt::format("In the steady seepage before the season {} flow through the ground; its "
+                                          "largest suction is {}.",
+                                          show_per_thickness(seepage->outflow, units.flow(dimension)), suction)
+                            : fmt::format("The largest suction in the steady seepage is {}.", suction));
   }
   if (const auto& water = folder.run.water) {
     std::string text =
@@ -244,8 +245,8 @@ std::vector<std::string> tell_water(const ResultFolder& folder) {
     text += water->largest_suction > 0 ? " and the largest suction " + show(water->largest_suction, stress)
                                        : ", and there is no suction";
     if (water->runoff > 0)
-      text += fmt::format("; {} m³{} of rain ran off", show_number(water->runoff / water->density),
-                          is_plane ? " per metre" : "");
+      text += fmt::format("; {} of rain ran off",
+                          show_per_thickness(water->runoff / water->density, units.volume(dimension)));
     sentences.push_back(text + "; the water budget " + tell_closure(water->error) + ".");
   }
   return sentences;

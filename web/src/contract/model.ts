@@ -14,6 +14,8 @@ export interface Model {
   loads: { name: string; text: string }[];
   /** Vertical loads on the ground: x [m], and loads there [Pa]; linear between, down positive. */
   surcharges: { name: string; x: number[]; load: number[] }[];
+  /** Vertical crack at the upper end of the surfaces of slices: its depth, and that of the water in it [m]. */
+  crack?: { depth: number; water: number };
   /** Where the water stood, in time: the last state is that which the methods began with. Empty in dry ground. */
   water: WaterState[];
   /** The triangles of the fields of these states. */

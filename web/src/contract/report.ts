@@ -27,8 +27,16 @@ export interface Report {
   status: "finished" | "interrupted" | "unstable" | "failed" | "unfinished";
   /** Why the run did not finish. */
   error?: string;
-  /** `line_force`: per metre of thickness. */
-  units: { length: Unit; displacement: Unit; stress: Unit; line_force: Unit };
+  /** `line_force`, and in 2D `volume` and `flow` [m³/s]: per metre or foot of thickness. */
+  units: {
+    length: Unit;
+    displacement: Unit;
+    stress: Unit;
+    line_force: Unit;
+    volume: Unit;
+    flow: Unit;
+    speed: Unit;
+  };
   answer: Answer;
   warnings: string[];
   model: Model;

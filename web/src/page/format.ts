@@ -60,6 +60,10 @@ export function formatQuantity(value: number | null | undefined, unit: Unit, dig
   return number === "–" || !name ? number : name === "°" ? `${number}°` : `${number}\u00a0${name}`;
 }
 
+/** A value that is in its unit already: "5.454 m", "32°". */
+export const formatValue = (value: number, unit: string, digits = 4): string =>
+  formatQuantity(value, { name: unit, si: 1 }, digits);
+
 /** Seconds as a person says them: "16.9 s", "4 min 05 s", "2 h 10 min". */
 export function formatDuration(seconds: number): string {
   if (seconds < 120) return `${formatNumber(seconds, 3)}\u00a0s`;

@@ -27,7 +27,7 @@ function Releases({ releases }: { releases: Release[] }) {
             <>
               <td class="number">{length(r.largest_displacement)}</td>
               <td class="number">{length(r.front_advance)}</td>
-              <td class="number">{formatNumber(r.moved_volume, 3)} m³</td>
+              <td class="number">{formatQuantity(r.moved_volume, units.volume, 3)}</td>
             </>
           ) : (
             <td colSpan={3}>{r.error}</td>
@@ -52,15 +52,16 @@ export function TimelineSection() {
   if (!timeline) return null;
   const chosen = chosenMoment(timeline);
   const { water } = timeline;
-  const volume = (v: number) => `${formatNumber(v, 3)} m³`;
+  const { units } = report.value;
+  const volume = (v: number) => formatQuantity(v, units.volume, 3);
   return (
     <>
       <p>{timeline.sentence}</p>
       <p class="chart-note">
-        Water over the whole time, per metre: {volume(water.inflow)} came in, {volume(water.outflow)} left
+        Water over the whole time: {volume(water.inflow)} came in, {volume(water.outflow)} left
         {water.transpired > 0 && `, ${volume(water.transpired)} were drawn by roots`}, {volume(Math.abs(water.growth))} {water.growth < 0 ? "less" : "more"} are in
         the soil, {volume(water.runoff)} of the rain ran off{water.standing > 0 && `, ${volume(water.standing)} stand on the ground`}; it closes to {water.error === 0 ? "0" : Math.abs(water.error).toExponential(0)}. {timeline.steps}{" "}
-        steps; the largest error of one, by its prediction, is {formatNumber(timeline.step_error, 2)} m of head.
+        steps; the largest error of one, by its prediction, is {formatQuantity(timeline.step_error, units.length, 2)} of head.
         {timeline.distance !== null &&
           ` Between the times a straight line is off by ${formatNumber(100 * timeline.distance, 2)} % of the factor, as far as the bends of the curve tell.`}
       </p>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** What tells lengths and directions: rulers along a section, a box with lengths and the axes in space. */
+import { report } from "../state";
 import type { Camera, Vec } from "./camera";
 import { makeTicks } from "./format";
 import { strokeLine, type Pixel } from "./lines";
@@ -8,16 +9,17 @@ import type { Theme } from "./theme";
 
 /** Pixels beside a body whose heights lie between two ends [m], in which its ruler stands. */
 export function findRulerWidth(low: number, high: number): number {
-  return Math.max(0, ...[low, high].map((y) => 7 * (Math.round(y).toFixed(0).length - 4)));
+  return Math.max(0, ...[low, high].map((y) => 7 * (Math.round(y / report.value.units.length.si).toFixed(0).length - 4)));
 }
 
-/** Lengths along the lower and the left edge [m]. */
+/** Lengths along the lower and the left edge, in the unit of the report. */
 export function drawRulers(context: CanvasRenderingContext2D, camera: Camera, theme: Theme): void {
   const { width, height, scale, target } = camera;
   const [cx, cy] = camera.centre;
   const right = width - (width >= uprightFrom ? camera.margins.right : 0);
-  const toX = (px: number) => target[0] + (px - cx) / scale;
-  const toY = (py: number) => target[1] - (py - cy) / scale;
+  const { name, si } = report.value.units.length;
+  const toX = (px: number) => (target[0] + (px - cx) / scale) / si;
+  const toY = (py: number) => (target[1] - (py - cy) / scale) / si;
   context.fillStyle = context.strokeStyle = theme.muted;
   context.font = `11px ${fontFamily}`;
   context.lineWidth = 1;
@@ -31,7 +33,7 @@ export function drawRulers(context: CanvasRenderingContext2D, camera: Camera, th
   context.beginPath();
   context.textAlign = "center";
   for (const tick of makeTicks(toX(left), toX(right), (right - left) / 90)) {
-    const x = cx + (tick.value - target[0]) * scale;
+    const x = cx + (tick.value * si - target[0]) * scale;
     context.moveTo(x, base);
     context.lineTo(x, base + 5);
     const half = context.measureText(tick.text).width / 2;
@@ -39,7 +41,7 @@ export function drawRulers(context: CanvasRenderingContext2D, camera: Camera, th
   }
   context.textAlign = "right";
   for (const tick of heights) {
-    const y = cy - (tick.value - target[1]) * scale;
+    const y = cy - (tick.value * si - target[1]) * scale;
     context.moveTo(left, y);
     context.lineTo(left - 5, y);
     if (y < base - 4 && y > top) context.fillText(tick.text, left - 9, y + 4);
@@ -48,7 +50,7 @@ export function drawRulers(context: CanvasRenderingContext2D, camera: Camera, th
   context.lineTo(left, base);
   context.lineTo(right, base);
   context.stroke();
-  context.fillText("m", left - 9, base + 17);
+  context.fillText(name, left - 9, base + 17);
 }
 
 /** Directions of the axes in the lower left corner; one that points at the reader is left out. */
@@ -67,7 +69,7 @@ export function drawAxes(context: CanvasRenderingContext2D, camera: Camera, them
   });
 }
 
-/** The box around a model in space, with the coordinates of its ends [m] at three edges that meet. */
+/** The box around a model in space, with the coordinates of its ends at three edges that meet. */
 export function drawBox(context: CanvasRenderingContext2D, camera: Camera, box: [Vec, Vec], theme: Theme): void {
   const [low, high] = box;
   const project = camera.makeProjection();
@@ -89,6 +91,7 @@ export function drawBox(context: CanvasRenderingContext2D, camera: Camera, box: 
   context.font = `11px ${fontFamily}`;
   context.textAlign = "center";
   context.textBaseline = "middle";
+  const { si } = report.value.units.length;
   const middle = project(...([0, 1, 2].map((k) => (low[k]! + high[k]!) / 2) as Vec));
   for (let k = 0; k < 3; ++k) {
     // Heights stand at the left, beside the body.
@@ -100,8 +103,8 @@ export function drawBox(context: CanvasRenderingContext2D, camera: Camera, box: 
     let out: Pixel = [-(b[1] - a[1]) / length, (b[0] - a[0]) / length];
     const [dx, dy] = [(a[0] + b[0]) / 2 - middle[0], (a[1] + b[1]) / 2 - middle[1]];
     if (out[0] * dx + out[1] * dy < 0) out = [-out[0], -out[1]];
-    for (const tick of makeTicks(low[k]!, high[k]!, Math.max(2, length / 70))) {
-      const share = (tick.value - low[k]!) / (high[k]! - low[k]!);
+    for (const tick of makeTicks(low[k]! / si, high[k]! / si, Math.max(2, length / 70))) {
+      const share = (tick.value * si - low[k]!) / (high[k]! - low[k]!);
       const [x, y] = [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
       strokeLine(context, [[x, y], [x + 5 * out[0], y + 5 * out[1]]], { colour: theme.muted, width: 1 });
       context.fillStyle = theme.muted;

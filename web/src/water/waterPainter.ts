@@ -2,6 +2,7 @@
 /** Draws the lines and arrows of a water field. */
 import type { Pen } from "../drawing/pen";
 import { writeLabel } from "../drawing/standingWater";
+import { report } from "../state";
 import { roundDown, type Arrow, type ArrowField } from "../viewer/arrows";
 import { drawArrows } from "../viewer/lines";
 import type { Level } from "../viewer/scale";
@@ -67,9 +68,10 @@ export function chooseFlow(pen: Pen, { mesh: { nodes, triangles }, velocity }: W
     const to: [number, number] = [at[0] + size * velocity[2 * t]!, at[1] - size * velocity[2 * t + 1]!];
     if (Math.hypot(to[0] - at[0], to[1] - at[1]) >= 2) arrows.push({ from: at, to });
   }
-  const value = roundDown(full);
+  const { name, si } = report.value.units.speed;
+  const value = roundDown(full / si);
   const number = value.toExponential(0).replace("-", "−");
-  return { arrows, reference: (value / full) * longest, text: `Darcy velocity ${number} m/s` };
+  return { arrows, reference: ((value * si) / full) * longest, text: `Darcy velocity ${number} ${name}` };
 }
 
 export function drawFlow(pen: Pen, arrays: WaterArrays): void {

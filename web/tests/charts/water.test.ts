@@ -53,7 +53,7 @@ describe("curves of soil water", () => {
   });
 
   it("have an axis of whole powers of ten that does not follow k into nothing", () => {
-    const [s, k] = makeCurves(make([1e-4, 3e-7, 1e-30]));
+    const [s, k] = makeCurves(make([1e-4, 3e-7, 1e-30]), { name: "m/s", si: 1 });
     expect(s!.domain).toEqual([0, 1]);
     expect(k!.domain[0]).toBeGreaterThanOrEqual(1e-14);
     expect(k!.domain[1]).toBe(1e-3);
@@ -61,7 +61,7 @@ describe("curves of soil water", () => {
   });
 
   it("leave out a conductivity that is not known", () => {
-    expect(makeCurves(make([]))).toHaveLength(1);
+    expect(makeCurves(make([]), { name: "m/s", si: 1 })).toHaveLength(1);
   });
 });
 

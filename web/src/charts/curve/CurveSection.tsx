@@ -188,7 +188,8 @@ function CurveChart({ curve }: { curve: Curve }) {
         hint={canShow ? "Point at a trial to read it; click to see it in the viewer." : "Point at a trial to read it."}
         read={(i) => {
           const t = visible[i]!;
-          const speed = formatQuantity(t.nodal_speed, "m/s", 2);
+          const speedUnit = report.value.units.speed;
+          const speed = formatQuantity(t.nodal_speed / speedUnit.si, speedUnit.name, 2);
           const state = `${stateWords[t.state]} (force ratio ${formatNumber(t.force_ratio, 2)}, nodal speed ${speed})`;
           return {
             text: `SRF ${formatNumber(t.srf, 5)}: ${formatQuantity(t.shown, unit.name)}, ${state}`,

@@ -97,7 +97,7 @@ function Laws({ water }: { water: SoilWater }) {
 
 function SoilCharts({ material, water }: { material: MaterialRow; water: SoilWater }) {
   const { stress } = report.value.units;
-  const curves = makeCurves(water);
+  const curves = makeCurves(water, report.value.units.speed);
   const columns = () => [
     { name: "suction", unit: stress.name, values: toUnit(water.curves.suction, stress) },
     ...curves.map((c, i) => ({ name: i ? "conductivity" : "saturation", unit: c.unit, values: c.values })),

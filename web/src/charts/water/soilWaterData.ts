@@ -11,8 +11,9 @@ export interface SoilWaterCurve {
 }
 
 /** S and k over suction; k is absent where no saturated conductivity is known. */
-export function makeCurves(water: SoilWater): SoilWaterCurve[] {
-  const { saturation, conductivity } = water.curves;
+export function makeCurves(water: SoilWater, speed: Unit): SoilWaterCurve[] {
+  const { saturation } = water.curves;
+  const conductivity = toUnit(water.curves.conductivity, speed);
   const curves: SoilWaterCurve[] = [
     { title: "Degree of saturation S", unit: "-", log: false, values: saturation, domain: [0, 1] },
   ];
@@ -24,7 +25,7 @@ export function makeCurves(water: SoilWater): SoilWaterCurve[] {
     10 ** Math.floor(Math.log10(low / 1.5)),
     10 ** Math.ceil(Math.log10(largest * 1.5)),
   ];
-  return [...curves, { title: "Conductivity k", unit: "m/s", log: true, values: conductivity, domain }];
+  return [...curves, { title: "Conductivity k", unit: speed.name, log: true, values: conductivity, domain }];
 }
 
 export const toUnit = (values: readonly number[], unit: Unit): number[] => values.map((v) => v / unit.si);

@@ -3,12 +3,11 @@
 import { report } from "../../state";
 import { DataTable, Facts, numbers } from "../DataTable";
 import { formatNumber, formatQuantity } from "../format";
-import type { Season, Unit } from "../../contract";
+import type { Season } from "../../contract";
 
-export function SeasonTable({ season, dimension }: { season: Season; dimension: 2 | 3 }) {
+export function SeasonTable({ season }: { season: Season }) {
   const { units } = report.value;
-  const unit: Unit = { name: dimension === 2 ? "m³ per m" : "m³", si: 1 };
-  const volume = (value: number) => formatQuantity(value, unit);
+  const volume = (value: number) => formatQuantity(value, units.volume);
   const length = (value: number) => formatNumber(value / units.length.si);
   const suction = (value: number) => formatNumber(value / units.stress.si);
   const growth = season.growth < 0 ? "less" : "more";

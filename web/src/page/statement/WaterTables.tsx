@@ -4,7 +4,7 @@ import { report } from "../../state";
 import { DataTable, Facts, SymbolText, numbers } from "../DataTable";
 import { SeasonTable } from "./SeasonTable";
 import { formatCoordinate, formatNumber, formatPlace, formatQuantity, formatSentence, formatUnit } from "../format";
-import type { HydraulicCondition, SteadySeepage, Unit, Water, WaterBudget, WaterState } from "../../contract";
+import type { HydraulicCondition, SteadySeepage, Water, WaterBudget, WaterState } from "../../contract";
 
 /** Rows of a series that are written out; more are seen in its chart. */
 const mostRows = 8;
@@ -60,7 +60,8 @@ export function describeClosure(error: number): string {
 
 function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 | 3 }) {
   const { units } = report.value;
-  const rate: Unit = { name: dimension === 2 ? "m³/s per m" : "m³/s", si: 1 };
+  const rate = units.flow;
+  const flow = (value: number) => formatNumber(value / rate.si);
   const height = (x: number[]) => `${formatCoordinate(x[1]!)}\u00a0${units.length.name}`;
   const runoff = seepage.discharges.reduce((sum, d) => sum + d.runoff, 0);
   const hasRunoff = seepage.discharges.some((d) => d.runoff !== 0);
@@ -92,16 +93,16 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
         {seepage.discharges.map((d) => (
           <tr key={d.name}>
             <th scope="row">{d.name}</th>
-            <td class="number">{formatNumber(d.inflow)}</td>
-            <td class="number">{formatNumber(d.outflow)}</td>
-            {hasRunoff && <td class="number">{formatNumber(d.runoff)}</td>}
+            <td class="number">{flow(d.inflow)}</td>
+            <td class="number">{flow(d.outflow)}</td>
+            {hasRunoff && <td class="number">{flow(d.runoff)}</td>}
           </tr>
         ))}
         <tr class="main">
           <th scope="row">Together</th>
-          <td class="number">{formatNumber(seepage.inflow)}</td>
-          <td class="number">{formatNumber(seepage.outflow)}</td>
-          {hasRunoff && <td class="number">{formatNumber(runoff)}</td>}
+          <td class="number">{flow(seepage.inflow)}</td>
+          <td class="number">{flow(seepage.outflow)}</td>
+          {hasRunoff && <td class="number">{flow(runoff)}</td>}
         </tr>
       </DataTable>
       <Facts caption="The steady seepage" rows={rows} />
@@ -110,31 +111,32 @@ function Seepage({ seepage, dimension }: { seepage: SteadySeepage; dimension: 2 
 }
 
 /** What passed each side at the end of the season: not what the steady seepage before it would let through. */
-function Transient({ state, dimension }: { state: WaterState; dimension: 2 | 3 }) {
-  const rate = dimension === 2 ? "m³/s per m" : "m³/s";
+function Transient({ state }: { state: WaterState }) {
+  const rate = report.value.units.flow;
+  const flow = (value: number) => formatNumber(value / rate.si);
   return (
     <>
       <DataTable
-        caption={`Transient seepage at the end of the season, ${rate}`}
+        caption={`Transient seepage at the end of the season, ${rate.name}`}
         head={["Boundary", ...numbers("In", "Out")]}
       >
         {state.discharges.map((d) => (
           <tr key={d.name}>
             <th scope="row">{d.name}</th>
-            <td class="number">{formatNumber(d.inflow)}</td>
-            <td class="number">{formatNumber(d.outflow)}</td>
+            <td class="number">{flow(d.inflow)}</td>
+            <td class="number">{flow(d.outflow)}</td>
           </tr>
         ))}
         <tr class="main">
           <th scope="row">Together</th>
-          <td class="number">{formatNumber(state.inflow)}</td>
-          <td class="number">{formatNumber(state.outflow)}</td>
+          <td class="number">{flow(state.inflow)}</td>
+          <td class="number">{flow(state.outflow)}</td>
         </tr>
       </DataTable>
       <Facts
         caption="The transient seepage at its end"
         rows={[
-          ["Growth of the stored water", `${formatNumber(state.storage_rate)} ${rate}`],
+          ["Growth of the stored water", formatQuantity(state.storage_rate, rate)],
           ...state.exits.map((exit): [string, string] => [
             `Water leaves ${exit.name}`,
             `from ${formatPlace(exit.lowest)} up to the exit point ${formatPlace(exit.highest)}`,
@@ -150,10 +152,10 @@ function dropNoise(mass: number, budget: WaterBudget): number {
   return Math.abs(mass) < 1e-13 * Math.max(budget.initial, budget.stored) ? 0 : mass;
 }
 
-function Budget({ budget, dimension }: { budget: WaterBudget; dimension: 2 | 3 }) {
+function Budget({ budget }: { budget: WaterBudget }) {
   const { units } = report.value;
-  const unit: Unit = { name: dimension === 2 ? "m³ per m" : "m³", si: 1 };
-  const volume = (mass: number) => formatNumber(dropNoise(mass, budget) / budget.density);
+  const unit = units.volume;
+  const volume = (mass: number) => formatNumber(dropNoise(mass, budget) / budget.density / unit.si);
   const rains = budget.surfaces.some((s) => s.supplied !== 0 || s.runoff !== 0);
   // Surfaces without a condition are named only where water passed.
   const surfaces = budget.surfaces.filter((s, i) => i > 0 || dropNoise(s.entered, budget) || dropNoise(s.left, budget));
@@ -238,9 +240,9 @@ export function WaterResults({ water }: { water: Water }) {
   return (
     <>
       {water.seepage && <Seepage seepage={water.seepage} dimension={dimension} />}
-      {water.season && <SeasonTable season={water.season} dimension={dimension} />}
-      {last?.flow === "transient" && <Transient state={last} dimension={dimension} />}
-      {water.budget && <Budget budget={water.budget} dimension={dimension} />}
+      {water.season && <SeasonTable season={water.season} />}
+      {last?.flow === "transient" && <Transient state={last} />}
+      {water.budget && <Budget budget={water.budget} />}
     </>
   );
 }
