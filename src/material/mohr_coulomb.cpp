@@ -72,7 +72,7 @@ Properties MohrCoulomb::list_properties(const Input& in) {
   add("cohesion", "cohesion", "c", ShownAs::stress, &MohrCoulombStrength::cohesion);
   add("friction_angle", "angle of internal friction", "φ", ShownAs::angle, &MohrCoulombStrength::friction_angle);
   add("dilatancy_angle", "angle of dilatancy", "ψ", ShownAs::angle, &MohrCoulombStrength::dilatancy_angle);
-  add("tensile_strength", "tensile strength", "σt", ShownAs::stress, &MohrCoulombStrength::tensile_strength);
+  add("tensile_strength", "tensile strength", "σ_t", ShownAs::stress, &MohrCoulombStrength::tensile_strength);
   if (const double gradient = in.get<CohesionGradient>().cohesion_gradient; gradient != 0)
     list.push_back(
         {"cohesion_gradient", "growth of the cohesion with depth", "dc/dz", ShownAs::stress_per_length, gradient, {}});

@@ -31,7 +31,7 @@ void add_weights(const ResultFolder& folder, const input::Material& soil, Proper
   // A unit weight stands for both.
   if (!unit_weight) {
     if (soil.grain_density > 0)
-      properties.add("grain_density", "density of the grains", "ρs", {"kg/m³", 1}, soil.grain_density);
+      properties.add("grain_density", "density of the grains", "ρ_s", {"kg/m³", 1}, soil.grain_density);
     properties.add("porosity", "porosity", "n", {"-", 1}, porosity);
   }
   if (porosity && (soil.given_void_ratio || material::needs<material::Preconsolidation>(soil.model)))
@@ -39,7 +39,7 @@ void add_weights(const ResultFolder& folder, const input::Material& soil, Proper
                    soil.given_void_ratio.value_or(soil.void_ratio()));
   if (unit_weight) {
     properties.add("unit_weight", "unit weight above the water table", "γ", weight, unit_weight);
-    properties.add("saturated_unit_weight", "unit weight below the water table", "γ_r", weight,
+    properties.add("saturated_unit_weight", "unit weight below the water table", "γ_sat", weight,
                    soil.slices.saturated_unit_weight);
   } else if (has_grains) {
     properties.add("unit_weight", "unit weight (dry)", "γ", weight, soil.density() * gravity);

@@ -5,7 +5,7 @@ import { useMemo, useState } from "preact/hooks";
 
 import { Choice } from "../charts/base/Legend";
 import { useSwitches } from "../charts/base/useSwitches";
-import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
+import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { GroundKeys, LineSwatch } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
@@ -93,9 +93,11 @@ export function Overview() {
         }}
         depends={[fields, shows, ...layer.depends, opacity]}
         drawOver={(pen) => {
-          drawSoilNames(pen);
-          for (const s of [...shown].reverse())
+          const names = drawSoilNames(pen);
+          for (const s of [...shown].reverse()) {
+            if (s.method === "lem") drawCrack(pen, s.points);
             drawSurface(pen.context, s.points.map(pen.place), chooseLook(s.look), 2.4);
+          }
           drawSurfaceLabels(
             pen.context,
             shown.flatMap((s) =>
@@ -103,6 +105,7 @@ export function Overview() {
                 ? []
                 : [{ line: s.points.map(pen.place), text: s.factor.toFixed(3), colour: chooseLook(s.look).colour }],
             ),
+            names,
           );
         }}
         dependsOver={[hidden]}

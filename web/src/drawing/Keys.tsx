@@ -3,7 +3,7 @@
 import type { ComponentChildren } from "preact";
 
 import { report } from "../state";
-import { findSoilColour } from "./ground";
+import { describeStrength, findSoilColour } from "./ground";
 
 export function LineSwatch({ colour, dash, width = 2.2 }: { colour: string; dash?: string; width?: number }) {
   return (
@@ -24,7 +24,7 @@ export function LineKey(props: { colour: string; dash?: string; width?: number; 
 
 /** Soils and water tables. */
 export function GroundKeys() {
-  const { polygons, water, surcharges } = report.value.model;
+  const { polygons, water, surcharges, crack } = report.value.model;
   const used = water.at(-1);
   const soils = [...new Set(polygons.map((p) => p.material).filter(Boolean))];
   return (
@@ -43,6 +43,7 @@ export function GroundKeys() {
             />
           </svg>
           {name}
+          {describeStrength(name) && <span class="muted"> {describeStrength(name)}</span>}
         </li>
       ))}
       {used && used.tables.length > 0 && (
@@ -57,6 +58,11 @@ export function GroundKeys() {
       )}
       {used && used.exits.length > 0 && <li>○ Exit of the seepage</li>}
       {surcharges.length > 0 && <li>↓ Surcharge</li>}
+      {crack && (
+        <LineKey colour="currentColor" dash="3 2" width={2.2}>
+          Tension crack{crack.water > 0 && ", blue: water in it"}
+        </LineKey>
+      )}
     </>
   );
 }

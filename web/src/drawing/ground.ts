@@ -2,9 +2,11 @@
 /** The ground of a section: soils in their colours, water tables, surcharges. */
 import { report } from "../state";
 import { tabulateCategories, writeColour } from "../viewer/colours";
-import { strokeLine } from "../viewer/lines";
+import { strokeLine, type Pixel } from "../viewer/lines";
 import type { Pen } from "./pen";
+import { formatValue } from "../page/format";
 import { findRoom } from "./room";
+import type { LabelBox } from "./surfaceLines";
 import { drawWaterState, findUsedWater, writeLabel } from "./standingWater";
 
 /** Colour of a soil as CSS; the viewer gives materials the same. */
@@ -20,24 +22,51 @@ function tracePolygons({ context, place }: Pen): void {
   }
 }
 
+/** Of a soil by its parameters: "c = 5 kPa, φ = 32°"; empty for a law without such. */
+export function describeStrength(material: string): string {
+  const properties = report.value.model.materials.find((m) => m.name === material)?.properties ?? [];
+  const write = (key: string) => {
+    const found = properties.find((p) => p.key === key);
+    return !found || found.characteristic === null ? "" : formatValue(found.characteristic, found.unit);
+  };
+  const growing = (key: string, gradient: string) => {
+    const value = write(key);
+    const growth = properties.find((p) => p.key === gradient)?.characteristic ? write(gradient) : "";
+    return value && growth ? `${value} + ${growth}` : value;
+  };
+  const parts: [string, string][] = [
+    ["c", growing("cohesion", "cohesion_gradient")],
+    ["φ", write("friction_angle")],
+    ["s_u", growing("undrained_strength", "undrained_gradient")],
+  ];
+  return parts.filter(([, value]) => value).map(([symbol, value]) => `${symbol} = ${value}`).join(", ");
+}
+
 /**
- * The name of each soil where its polygon is widest; none where it would not fit. `follow`: where the soil that lay at
- * a place stands now [m].
+ * The name of each soil where its polygon is widest, over its strength where there is room for both; none where it would
+ * not fit. `follow`: where the soil that lay at a place stands now [m]. Returns where the texts stand.
  */
 export function drawSoilNames(
   { context, camera, place, theme }: Pick<Pen, "context" | "camera" | "place" | "theme">,
   follow: (at: [number, number]) => readonly number[] = (at) => at,
-): void {
+): LabelBox[] {
   const { polygons } = report.value.model;
+  const boxes: LabelBox[] = [];
   polygons.forEach(({ material, points }, i) => {
     if (!material) return;
     const room = findRoom(points, polygons.slice(i + 1).map((p) => p.points));
     if (!room) return;
-    const width = 6.5 * material.length;
-    if (width > 2.4 * room.radius * camera.scale || room.radius * camera.scale < 8) return;
+    const fits = (text: string) => 6.5 * text.length <= 2.4 * room.radius * camera.scale;
+    const space = room.radius * camera.scale;
+    if (!fits(material) || space < 8) return;
     context.textAlign = "center";
-    writeLabel(context, material, place(follow(room.at)), theme, theme.ink);
+    const [x, y] = place(follow(room.at));
+    const strength = describeStrength(material);
+    const lines = strength && space >= 18 && fits(strength) ? [material, strength] : [material];
+    lines.forEach((text, k) => writeLabel(context, text, [x, y + 14 * k], theme, theme.ink));
+    boxes.push({ x, y: y + 7 * (lines.length - 1), half: 3.5 * Math.max(...lines.map((t) => t.length)), high: 8 * lines.length });
   });
+  return boxes;
 }
 
 /** Later polygons replace earlier ones, as in the case. */
@@ -89,6 +118,22 @@ function findGround(x: number): number | null {
       highest = highest === null ? y : Math.max(highest, y);
     });
   return highest;
+}
+
+/** The vertical crack between an end of a slip surface and the ground above it, blue as far as water stands in it. */
+export function drawCrack({ context, place, theme }: Pick<Pen, "context" | "place" | "theme">, points: number[][]): void {
+  const { crack } = report.value.model;
+  if (!crack || points.length < 2) return;
+  for (const end of [points[0]!, points.at(-1)!]) {
+    const ground = findGround(end[0]!);
+    const deep = ground === null ? 0 : ground - end[1]!;
+    // Deeper than the crack is a vertical face of the ground.
+    if (ground === null || deep < 0.02 * crack.depth || deep > 1.05 * crack.depth) continue;
+    const upTo = (y: number): Pixel[] => [place(end), place([end[0]!, Math.min(ground, y)])];
+    strokeLine(context, upTo(ground), { colour: theme.ground, width: 5 });
+    strokeLine(context, upTo(ground), { colour: theme.ink, width: 2.2, dash: [3, 2] });
+    if (crack.water > 0) strokeLine(context, upTo(end[1]! + crack.water), { colour: theme.water, width: 3.2 });
+  }
 }
 
 /** Arrows as long as the load is large. */

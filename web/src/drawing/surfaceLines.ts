@@ -30,21 +30,50 @@ export interface SurfaceLabel {
 }
 
 /** Places along a line that are tried for its label, as shares of its points. */
-const shares = [0.5, 0.38, 0.62, 0.26, 0.74, 0.16, 0.84];
+const shares = [0.5, 0.38, 0.62, 0.26, 0.74, 0.16, 0.84, 0.32, 0.68, 0.44, 0.56, 0.2, 0.8, 0.1, 0.9];
 
-/** Each text stands on its line, in a box of the line's colour; where two would overlap the later one moves along. */
-export function drawSurfaceLabels(context: CanvasRenderingContext2D, labels: SurfaceLabel[]): void {
+/** A text that stands in a picture: its middle, half its width and half its height [px]. */
+export interface LabelBox {
+  x: number;
+  y: number;
+  half: number;
+  high: number;
+}
+
+/** Pixels that texts keep from each other. */
+const gap = 5;
+
+/** How far two texts are apart, along x or y, less the gap; below 0: they are closer. */
+export const measureGap = (a: LabelBox, b: LabelBox): number =>
+  Math.max(Math.abs(a.x - b.x) - a.half - b.half, Math.abs(a.y - b.y) - a.high - b.high) - gap;
+
+/** Of several places that of the first text that is free of the taken ones, else that which is farthest from them. */
+export function choosePlace(places: LabelBox[], taken: LabelBox[]): LabelBox {
+  const free = (box: LabelBox) => Math.min(Infinity, ...taken.map((other) => measureGap(box, other)));
+  return places.find((box) => free(box) >= 0) ?? places.reduce((best, box) => (free(box) > free(best) ? box : best));
+}
+
+/** Each text stands on its line, in a box of the line's colour; where it would meet another, or one of `taken`, it moves
+ * along. */
+export function drawSurfaceLabels(
+  context: CanvasRenderingContext2D,
+  labels: SurfaceLabel[],
+  taken: LabelBox[] = [],
+): void {
+  taken = [...taken];
   context.font = `600 11px ${fontFamily}`;
   context.textAlign = "center";
   context.textBaseline = "middle";
-  const taken: [number, number, number][] = [];
   for (const { line, text, colour } of labels) {
     if (line.length < 2) continue;
     const half = context.measureText(text).width / 2 + 4;
-    const places = shares.map((share) => walkAlong(line, share));
-    const isFree = ([x, y]: Pixel) => taken.every(([a, b, w]) => Math.abs(a - x) > w + half || Math.abs(b - y) > 17);
-    const [x, y] = places.find(isFree) ?? places[0]!;
-    taken.push([x, y, half]);
+    const places = shares.map((share) => {
+      const [x, y] = walkAlong(line, share);
+      return { x, y, half, high: 8 };
+    });
+    const chosen = choosePlace(places, taken);
+    const { x, y } = chosen;
+    taken.push(chosen);
     context.fillStyle = "#ffffff";
     context.strokeStyle = colour;
     context.lineWidth = 1.2;

@@ -7,7 +7,7 @@ import { formatNumber } from "../charts/base/numbers";
 import type { LocalMinimum, SlicedSurface, Slices } from "../contract";
 import { formatFactor, formatPlace } from "../page/format";
 import { useDark } from "../drawing/dark";
-import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
+import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges, drawWater } from "../drawing/ground";
 import { GroundKeys, LineKey } from "../drawing/Keys";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
@@ -121,10 +121,11 @@ export function TrialFigure({ slices, selected, lit }: Props) {
         depends={[trials, show, bands, dark]}
         drawOver={(pen) => {
           const { context, place } = pen;
-          drawSoilNames(pen);
+          const names = drawSoilNames(pen);
           if (on.slices) drawSlices(pen, selected);
           drawWater(pen);
           if (on.others) for (const s of others) drawSurface(context, s.points.map(place), otherLook, 1.6);
+          drawCrack(pen, selected.points);
           drawCritical(pen, selected, false);
           if (on.thrust) drawThrust(pen, selected);
           if (lit) drawSurface(context, lit.points.map(place), minimumLook, 2.6);
@@ -133,7 +134,7 @@ export function TrialFigure({ slices, selected, lit }: Props) {
             ...label(selected.points.map(place), selected.factor, criticalLook.colour),
             ...(on.others ? others.flatMap((s) => label(s.points.map(place), s.factor, otherLook.colour)) : []),
             ...(lit ? label(lit.points.map(place), lit.factor, minimumLook.colour) : []),
-          ]);
+          ], names);
         }}
         dependsOver={[on, selected, lit]}
         hint={

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-/** Factor of safety over time, with the rain of the case above it. */
+/** Factor of safety over time, with the rain of the case above it and the levels of its water below. */
 import * as Plot from "@observablehq/plot";
 import { useEffect, useState } from "preact/hooks";
 import { signal } from "@preact/signals";
 
-import { centred } from "../charts/base/axes";
+import { centred, describeAxis } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
 import { styleOf } from "../charts/base/styles";
 import type { Timeline } from "../contract";
 import { formatFactor } from "../page/format";
 import { report } from "../state";
-import { listRain, type RainBar } from "./rain";
+import { findRain, listLevels, listRain, type LevelLine, type RainBar } from "./rain";
 
 interface Props {
   timeline: Timeline;
@@ -38,18 +38,32 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
   const most = Math.max(0, ...rain.map((bar) => bar.rate));
   // Rain hangs from the upper edge, over a quarter of the picture.
   const top = high + margin + (most > 0 ? 0.35 * (high - low + 2 * margin) : 0);
-  const depth = (bar: RainBar) => top - (bar.rate / most) * 0.3 * (top - low);
+  const place = (rate: number) => top - (rate / most) * 0.3 * (top - low);
+  const depth = (bar: RainBar) => place(bar.rate);
+  const rainUnit = findRain(report.value.water?.conditions ?? [])?.unit.name ?? "";
+  const rates = most > 0 ? [0, most / 2, most] : [];
+  const writeRate = describeAxis(0, most, 2).format;
+  const levels = listLevels(report.value.water?.conditions ?? [], timeline.duration);
   const { colour } = styleOf(0);
   const draw = (width: number): Plot.PlotOptions => ({
     height: Math.max(260, Math.min(360, width * 0.45)),
     marginLeft: 56,
-    marginRight: 20,
+    marginRight: most > 0 ? 52 : 20,
     marginTop: 24,
     marginBottom: 46,
     x: { domain: [0, timeline.duration / unit.si], label: `Time [${unit.name}${timeline.start ? ` since ${timeline.start}` : ""}]`, ...centred, ticks: Math.max(4, width / 90) },
     y: { domain: [low - margin, top], label: "Factor of safety", ticks: 5, labelArrow: "none" },
     marks: [
       Plot.gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
+      Plot.axisY({ ticks: 5, label: "Factor of safety", labelArrow: "none" }),
+      most > 0
+        ? Plot.axisY(rates.map(place), {
+            anchor: "right",
+            tickFormat: (_, i) => writeRate(rates[i]!),
+            label: `Rain [${rainUnit}]`,
+            labelArrow: "none",
+          })
+        : null,
       Plot.rect(rain, { x1: "from", x2: "to", y1: depth, y2: top, fill: "var(--water, #2f7fb8)", fillOpacity: 0.45 }),
       failure
         ? Plot.rect([failure], {
@@ -94,8 +108,57 @@ export function FactorChart({ timeline, chosen, onChoose }: Props) {
         {failure &&
           " The line is the first time below it; the band holds the time of failure with what searches scatter."}
         {elements.length > 0 && " Diamonds: finite elements."}
-        {most > 0 && " Bars from above: rain, to the scale of the strongest."}
+        {most > 0 && " Bars from above: rain, with its axis at the right."}
       </p>
+      {levels.map((line) => (
+        <LevelChart key={line.on} line={line} timeline={timeline} />
+      ))}
     </figure>
+  );
+}
+
+/** The level of the water on a side, on the times of the factor above it. */
+function LevelChart({ line, timeline }: { line: LevelLine; timeline: Timeline }) {
+  const { unit, duration, start } = timeline;
+  const points = line.points.map(([t, level]) => [t / unit.si, level] as [number, number]);
+  const levels = points.map(([, level]) => level);
+  const [low, high] = [Math.min(...levels), Math.max(...levels)];
+  const pad = 0.1 * (high - low);
+  const axis = describeAxis(low, high, 3);
+  const draw = (width: number): Plot.PlotOptions => ({
+    height: 130,
+    marginLeft: 56,
+    marginRight: 20,
+    marginTop: 22,
+    marginBottom: 42,
+    x: {
+      domain: [0, duration / unit.si],
+      label: `Time [${unit.name}${start ? ` since ${start}` : ""}]`,
+      ...centred,
+      ticks: Math.max(4, width / 90),
+    },
+    y: {
+      domain: [low - pad, high + pad],
+      label: `Level at ${line.on} [${line.unit}]`,
+      ticks: 3,
+      tickFormat: axis.format,
+      labelArrow: "none",
+    },
+    marks: [
+      Plot.gridY({ ticks: 3, stroke: "var(--line)", strokeOpacity: 1 }),
+      Plot.line(points, { stroke: "var(--water, #2f7fb8)", strokeWidth: 1.8 }),
+    ],
+  });
+  return (
+    <Chart
+      label={`Level at ${line.on} over time`}
+      draw={draw}
+      depends={[timeline]}
+      stops={points.map(([t]) => t)}
+      read={(i) => ({
+        text: `${points[i]![0]} ${unit.name}: ${levels[i]} ${line.unit}`,
+        marks: [{ value: levels[i]!, at: points[i]![0], colour: "var(--water, #2f7fb8)" }],
+      })}
+    />
   );
 }

@@ -5,7 +5,7 @@ import { useState } from "preact/hooks";
 import { Choice } from "../charts/base/Legend";
 import type { Timeline } from "../contract";
 import { useDark } from "../drawing/dark";
-import { clipToSoil, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
+import { clipToSoil, drawCrack, drawOutlines, drawSoilNames, drawSoils, drawSurcharges } from "../drawing/ground";
 import { findSoilBox } from "../drawing/pen";
 import { SectionCanvas } from "../drawing/SectionCanvas";
 import { drawSurface, drawSurfaceLabels } from "../drawing/surfaceLines";
@@ -57,12 +57,13 @@ export function MomentFigure({ timeline, chosen }: { timeline: Timeline; chosen:
         }}
         depends={[dark, shows, ...layer.depends, opacity]}
         drawOver={(pen) => {
-          drawSoilNames(pen);
+          const names = drawSoilNames(pen);
           layer.drawOver(pen);
           if (moment.factor === null) return;
           const line = moment.points.map(pen.place);
+          drawCrack(pen, moment.points);
           drawSurface(pen.context, line, criticalLook, 2.6);
-          drawSurfaceLabels(pen.context, [{ line, text: moment.factor.toFixed(3), colour: criticalLook.colour }]);
+          drawSurfaceLabels(pen.context, [{ line, text: moment.factor.toFixed(3), colour: criticalLook.colour }], names);
         }}
         dependsOver={[timeline, chosen, ...layer.depends]}
       />

@@ -5,7 +5,7 @@ import { Choice } from "../charts/base/Legend";
 import type { Timeline } from "../contract";
 import { report } from "../state";
 import { Viewer } from "../viewer/Viewer";
-import { chooseFigure, chooseMoment, chosenFigure, chosenMoment, type FirstFigure } from "./chosen";
+import { chooseFigure, chooseMoment, chosenFigure, chosenMoment, findMoment, type FirstFigure } from "./chosen";
 import { FactorChart } from "./FactorChart";
 import { MomentFigure } from "./MomentFigure";
 import "./timeline.css";
@@ -35,7 +35,7 @@ export function TimelinePane() {
 
 function History({ timeline }: { timeline: Timeline }) {
   const chosen = chosenMoment(timeline);
-  const { title } = timeline.factors[chosen]!;
+  const { title, time } = timeline.factors[chosen]!;
   return (
     <>
       <FactorChart timeline={timeline} chosen={chosen} onChoose={chooseMoment} />
@@ -44,10 +44,11 @@ function History({ timeline }: { timeline: Timeline }) {
         <input
           type="range"
           min={0}
-          max={timeline.factors.length - 1}
-          value={chosen}
+          max={timeline.duration}
+          step="any"
+          value={time}
           aria-valuetext={title}
-          onInput={(e) => chooseMoment(e.currentTarget.valueAsNumber)}
+          onInput={(e) => chooseMoment(findMoment(timeline, e.currentTarget.valueAsNumber))}
         />
         <output>{title}</output>
       </label>

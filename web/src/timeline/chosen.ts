@@ -13,6 +13,12 @@ export function chosenMoment(timeline: Timeline): number {
   return Math.min(picked.value ?? Math.max(0, least), timeline.factors.length - 1);
 }
 
+/** The tried time that is nearest to a time [s]. */
+export function findMoment({ factors }: Timeline, time: number): number {
+  const distance = (i: number) => Math.abs(factors[i]!.time - time);
+  return factors.reduce((best, _, i) => (distance(i) < distance(best) ? i : best), 0);
+}
+
 export function chooseMoment(moment: number) {
   picked.value = moment;
 }

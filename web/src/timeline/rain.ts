@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** The rain of a case as bars. */
+/** The rain of a case as bars, and the levels that change with time. */
 import type { HydraulicCondition } from "../contract";
 
 export interface RainBar {
@@ -10,11 +10,16 @@ export interface RainBar {
   rate: number;
 }
 
-/** The strongest rain series between 0 and `duration` [s]; rows that change linearly have their mean. */
-export function listRain(conditions: HydraulicCondition[], duration: number): RainBar[] {
+/** The strongest rain series. */
+export function findRain(conditions: HydraulicCondition[]): HydraulicCondition["series"] {
   const rains = conditions.filter((c) => c.condition === "rain" && c.series);
   const most = (c: HydraulicCondition) => Math.max(0, ...(c.series?.values ?? []));
-  const series = rains.sort((a, b) => most(b) - most(a))[0]?.series;
+  return rains.sort((a, b) => most(b) - most(a))[0]?.series;
+}
+
+/** That series between 0 and `duration` [s]; rows that change linearly have their mean. */
+export function listRain(conditions: HydraulicCondition[], duration: number): RainBar[] {
+  const series = findRain(conditions);
   if (!series) return [];
   const { time, values } = series;
   const bars: RainBar[] = [];
@@ -26,4 +31,30 @@ export function listRain(conditions: HydraulicCondition[], duration: number): Ra
   for (let i = 1; i < time.length; ++i) add(time[i - 1]!, time[i]!, (values[i - 1]! + values[i]!) / 2);
   if (time.length > 0) add(time.at(-1)!, duration, values.at(-1)!);
   return bars;
+}
+
+export interface LevelLine {
+  on: string;
+  unit: string;
+  /** Time [s] and level, from 0 to the duration; a jump has two points at one time. */
+  points: [number, number][];
+}
+
+/** The total heads that change between 0 and `duration` [s]. */
+export function listLevels(conditions: HydraulicCondition[], duration: number): LevelLine[] {
+  return conditions.flatMap(({ condition, on, series }) => {
+    if (condition !== "total_head" || !series || series.time.length === 0) return [];
+    const { time, values } = series;
+    const at = (t: number) => {
+      const i = time.findIndex((later) => later > t);
+      if (i < 0) return values.at(-1)!;
+      if (i === 0) return values[0]!;
+      const share = (t - time[i - 1]!) / (time[i]! - time[i - 1]!);
+      return values[i - 1]! + share * (values[i]! - values[i - 1]!);
+    };
+    const inside = time.flatMap((t, i): [number, number][] => (t >= 0 && t <= duration ? [[t, values[i]!]] : []));
+    const before: [number, number] = [0, inside.length && inside[0]![0] === 0 ? inside[0]![1] : at(0)];
+    const points: [number, number][] = [before, ...inside, [duration, at(duration)]];
+    return new Set(points.map(([, level]) => level)).size > 1 ? [{ on, unit: series.unit.name, points }] : [];
+  });
 }

@@ -64,8 +64,8 @@ export function tabulateColours(name: ColourMapName): Uint8Array {
   return table;
 }
 
-/** Colours of Okabe and Ito, without black: eight that colour-blind readers tell apart. */
-const categories = ["e69f00", "56b4e9", "009e73", "f0e442", "0072b2", "d55e00", "cc79a7", "999999"];
+/** Soils: of the colours of Okabe and Ito those that are no water, and brown and violet. */
+const categories = ["e69f00", "999999", "009e73", "d55e00", "f0e442", "cc79a7", "7a4a24", "6b4c9a"];
 
 let categoryTable: Uint8Array | null = null;
 

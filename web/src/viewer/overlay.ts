@@ -4,7 +4,7 @@ import type { HydraulicCondition, Model } from "../contract";
 import type { ArrowField } from "./arrows";
 import type { Camera, Vec } from "./camera";
 import { drawHydraulic } from "./hydraulics";
-import { drawSoilNames } from "../drawing/ground";
+import { drawCrack, drawSoilNames } from "../drawing/ground";
 import { drawExitMarks, drawPonds, listExits } from "../drawing/standingWater";
 import { chooseLook, drawSurface } from "../drawing/surfaceLines";
 import { drawArrows, drawMonitor, drawPath, drawPicked, drawWaterMark, strokeLine, type Pixel } from "./lines";
@@ -126,8 +126,11 @@ export function drawOverlay(context: CanvasRenderingContext2D, overlay: Overlay,
     else if (!inSpace) drawExitMarks(pen, listExits(start));
   }
   if (layers.otherSurfaces) {
-    for (const surface of overlay.otherSurfaces.filter((s) => s.shown).reverse())
+    for (const surface of overlay.otherSurfaces.filter((s) => s.shown).reverse()) {
+      if (surface.method === "lem" && !inSpace)
+        drawCrack({ context, place: (at) => place(at, sides.at(-1)!), theme }, surface.points);
       drawSurface(context, surface.points.map((p) => place(p, sides.at(-1)!)), chooseLook(surface.look), 2);
+    }
   }
   if (layers.slip) {
     for (const slip of overlay.slips) {

@@ -3,7 +3,9 @@
 import { beforeEach, describe, expect, it } from "vitest";
 
 import type { Report } from "../contract";
+import { describeStrength } from "../drawing/ground";
 import { findRoom } from "../drawing/room";
+import { choosePlace, measureGap } from "../drawing/surfaceLines";
 import { joinPonds, writeLevel } from "../drawing/standingWater";
 import { report } from "../state";
 import { findLimits, takeQuantity, traceLevel, type WaterArrays } from "./waterFields";
@@ -78,5 +80,36 @@ describe("texts", () => {
     const band = [[0, 0], [30, 0], [30, 1], [0, 1]];
     expect(Math.abs(findRoom(band, [])!.at[0] - 4.5), "in a band, away from its end").toBeLessThan(1);
     expect(findRoom(lens, [outer.map(([x, y]) => [x! * 2 - 1, y! * 2 - 1])]), "all of it is covered").toBeNull();
+  });
+});
+
+describe("labels of slip surfaces", () => {
+  const box = (x: number, y: number) => ({ x, y, half: 16, high: 8 });
+
+  it("keep a gap from each other, and else stand where they are farthest apart", () => {
+    expect(measureGap(box(0, 0), box(0, 30))).toBe(9);
+    expect(measureGap(box(0, 0), box(20, 10))).toBeLessThan(0);
+    expect(choosePlace([box(10, 5), box(0, 20), box(0, 30)], [box(0, 0)])).toEqual(box(0, 30));
+    expect(choosePlace([box(1, 1), box(5, 8), box(2, 2)], [box(0, 0)])).toEqual(box(5, 8));
+  });
+});
+
+describe("the strength of a soil on the figure", () => {
+  it("is what its law has, with its growth", () => {
+    const property = (key: string, unit: string, characteristic: number | null) => ({ key, unit, characteristic });
+    const materials = [
+      {
+        name: "clay",
+        properties: [property("cohesion", "kPa", 18), property("friction_angle", "°", 0), property("cohesion_gradient", "kPa/m", 1.5)],
+      },
+      { name: "mud", properties: [property("undrained_strength", "psf", 400), property("undrained_gradient", "psf/ft", 0)] },
+      { name: "rock", properties: [property("young_modulus", "MPa", 900)] },
+    ];
+    report.value = { model: { materials } } as unknown as Report;
+    expect(["clay", "mud", "rock"].map(describeStrength)).toEqual([
+      "c = 18\u00a0kPa + 1.5\u00a0kPa/m, φ = 0°",
+      "s_u = 400\u00a0psf",
+      "",
+    ]);
   });
 });
