@@ -76,6 +76,34 @@ Polyline close_polygon(const Polyline& corners) {
   return outline;
 }
 
+Polyline drop_straight_points(const Polyline& line, bool closed, double tolerance) {
+  if (line.size() < 3) return line;
+  Polyline given = line;
+  if (closed) {
+    const std::size_t count = given.size();
+    std::size_t corner = 0;
+    while (corner < count && compute_distance(given[corner], given[(corner + count - 1) % count],
+                                              given[(corner + 1) % count]) <= tolerance)
+      ++corner;
+    if (corner == count) return line;
+    std::rotate(given.begin(), given.begin() + static_cast<std::ptrdiff_t>(corner), given.end());
+    given.push_back(given.front());
+  }
+  Polyline kept{given.front()};
+  std::size_t last = 0;  // of those kept
+  for (std::size_t i = 1; i + 1 < given.size(); ++i) {
+    // All points since the last corner count, or a long flat arc would become its chord.
+    bool straight = true;
+    for (std::size_t k = last + 1; k <= i && straight; ++k)
+      straight = compute_distance(given[k], given[last], given[i + 1]) <= tolerance;
+    if (straight) continue;
+    kept.push_back(given[i]);
+    last = i;
+  }
+  if (!closed) kept.push_back(given.back());
+  return kept;
+}
+
 double compute_area(const Polyline& corners) {
   double twice = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)

@@ -113,6 +113,49 @@ TEST(LemInvariance, InFeetAndPounds) {
   expect_same(section, move, foot);
 }
 
+std::vector<Point> add_points(const std::vector<Point>& line, bool closed) {
+  std::vector<Point> refined;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    refined.push_back(line[i]);
+    if (i + 1 == line.size() && !closed) break;
+    const Point &a = line[i], &b = line[(i + 1) % line.size()];
+    for (const double t : {0.2, 0.381966}) refined.push_back({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])});
+  }
+  return refined;
+}
+
+/// Points in straight edges of regions, water table and load divide no slice.
+TEST(LemInvariance, PointsInStraightEdges) {
+  Section section = make_full_section();
+  for (Region& region : section.regions) region.polygon = add_points(region.polygon, true);
+  section.water_table = add_points(section.water_table, false);
+  section.surcharges[0].load = add_points(section.surcharges[0].load, false);
+  expect_same(
+      section, [](const Point& p) { return p; }, 1);
+}
+
+/// A region whose edge is the ground, with corners rounded to a nanometre as a drawing has them: the two lines are one
+/// and cross nowhere, wherever the section lies.
+TEST(LemInvariance, RegionsThatEndAlongTheGround) {
+  const auto move = [](const Point& p) { return Point{p[0] + 5e5, p[1] + 850}; };
+  Section section = make_section({{0, 0}, {24.156, 0}, {70.389, 13.42}, {99.913, 13.42}}, make_soil(2, 32, 17), -7.62);
+  section.soils.push_back(make_soil(57, 0, 20));
+  section.regions.push_back(
+      {1,
+       {{99.913, 8.121}, {99.913, 13.42}, {70.389, 13.42}, {47.655510143, 6.821175916}, {38.004142957, 4.019684608}}});
+  Section moved = section;
+  change_points(moved, move);
+  const Slope slope(std::move(section)), other(std::move(moved));
+  const Surface circle = make_circle(slope, {47.272, 25.498}, 23.485);
+  const Surface there = move_surface(circle, move, 1);
+  EXPECT_EQ(cut_surface(other, there, 30, report_only()).slices.size(),
+            cut_surface(slope, circle, 30, report_only()).slices.size());
+  for (const Method method : {Method::bishop, Method::spencer}) {
+    const double factor = find_factor(slope, circle, method);
+    EXPECT_NEAR(find_factor(other, there, method), factor, 1e-9 * factor) << to_word(method);
+  }
+}
+
 /// Random slope 87 of tools/published/random_slopes.py. Its critical circles lie under the far edge of the load and are
 /// as shallow as the search allows: much smaller than the distance of the trial circles' ends, so that the optimisation
 /// must find them.

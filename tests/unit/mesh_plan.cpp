@@ -134,5 +134,21 @@ TEST(Plan, TakesPointsThatMissEachOtherByRoundingAsOne) {
   EXPECT_GT(measure_quality(mesh, false).min_altitude, 0.5);
 }
 
+TEST(Planar, StraightPointsAreDroppedAndCornersStay) {
+  const Polyline square{{0.5, 0}, {1, 0}, {1, 0.25}, {1, 1}, {0, 1}, {0, 0}, {0.25, 0}};
+  EXPECT_EQ(drop_straight_points(square, true, 1e-9), (Polyline{{1, 0}, {1, 1}, {0, 1}, {0, 0}}));
+  EXPECT_EQ(drop_straight_points({{0, 0}, {1, 1e-10}, {2, 0}, {2, 3}, {2, 1}}, false, 1e-9),
+            (Polyline{{0, 0}, {2, 0}, {2, 3}, {2, 1}}));  // a line that turns back keeps its end
+}
+
+/// Each point of a flat arc lies within the tolerance of its neighbours' chord, and not of the chord of all.
+TEST(Planar, ADenselyDrawnArcKeepsItsRise) {
+  Polyline arc;
+  for (int i = 0; i <= 1000; ++i) arc.push_back({0.001 * i, 1e-3 * i * (1000 - i) * 4e-6});
+  const Polyline kept = drop_straight_points(arc, false, 2e-7);
+  EXPECT_LT(kept.size(), arc.size() / 2);
+  for (const Point2& x : arc) EXPECT_LT(compute_distance(x, kept), 2.1e-7);
+}
+
 }  // namespace
 }  // namespace talus::mesh

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Builds the strips of a section: every vertex and every crossing of two of its lines is a break.
+// Builds the strips of a section: every corner and every crossing of two of its lines is a break.
 
 #include "lem/slices/strip_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/planar.hpp"
+
 namespace talus::lem {
 
 namespace {
+
+/// Lengths below this fraction of the section's width are rounding.
+constexpr double rounding = 1e-9;
 
 void add_edge(std::vector<Edge>& edges, Point a, Point b, int region) {
   if (a[0] == b[0]) return;
@@ -16,27 +21,36 @@ void add_edge(std::vector<Edge>& edges, Point a, Point b, int region) {
   edges.push_back({a, b, region});
 }
 
-/// x of the crossing of two edges, if they cross inside both.
-void add_crossing(std::vector<double>& breaks, const Edge& e, const Edge& f) {
+/// x of the crossing of two edges, if they cross inside both. Edges of one straight line cross where rounding says.
+void add_crossing(std::vector<double>& breaks, const Edge& e, const Edge& f, double nearest) {
   const double from = std::max(e.a[0], f.a[0]), to = std::min(e.b[0], f.b[0]);
   if (from >= to) return;
   const double left = e.at(from) - f.at(from), right = e.at(to) - f.at(to);
+  if (std::max(std::abs(left), std::abs(right)) <= nearest) return;
   if ((left < 0 && right > 0) || (left > 0 && right < 0)) breaks.push_back(from + (to - from) * left / (left - right));
+}
+
+/// x where a load has a corner.
+void add_corners(std::vector<double>& breaks, const Surcharge& surcharge, double nearest) {
+  double most = 0;
+  for (const auto& row : surcharge.load) most = std::max(most, std::abs(row[1]));
+  std::vector<Point> line;  // the load as a height as large as the section
+  for (const auto& row : surcharge.load) line.push_back({row[0], most > 0 ? row[1] * nearest / (rounding * most) : 0});
+  for (const Point& p : mesh::drop_straight_points(line, false, nearest)) breaks.push_back(p[0]);
 }
 
 std::vector<double> find_breaks(const Section& section, const std::vector<Edge>& edges, double left, double right) {
   std::vector<double> breaks{left, right};
+  const double nearest = rounding * (right - left);
   for (const Edge& edge : edges) {
     breaks.push_back(edge.a[0]);
     breaks.push_back(edge.b[0]);
   }
-  for (const Surcharge& surcharge : section.surcharges)
-    for (const auto& row : surcharge.load) breaks.push_back(row[0]);
+  for (const Surcharge& surcharge : section.surcharges) add_corners(breaks, surcharge, nearest);
   for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) add_crossing(breaks, edges[i], edges[j]);
+    for (std::size_t j = 0; j < i; ++j) add_crossing(breaks, edges[i], edges[j], nearest);
   std::sort(breaks.begin(), breaks.end());
   // Breaks nearer to each other than rounding are one.
-  const double nearest = 1e-9 * (right - left);
   std::vector<double> kept;
   for (const double x : breaks)
     if (x >= left && x <= right && (kept.empty() || x - kept.back() > nearest)) kept.push_back(x);
@@ -84,7 +98,8 @@ void build_strips(Slope::Strips& strips) {
   const double left = section.ground.front()[0], right = section.ground.back()[0];
   std::vector<Edge> edges;
   for (std::size_t r = 0; r < section.regions.size(); ++r) {
-    const auto& polygon = section.regions[r].polygon;
+    // A point in a straight edge is no break: slices would stand elsewhere with it.
+    const auto polygon = mesh::drop_straight_points(section.regions[r].polygon, true, rounding * (right - left));
     for (std::size_t i = 0; i < polygon.size(); ++i)
       add_edge(edges, polygon[i], polygon[(i + 1) % polygon.size()], static_cast<int>(r));
   }
@@ -94,6 +109,7 @@ void build_strips(Slope::Strips& strips) {
     // Level beyond its ends, also for the crossings with the other lines.
     if (water.front()[0] > left) water.insert(water.begin(), {left, water.front()[1]});
     if (water.back()[0] < right) water.push_back({right, water.back()[1]});
+    water = mesh::drop_straight_points(water, false, rounding * (right - left));
     for (std::size_t i = 1; i < water.size(); ++i) add_edge(edges, water[i - 1], water[i], -1);
     return water;
   };

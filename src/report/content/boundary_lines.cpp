@@ -8,26 +8,13 @@
 #include <set>
 
 #include "input/echo.hpp"
+#include "mesh/planar.hpp"
 
 namespace talus::report {
 namespace {
 
-/// Points whose distance from the chord is below this share of its length are on it.
+/// Points nearer to the straight line between their neighbours than this share of the line's extent lie on it.
 constexpr double straight = 1e-9;
-
-void drop_straight_points(Polyline& line) {
-  Polyline kept;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (i > 0 && i + 1 < line.size()) {
-      const auto &a = kept.back(), &b = line[i], &c = line[i + 1];
-      const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-      const double square = (c[0] - a[0]) * (c[0] - a[0]) + (c[1] - a[1]) * (c[1] - a[1]);
-      if (std::abs(area) <= straight * square) continue;
-    }
-    kept.push_back(line[i]);
-  }
-  line = std::move(kept);
-}
 
 }  // namespace
 
@@ -52,8 +39,9 @@ std::vector<Polyline> join_sides(const mesh::Mesh<2>& mesh, const std::vector<me
       line.push_back(mesh.nodes[static_cast<std::size_t>(at)]);
     }
     if (line.size() < 2) return;
-    drop_straight_points(line);
-    lines.push_back(std::move(line));
+    double length = 0;
+    for (const auto& x : line) length = std::max(length, std::hypot(x[0] - line[0][0], x[1] - line[0][1]));
+    lines.push_back(mesh::drop_straight_points(line, false, straight * length));
   };
   // Ends and forks first, so that no line begins in its middle; what is left is closed.
   for (const auto& [node, others] : beside)
