@@ -182,6 +182,32 @@ TEST(LemInvariance, SearchUnderTheEdgeOfALoadMirrored) {
         << to_word(options.methods[m]);
 }
 
+/// Layers, water and a load, at map coordinates and in a mirror: the search counts from the toe, and its tolerances are
+/// fractions of the section.
+TEST(LemInvariance, SearchMovedAndMirrored) {
+  Section section = make_full_section();
+  section.crack.reset();
+  section.roots.clear();
+  SearchOptions options;
+  options.methods = {Method::fellenius, Method::bishop, Method::spencer};
+  options.entry_exit = EntryExitSearch{};
+  options.entry_exit->exits = options.entry_exit->entries = 12;
+  options.optimise_surface = false;
+  Section mirrored = section, moved = section;
+  change_points(mirrored, [](const Point& p) { return Point{-p[0], p[1]}; });
+  mirrored.surcharges = {{{{-40, 25}, {-34, 10}}}};
+  change_points(moved, [](const Point& p) { return Point{p[0] + 5e5, p[1] + 850}; });
+  for (auto& row : moved.surcharges[0].load) row[0] += 5e5;
+  const SearchResult here = search(Slope(std::move(section)), options);
+  for (Section* other : {&mirrored, &moved}) {
+    const SearchResult there = search(Slope(std::move(*other)), options);
+    ASSERT_EQ(there.circular.size(), options.methods.size());
+    for (std::size_t m = 0; m < options.methods.size(); ++m)
+      EXPECT_NEAR(there.circular[m].solution.factor / here.circular[m].solution.factor, 1, 1e-6)
+          << to_word(options.methods[m]) << (other == &moved ? ", moved" : ", mirrored");
+  }
+}
+
 TEST(LemInvariance, SplitAndRepeatedRegionsChangeNothing) {
   Section section = make_full_section();
   // The same soil once more over a part of it, the other way round, and a polygon cut in two.

@@ -14,6 +14,11 @@ std::array<double, 2> find_ends(const Surface& surface) {
   return {surface.line.front()[0], surface.line.back()[0]};
 }
 
+bool falls_left(const Slope& slope, const Surface& surface) {
+  const auto [left, right] = find_ends(surface);
+  return slope.ground(left) <= slope.ground(right);
+}
+
 double find_elevation(const Slope& slope, const Surface& surface, double x) {
   if (surface.circle) {
     const Circle& c = *surface.circle;

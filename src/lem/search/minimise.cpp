@@ -61,7 +61,10 @@ Minimum minimise(const std::function<double(const std::vector<double>&)>& functi
   nlopt_set_upper_bounds(optimiser.get(), upper.data());
   nlopt_set_initial_step(optimiser.get(), steps.data());
   nlopt_set_ftol_rel(optimiser.get(), options.tolerance);
-  nlopt_set_xtol_rel(optimiser.get(), 1e-9);
+  // Relative to the bounds: relative to the variables it would depend on the origin of the coordinates.
+  std::vector<double> nearest;
+  for (std::size_t i = 0; i < x.size(); ++i) nearest.push_back(1e-9 * (upper[i] - lower[i]));
+  nlopt_set_xtol_abs(optimiser.get(), nearest.data());
   nlopt_set_maxeval(optimiser.get(), options.most_evaluations);
   double value = 0;
   // Its return code tells why it stopped; what counts is the best point that was seen.

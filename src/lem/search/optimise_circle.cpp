@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lem/search/local_minima.hpp"
 #include "lem/search/minimise.hpp"
 
 namespace talus::lem {
@@ -54,14 +55,23 @@ class CircleOptimiser {
     };
     // A circle smaller than the distance of the trial ends would step out of the place that makes it critical.
     const double most_step = 0.25 * (place.right - place.left);
-    if (!tie.left) add(place.left, std::min(0.5 * ranges_.step[0], most_step), ranges_.left[0], ranges_.left[1]);
-    if (!tie.right) add(place.right, std::min(0.5 * ranges_.step[1], most_step), ranges_.right[0], ranges_.right[1]);
+    auto add_end = [&](double x, double by, const std::array<double, 2>& range) {
+      const std::array<double, 2> turned{way_ * range[0], way_ * range[1]};
+      add(way_ * x, std::min(0.5 * by, most_step), std::min(turned[0], turned[1]), std::max(turned[0], turned[1]));
+    };
+    for (const bool left : toe_first())
+      if (left && !tie.left)
+        add_end(place.left, ranges_.step[0], ranges_.left);
+      else if (!left && !tie.right)
+        add_end(place.right, ranges_.step[1], ranges_.right);
     if (!tie.touches && !tie.shallowest) add(place.depth, 0.05, 0, 1);
     auto read = [&](const std::vector<double>& x) {
       Place p = place;
       std::size_t n = 0;
-      p.left = tie.left ? *tie.left : x[n++];
-      p.right = tie.right ? *tie.right : x[n++];
+      for (const bool left : toe_first()) {
+        const auto& tied = left ? tie.left : tie.right;
+        (left ? p.left : p.right) = tied ? *tied : way_ * x[n++];
+      }
       if (!tie.touches) p.depth = tie.shallowest ? 0 : x[n];
       return p;
     };
@@ -113,16 +123,19 @@ class CircleOptimiser {
   void try_ties(Tie tie, Place& place, double& value) {
     const Place base = place;
     if (tie.touches) improve(tie, place, value, 120);
-    for (const double left : find_corners(base.left, 2 * ranges_.step[0], ranges_.left))
-      tie.left = left, improve(tie, place, value, 100);
-    tie.left = {};
-    for (const double right : find_corners(base.right, 2 * ranges_.step[1], ranges_.right))
-      tie.right = right, improve(tie, place, value, 100);
+    for (const bool left : toe_first()) {
+      auto& end = left ? tie.left : tie.right;
+      const auto corners = left ? find_corners(base.left, 2 * ranges_.step[0], ranges_.left)
+                                : find_corners(base.right, 2 * ranges_.step[1], ranges_.right);
+      for (const double x : corners) end = x, improve(tie, place, value, 100);
+      end = {};
+    }
   }
 
   OptimisedSurface run(const Surface& start) {
     Place place{start.from, start.to, 0};
     best_ = start;
+    way_ = falls_left(evaluate_.slope(), start) ? 1 : -1;
     double value = evaluate_(start);
     const auto range = arcs_.find_range(place.left, place.right);
     if (range && range->to > range->from) {
@@ -141,9 +154,14 @@ class CircleOptimiser {
   }
 
  private:
+  /// The left end and the right one, that at the toe first: the mirror image of a circle is optimised in the same
+  /// steps.
+  std::array<bool, 2> toe_first() const { return {way_ > 0, way_ < 0}; }
+
   Evaluator& evaluate_;
   const Arcs& arcs_;
   CircleRanges ranges_;
+  double way_ = 1;  ///< turns x to run uphill
   Surface best_;
 };
 

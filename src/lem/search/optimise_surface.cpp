@@ -36,6 +36,7 @@ class PolylineOptimiser {
 
   OptimisedSurface run(const Surface& start) {
     const double value_of_start = evaluate_(start);
+    falls_left_ = falls_left(slope(), start);
     // Coarse first: few vertices move far; then more follow the shape.
     int count = std::min(6, ranges_.vertices);
     const auto thin = thin_points(start.line, count);
@@ -86,22 +87,32 @@ class PolylineOptimiser {
     if (value < value_) line_ = best_ = s.line, value_ = value;
   }
 
+  /// Number of vertex `i` counted from the lower end.
+  std::size_t at(const std::vector<Point>& line, std::size_t i) const { return falls_left_ ? i : line.size() - 1 - i; }
+
   /// All vertices and both ends at once.
   void improve_all(double reach) {
     const std::vector<Point> old = line_;
     const double width = old.back()[0] - old.front()[0], depth = std::max(0.02 * width, measure_depth());
-    std::vector<double> start{old.front()[0], old.back()[0]}, step{0.3 * reach * width, 0.3 * reach * width};
-    std::vector<double> lower{ranges_.left[0], ranges_.right[0]}, upper{ranges_.left[1], ranges_.right[1]};
+    const double way = falls_left_ ? 1 : -1;
+    std::vector<double> start, step, lower, upper;
+    auto add = [&](double at, double by, double low, double high) {
+      start.push_back(at), step.push_back(by), lower.push_back(low), upper.push_back(high);
+    };
+    auto add_x = [&](double x, const std::array<double, 2>& range) {
+      add(way * x, 0.3 * reach * width, std::min(way * range[0], way * range[1]),
+          std::max(way * range[0], way * range[1]));
+    };
+    add_x(old[at(old, 0)][0], falls_left_ ? ranges_.left : ranges_.right);
+    add_x(old[at(old, old.size() - 1)][0], falls_left_ ? ranges_.right : ranges_.left);
     for (std::size_t i = 1; i + 1 < old.size(); ++i) {
-      start.insert(start.end(), {old[i][0], old[i][1]});
-      step.insert(step.end(), {0.3 * reach * width, reach * depth});
-      lower.insert(lower.end(), {slope().left(), slope().section().base});
-      upper.insert(upper.end(), {slope().right(), highest_});
+      add_x(old[at(old, i)][0], {slope().left(), slope().right()});
+      add(old[at(old, i)][1], reach * depth, slope().section().base, highest_);
     }
     auto read = [&](const std::vector<double>& x) {
       std::vector<Point> points;
-      for (std::size_t i = 2; i < x.size(); i += 2) points.push_back({x[i], x[i + 1]});
-      return hang(x[0], x[1], points);
+      for (std::size_t i = 2; i < x.size(); i += 2) points.push_back({way * x[i], x[i + 1]});
+      return hang(std::min(way * x[0], way * x[1]), std::max(way * x[0], way * x[1]), points);
     };
     auto function = [&](const std::vector<double>& x) {
       if (!(x[1] - x[0] > 0.01 * width)) return Evaluator::refused;
@@ -126,12 +137,12 @@ class PolylineOptimiser {
     for (std::size_t i = 1; i + 1 < line_.size(); ++i)
       for (const Region& region : slope().section().regions) {
         if (i + 1 >= line_.size()) break;
-        const auto borders = find_borders(region.polygon, line_[i][0]);
+        const auto borders = find_borders(region.polygon, line_[at(line_, i)][0]);
         if (!borders) continue;
         for (double y : *borders) {
-          if (i + 1 >= line_.size() || std::abs(line_[i][1] - y) > reach) continue;
+          if (i + 1 >= line_.size() || std::abs(line_[at(line_, i)][1] - y) > reach) continue;
           std::vector<Point> points = line_;
-          points[i][1] = y + hair;
+          points[at(line_, i)][1] = y + hair;
           take(hang(points.front()[0], points.back()[0], points));
         }
       }
@@ -145,10 +156,9 @@ class PolylineOptimiser {
         for (const int to : {-1, 1}) {
           if (i + 1 >= line_.size()) break;
           std::vector<Point> points = line_;
-          const Point& other = points[i + static_cast<std::size_t>(to + 1) - 1];
-          const Point moved{points[i][0] + part * (other[0] - points[i][0]),
-                            points[i][1] + part * (other[1] - points[i][1])};
-          points[i] = moved;
+          const Point& other = points[at(points, i + static_cast<std::size_t>(to + 1) - 1)];
+          Point& moved = points[at(points, i)];
+          moved = {moved[0] + part * (other[0] - moved[0]), moved[1] + part * (other[1] - moved[1])};
           take(hang(points.front()[0], points.back()[0], points));
         }
   }
@@ -157,12 +167,14 @@ class PolylineOptimiser {
   void insert(int count) {
     const int most = std::min(count, ranges_.vertices);
     while (static_cast<int>(line_.size()) < most) {
-      std::size_t longest = 1;
+      const std::size_t edges = line_.size() - 1;
+      const auto edge = [&](std::size_t i) { return falls_left_ ? i : edges + 1 - i; };
+      std::size_t longest = edge(1);
       auto length = [&](std::size_t i) {
         return std::hypot(line_[i][0] - line_[i - 1][0], line_[i][1] - line_[i - 1][1]);
       };
-      for (std::size_t i = 2; i < line_.size(); ++i)
-        if (length(i) > length(longest)) longest = i;
+      for (std::size_t i = 2; i <= edges; ++i)
+        if (length(edge(i)) > length(longest)) longest = edge(i);
       const Point &a = line_[longest - 1], &b = line_[longest];
       // A hair below the middle, or the hull would drop it again.
       const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) - 1e-6 * (b[0] - a[0])};
@@ -175,6 +187,7 @@ class PolylineOptimiser {
   std::vector<Point> line_;  ///< worked on: the best one, with inserted vertices
   std::vector<Point> best_;
   double value_ = 0, highest_ = -1e300;
+  bool falls_left_ = true;
 };
 
 }  // namespace

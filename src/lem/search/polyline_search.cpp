@@ -110,7 +110,15 @@ class PolylineSearch {
       double depth = 0;
       for (const Point& p : line) depth = std::max(depth, slope().ground(p[0]) - p[1]);
       std::vector<Point> moved(line.begin() + 1, line.end() - 1);
-      for (Point& p : moved) p = {p[0] + shake * depth * parts.draw(), p[1] + shake * depth * parts.draw()};
+      const double way = falls_left(slope(), best_.surface) ? 1 : -1;
+      const auto shake_point = [&](Point& p) {
+        p[0] += way * shake * depth * parts.draw();
+        p[1] += shake * depth * parts.draw();
+      };
+      if (way > 0)
+        std::for_each(moved.begin(), moved.end(), shake_point);
+      else
+        std::for_each(moved.rbegin(), moved.rend(), shake_point);
       const Surface start = hang_polyline(slope(), line.front()[0], line.back()[0], moved);
       if (start.line.size() > 2 && evaluate_(start) < Evaluator::refused) improve(start);
     }

@@ -66,15 +66,22 @@ std::vector<double> place_points(const Slope& slope, double from, double to, int
     points.push_back(from + width * (static_cast<double>(cell) + (target - sum[cell]) / (sum[cell + 1] - sum[cell])));
   }
   points.push_back(to);
-  // Circles often end in a corner of the ground: the nearest point, if still free, moves there.
+  // Circles often end in a corner of the ground: the nearest point, if still free, moves there; the nearest pair first.
+  std::vector<std::array<double, 2>> corners;  // distance to the nearest point, x
+  for (const Point& corner : slope.section().ground) {
+    const double x = corner[0];
+    if (x <= from || x >= to) continue;
+    const auto right = std::upper_bound(points.begin(), points.end(), x);
+    corners.push_back({std::min(x - *(right - 1), *right - x), x});
+  }
+  std::stable_sort(corners.begin(), corners.end(), [](auto& a, auto& b) { return a[0] < b[0]; });
   std::vector<char> taken(points.size(), 0);
   taken.front() = taken.back() = 1;
-  for (const Point& corner : slope.section().ground) {
-    if (corner[0] <= from || corner[0] >= to) continue;
-    auto right = std::upper_bound(points.begin(), points.end(), corner[0]);
-    auto nearest = corner[0] - *(right - 1) < *right - corner[0] ? right - 1 : right;
+  for (const auto& [distance, x] : corners) {
+    const auto right = std::upper_bound(points.begin(), points.end(), x);
+    const auto nearest = x - *(right - 1) < *right - x ? right - 1 : right;
     auto& used = taken[static_cast<std::size_t>(nearest - points.begin())];
-    if (!used) *nearest = corner[0], used = 1;
+    if (!used) *nearest = x, used = 1;
   }
   return points;
 }

@@ -10,13 +10,16 @@ namespace talus::lem {
 
 std::vector<Surface> find_touching_circles(Evaluator& evaluate, Evaluator& quick, const Arcs& arcs,
                                            const TrialCircles& circles, int most) {
-  std::set<std::array<double, 2>> ends;
-  for (const Surface& s : circles.surfaces) ends.insert({s.from, s.to});
+  std::set<std::array<double, 2>> distinct;
+  for (const Surface& s : circles.surfaces) distinct.insert({s.from, s.to});
+  std::vector<std::array<double, 2>> ends(distinct.begin(), distinct.end());
+  // From the lower side of the section on, so that its mirror image tries the same ones.
+  const Slope& slope = evaluate.slope();
+  if (slope.ground(slope.left()) > slope.ground(slope.right()))
+    std::sort(ends.begin(), ends.end(), [](auto& a, auto& b) { return a[1] != b[1] ? a[1] > b[1] : a[0] > b[0]; });
   const std::size_t stride = ends.size() / static_cast<std::size_t>(std::max(1, most)) + 1;
   std::vector<std::array<double, 2>> tried;
-  std::size_t i = 0;
-  for (const auto& pair : ends)
-    if (i++ % stride == 0) tried.push_back(pair);
+  for (std::size_t i = 0; i < ends.size(); i += stride) tried.push_back(ends[i]);
   std::vector<Surface> best;
   for (const Region& region : arcs.regions()) {
     std::vector<std::pair<double, Surface>> ranked;
