@@ -74,18 +74,56 @@ void put_in_place(Mesh<D>& mesh, const Plan& plan) {
   }
 }
 
-/// The plan with the lower left corner of its box at the origin: the same section has the same mesh wherever it lies.
+/// The decimal next to x with `digits` behind the point.
+double round_decimal(double x, int digits) {
+  const double unit = std::pow(10.0, digits);
+  return std::round(x * unit) / unit;
+}
+
+/// Digits behind the point that give a number as large as `size` ten digits.
+int count_digits(double size) {
+  return 9 - static_cast<int>(std::floor(std::log10(size)));
+}
+
+/// The plan with the lower left corner of its box at the origin, and its numbers as decimals: the same section has the
+/// same mesh wherever it lies, and in every unit of length. Differences of map coordinates, and feet, differ from them
+/// in their last digits, with which Gmsh makes another mesh.
 Plan make_local(const Plan& given) {
   Plan plan = given;
   const Point2 origin = given.box_min;
-  const auto shift = [&](Polyline& points) {
-    for (Point2& x : points) x = {x[0] - origin[0], x[1] - origin[1]};
+  // The geometry kernel takes points within 1e-7 m for one.
+  const int digits = std::max(7, count_digits(std::max(given.box_max[0] - origin[0], given.box_max[1] - origin[1])));
+  const auto shift = [&](Point2& x) {
+    x = {round_decimal(x[0] - origin[0], digits), round_decimal(x[1] - origin[1], digits)};
   };
-  for (Polygon& p : plan.polygons) shift(p.points);
-  for (Line& l : plan.lines) shift(l.points);
-  for (Refinement& r : plan.refinements) shift(r.near);
-  plan.box_max = {plan.box_max[0] - origin[0], plan.box_max[1] - origin[1]};
+  const auto shift_all = [&](Polyline& points) { std::for_each(points.begin(), points.end(), shift); };
+  const auto round_length = [](double& x) { x = round_decimal(x, count_digits(x)); };
+  for (Polygon& p : plan.polygons) shift_all(p.points);
+  for (Line& l : plan.lines) shift_all(l.points);
+  round_length(plan.size);
+  if (plan.dimension == 3) round_length(plan.thickness);
+  for (Refinement& r : plan.refinements) {
+    shift_all(r.near);
+    round_length(r.size);
+    round_length(r.distance);
+  }
+  shift(plan.box_max);
   plan.box_min = {0, 0};
+  return plan;
+}
+
+/// The plan as Gmsh meshes it: counter-clockwise polygons from their leftmost corner on, lines from left to right, both
+/// in the order of these points. Gmsh's mesh depends on the order of its input, and the section does not.
+Plan put_in_order(Plan plan) {
+  for (Polygon& p : plan.polygons) {
+    if (compute_area(p.points) < 0) std::reverse(p.points.begin(), p.points.end());
+    std::rotate(p.points.begin(), std::min_element(p.points.begin(), p.points.end()), p.points.end());
+  }
+  for (Line& l : plan.lines)
+    if (l.points.back() < l.points.front()) std::reverse(l.points.begin(), l.points.end());
+  const auto by_points = [](const auto& a, const auto& b) { return a.points < b.points; };
+  std::stable_sort(plan.polygons.begin(), plan.polygons.end(), by_points);
+  std::stable_sort(plan.lines.begin(), plan.lines.end(), by_points);
   return plan;
 }
 
@@ -95,7 +133,7 @@ Mesh<D> mesh_plan(const Plan& given) {
   const GmshSession session;
   errno = 0;
   try {
-    mesh_with_gmsh(plan);
+    mesh_with_gmsh(put_in_order(plan));
   } catch (...) {  // Gmsh throws strings and numbers
     if (errno == ENOMEM) throw std::bad_alloc();
     throw Error(ExitCode::wrong_input, "Gmsh cannot mesh the plan: " + GmshSession::get_last_error());

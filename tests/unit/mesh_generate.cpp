@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <thread>
@@ -179,6 +180,54 @@ TEST(Generate, KeepsSmallAndFarGeometryExact) {
     EXPECT_NEAR(moved.nodes[i][0] - 650000, here.nodes[i][0], 1e-9);
     EXPECT_NEAR(moved.nodes[i][1] - 800, here.nodes[i][1], 1e-9);
   }
+}
+
+void expect_same_mesh(const Mesh<2>& there, const Mesh<2>& here, const Point2& moved) {
+  ASSERT_EQ(there.elements, here.elements);
+  for (std::size_t i = 0; i < here.nodes.size(); ++i)
+    for (std::size_t d = 0; d < 2; ++d) EXPECT_NEAR(there.nodes[i][d] - moved[d], here.nodes[i][d], 1e-9);
+}
+
+/// Corners to the micrometre, none of which is a binary number: at map coordinates their differences are others.
+TEST(Generate, TheMeshDependsNeitherOnTheDatumNorOnTheOrderOfThePolygons) {
+  Plan plan;
+  plan.box_max = {99.913, 15.1};
+  plan.size = 1.3;
+  plan.polygons = {{"lower", {{0, 0}, {99.913, 0}, {99.913, 8.121}, {38.004143, 4.019685}, {24.156, 0.7}, {0, 0.7}}},
+                   {"upper", {{99.913, 8.121}, {99.913, 13.42}, {70.389, 13.42}, {38.004143, 4.019685}}},
+                   {"lens", {{60.1, 7.3}, {66.7, 7.7}, {63.3, 8.9}}}};
+  plan.lines = {{"ground", {{24.156, 0.7}, {38.004143, 4.019685}, {70.389, 13.42}}}, {"drain", {{20.3, 0}, {30.7, 0}}}};
+  const Mesh<2> here = generate<2>(plan);
+
+  for (const Point2 origin : {Point2{5e5, 850}, Point2{0, 200}, Point2{6329700.3, 300}}) {
+    Plan moved = plan;
+    const auto move = [&](Point2& x) { x = {x[0] + origin[0], x[1] + origin[1]}; };
+    for (Polygon& p : moved.polygons) std::for_each(p.points.begin(), p.points.end(), move);
+    for (Line& l : moved.lines) std::for_each(l.points.begin(), l.points.end(), move);
+    move(moved.box_min), move(moved.box_max);
+    expect_same_mesh(generate<2>(moved), here, origin);
+  }
+
+  Plan in_feet = plan;  // a multiple of the size must not become one more or one less
+  constexpr double foot = 0.3048;
+  in_feet.size = plan.size / foot * foot * (1 + 1e-15);
+  for (Polygon& p : in_feet.polygons)
+    for (Point2& x : p.points) x = {x[0] / foot * foot, x[1] / foot * foot};
+  expect_same_mesh(generate<2>(in_feet), here, {0, 0});
+
+  Plan turned = plan;
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto& points = turned.polygons[i].points;
+    std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i) + 1, points.end());
+    if (i != 1) std::reverse(points.begin(), points.end());
+  }
+  std::reverse(turned.polygons.begin(), turned.polygons.end());
+  std::reverse(turned.lines.begin(), turned.lines.end());
+  for (Line& l : turned.lines) std::reverse(l.points.begin(), l.points.end());
+  const Mesh<2> other = generate<2>(turned);
+  expect_same_mesh(other, here, {0, 0});
+  EXPECT_EQ(other.region_names, (std::vector<std::string>{"lens", "upper", "lower"}));
+  for (int region = 0; region < 3; ++region) EXPECT_NEAR(sum_region(other, 2 - region), sum_region(here, region), 1e-9);
 }
 
 TEST(Generate, ExtrudesSoilAndWallsIntoTetrahedra) {
