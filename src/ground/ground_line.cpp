@@ -11,6 +11,7 @@
 
 #include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "mesh/planar.hpp"
 
 namespace talus::ground {
 namespace {
@@ -87,11 +88,6 @@ void check_column(std::vector<std::pair<double, int>> levels, double x, double l
   }
 }
 
-bool lies_between(const Point& a, const Point& b, const Point& c, double least) {
-  const double cross = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  return std::abs(cross) <= least * std::hypot(c[0] - a[0], c[1] - a[1]);
-}
-
 }  // namespace
 
 Polyline find_ground(const mesh::Plan& plan) {
@@ -104,7 +100,6 @@ Polyline find_ground(const mesh::Plan& plan) {
   Polyline ground;
   const auto add = [&](const Point& x) {
     if (!ground.empty() && std::hypot(x[0] - ground.back()[0], x[1] - ground.back()[1]) <= 2 * least) return;
-    if (ground.size() > 1 && lies_between(ground[ground.size() - 2], ground.back(), x, least)) ground.pop_back();
     ground.push_back(x);
   };
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
@@ -125,7 +120,7 @@ Polyline find_ground(const mesh::Plan& plan) {
     add({breaks[i], top->at(breaks[i])});
     add({breaks[i + 1], top->at(breaks[i + 1])});
   }
-  return ground;
+  return mesh::drop_straight_points(ground, false, least);
 }
 
 double find_level(const Polyline& ground, double x) {

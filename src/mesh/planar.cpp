@@ -29,6 +29,20 @@ std::optional<double> find_crossing(const Point2& a, const Point2& b, const Poin
   return ca / (ca - cb);
 }
 
+/// Marks the points between two corners that are corners themselves: the farthest from the straight line between them,
+/// and so on (Douglas and Peucker 1973). Points in straight edges are never the farthest.
+void mark_corners(const Polyline& line, std::size_t from, std::size_t to, double tolerance, std::vector<char>& kept) {
+  double most = tolerance;
+  std::size_t farthest = from;
+  for (std::size_t i = from + 1; i < to; ++i)
+    if (const double distance = compute_distance(line[i], line[from], line[to]); distance > most)
+      most = distance, farthest = i;
+  if (farthest == from) return;
+  kept[farthest] = 1;
+  mark_corners(line, from, farthest, tolerance, kept);
+  mark_corners(line, farthest, to, tolerance, kept);
+}
+
 /// Which parts of the outline of `a` lie inside and outside of `b`; the parts on the outline of `b` count for neither.
 struct Parts {
   bool inside = false, outside = false;
@@ -78,30 +92,27 @@ Polyline close_polygon(const Polyline& corners) {
 
 Polyline drop_straight_points(const Polyline& line, bool closed, double tolerance) {
   if (line.size() < 3) return line;
-  Polyline given = line;
-  if (closed) {
-    const std::size_t count = given.size();
-    std::size_t corner = 0;
-    while (corner < count && compute_distance(given[corner], given[(corner + count - 1) % count],
-                                              given[(corner + 1) % count]) <= tolerance)
-      ++corner;
-    if (corner == count) return line;
-    std::rotate(given.begin(), given.begin() + static_cast<std::ptrdiff_t>(corner), given.end());
-    given.push_back(given.front());
+  if (!closed) {
+    std::vector<char> kept(line.size(), 0);
+    kept.front() = kept.back() = 1;
+    mark_corners(line, 0, line.size() - 1, tolerance, kept);
+    Polyline corners;
+    for (std::size_t i = 0; i < line.size(); ++i)
+      if (kept[i]) corners.push_back(line[i]);
+    return corners;
   }
-  Polyline kept{given.front()};
-  std::size_t last = 0;  // of those kept
-  for (std::size_t i = 1; i + 1 < given.size(); ++i) {
-    // All points since the last corner count, or a long flat arc would become its chord.
-    bool straight = true;
-    for (std::size_t k = last + 1; k <= i && straight; ++k)
-      straight = compute_distance(given[k], given[last], given[i + 1]) <= tolerance;
-    if (straight) continue;
-    kept.push_back(given[i]);
-    last = i;
-  }
-  if (!closed) kept.push_back(given.back());
-  return kept;
+  // Its leftmost point and the one farthest from it are corners of a polygon; the two lines between them are open.
+  Polyline outline = line;
+  std::rotate(outline.begin(), std::min_element(outline.begin(), outline.end()), outline.end());
+  const auto far = std::max_element(outline.begin(), outline.end(), [&](const Point2& a, const Point2& b) {
+    return compute_distance(a, outline[0], outline[0]) < compute_distance(b, outline[0], outline[0]);
+  });
+  Polyline corners = drop_straight_points({outline.begin(), far + 1}, false, tolerance);
+  Polyline back(far, outline.end());
+  back.push_back(outline.front());
+  back = drop_straight_points(back, false, tolerance);
+  corners.insert(corners.end(), back.begin() + 1, back.end() - 1);
+  return corners;
 }
 
 double compute_area(const Polyline& corners) {

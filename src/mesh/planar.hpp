@@ -21,8 +21,8 @@ double compute_distance(const Point2& x, const Polyline& line);
 /// The closed polygon's outline as a polyline that returns to its first point.
 Polyline close_polygon(const Polyline& corners);
 
-/// The line, or the closed polygon, without points that lie within `tolerance` [m] of the straight line between their
-/// neighbours: its corners.
+/// The line, or the closed polygon from its leftmost corner on, without points that lie within `tolerance` [m] of the
+/// straight lines between the others: its corners.
 Polyline drop_straight_points(const Polyline& line, bool closed, double tolerance);
 
 /// Area of a polygon, positive when its corners run counter-clockwise [m²].

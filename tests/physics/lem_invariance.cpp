@@ -94,6 +94,16 @@ TEST(LemInvariance, Shifted) {
   expect_same(section, move, 1);
 }
 
+/// Centroids are measured from the base of a slice: about y = 0 the moments of an earthquake would drown in rounding.
+TEST(LemInvariance, AtGreatElevation) {
+  const auto move = [](const Point& p) { return Point{p[0] + 524288, p[1] + 4194304}; };
+  Section section = make_full_section();
+  change_points(section, move);
+  section.surcharges = {{{{34 + 524288, 10}, {40 + 524288, 25}}}};
+  section.roots = {{{{0, 6}, {1.0, 2}}, 15 + 524288, 30 + 524288}};
+  expect_same(section, move, 1);
+}
+
 TEST(LemInvariance, InFeetAndPounds) {
   const double foot = 1 / 0.3048, pound = 1 / 4.4482216152605e-3, pressure = pound / (foot * foot),
                weight = pressure / foot;

@@ -136,9 +136,19 @@ TEST(Plan, TakesPointsThatMissEachOtherByRoundingAsOne) {
 
 TEST(Planar, StraightPointsAreDroppedAndCornersStay) {
   const Polyline square{{0.5, 0}, {1, 0}, {1, 0.25}, {1, 1}, {0, 1}, {0, 0}, {0.25, 0}};
-  EXPECT_EQ(drop_straight_points(square, true, 1e-9), (Polyline{{1, 0}, {1, 1}, {0, 1}, {0, 0}}));
+  EXPECT_EQ(drop_straight_points(square, true, 1e-9), (Polyline{{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
   EXPECT_EQ(drop_straight_points({{0, 0}, {1, 1e-10}, {2, 0}, {2, 3}, {2, 1}}, false, 1e-9),
             (Polyline{{0, 0}, {2, 0}, {2, 3}, {2, 1}}));  // a line that turns back keeps its end
+}
+
+TEST(Planar, PointsBesideAKinkDoNotMoveIt) {
+  const Polyline line{{0, 0}, {10, 3e-9}, {20, 0}};
+  const auto interpolate = [&](std::size_t i, double t) {
+    return Point2{line[i][0] + t * 10, line[i][1] + t * (line[i + 1][1] - line[i][1])};
+  };
+  const Polyline refined{line[0], interpolate(0, 0.2), interpolate(0, 0.9), line[1], interpolate(1, 0.1), line[2]};
+  EXPECT_EQ(drop_straight_points(line, false, 1e-9), line);
+  EXPECT_EQ(drop_straight_points(refined, false, 1e-9), line);
 }
 
 /// Each point of a flat arc lies within the tolerance of its neighbours' chord, and not of the chord of all.

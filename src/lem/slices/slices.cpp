@@ -30,15 +30,15 @@ Slice make_slice(const Slope::Strips& strips, const Stretch& stretch, const Poin
   slice.slope = (b[1] - a[1]) / width;
   slice.length = std::sqrt(width * width + (b[1] - a[1]) * (b[1] - a[1]));
   const double part = layer.unit_weight * std::max(0.0, layer.top.at(dx) - y), above = layer.weight.at(dx);
-  double moment = part * 0.5 * (layer.top.at(dx) + y);
+  double moment = part * 0.5 * (layer.top.at(dx) - y);  // about the base: elevations may be large
   for (int i = strip.first; i < stretch.layer; ++i) {
     const Layer& other = strips.layer(i);
     const double top = other.top.at(dx), bottom = other.bottom.at(dx);
-    moment += other.unit_weight * 0.5 * (top - bottom) * (top + bottom);
+    moment += other.unit_weight * 0.5 * (top - bottom) * (top - y + bottom - y);
   }
   const double weight = above + part;
   slice.weight = weight * width;
-  slice.centroid = weight > 0 ? moment / weight : y;
+  slice.centroid = y + (weight > 0 ? moment / weight : 0);
   slice.earthquake = section.horizontal_acceleration * slice.weight;
   const auto load = [&](double at, double down, double right) {
     slice.surface_load += down;

@@ -90,6 +90,7 @@ std::vector<const mesh::Polygon*> sort_polygons(const mesh::Plan& plan) {
 
 void add_regions(const input::Case& data, lem::Section& section, std::vector<std::string>& notes) {
   std::map<std::string, int> numbers;
+  const double rounding = 1e-9 * (section.ground.back()[0] - section.ground.front()[0]);
   for (const mesh::Polygon* polygon : sort_polygons(data.mesh)) {
     const auto given = data.regions.find(polygon->name);
     if (given == data.regions.end())
@@ -97,7 +98,8 @@ void add_regions(const input::Case& data, lem::Section& section, std::vector<std
                   fmt::format("region '{}' has no material; add it to [regions]", polygon->name));
     const auto [at, is_new] = numbers.try_emplace(given->second, static_cast<int>(section.soils.size()));
     if (is_new) section.soils.push_back(make_soil(data, given->second, notes));
-    section.regions.push_back({at->second, polygon->points});
+    // Points in straight edges are no places that a slip surface could touch.
+    section.regions.push_back({at->second, mesh::drop_straight_points(polygon->points, true, rounding)});
   }
 }
 
