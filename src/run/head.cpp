@@ -8,6 +8,7 @@
 #include <ctime>
 
 #include "base/lane.hpp"
+#include "base/units.hpp"
 #include "base/version.hpp"
 
 namespace talus::run {
@@ -65,6 +66,10 @@ results::RunResult begin_result(const input::LoadedCase& loaded, const std::stri
   for (const mesh::Polygon& p : loaded.data.mesh.polygons) run.outlines.emplace_back(p.points.begin(), p.points.end());
   run.input = loaded.echo;
   return run;
+}
+
+std::string say_length(const results::RunResult& run, double metres, int digits) {
+  return fmt::format("{:.{}g} {}", metres / units::get_si_factor(run.units.length), digits, run.units.length);
 }
 
 }  // namespace talus::run

@@ -19,4 +19,7 @@ results::DisplayUnits tell_units(const input::Output& output);
 /// Title, project, provenance, units, outlines and input.
 results::RunResult begin_result(const input::LoadedCase& loaded, const std::string& input_hash, int threads);
 
+/// A length in sentences, in the unit of the case: "1.22 m", "4 ft".
+std::string say_length(const results::RunResult& run, double metres, int digits = 3);
+
 }  // namespace talus::run

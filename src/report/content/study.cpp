@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "input/echo.hpp"
@@ -34,14 +35,34 @@ std::optional<double> read_number(const results::StudyColumn& column, const resu
   return whole && column.name != "variant" ? std::optional(value) : std::nullopt;
 }
 
-json make_column(const results::StudyColumn& column) {
+/// The page calls a factor of safety F everywhere: "FoS, Spencer" → "F, Spencer".
+std::string use_symbol(const std::string& title) {
+  constexpr std::string_view written = "FoS";
+  return title.starts_with(written) ? "F" + title.substr(written.size()) : title;
+}
+
+/// Keys have the unit of their declaration; the report shows stresses and lengths in those of the case.
+ShownUnit choose_unit(const std::string& unit, const ShownUnits& units) {
+  constexpr double kilo = 1e3;
+  if (unit == "kPa") return {units.stress.name, units.stress.si / kilo};
+  if (unit == "m") return units.length;
+  return {unit, 1};
+}
+
+json make_column(const results::StudyColumn& column, const ShownUnits& units) {
+  const ShownUnit unit = choose_unit(column.unit, units);
+  const bool is_same = unit.name == column.unit;
   json shown = json::array(), values = json::array();
   for (const results::StudyCell& cell : column.cells) {
     const std::optional<double> number = read_number(column, cell);
-    shown.push_back(cell.shown);
-    values.push_back(number ? json(*number) : json());
+    shown.push_back(is_same || !number ? cell.shown : fmt::format("{:.5g}", *number / unit.si));
+    values.push_back(number ? json(*number / unit.si) : json());
   }
-  return {{"name", column.name}, {"title", column.title}, {"unit", column.unit}, {"shown", shown}, {"values", values}};
+  return {{"name", column.name},
+          {"title", use_symbol(column.title)},
+          {"unit", unit.name},
+          {"shown", shown},
+          {"values", values}};
 }
 
 /// Whether another column, of one method, says the same.
@@ -83,7 +104,7 @@ std::vector<results::ExtrapolatedFactor> list_varying(const results::StudyExtrap
   std::vector<results::ExtrapolatedFactor> varying;
   for (const results::ExtrapolatedFactor& f : extrapolation.factors)
     if (std::adjacent_find(f.factors.begin(), f.factors.end(), std::not_equal_to<>()) != f.factors.end())
-      varying.push_back(f);
+      varying.push_back(f), varying.back().criterion = use_symbol(f.criterion);
   return varying;
 }
 
@@ -197,7 +218,13 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
     vary.push_back({{"key", k.key}, {"values", k.values}});
     keys.push_back(k.key);
   }
-  for (const results::StudyColumn& c : study.columns) columns.push_back(make_column(c));
+  // Of variants the first that ran tells the unit of stresses.
+  const auto ran = std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run.has_value(); });
+  results::RunResult head;
+  head.units = {study.units.length, study.units.displacement,
+                study.units.stress.value_or(ran == runs.end() ? "kPa" : (*ran)->run.units.stress)};
+  const ShownUnits units = read_units(head);
+  for (const results::StudyColumn& c : study.columns) columns.push_back(make_column(c, units));
 
   std::vector<Pictures> pictures = pack_pictures(sources, packer);
   for (std::size_t k = 0; k < pictures.size(); ++k) {

@@ -12,6 +12,7 @@
 #include "run/compare/disagreement.hpp"
 #include "run/compare/reading.hpp"
 #include "run/compare/slip_line.hpp"
+#include "run/head.hpp"
 #include "run/lem/run_lem.hpp"
 #include "run/lem/tell_slices.hpp"
 
@@ -106,7 +107,8 @@ class Comparison {
     const std::size_t first = told_.table.size();
     for (const auto& c : slices.critical)
       add_critical(c, fmt::format("lem.{}", results::to_word(c.surface.method)),
-                   c.crack ? fmt::format("critical circle, tension crack of {:.2g} m", *c.crack) : "critical circle",
+                   c.crack ? fmt::format("critical circle, tension crack of {}", say_length(run_, *c.crack, 2))
+                           : "critical circle",
                    Source::critical);
     for (const auto& c : slices.noncircular)
       add_critical(c, fmt::format("lem.noncircular.{}", results::to_word(c.surface.method)), "critical polyline",
@@ -133,9 +135,10 @@ class Comparison {
         row.upper = run.interval->upper;
       }
       row.seconds = run.seconds;
-      row.note = fmt::format("{}, {} elements of {:.3g} m", fem.element, fem.elements, fem.size);
-      row.note += run.meshes ? fmt::format(", extrapolated with those of {:.3g} m", run.meshes->front().size)
-                             : "; one mesh: the mesh error is not known";
+      row.note = fmt::format("{}, {} elements of {}", fem.element, fem.elements, say_length(run_, fem.size));
+      row.note += run.meshes
+                      ? fmt::format(", extrapolated with those of {}", say_length(run_, run.meshes->front().size))
+                      : "; one mesh: the mesh error is not known";
       if (run.earthquake) row.note += "; " + results::describe_side(*run.earthquake, results::stable_on_mesh);
       if (run.verdict == results::Verdict::too_low) row.note = "impossible: below the proven lower bound; " + row.note;
       if (run.verdict == results::Verdict::too_high) row.note = "above the proven upper bound; " + row.note;
@@ -238,7 +241,8 @@ class Comparison {
       row.note = frozen->note;
       for (const results::MeshFactor* m : frozen->list_found())
         if (frozen->factor)
-          row.note += fmt::format("{}{:.3f} at h = {:g} m", row.note.empty() ? "" : ", ", *m->factor(), m->size);
+          row.note += fmt::format("{}{:.3f} at h = {}", row.note.empty() ? "" : ", ", *m->factor(),
+                                  say_length(run_, m->size, 6));
       if (frozen->extrapolated) row.note += ", extrapolated to h = 0";
       told_.table.push_back(std::move(row));
     }

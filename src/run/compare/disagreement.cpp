@@ -11,6 +11,7 @@
 #include "ground/ground_line.hpp"
 #include "results/governing.hpp"
 #include "run/compare/compare.hpp"
+#include "run/head.hpp"
 
 namespace talus::run {
 namespace {
@@ -123,9 +124,9 @@ class Warnings {
     constexpr double at_limit = 1.005;
     if (!(smallest > 0) || depth > at_limit * smallest) return;
     warnings_.push_back(fmt::format(
-        "{}: the {} is a skin of {:.2g} m, and the search took no shallower one. Soil without cohesion slides so, and "
+        "{}: the {} is a skin of {}, and the search took no shallower one. Soil without cohesion slides so, and "
         "soil beside the edge of a load. If such slides do not matter, give a larger smallest_depth in [lem].",
-        get_title(governing_->found->surface.method), results::name_surface(*governing_), depth));
+        get_title(governing_->found->surface.method), results::name_surface(*governing_), say_length(run_, depth, 2)));
   }
 
   struct Part {

@@ -11,6 +11,7 @@
 #include "run/compare/compare.hpp"
 #include "run/compare/read_referee.hpp"
 #include "run/compare/slip_line.hpp"
+#include "run/head.hpp"
 
 namespace talus::run {
 namespace {
@@ -286,10 +287,10 @@ class Reading {
       if (run == nullptr) continue;
       const std::string flow = describe_flow(*run);
       if (run->interval && run->meshes)
-        say("Finite elements ({}): {:.3f} on elements of {:.3g} m and {:.3f} on {:.3g} m, {:.3f} at size zero; the "
+        say("Finite elements ({}): {:.3f} on elements of {} and {:.3f} on {}, {:.3f} at size zero; the "
             "interval of mesh and search is {:.3f} to {:.3f}.",
-            flow, run->meshes->front().factor, run->meshes->front().size, run->meshes->back().factor,
-            run->meshes->back().size, run->factor, results::show_lower(run->interval->lower),
+            flow, run->meshes->front().factor, say_length(run_, run->meshes->front().size), run->meshes->back().factor,
+            say_length(run_, run->meshes->back().size), run->factor, results::show_lower(run->interval->lower),
             results::show_upper(run->interval->upper));
       else
         say("Finite elements ({}), {}: the mesh error is not known.", flow, run->meshes ? "two meshes" : "one mesh");
@@ -323,9 +324,10 @@ class Reading {
           "{:.3f}).",
           coarse, fine);
     else
-      say("Material points: {:.3f} on elements of {:g} m and {:.3f} on {:g} m, {:.3f} at size zero; the mesh "
+      say("Material points: {:.3f} on elements of {} and {:.3f} on {}, {:.3f} at size zero; the mesh "
           "contributes {} to the factor on the coarse mesh.",
-          coarse, meshes[0].size, fine, meshes[1].size, *frozen_, format_share(coarse / *frozen_ - 1));
+          coarse, say_length(run_, meshes[0].size, 6), fine, say_length(run_, meshes[1].size, 6), *frozen_,
+          format_share(coarse / *frozen_ - 1));
   }
 
   void read_points_criterion() {
@@ -397,12 +399,13 @@ class Reading {
       const std::string handed = describe_handed(s.name);
       const double size = by_elements ? run_.elements->size : run_.mesh ? run_.mesh->mean_size : 0;
       if (mean < std::max(same_surface * height_, size))
-        say("One mechanism: the {} is on average {:.2g} m ({} of the height) from {}{}.", of, mean,
+        say("One mechanism: the {} is on average {} ({} of the height) from {}{}.", of, say_length(run_, mean, 2),
             format_share(mean / height_), place_, handed);
       else
-        say("The {} is on average {:.2g} m ({} of the height) from {}: the mechanisms "
+        say("The {} is on average {} ({} of the height) from {}: the mechanisms "
             "differ{}{}.",
-            of, mean, format_share(mean / height_), place_, handed, describe_near_minimum(s.points, size));
+            of, say_length(run_, mean, 2), format_share(mean / height_), place_, handed,
+            describe_near_minimum(s.points, size));
     }
   }
 
@@ -424,8 +427,8 @@ class Reading {
       const double mean = find_mean_distance(m.points, line);
       if (mean >= nearest) continue;
       nearest = mean;
-      words = fmt::format("; a local minimum of {} ({:.3f}) lies {:.2g} m from it", get_title(surface_->surface.method),
-                          *m.factor, mean);
+      words = fmt::format("; a local minimum of {} ({:.3f}) lies {} from it", get_title(surface_->surface.method),
+                          *m.factor, say_length(run_, mean, 2));
     }
     return words;
   }

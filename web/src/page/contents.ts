@@ -12,9 +12,11 @@ export function listContents(report: Report): Entry[] {
   const isStudy = report.kind === "study";
   const has = (kind: string) => report.tables.some((table) => table.kind === kind);
   const surfaces = report.model.dimension === 2 && (report.method_table?.surfaces.length ?? 0) > 0;
+  const hasSoil = report.model.dimension === 2 && report.model.polygons.length > 0;
   const entries: [boolean, string, string][] = [
     [true, "answer", "Answer"],
-    [report.sequences.length > 0 || surfaces, "section", report.model.dimension === 3 ? "View" : "Section"],
+    // Of a study the section of its case, without surfaces.
+    [report.sequences.length > 0 || surfaces || (isStudy && hasSoil), "section", report.model.dimension === 3 ? "View" : "Section"],
     [isStudy && report.study?.sampling !== undefined, "sampling", "Sampling"],
     [isStudy && (report.study?.rows.length ?? 0) > 0, "study", "Study"],
     [isStudy && (report.study?.rows.length ?? 0) > 0, "variants", "Variants"],

@@ -69,6 +69,7 @@ it("makes sentences of the results' lines", () => {
   expect(formatSentence("the mesh is coarse")).toBe("The mesh is coarse.");
   expect(formatSentence("Is it?")).toBe("Is it?");
   expect(formatSentence("λ = 0.45")).toBe("λ = 0.45.");
+  expect(formatSentence("f₀ = 1.080")).toBe("f₀ = 1.080.");
 });
 
 it("splits a text at the ends of its sentences alone", () => {

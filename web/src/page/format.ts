@@ -91,7 +91,7 @@ export function formatSentence(text: string): string {
   const trimmed = text.trim();
   if (!trimmed) return "";
   // Symbols stay as they are: "λ = 0.45".
-  return trimmed.replace(/^[a-z]/, (first) => first.toUpperCase()) + (/[.!?]$/.test(trimmed) ? "" : ".");
+  return trimmed.replace(/^[a-z](?=[a-z\s])/, (first) => first.toUpperCase()) + (/[.!?]$/.test(trimmed) ? "" : ".");
 }
 
 /** "It fails at 8 h. It is least at 16 h." → both sentences. A full stop between digits or after a symbol ends none. */

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-/** How far each number alone moves the factor, one deviation down and up: the longest bar first. */
+/** How far each number alone moves a result, the longest bar first: one deviation down and up, or the values of a study. */
 import * as Plot from "@observablehq/plot";
 
 import { centred } from "../charts/base/axes";
 import { Chart } from "../charts/base/Chart";
+import type { CsvColumn } from "../charts/base/csv";
 import { CsvButton, Legend } from "../charts/base/Legend";
 import { formatNumber } from "../charts/base/numbers";
 import type { Sampling } from "../contract";
@@ -12,15 +13,30 @@ import { showName, showValue } from "./names";
 const low = { colour: "var(--series-2)", dash: "", symbol: "circle" } as const;
 const high = { colour: "var(--series-1)", dash: "", symbol: "circle" } as const;
 
-export function TornadoChart({ sampling }: { sampling: Sampling }) {
-  const bars = (sampling.tornado ?? []).filter((b) => b.low_factor !== null && b.high_factor !== null);
-  if (bars.length === 0) return null;
-  const factors = bars.flatMap((b) => [b.low_factor!, b.high_factor!]);
-  const atMeans = sampling.first_order?.mean_factor ?? null;
-  const middle = atMeans ?? factors.reduce((a, b) => a + b, 0) / factors.length;
+export interface TornadoBar {
+  title: string;
+  low_factor: number;
+  high_factor: number;
+  /** Behind the reading; may be empty. */
+  note: string;
+}
+
+interface TornadoProps {
+  bars: TornadoBar[];
+  /** Where no number is changed; null: not known. */
+  base: number | null;
+  titles: { chart: string; low: string; high: string; axis: string; note: string };
+  part: string;
+  columns: () => CsvColumn[];
+  class?: string;
+}
+
+/** Bars from the result without a change to those of both ends, the longest first. */
+export function TornadoBars({ bars, base, titles, part, columns, class: name }: TornadoProps) {
+  const factors = bars.flatMap((b) => [b.low_factor, b.high_factor]);
+  const middle = base ?? factors.reduce((a, b) => a + b, 0) / factors.length;
   const ends = [Math.min(middle, ...factors), Math.max(middle, ...factors)] as const;
   const pad = 0.12 * (ends[1] - ends[0]) || 0.02;
-  const rank = (key: string) => sampling.ranks?.find((r) => r.key === key)?.coefficient ?? null;
   const draw = (width: number): Plot.PlotOptions => {
     const bar = (side: "low_factor" | "high_factor", colour: string) =>
       Plot.rect(bars, {
@@ -37,17 +53,17 @@ export function TornadoChart({ sampling }: { sampling: Sampling }) {
       marginRight: 18,
       marginTop: 14,
       marginBottom: 46,
-      x: { domain: [ends[0] - pad, ends[1] + pad], label: "Factor of safety", ...centred, ticks: width < 400 ? 4 : 6 },
+      x: { domain: [ends[0] - pad, ends[1] + pad], label: titles.axis, ...centred, ticks: width < 400 ? 4 : 6 },
       y: { domain: [bars.length - 0.4, -0.75], axis: null },
       marks: [
         Plot.gridX({ ticks: 6, stroke: "var(--line)", strokeOpacity: 1 }),
         bar("low_factor", low.colour),
         bar("high_factor", high.colour),
-        Plot.ruleX(atMeans === null ? [] : [atMeans], { stroke: "var(--ink)" }),
+        Plot.ruleX(base === null ? [] : [base], { stroke: "var(--ink)" }),
         Plot.text(bars, {
           frameAnchor: "left",
           y: (_, k) => k - 0.5,
-          text: (b) => `${showName(b.name)}: ${showValue(b.low_value, b.unit)} to ${showValue(b.high_value, b.unit)}`,
+          text: "title",
           textAnchor: "start",
           stroke: "var(--ground)",
           strokeWidth: 3,
@@ -58,50 +74,70 @@ export function TornadoChart({ sampling }: { sampling: Sampling }) {
     };
   };
   return (
-    <figure aria-label="Sensitivities">
+    <figure class={name} aria-label={titles.chart}>
       <div class="chart-head">
-        <h4>Sensitivities: one number changed by one deviation</h4>
-        <CsvButton
-          part="sensitivities"
-          columns={() => [
-            { name: "number", values: bars.map((b) => b.name) },
-            { name: "unit", values: bars.map((b) => b.unit) },
-            { name: "one deviation less", values: bars.map((b) => b.low_value) },
-            { name: "factor", unit: "-", values: bars.map((b) => b.low_factor) },
-            { name: "one deviation more", values: bars.map((b) => b.high_value) },
-            { name: "factor", unit: "-", values: bars.map((b) => b.high_factor) },
-            { name: "rank correlation with the factor", unit: "-", values: bars.map((b) => rank(b.key)) },
-          ]}
-        />
+        <h4>{titles.chart}</h4>
+        <CsvButton part={part} columns={columns} />
       </div>
       <Legend
         items={[
-          { id: "low", title: "one deviation less", style: low },
-          { id: "high", title: "one deviation more", style: high },
+          { id: "low", title: titles.low, style: low },
+          { id: "high", title: titles.high, style: high },
         ]}
       />
       <Chart
         along="y"
-        label="Sensitivities of the factor of safety"
+        label={titles.chart}
         draw={draw}
-        depends={[sampling]}
+        depends={[bars]}
         stops={bars.map((_, k) => k)}
         showReading
         hint="Point at a bar to read it."
         read={(k) => {
-          const b = bars[k]!;
-          const correlation = rank(b.key);
+          const { title, low_factor, high_factor, note } = bars[k]!;
           return {
-            text:
-              `${showName(b.name)}: F = ${formatNumber(b.low_factor, 4)} to ${formatNumber(b.high_factor, 4)}` +
-              (correlation === null ? "" : `, rank correlation ${formatNumber(correlation, 2)}`),
+            text: `${title}: ${formatNumber(low_factor, 4)} to ${formatNumber(high_factor, 4)}${note}`,
             marks: [],
           };
         }}
       />
-      {atMeans !== null && (
-        <p class="chart-note">The line is the factor with all numbers at their means, {formatNumber(atMeans, 4)}.</p>
-      )}
+      {titles.note && <p class="chart-note">{titles.note}</p>}
     </figure>
+  );
+}
+
+export function TornadoChart({ sampling }: { sampling: Sampling }) {
+  const found = (sampling.tornado ?? []).filter((b) => b.low_factor !== null && b.high_factor !== null);
+  if (found.length === 0) return null;
+  const base = sampling.first_order?.mean_factor ?? null;
+  const rank = (key: string) => sampling.ranks?.find((r) => r.key === key)?.coefficient ?? null;
+  const bars = found.map((b) => ({
+    title: `${showName(b.name)}: ${showValue(b.low_value, b.unit)} to ${showValue(b.high_value, b.unit)}`,
+    low_factor: b.low_factor!,
+    high_factor: b.high_factor!,
+    note: rank(b.key) === null ? "" : `, rank correlation ${formatNumber(rank(b.key), 2)}`,
+  }));
+  return (
+    <TornadoBars
+      bars={bars}
+      base={base}
+      titles={{
+        chart: "Sensitivities: one number changed by one deviation",
+        low: "one deviation less",
+        high: "one deviation more",
+        axis: "Factor of safety",
+        note: base === null ? "" : `The line is the factor with all numbers at their means, ${formatNumber(base, 4)}.`,
+      }}
+      part="sensitivities"
+      columns={() => [
+        { name: "number", values: found.map((b) => b.name) },
+        { name: "unit", values: found.map((b) => b.unit) },
+        { name: "one deviation less", values: found.map((b) => b.low_value) },
+        { name: "factor", unit: "-", values: found.map((b) => b.low_factor) },
+        { name: "one deviation more", values: found.map((b) => b.high_value) },
+        { name: "factor", unit: "-", values: found.map((b) => b.high_factor) },
+        { name: "rank correlation with the factor", unit: "-", values: found.map((b) => rank(b.key)) },
+      ]}
+    />
   );
 }

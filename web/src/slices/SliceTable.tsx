@@ -38,7 +38,7 @@ export function SliceTable({ surface }: { surface: SlicedSurface }) {
       <p class="chart-note">
         F = {formatFactor(surface.factor, "none")}
         {surface.lambda !== null && `, λ = ${formatNumber(surface.lambda, 4)}`}
-        {surface.correction !== 1 && `, f₀ = ${formatNumber(surface.correction, 4)}`}; forces per metre of thickness.
+        {surface.correction !== 1 && `, f₀ = ${formatNumber(surface.correction, 4)}`}; forces per {report.value.units.speed.name.startsWith("ft") ? "foot" : "metre"} of thickness.
       </p>
       <Scroller class="chart-scroll slice-table" label={`Slices of ${nameSurface(surface)}`}>
         <table class="chart-table">

@@ -3,7 +3,7 @@
 import { expect, test } from "vitest";
 
 import { measureDifference } from "../../src/charts/compare/differences";
-import { findNumeric, makeStudyColumns, nameGroup, orderRows } from "../../src/charts/study/studyData";
+import { findBars, findNumeric, makeStudyColumns, nameGroup, orderRows } from "../../src/charts/study/studyData";
 
 const column = (name: string, values: (number | null)[], shown = values.map((v) => (v === null ? "" : String(v)))) =>
   ({ name, title: name, unit: "-", shown, values });
@@ -55,4 +55,26 @@ test("differences over tolerances: one is the edge of passing", () => {
   expect(fromZero).toEqual({ absolute: 1, relative: null, overTolerance: 0.5 });
   const exact = measureDifference({ computed: -2, published: -1, tolerance: 0 });
   expect(exact).toEqual({ absolute: -1, relative: -1, overTolerance: -Infinity });
+});
+
+test("one key at a time: from the smallest to the largest value, the longest bar first, the case itself is the line", () => {
+  const factor = column("factor", [1.165, 1.088, 1.239, 1.05, null]);
+  const changed = {
+    ...study,
+    mode: "one_at_a_time",
+    vary: ["cohesion", "k_h", "law"].map((key) => ({ key, values: [] })),
+    columns: [
+      column("cohesion", [250, 200, 300, 250, 250]),
+      column("k_h", [0.1, 0.1, 0.1, 0.15, 0.05]),
+      column("law", [null, null, null, null, null], ["a", "a", "a", "a", "b"]),
+      factor,
+    ],
+    rows: ["base", "b", "c", "d", "e"].map((name) => ({ name, status: "finished", reason: "", warnings: [] })),
+  };
+  const { bars, base } = findBars(changed, factor);
+  expect(base).toBe(1.165);
+  expect(bars.map((b) => [b.key, b.low, b.high, b.low_factor, b.high_factor])).toEqual([
+    ["cohesion", "200", "300", 1.088, 1.239],
+    ["k_h", "0.1", "0.15", 1.165, 1.05],
+  ]);
 });

@@ -5,12 +5,13 @@ import { useState } from "preact/hooks";
 import type { Study } from "../../contract";
 import { report } from "../../state";
 import { CsvButton } from "../base/Legend";
-import { titleWithUnit } from "../base/numbers";
+import { TornadoBars } from "../../sampling/TornadoChart";
+import { formatNumber, titleWithUnit } from "../base/numbers";
 import { OrderTable } from "./OrderTable";
 import { SectionFigure } from "../sections/SectionCharts";
 import { listSectionsOf } from "../sections/sectionData";
 import { StudyCurves } from "./StudyCurves";
-import { makeStudyColumns, orderRows } from "./studyData";
+import { findBars, findNumeric, makeStudyColumns, orderRows } from "./studyData";
 import { StudyExtrapolation } from "./StudyExtrapolation";
 import { StudyMotion } from "./StudyMotion";
 import { StudyPictures } from "./StudyPictures";
@@ -35,6 +36,7 @@ export function StudySection() {
       <OrderTable study={study} />
       <StudyTable study={study} />
       <StudyExtrapolation study={study} />
+      <StudyTornado study={study} />
       <StudyPlot study={study} />
       {study.rows.some((r) => r.curve) && <StudyCurves study={study} />}
       {study.rows.some((r) => r.paths) && <StudyMotion study={study} />}
@@ -43,6 +45,36 @@ export function StudySection() {
         <SectionFigure key={name} runs={listSectionsOf(study, name)} />
       ))}
     </section>
+  );
+}
+
+/** Which key moves the factor most; other results stand in the plot. */
+function StudyTornado({ study }: { study: Study }) {
+  const result = findNumeric(study)[0];
+  const found = study.mode === "one_at_a_time" && result ? findBars(study, result) : { bars: [], base: null };
+  if (!result || found.bars.length < 2) return null;
+  const { bars, base } = found;
+  return (
+    <TornadoBars
+      class="chart-figure"
+      bars={bars.map((b) => ({ ...b, title: `${b.title}: ${b.low} to ${b.high}`, note: "" }))}
+      base={base}
+      titles={{
+        chart: `Sensitivities of ${result.title}: one key changed at a time`,
+        low: "smallest value",
+        high: "largest value",
+        axis: titleWithUnit(result.title, result.unit),
+        note: base === null ? "" : `The line is the case as it is, ${formatNumber(base, 4)}.`,
+      }}
+      part="sensitivities"
+      columns={() => [
+        { name: "key", values: bars.map((b) => b.key) },
+        { name: "smallest value", values: bars.map((b) => b.low) },
+        { name: result.title, unit: result.unit || "-", values: bars.map((b) => b.low_factor) },
+        { name: "largest value", values: bars.map((b) => b.high) },
+        { name: result.title, unit: result.unit || "-", values: bars.map((b) => b.high_factor) },
+      ]}
+    />
   );
 }
 

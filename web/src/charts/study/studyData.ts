@@ -53,3 +53,41 @@ export function nameGroup(study: Study, row: number, onAxis: string): string {
     .map((c) => `${c.title} ${c.shown[row] ?? ""}${c.unit && c.unit !== "-" ? ` ${c.unit}` : ""}`)
     .join(", ");
 }
+
+export interface StudyBar {
+  key: string;
+  title: string;
+  /** The smallest and the largest of the values that have a result, as shown. */
+  low: string;
+  high: string;
+  low_factor: number;
+  high_factor: number;
+}
+
+/**
+ * Of a study of one key at a time: the result at the smallest and at the largest value of each key, the longest bar
+ * first, and that of the case itself, which is the first row. Keys whose values are no numbers are left out.
+ */
+export function findBars(study: Study, result: StudyColumn): { bars: StudyBar[]; base: number | null } {
+  const base = result.values[0] ?? null;
+  const bars = findVaried(study).flatMap((c): StudyBar[] => {
+    const rows = study.rows.map((_, i) => i).filter((i) => c.values[i] !== null && result.values[i] !== null);
+    const own = rows.filter((i) => i === 0 || c.values[i] !== c.values[0]);
+    if (own.length < 2) return [];
+    const order = own.sort((a, b) => c.values[a]! - c.values[b]!);
+    const [low, high] = [order[0]!, order.at(-1)!];
+    const show = (i: number) => `${c.shown[i]}${c.unit && c.unit !== "-" ? ` ${c.unit}` : ""}`;
+    return [
+      {
+        key: c.name,
+        title: c.title.replaceAll("_", " "),
+        low: show(low),
+        high: show(high),
+        low_factor: result.values[low]!,
+        high_factor: result.values[high]!,
+      },
+    ];
+  });
+  const length = (b: StudyBar) => Math.abs(b.high_factor - b.low_factor);
+  return { bars: bars.sort((a, b) => length(b) - length(a)), base };
+}
