@@ -71,7 +71,6 @@ TEST(UndrainedWeight, IsSaidOfSoilAtRestUnderExcessPressure) {
   silt.water.conductivity = 1e-8;
   input::Case data = support::make_box_case<2>(silt);
   data.initial.water = {input::InitialPressure::water_table, {{0, height}}};
-  data.hydraulics = {support::make_hydraulic("top", input::WaterCondition::total_head, height)};
   for (const bool is_held : {true, false}) {
     mpm::Body<2> body = make_wet_column(data);
     input::StepSettings settings{.damping = 0.5};
