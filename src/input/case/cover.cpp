@@ -97,14 +97,17 @@ void warn_of_slivers(const mesh::Plan& plan, Findings& findings) {
 
 /// Seams without room for one element.
 void warn_of_seams(const mesh::Plan& plan, Findings& findings) {
+  constexpr double rounding = 1e-6;
   for (std::size_t i = 0; i < plan.polygons.size(); ++i) {
     const auto& p = plan.polygons[i].points;
     const double size = find_smallest_size(plan, plan.polygons[i]);
     double outline = 0;
     for (std::size_t k = 0; k < p.size(); ++k)
       outline += std::hypot(p[(k + 1) % p.size()][0] - p[k][0], p[(k + 1) % p.size()][1] - p[k][1]);
-    const double width = outline > 0 ? 2 * std::abs(mesh::compute_area(p)) / outline : size;
-    if (width < size)
+    // The shorter side of the rectangle with this outline and area.
+    const double quarter = outline / 4, square = quarter * quarter - std::abs(mesh::compute_area(p));
+    const double width = quarter - std::sqrt(std::max(0.0, square));
+    if (width < (1 - rounding) * size)
       findings.warn(fmt::format("{}.{}.points", polygons_path, i),
                     fmt::format("polygon '{}' is {:.2g} m thick on average, less than one element of {:.3g} m: shear "
                                 "in it is not resolved. Give it smaller elements with [[mesh.refine]]",
