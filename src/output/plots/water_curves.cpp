@@ -57,7 +57,7 @@ std::string describe_relative(const input::PoreWater& soil) {
   switch (soil.relative_conductivity) {
     case mualem:
       return fmt::format("Mualem in {}, λ = {:.4g}{}", measure, soil.lambda,
-                         soil.air_entry ? ", air entry " + in_kpa(*soil.air_entry) : "");
+                         soil.air_entry.value_or(0) > 0 ? ", air entry " + in_kpa(*soil.air_entry) : "");
     case hillel:
       return fmt::format("Hillel in {}, r = {:.4g}", measure, soil.exponent);
     case exponential:
@@ -138,7 +138,8 @@ WaterCurves sample(const std::string& name, const input::PoreWater& soil, const 
   }
   if (soil.retention == input::RetentionCurve::table) curves.saturation_pairs = soil.retention_table;
   if (soil.relative_conductivity == input::ConductivityCurve::table) curves.relative_pairs = soil.conductivity_table;
-  if (soil.relative_conductivity == input::ConductivityCurve::mualem) curves.air_entry = soil.air_entry;
+  if (soil.relative_conductivity == input::ConductivityCurve::mualem && soil.air_entry.value_or(0) > 0)
+    curves.air_entry = soil.air_entry;
   return curves;
 }
 

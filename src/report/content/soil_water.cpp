@@ -80,7 +80,8 @@ json list_parameters(const input::PoreWater& soil, const ShownUnits& units, doub
   if (soil.permeability) add("permeability", "intrinsic permeability", "κ", {"m²", 1}, *soil.permeability);
   if (conductivity > 0) add("conductivity", "conductivity, saturated", "k_s", speed, conductivity);
   if (relative == K::hillel) add("exponent", "exponent of the conductivity", "r", share, soil.exponent);
-  if (soil.air_entry) add("air_entry", "suction from which the conductivity falls", "s_a", stress, *soil.air_entry);
+  if (soil.air_entry.value_or(0) > 0)
+    add("air_entry", "suction from which the conductivity falls", "s_a", stress, *soil.air_entry);
   if (soil.chi == input::BishopChi::khalili_khabbaz)
     add("chi_air_entry", "air entry of Bishop's χ", "s_e", stress, soil.chi_air_entry);
   return rows;
