@@ -67,8 +67,7 @@ std::string say_loss(const Timeline& t) {
   if (!t.equilibrium || !t.equilibrium->to) return "";
   const EquilibriumLoss& loss = *t.equilibrium;
   if (!loss.from)
-    return fmt::format("Finite elements with the strength as given do not converge at {}. ",
-                       say_moment(t, *loss.to));
+    return fmt::format("Finite elements with the strength as given do not converge at {}. ", say_moment(t, *loss.to));
   return fmt::format("Finite elements with the strength as given converge at {} and not at {}. ",
                      say_moment(t, *loss.from), say_moment(t, *loss.to));
 }

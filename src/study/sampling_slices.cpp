@@ -207,8 +207,9 @@ void calculate_slices(const input::LoadedCase& base, const std::vector<input::Ov
     told.notes.push_back(
         fmt::format("Slices do not use {}: it has no effect here.", list_keys(slices.numbers().idle_keys())));
   if (slices.is_full()) {
-    told.notes.push_back(fmt::format("{} changes the geometry or the water, so the critical surface was searched anew for every sample.",
-                                     list_keys(slices.numbers().section_keys())));
+    told.notes.push_back(
+        fmt::format("{} changes the geometry or the water, so the critical surface was searched anew for every sample.",
+                    list_keys(slices.numbers().section_keys())));
   } else if (is_checked) {
     if (told.check)
       told.notes.push_back(

@@ -82,8 +82,7 @@ std::string describe_uplift(const lem::Slope& slope) {
   if (worst <= 0) return "";
   return fmt::format(
       "the ground floats: at ({:.4g}, {:.4g}) m the pore pressure of {:.3g} kPa exceeds the weight above it, {:.3g} "
-      "kPa. "
-      "It heaves there whatever the factor of a slip surface is",
+      "kPa. It heaves there whatever the factor of a slip surface is",
       place[0], place[1], (worst + worst_weight) / 1e3, worst_weight / 1e3);
 }
 
