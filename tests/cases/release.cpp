@@ -108,9 +108,11 @@ TEST_F(Release, NothingMovesOnASlopeThatStands) {
   EXPECT_EQ(summary.at("runout").at("largest_displacement"), releases[0].at("largest_displacement"));
   // The history ends with the front of the summary.
   const output::HistoryTable history = output::read_history(folder_ / "history.csv");
-  for (std::size_t k = 0; k < history.columns.size(); ++k)
-    if (const std::string& name = history.columns[k].name; name == "front_advance" || name == "toe_distance")
-      EXPECT_EQ(history.values[k].back(), summary.at("runout").at(name).get<double>()) << name;
+  for (std::size_t k = 0; k < history.columns.size(); ++k) {
+    const std::string& name = history.columns[k].name;
+    if (name != "front_advance" && name != "toe_distance") continue;
+    EXPECT_EQ(history.values[k].back(), summary.at("runout").at(name).get<double>()) << name;
+  }
   for (const auto& release : {releases[1], releases[2]})
     EXPECT_TRUE(std::filesystem::exists(folder_ / release.at("folder").get<std::string>() / "summary.json"));
   // The rain has gone into the soil before the points begin, and goes on.

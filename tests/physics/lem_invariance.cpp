@@ -123,13 +123,18 @@ TEST(LemInvariance, InFeetAndPounds) {
   expect_same(section, move, foot);
 }
 
-std::vector<Point> add_points(const std::vector<Point>& line, bool closed) {
-  std::vector<Point> refined;
+template <std::size_t N>
+std::vector<std::array<double, N>> add_points(const std::vector<std::array<double, N>>& line, bool closed) {
+  std::vector<std::array<double, N>> refined;
   for (std::size_t i = 0; i < line.size(); ++i) {
     refined.push_back(line[i]);
     if (i + 1 == line.size() && !closed) break;
-    const Point &a = line[i], &b = line[(i + 1) % line.size()];
-    for (const double t : {0.2, 0.381966}) refined.push_back({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])});
+    const std::array<double, N>&a = line[i], &b = line[(i + 1) % line.size()];
+    for (const double t : {0.2, 0.381966}) {
+      std::array<double, N> between{};
+      for (std::size_t d = 0; d < N; ++d) between[d] = a[d] + t * (b[d] - a[d]);
+      refined.push_back(between);
+    }
   }
   return refined;
 }
