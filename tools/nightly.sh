@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: MIT
 # What takes too long for every change: all tests with sanitizers and with clang, every source through the linter, and the campaigns
 # that try to break the program. Each part's minutes and end stand in the last lines; ends with 1 where one of them failed.
-# Usage: tools/nightly.sh [part …]; parts: asan tsan clang lint arm fuzz properties cases meshes results kills disks calls
+# Usage: tools/nightly.sh [part …]; parts: asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls
 set -uo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(asan tsan clang lint arm fuzz properties cases meshes results kills disks calls)
+[ ${#parts[@]} -gt 0 ] || parts=(asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls)
 program=build/release/bin/talus
 told=()
 failed=0
@@ -19,7 +19,7 @@ do_part() {
     lint) make lint ;;
     arm) tools/check_aarch64.py ;;
     fuzz) tools/fuzz.sh 10 ;;
-    properties) tools/verify_properties.py $program --write ;;
+    invariance) tools/verify_invariance.py $program --write ;;
     cases) tools/break_it.py $program cases --count 1000 --write ;;
     meshes) tools/break_it.py $program meshes --count 500 --write ;;
     results) tools/break_it.py $program results --count 1000 --write ;;
