@@ -132,7 +132,8 @@ def write_slices(lines, problem, slices, search, noncircular):
             lines.append("")
     if entry.get("tension_crack"):
         crack = entry["tension_crack"]
-        lines += ["[lem.tension_crack]", f"depth = {number(round(crack['depth'] * length, 9))}",
+        lines += ["[lem.tension_crack]", "limit = false  # as deep as published",
+                  f"depth = {number(round(crack['depth'] * length, 9))}",
                   f"water = {number(round(crack.get('water', 0) * length, 9))}", ""]
 
 
