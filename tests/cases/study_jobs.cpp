@@ -290,7 +290,7 @@ TEST(StudyJobsProgram, MistakesAreASentenceEach) {
   refuse(jobs + " --job 1 --set mesh.size=1", 2, "--set has no meaning with --job");
   refuse(jobs + " --collect --job 1", 2, "excludes");
   refuse(jobs + " --collect", 5, "none of the 4 jobs has ended");
-  refuse(jobs, 2, "--job K calculates a job");
+  refuse(jobs, 2, "--job K to run a job");
   refuse(file + " --jobs 4", 2, "--prepare");
   refuse(file + " --job 1", 2, "needs the folder that talus study CASE --prepare DIR has written");
   refuse(folder.string() + " --job 1", 2, "it has no jobs.json");
