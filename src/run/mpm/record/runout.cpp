@@ -249,7 +249,8 @@ results::Runout find_runout(const mpm::Body<D>& body, const RunoutStart& from) {
 }
 
 std::string describe_limits(const results::Runout& runout) {
-  const std::vector<results::RunoutSide> all = runout.sides.value_or(std::vector<results::RunoutSide>{runout});
+  const results::RunoutSide& whole = runout;
+  const std::vector<results::RunoutSide> all = runout.sides.value_or(std::vector{whole});
   std::string ends;
   for (const results::RunoutSide& side : all)
     if (side.limits && side.limits->front)
