@@ -97,7 +97,7 @@ def check_faults(program, here):
     case = CASES / "slide.toml"
     expect_fault("folder", start(program, 2, case, here / "slide_1"), "is not empty", 3)
     expect_fault("study", subprocess.Popen(["mpiexec", "--allow-run-as-root", "--oversubscribe", "-n", "2", program, "study", str(case)],
-                                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True), "2 ranks do not share a study")
+                                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True), "a study does not run on 2 ranks of MPI")
     # The same program but for the name of its source.
     other = here / "other"
     other.mkdir()
