@@ -86,5 +86,32 @@ TEST(TensionCrack, DeeperThanTensionChangesNothing) {
   EXPECT_GT(find_least(6, false), 1.1 * limit) << "as deep as the slope is high, as given";
 }
 
+/// A limit takes thrust of the water as well as length from a crack: neither depth may make a surface safer than the
+/// other. On a plane all methods have one factor.
+TEST(TensionCrack, WithWaterHasTheDepthOfTheSmallerFactor) {
+  const double limit = 2 * 12.0 / (19 * find_root(20));
+  const auto find_plane = [](double crack, double water, bool limited, double top) {
+    Section section = make_section({{-5, 0}, {0, 0}, {4, 12}, {60, 12}}, make_soil(12, 20, 19), -5);
+    section.crack = TensionCrack{crack, water, limited};
+    return find_factor(Slope(std::move(section)), make_polyline({{0, 0}, {top, 12}}), Method::spencer, 60);
+  };
+  bool given_governs = false, limit_governs = false;
+  for (const auto& [depth, top] : {std::pair{5.0, 12.0}, {5.0, 20.0}, {7.5, 12.0}})
+    for (const double water : {0.2, 1.0, 2.5, 4.0, 5.0}) {
+      Section wet = make_section({{-5, 0}, {0, 0}, {4, 12}, {60, 12}}, make_soil(12, 20, 19), -5);
+      wet.crack = TensionCrack{depth, water, true};
+      const double held_open = Slope(std::move(wet)).crack_depth(10);
+      EXPECT_GE(held_open, limit - 1e-6);
+      const double given = find_plane(depth, water, false, top),
+                   limited = find_plane(held_open, std::min(water, held_open), false, top);
+      given_governs = given_governs || given < limited - 1e-3;
+      limit_governs = limit_governs || limited < given - 1e-3;
+      EXPECT_NEAR(find_plane(depth, water, true, top), std::min(given, limited), 1e-6)
+          << depth << " m, water " << water << " m, " << top;
+    }
+  EXPECT_TRUE(given_governs) << "or a part of the rule was not tried";
+  EXPECT_TRUE(limit_governs) << "or a part of the rule was not tried";
+}
+
 }  // namespace
 }  // namespace talus::lem

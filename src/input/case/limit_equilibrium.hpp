@@ -150,11 +150,11 @@ void describe(Visitor& v, TensionCrack& t) {
   v.key("depth", t.depth, quantity("m").at_least(0),
         "Depth of a vertical crack at the upper end of every surface; 0: none.");
   v.key("water", t.water, quantity("m").at_least(0), "Height of the water in it, above its bottom.");
-  v.key(
-      "limit", t.limit, plain(),
-      "The crack ends where the soil would no longer be in tension beside it: Rankine's active stress, less the "
-      "pressure of the water in the crack, is zero there (2c/γ·tan(45° + φ/2) where all is dry). false: it is as deep "
-      "as `depth` says, as a joint that was measured.");
+  v.key("limit", t.limit, plain(),
+        "The crack ends where the soil would no longer be in tension beside it: Rankine's active stress, less the "
+        "pressure of the water in the crack, is zero there (2c/γ·tan(45° + φ/2) where all is dry). With water in it "
+        "each surface has this depth or the given one, whichever is weaker. false: it is as deep as `depth` says, as a "
+        "joint that was measured.");
 }
 
 template <class Visitor>

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lem/slices/drawdown.hpp"
 #include "lem/slices/slices.hpp"
+#include "lem/surface/mass.hpp"
 
 namespace talus::lem {
 
@@ -102,6 +104,51 @@ void slice_mass(const Slope& slope, const BaseLine& base, int count, CrackEnd cr
   if (slope.before() != nullptr) press_on_faces(slope.before()->strips(), cut.before, crack);
 }
 
+/// A vertical crack at the upper end of a mass.
+struct CrackPlace {
+  double x = 0, bottom = 0, water = 0;  ///< [m]; height of the water in it
+};
+
+/// Nothing where the crack leaves no mass.
+template <class DepthAt>
+std::optional<CrackPlace> place_crack(const BaseLine& base, const CutSurface& cut, const DepthAt& depth_at,
+                                      double water) {
+  const double from = cut.slices.front().left, to = cut.slices.back().right;
+  CrackPlace crack;
+  const auto x = find_crack(base, cut, depth_at, crack.bottom);
+  const double kept = x ? (cut.slides_left ? *x - from : to - *x) : 0;
+  if (kept < 1e-3 * (to - from)) return std::nullopt;
+  crack.x = *x;
+  crack.water = std::min(water, depth_at(*x));
+  return crack;
+}
+
+/// Slices of the mass that ends at `crack`; without one as they are.
+void finish_mass(const Slope& slope, BaseLine& base, int count, const std::optional<CrackPlace>& crack,
+                 const std::array<double, 2>& ends, CutSurface& cut) {
+  if (crack) {
+    base.divide(slope, cut.slides_left ? ends[0] : crack->x, cut.slides_left ? crack->x : ends[1]);
+    slice_mass(slope, base, count, cut.slides_left ? CrackEnd::right : CrackEnd::left, cut);
+    cut.crack_thrust = 0.5 * slope.section().water_unit_weight * crack->water * crack->water;
+    cut.crack_thrust_level = crack->bottom + crack->water / 3;
+  }
+  set_moment_centre(cut.surface, cut);
+  for (Slice& slice : cut.slices) slice.earthquake = slope.section().turn_to_sliding(slice.earthquake, cut.slides_left);
+  if (cut.slides_left) return;
+  turn_slices(cut.slices);
+  turn_slices(cut.before);
+}
+
+/// Janbu's simplified factor, which compares cracks at the end of one surface; infinite where there is none.
+double find_janbu(const Slope& slope, const CutSurface& cut) {
+  static thread_local Mass mass;
+  const Section& section = slope.section();
+  mass.set(slope, cut, section.turn_to_sliding(section.horizontal_acceleration, cut.slides_left));
+  int iterations = 0;
+  const double factor = solve_simplified(mass, false, 1, iterations);
+  return factor > 0 ? factor : std::numeric_limits<double>::infinity();
+}
+
 Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Checks& checks, CutSurface& cut) {
   static thread_local BaseLine base;
   const auto& strips = slope.strips();
@@ -121,23 +168,21 @@ Refusal cut_mass(const Slope& slope, const Surface& surface, int count, const Ch
   cut.slides_left = sum_push(cut) >= 0;
   const TensionCrack crack =
       surface.crack > 0 ? TensionCrack{surface.crack, 0} : slope.section().crack.value_or(TensionCrack{});
+  std::optional<CrackPlace> end, given;
   if (crack.depth > 0) {
-    double bottom = 0;
     const auto depth_at = [&](double at) { return surface.crack > 0 ? surface.crack : slope.crack_depth(at); };
-    const auto x = find_crack(base, cut, depth_at, bottom);
-    const double kept = x ? (cut.slides_left ? *x - from : to - *x) : 0;
-    if (kept < 1e-3 * (to - from)) return Refusal::too_shallow;
-    base.divide(slope, cut.slides_left ? from : *x, cut.slides_left ? *x : to);
-    slice_mass(slope, base, count, cut.slides_left ? CrackEnd::right : CrackEnd::left, cut);
-    const double height = std::min(crack.water, depth_at(*x));
-    cut.crack_thrust = 0.5 * slope.section().water_unit_weight * height * height;
-    cut.crack_thrust_level = bottom + height / 3;
+    end = place_crack(base, cut, depth_at, crack.water);
+    if (!end) return Refusal::too_shallow;
+    // A limit takes length from the crack and from the water in it, whose thrust may matter more.
+    if (crack.limited && crack.water > 0)
+      given = place_crack(
+          base, cut, [&](double) { return crack.depth; }, crack.water);
   }
-  set_moment_centre(surface, cut);
-  for (Slice& slice : cut.slices) slice.earthquake = slope.section().turn_to_sliding(slice.earthquake, cut.slides_left);
-  if (!cut.slides_left) {
-    turn_slices(cut.slices);
-    turn_slices(cut.before);
+  finish_mass(slope, base, count, end, {from, to}, cut);
+  if (given && given->bottom < end->bottom) {
+    const double limited = find_janbu(slope, cut);
+    finish_mass(slope, base, count, given, {from, to}, cut);
+    if (limited < find_janbu(slope, cut)) finish_mass(slope, base, count, end, {from, to}, cut);
   }
   keep_drained_strengths(cut);
   warn(slope, cut);

@@ -81,9 +81,9 @@ std::string describe_uplift(const lem::Slope& slope) {
   }
   if (worst <= 0) return "";
   return fmt::format(
-      "the ground floats: at ({:.4g}, {:.4g}) m the pore pressure of {:.3g} kPa exceeds the weight above it, {:.3g} "
+      "the ground floats: at {} m the pore pressure of {:.3g} kPa exceeds the weight above it, {:.3g} "
       "kPa. It heaves there whatever the factor of a slip surface is",
-      place[0], place[1], (worst + worst_weight) / 1e3, worst_weight / 1e3);
+      format_point(place), (worst + worst_weight) / 1e3, worst_weight / 1e3);
 }
 
 /// A sentence on a tension crack that is not as deep as given; or deeper than the slope is high. Empty for others.
@@ -106,9 +106,10 @@ std::string describe_crack(const lem::Slope& slope) {
   const double depth = slope.crack_depth(crest);
   if (depth > (1 - least_limit) * crack->depth) return "";
   return fmt::format(
-      "the tension crack of {:.3g} m ends at {:.3g} m at the crest (x = {:.4g} m): deeper down the soil beside it is "
-      "not in tension. limit = false in [lem.tension_crack] keeps the depth that is given",
-      crack->depth, depth, crest);
+      "the tension crack of {:.3g} m ends at {:.3g} m at the crest (x = {} m): deeper down the soil beside it is "
+      "not in tension{}. limit = false in [lem.tension_crack] keeps the depth that is given",
+      crack->depth, depth, format_coordinate(crest),
+      crack->water > 0 ? ". A surface keeps the given depth where the water in the crack then makes it weaker" : "");
 }
 
 }  // namespace
