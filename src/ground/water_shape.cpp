@@ -8,16 +8,17 @@
 #include <limits>
 #include <optional>
 
+#include "base/coordinates.hpp"
 #include "base/error.hpp"
 #include "ground/initial_water.hpp"
 
 namespace talus::ground {
 namespace {
 
-/// Of the relief of the ground: water that is less deep may be a line drawn along the ground, and a smaller difference
+/// Fraction of the relief of the ground: shallower water may be a line drawn along the ground, and a smaller difference
 /// of levels a rounded number.
 constexpr double noticeable = 0.02;
-/// Of the relief: water that stands higher above the crest is probably in other units or coordinates.
+/// Fraction of the relief: water that stands higher above the crest is probably in other units or coordinates.
 constexpr double far_above = 2;
 
 /// Water that stands on the ground.
@@ -40,20 +41,22 @@ class Table {
 
   std::vector<std::string> describe(double base) {
     if (left() > table_.back()[0] || right() < table_.front()[0])
-      say("{} runs from x = {:.6g} m to {:.6g} m, outside the section, which runs from {:.6g} m to {:.6g} m: its level "
-          "at the nearer end is used everywhere",
-          name_, table_.front()[0], table_.back()[0], left(), right());
+      say("{} runs from x = {} m to {} m, outside the section, which runs from {} m to {} m: its level at the nearer "
+          "end is used everywhere",
+          name_, format_coordinate(table_.front()[0]), format_coordinate(table_.back()[0]), format_coordinate(left()),
+          format_coordinate(right()));
     const double lowest = find_extreme(false), highest = find_extreme(true);
     if (highest < base)
-      say("{} lies below the section: its highest level is y = {:.6g} m, and the lowest soil is at y = {:.6g} m", name_,
-          highest, base);
+      say("{} lies below the section: its highest level is y = {} m, and the lowest soil is at y = {} m", name_,
+          format_coordinate(highest), format_coordinate(base));
     if (lowest > high_ + far_above * relief_)
       say("{} is at least {:.3g} m above the highest ground: the whole section is under water", name_, lowest - high_);
     for (const Standing& s : standing_)
       if (s.highest - s.lowest > noticeable * relief_ && !is_flood(s))
-        say("{} is above the ground from x = {:.4g} m to {:.4g} m and slopes there between y = {:.4g} m and {:.4g} m; "
-            "standing water is level. Lower it to the ground where there is no pond",
-            name_, s.from, s.to, s.lowest, s.highest);
+        say("{} is above the ground from x = {} m to {} m and slopes there between y = {} m and {} m; standing water "
+            "is "
+            "level. Lower it to the ground where there is no pond",
+            name_, write(s.from), write(s.to), write(s.lowest), write(s.highest));
     describe_end(true);
     describe_end(false);
     return std::move(sentences_);
@@ -62,6 +65,9 @@ class Table {
  private:
   double left() const { return ground_.front()[0]; }
   double right() const { return ground_.back()[0]; }
+
+  /// To a millimetre: crossings of lines have more digits than a reader needs.
+  static std::string write(double x) { return format_coordinate(std::round(x * 1e3) / 1e3); }
 
   template <class... Args>
   void say(fmt::format_string<Args...> form, Args&&... args) {
@@ -118,7 +124,7 @@ class Table {
     open.reset();
   }
 
-  /// Whether the water of an end that slopes goes on level over ground that is lower.
+  /// True where the table slopes at its end and its level continuation covers lower ground.
   bool floods(bool at_right) const {
     if (table_.size() < 2) return false;
     const Point &end = at_right ? table_.back() : table_.front(),
@@ -139,9 +145,10 @@ class Table {
     const Point& end = at_right ? table_.back() : table_.front();
     double depth = 0;
     for (const Standing& s : standing_) depth = std::max(depth, s.depth);
-    say("{} ends at x = {:.6g} m, inside the section, and goes on level at y = {:.6g} m: there it floods the ground up "
-        "to {:.3g} m deep. Give its points up to x = {:.6g} m",
-        name_, end[0], end[1], depth, at_right ? right() : left());
+    say("{} ends at x = {} m, inside the section, and continues level at y = {} m: there it floods the ground up to "
+        "{:.3g} m deep. Give its points up to x = {} m",
+        name_, format_coordinate(end[0]), format_coordinate(end[1]), depth,
+        format_coordinate(at_right ? right() : left()));
   }
 
   const Polyline& table_;

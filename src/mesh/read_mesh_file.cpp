@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/coordinates.hpp"
 #include "base/error.hpp"
 #include "mesh/gmsh_mesh.hpp"
 #include "mesh/gmsh_session.hpp"
@@ -44,9 +45,9 @@ int find_region(const std::vector<std::string>& regions, int dimension, int enti
   const auto groups = get_group_names(dimension, entity);
   if (groups.size() != 1)
     throw Error(ExitCode::wrong_input,
-                fmt::format("the element at ({:.6g}, {:.6g}, {:.6g}) belongs to {} physical groups of "
+                fmt::format("the element at {} belongs to {} physical groups of "
                             "dimension {}: each element needs exactly one, named after its soil or 'empty'",
-                            x[0], x[1], x[2], groups.empty() ? "no" : std::to_string(groups.size()), dimension));
+                            format_point(x), groups.empty() ? "no" : std::to_string(groups.size()), dimension));
   if (groups[0] == "empty") return empty_region;
   return static_cast<int>(std::find(regions.begin(), regions.end(), groups[0]) - regions.begin());
 }

@@ -44,9 +44,10 @@ TEST(OddWater, IsNotWhatStandsOrSeeps) {
 }
 
 TEST(OddWater, ThatEndsInsideTheSectionFloodsTheToe) {
-  EXPECT_EQ(describe({{0, 12}, {16, 11}}),
-            "The water table ends at x = 16 m, inside the section, and goes on level at y = 11 m: there it floods the "
-            "ground up to 6 m deep. Give its points up to x = 50 m");
+  EXPECT_EQ(
+      describe({{0, 12}, {16, 11}}),
+      "The water table ends at x = 16 m, inside the section, and continues level at y = 11 m: there it floods the "
+      "ground up to 6 m deep. Give its points up to x = 50 m");
   EXPECT_NE(describe_mirrored({{0, 12}, {16, 11}}).find("ends at x = 34 m, inside the section"), std::string::npos);
   EXPECT_EQ(describe({{0, 12}, {16, 11}, {34, 5}}), "") << "it ends on the ground";
 }
