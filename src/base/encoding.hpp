@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// Whether the text is UTF-16: it begins with a byte order mark, or with a zero byte beside its first character.
+/// True for UTF-16: the text begins with a byte order mark, or with a zero byte beside its first character.
 bool is_utf16(std::string_view text);
 
 /// The first byte that is not UTF-8 (RFC 3629): its place from the start of the text. Nothing where all are.

@@ -48,8 +48,8 @@ struct BlockEntry {
 /// The whole case file: a block without name.
 BlockEntry collect_catalogue();
 
-/// Where a case file has a key, a block or a choice of this name: "it is a key of [lem]", "it belongs to 'methods' in
-/// [lem]"; empty where none has it, or more than two do.
+/// Names the places of a key, a block or a choice of this name in a case file: "it is a key of [lem]", "it belongs to
+/// 'methods' in [lem]"; empty where none has it, or more than two do.
 std::string describe_owners(const std::string& word);
 
 }  // namespace talus::input

@@ -2,7 +2,6 @@
 // Whether the soil polygons fit one another: corners that nearly meet, overlaps and gaps.
 
 #include "mesh/cover.hpp"
-#include "base/coordinates.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +10,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/coordinates.hpp"
 #include "base/nearest.hpp"
 #include "input/case/checks.hpp"
 #include "mesh/check_plan.hpp"

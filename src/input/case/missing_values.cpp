@@ -13,7 +13,7 @@
 namespace talus::input {
 namespace {
 
-/// Of the intervals between rows that are equal where a longer one is a gap, and how much longer it is.
+/// A longer interval is a gap where this fraction of the intervals between rows is equal; and how much longer it is.
 constexpr double regular = 0.8, longer = 1.5;
 constexpr std::size_t least_intervals = 4;
 

@@ -10,7 +10,7 @@
 
 namespace talus::input {
 
-/// Whether a cell holds no measurement: it is empty, a word such as NaN or NA, or a code of nines such as -999 or
+/// True for a cell without a measurement: it is empty, a word such as NaN or NA, or a code of nines such as -999 or
 /// -9999. Codes are at most `code`: suctions of -99 kPa are measured, rain of -99 mm is not.
 bool is_missing(const std::string& cell, double code);
 

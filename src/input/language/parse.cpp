@@ -60,7 +60,7 @@ std::string find_bare_value(const std::string& line, toml::source_index column) 
   return value.find_first_of("\"'=[{") == std::string::npos ? value : "";
 }
 
-/// What is wrong with a value that misses its quotation marks, and how to write it.
+/// A sentence on how to write a value that misses its quotation marks; nothing for another fault.
 std::optional<std::string> explain_bare_value(const std::string& value) {
   if (value == "True" || value == "False")
     return fmt::format("'{}' is written in small letters: {}", value, value == "True" ? "true" : "false");

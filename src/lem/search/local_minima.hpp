@@ -12,8 +12,8 @@ namespace talus::lem {
 double find_elevation(const Slope& slope, const Surface& surface, double x);
 /// Left and right end of a surface [m].
 std::array<double, 2> find_ends(const Surface& surface);
-/// Whether the mass falls to the left: its left end is the lower one. The searches count from the lower end, so that a
-/// mirrored slope is searched in the same steps.
+/// True for a mass that slides to the left: its left end is the lower one. The searches count from the lower end, so
+/// that a mirrored slope is searched in the same steps.
 bool falls_left(const Slope& slope, const Surface& surface);
 
 /// Area common to two sliding masses over the area of both together, 0 to 1.

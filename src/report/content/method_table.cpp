@@ -333,7 +333,7 @@ std::string say_referee(const results::RunResult& run) {
   if (run.slices->referee->upper_only)
     return fmt::format("For ψ = φ limit analysis proves that {} is at most {:.3f}; it has no lower bound: {}.",
                        run.timeline ? "the factor at time 0" : "it", upper, *run.slices->referee->upper_only);
-  // Of what is proven beside it the tension differs.
+  // The bounds that stand beside it may take another tensile strength.
   if (run.timeline || (run.bounds && !run.bounds->error))
     return fmt::format("{} of the soil of limit equilibrium (ψ = φ, tension up to c/tan φ) proves {:.3f} to {:.3f}.",
                        run.timeline ? "At time 0 limit analysis" : "Limit analysis", lower, upper);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a stage says of its inertia and its water: mass scaling makes soil slow, until it no longer keeps up with what
-// happens to it, water that seeps has none, and water that has not drained carries the weight.
+// Warnings of a stage on its inertia and its water: mass scaling that delays the motion, a Darcy (u–p) formulation
+// where the inertia of the water matters, and excess pore pressure that carries the weight.
 
 #include <optional>
 #include <string>
