@@ -161,7 +161,6 @@ void PointRun<D>::calculate(results::RunResult& run) {
                              },
                              work_before_};
   reduce_strength<D>(body_, context, slope_height_, options_.threads, run, warnings_);
-  fs::remove(options_.folder / "checkpoint.h5");
 }
 
 template <int D>
@@ -217,6 +216,7 @@ results::StepSeconds PointRun<D>::tell_stage_seconds() const {
 template <int D>
 void PointRun<D>::forget() {
   fs::remove(stage_file());
+  fs::remove(options_.folder / "checkpoint.h5");
 }
 
 template <int D>
@@ -268,6 +268,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
   if (data_.analysis == input::AnalysisKind::run) settings.runout_start = &runout_start_;
   settings.frame_interval = data_.output.frame_interval;
   settings.progress = options_.progress;
+  settings.label = options_.label;
   StageState state;
   int first = 0;
   if (checkpoint_) {
@@ -326,7 +327,7 @@ void PointRun<D>::run_stages(results::RunResult& run) {
   }
   monitor_points_ = recorder.monitor_points();
   end_stages(run);
-  recorder.finish(data_.analysis == input::AnalysisKind::run);
+  recorder.finish(false);
   if (data_.analysis == input::AnalysisKind::run) add_runout(run);
 }
 

@@ -10,6 +10,7 @@
 #include "base/atomic_file.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/body/observe.hpp"
+#include "results/json.hpp"
 #include "run/mpm/record/onset.hpp"
 #include "run/mpm/reduction/side_by_side.hpp"
 #include "run/mpm/start/prepare.hpp"
@@ -87,8 +88,12 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     files.keeps_frames = true;
     files.label = label;
     const bool runs_out = wants_runout(factor);
-    const auto known = context.resume ? load_trial(files.folder) : std::nullopt;
-    if (known && !runs_out) return {*known, {}, {}};
+    const auto outcome_file = files.folder / "outcome.json";  // with the runout, which trial.json has not
+    if (context.resume && runs_out) {
+      if (auto known = results::read_file<results::TrialOutcome>(outcome_file)) return std::move(*known);
+    } else if (context.resume) {
+      if (const auto known = load_trial(files.folder)) return {*known, {}, {}};
+    }
     std::vector<StagePlan<D>> legs{make_trial_plan<D>(*context.data, slope_height, inner)};
     legs[0].name = fmt::format("trial SRF {:g}", factor);
     RunoutStart runout_start;
@@ -107,16 +112,17 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     }
     mpm::Body<D> body;
     const auto legs_done = run_trial_legs(state, factor, legs, context, files, body);
-    save_trial(files.folder, legs_done.front());
-    std::optional<results::RunoutTrial> runout;
+    results::TrialOutcome outcome{legs_done.front(), {}, {}};
+    save_trial(files.folder, outcome.trial);
     if (runs_out) {
-      runout = results::RunoutTrial{
+      auto& runout = outcome.runout.emplace(results::RunoutTrial{
           add_up(legs_done), find_runout(body, runout_start), find_profile(body, bin),
-          find_failure_time(files.folder / "history.csv", curve.displacement_ratio * slope_height)};
-      if (runout->failure_time) *runout->failure_time -= state.time;
-      write_profiles(files.folder / "profile.csv", runout_start.initial, runout->profile);
+          find_failure_time(files.folder / "history.csv", curve.displacement_ratio * slope_height)});
+      if (runout.failure_time) *runout.failure_time -= state.time;
+      write_profiles(files.folder / "profile.csv", runout_start.initial, runout.profile);
+      results::write_file(outcome_file, outcome);
     }
-    return {legs_done.front(), runout, {}};
+    return outcome;
   };
   const auto sort_results = [&] {
     std::sort(result.trials.begin(), result.trials.end(),
