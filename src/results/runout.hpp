@@ -69,17 +69,60 @@ void describe(V& v, R& r) {
   describe_side(v, r);
 }
 
+/// A runout on elements twice as large.
+struct CoarserRunout {
+  double size = 0;  ///< of its elements [m]
+  double front_advance = 0, toe_distance = 0, crest_retreat = 0, moved_volume = 0,
+         highest_ground = 0;  ///< as of Runout
+};
+template <class V, As<CoarserRunout> R>
+void describe(V& v, R& r) {
+  v.key("size", r.size, {"m", "size of its elements"});
+  v.key("front_advance", r.front_advance, {"m", "advance of the front"});
+  v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
+  v.key("crest_retreat", r.crest_retreat, {"m", "retreat of the crest"});
+  v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
+  v.key("highest_ground", r.highest_ground, {"m", "level of the highest ground"});
+}
+
+/// The uncertainty that a mesh leaves in a number, from meshes of which one has elements twice as large: three times
+/// their difference. This is the grid convergence index of two meshes with the factor of safety 3 and the first order
+/// (Roache 1994, J. Fluids Eng. 116, 405–413).
+constexpr double find_mesh_uncertainty(double value, double coarser) {
+  return 3 * (value < coarser ? coarser - value : value - coarser);
+}
+
 /// How far the soil has run. Where it moved to both sides, volume and largest displacement are those of all of it, and
 /// everything else is of the side whose front went farther beyond its toe.
 struct Runout : RunoutSide {
   double threshold = 0;                          ///< [m]
+  double highest_ground = 0;                     ///< y of the highest ground at the end [m]
+  std::optional<CoarserRunout> coarser_mesh;     ///< nothing: the runout was calculated on one mesh
   std::optional<std::vector<RunoutSide>> sides;  ///< to smaller and to larger x; nothing: the soil moved one way
 };
 template <class V, As<Runout> R>
 void describe(V& v, R& r) {
   describe_side(v, r);
   v.key("moved_threshold", r.threshold, {"m", "displacement beyond which soil counts as moved"});
+  v.key("highest_ground", r.highest_ground, {"m", "level of the highest ground at the end"});
+  v.maybe(
+      "coarser_mesh", r.coarser_mesh,
+      {"", "the same on elements twice as large; three times the difference is the uncertainty that the mesh leaves"});
   v.maybe("sides", r.sides, {"", "the same of each side, where the soil moved to both"});
 }
+
+/// What the mesh leaves open in the numbers of a runout; nothing where it was calculated on one mesh.
+struct RunoutUncertainty {
+  std::optional<double> front_advance, toe_distance, crest_retreat, moved_volume, highest_ground;
+  explicit RunoutUncertainty(const Runout& r) {
+    if (!r.coarser_mesh) return;
+    const CoarserRunout& c = *r.coarser_mesh;
+    front_advance = find_mesh_uncertainty(r.front_advance, c.front_advance);
+    toe_distance = find_mesh_uncertainty(r.toe_distance, c.toe_distance);
+    crest_retreat = find_mesh_uncertainty(r.crest_retreat, c.crest_retreat);
+    moved_volume = find_mesh_uncertainty(r.moved_volume, c.moved_volume);
+    highest_ground = find_mesh_uncertainty(r.highest_ground, c.highest_ground);
+  }
+};
 
 }  // namespace talus::results

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/dates.hpp"
+#include "base/uncertain.hpp"
 #include "base/units.hpp"
 
 namespace talus::results {
@@ -93,7 +94,9 @@ std::string say_releases(const Timeline& t) {
   const auto say = [](const Release& r, const char* before) {
     if (r.error) return fmt::format("their run did not end: {}", *r.error);
     return fmt::format("the soil {}moves {:.3g} m at most{}{}.", before, r.largest_displacement,
-                       r.front_advance > 0 ? fmt::format(", its front {:.3g} m", r.front_advance) : "",
+                       r.front_advance > 0
+                           ? fmt::format(", its front {} m", format_uncertain(r.front_advance, r.front_uncertainty))
+                           : "",
                        r.limits && r.limits->front ? ", where the box ends" : "");
   };
   const Release& first = t.releases.front();

@@ -64,7 +64,8 @@ struct Release {
   std::optional<double> start_factor;
   std::optional<std::string> error;
   double largest_displacement = 0, moved_volume = 0, front_advance = 0, toe_distance = 0;  ///< as of Runout
-  std::optional<BoxLimit> limits;                                                          ///< likewise
+  std::optional<double> front_uncertainty;  ///< that the mesh leaves in the advance of the front [m]; nothing: unknown
+  std::optional<BoxLimit> limits;           ///< as of Runout
 };
 template <class V, As<Release> R>
 void describe(V& v, R& r) {
@@ -79,6 +80,8 @@ void describe(V& v, R& r) {
   v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
   v.key("front_advance", r.front_advance, {"m", "advance of the front"});
   v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
+  v.maybe("front_uncertainty", r.front_uncertainty,
+          {"m", "what the mesh leaves open in the advance of the front, from a coarser mesh"});
   v.maybe("limits", r.limits, {"", "what the ends of the box limit"});
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/coordinates.hpp"
+#include "base/uncertain.hpp"
 #include "base/units.hpp"
 #include "results/governing.hpp"
 
@@ -143,45 +144,72 @@ std::string write_factors(const results::PointFactors& factors) {
   return text;
 }
 
-const char* write_limit(const results::RunoutSide& side) {
-  return side.limits && side.limits->front ? " (limited by the end of the box)" : "";
-}
+/// Runouts in the units of the case.
+class RunoutLines {
+ public:
+  explicit RunoutLines(const results::RunResult& run)
+      : length_(units::get_si_factor(run.units.length)),
+        foot_(run.units.length == "ft" || run.units.length == "in" ? units::get_si_factor("ft") : 1),
+        is_solid_(run.mesh && run.mesh->dimension == 3),
+        length_name_(run.units.length) {}
 
-/// The sides of a section, where the soil moved to both.
-std::string write_sides(const results::Runout& runout) {
-  std::string text;
-  if (!runout.sides) return text;
-  for (const results::RunoutSide& side : *runout.sides)
-    text += fmt::format(
-        "  {}: front advances {:.3g} m, to {:.3g} m beyond the toe{}, crest retreats {:.3g} m, {:.4g} m³ move\n",
-        results::name_side(side.direction), side.front_advance, side.toe_distance, write_limit(side),
-        side.crest_retreat, side.moved_volume);
-  return text;
-}
+  std::string write(const results::Runout& r, const std::string& name, const std::string& end) const {
+    const results::RunoutUncertainty about(r);
+    if (r.moved_volume <= 0)
+      return fmt::format("{}: no soil moves more than {:.3g} {}; the largest displacement is {:.3g} {}{}\n", name,
+                         r.threshold / length_, length_name_, r.largest_displacement / length_, length_name_, end);
+    if (!r.sides)
+      return fmt::format("{}: {}, largest displacement {:.3g} {}, {} move{}\n", name, write_side(r, about),
+                         r.largest_displacement / length_, length_name_,
+                         write_volume(r.moved_volume, about.moved_volume), end);
+    std::string text = fmt::format("{} to both sides: largest displacement {:.3g} {}, {} move{}\n", name,
+                                   r.largest_displacement / length_, length_name_,
+                                   write_volume(r.moved_volume, about.moved_volume), end);
+    const results::RunoutUncertainty nothing{results::Runout{}};
+    for (const results::RunoutSide& side : *r.sides)
+      text += fmt::format("  {}: {}, {} move\n", results::name_side(side.direction),
+                          write_side(side, side.direction == r.direction ? about : nothing),
+                          write_volume(side.moved_volume, std::nullopt));
+    return text;
+  }
+
+ private:
+  std::string write_length(double metres, std::optional<double> uncertainty) const {
+    if (uncertainty) *uncertainty /= length_;
+    return format_uncertain(metres / length_, uncertainty) + " " + length_name_;
+  }
+  std::string write_volume(double volume, std::optional<double> uncertainty) const {
+    const double unit = is_solid_ ? foot_ * foot_ * foot_ : foot_ * foot_;
+    if (uncertainty) *uncertainty /= unit;
+    return format_uncertain(volume / unit, uncertainty) + (foot_ == 1 ? " m³" : " ft³") +
+           (is_solid_    ? ""
+            : foot_ == 1 ? "/m"
+                         : "/ft");
+  }
+  std::string write_side(const results::RunoutSide& side, const results::RunoutUncertainty& about) const {
+    return fmt::format(
+        "front advances {} and {}{}, crest retreats {}", write_length(side.front_advance, about.front_advance),
+        side.toe_distance > 0 ? "passes the toe by " + write_length(side.toe_distance, about.toe_distance)
+                              : "stays behind the toe",
+        side.limits && side.limits->front ? " (limited by the end of the box)" : "",
+        write_length(side.crest_retreat, about.crest_retreat));
+  }
+
+  double length_, foot_;
+  bool is_solid_;
+  std::string length_name_;
+};
 
 std::string write_runouts(const results::RunResult& run) {
+  const RunoutLines lines(run);
   std::string text;
   if (run.runouts)
-    for (const results::RunoutTrial& r : *run.runouts) {
-      const char* end = r.trial.end == results::StageEnd::rest ? "at rest" : "still moving";
-      if (r.runout.sides)
-        text += fmt::format("Runout at SRF {:g} to both sides: {:.4g} m³ move, {} after {:.3g} s\n", r.trial.factor,
-                            r.runout.moved_volume, end, r.trial.time);
-      else
-        text += fmt::format(
-            "Runout at SRF {:g}: front advances {:.3g} m and passes the toe by {:.3g} m{}, crest retreats {:.3g} m, "
-            "{:.4g} m³ move, {} after {:.3g} s\n",
-            r.trial.factor, r.runout.front_advance, r.runout.toe_distance, write_limit(r.runout),
-            r.runout.crest_retreat, r.runout.moved_volume, end, r.trial.time);
-      text += write_sides(r.runout);
-    }
-  if (run.runout && run.runout->sides)
-    text += fmt::format("Runout to both sides: largest displacement {:.3g} m, {:.4g} m³ move\n{}",
-                        run.runout->largest_displacement, run.runout->moved_volume, write_sides(*run.runout));
-  else if (run.runout)
-    text += fmt::format("Runout: front advances {:.3g} m{}, largest displacement {:.3g} m, {:.4g} m³ move\n",
-                        run.runout->front_advance, write_limit(*run.runout), run.runout->largest_displacement,
-                        run.runout->moved_volume);
+    for (const results::RunoutTrial& r : *run.runouts)
+      text +=
+          lines.write(r.runout, fmt::format("Runout at SRF {:g}", r.trial.factor),
+                      fmt::format(", {} after {:.3g} s",
+                                  r.trial.end == results::StageEnd::rest ? "at rest" : "still moving", r.trial.time));
+  if (run.runout) text += lines.write(*run.runout, "Runout", "");
   if (run.motion) text += run.motion->sentence + "\n";
   return text;
 }

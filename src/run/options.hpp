@@ -3,6 +3,7 @@
 // How a case is run.
 
 #include <filesystem>
+#include <string>
 
 #include "base/progress.hpp"
 
@@ -22,6 +23,7 @@ struct RunOptions {
   bool resume = false;           ///< go on from the folder's checkpoint; a finished run is not run again
   bool overwrite = false;        ///< replace results that are there
   Progress* progress = nullptr;  ///< where progress is shown, or nowhere
+  std::string label;             ///< before the name of a stage in the line of progress
 };
 
 }  // namespace talus::run

@@ -32,6 +32,7 @@
 #include "run/lem/run_lem.hpp"
 #include "run/lem/slice_run.hpp"
 #include "run/mpm/choose_device.hpp"
+#include "run/mpm/coarser_mesh.hpp"
 #include "run/mpm/point_run.hpp"
 #include "run/named_results.hpp"
 #include "run/run_folder.hpp"
@@ -117,7 +118,7 @@ class CaseRun {
     if (releases_) {
       check_points(data);
     } else if (has_points) {
-      point_case_ = make_point_case(data, run_, direction_note_);
+      point_case_ = make_point_case(data, run_, point_notes_);
       points_.emplace(loaded_, *point_case_, options_, hash_);
       points_->prepare(run_);
     } else if (data.mesh.dimension == 2 && !data.mesh.polygons.empty()) {
@@ -131,9 +132,9 @@ class CaseRun {
   /// The case of the points: with one direction of an earthquake, and with the stress of finite elements where they
   /// begin with it.
   std::unique_ptr<const input::Case> make_point_case(const input::Case& data, results::RunResult& run,
-                                                     std::string& note) const {
+                                                     std::vector<std::string>& notes) const {
     auto own = std::make_unique<input::Case>(data);
-    if (data.earthquake.list_directions().size() > 1) note = choose_direction(own->earthquake, data);
+    if (data.earthquake.list_directions().size() > 1) notes.push_back(choose_direction(own->earthquake, data));
     if constexpr (D == 2) {
       if (data.initial.stress == input::InitialStress::elements) {
         if (options_.progress) options_.progress->show("finite elements: stress at the start");
@@ -184,6 +185,8 @@ class CaseRun {
     if (points_) {
       points_->calculate(run_);
       is_followed_ = true;
+      if (auto why = compare_with_coarser_mesh<D>(loaded_, *point_case_, options_, hash_, run_))
+        point_notes_.push_back(std::move(*why));
     }
     for (ReleaseCase& other : beside_) run_beside(other);
   }
@@ -221,7 +224,7 @@ class CaseRun {
     if (beside_.empty()) return;
     released_ = std::make_unique<const ReleaseCase>(std::move(beside_.front()));
     beside_.erase(beside_.begin());
-    point_case_ = make_point_case(released_->data, run_, direction_note_);
+    point_case_ = make_point_case(released_->data, run_, point_notes_);
     points_.emplace(loaded_, *point_case_, options_, hash_);
     points_->prepare(run_);
     points_->open();
@@ -237,14 +240,14 @@ class CaseRun {
       if (!finished) {
         finished = begin_result(loaded_, hash, options.threads);
         use_folder(options.folder, [&] { std::filesystem::create_directories(options.folder); });
-        std::string note;
-        const auto start = make_point_case(other.data, *finished, note);
+        std::vector<std::string> notes;
+        const auto start = make_point_case(other.data, *finished, notes);
         PointRun<D> points(loaded_, *start, options, hash);
         points.prepare(*finished);
         points.open();
         points.calculate(*finished);
         points.finish(*finished);
-        if (!note.empty()) finished->warnings.push_back(note);
+        finished->warnings.insert(finished->warnings.end(), notes.begin(), notes.end());
         finished->status = results::Status::finished;
         results::write_file(options.folder / summary_file, *finished);
         points.forget();
@@ -263,6 +266,7 @@ class CaseRun {
     told.moved_volume = run.runout->moved_volume;
     told.front_advance = run.runout->front_advance;
     told.toe_distance = run.runout->toe_distance;
+    told.front_uncertainty = results::RunoutUncertainty(*run.runout).front_advance;
     told.limits = run.runout->limits;
   }
 
@@ -284,7 +288,7 @@ class CaseRun {
 
   void finish() {
     if (points_) points_->finish(run_);
-    if (!direction_note_.empty()) run_.warnings.push_back(direction_note_);
+    run_.warnings.insert(run_.warnings.end(), point_notes_.begin(), point_notes_.end());
     for (const Diagnostic& warning : loaded_.warnings) run_.warnings.push_back(warning.sentence);
     for (std::string& sentence : list_ground_warnings(design_.data)) run_.warnings.push_back(std::move(sentence));
     results::Timing& timing = run_.timing.emplace();
@@ -387,7 +391,7 @@ class CaseRun {
   std::vector<results::Release> told_beside_;  ///< of those that ran
   bool is_followed_ = false;                   ///< the material points of the run itself came to their end
   std::unique_ptr<const input::Case> point_case_;
-  std::string direction_note_;  ///< of the earthquake that the points follow
+  std::vector<std::string> point_notes_;  ///< of the earthquake that the points follow, and of their coarser mesh
   std::optional<PointRun<D>> points_;
   results::RunResult run_;
 };

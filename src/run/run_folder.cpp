@@ -20,12 +20,12 @@ namespace {
 
 /// Everything that a run may leave in its folder; --overwrite removes these and nothing else.
 const char* const own_files[] = {
-    "results.vtkhdf", "results.xdmf",     "mesh.vtkhdf",   "mesh.xdmf",     "frames",
-    "history.csv",    "monitors.csv",     "summary.json",  "checkpoint.h5", "stages.json",
-    "curve.csv",      "profile.csv",      "trials",        "frozen",        "mesh.h5",
-    "report.html",    "season.csv",       "sections",      end_state_file,  "lem.json",
-    "fem.json",       "fem.vtu",          "water.json",    "bounds.json",   "timeline_water.json",
-    "timeline.json",  "released_earlier", "released_later"};
+    "results.vtkhdf", "results.xdmf",     "mesh.vtkhdf",    "mesh.xdmf",     "frames",
+    "history.csv",    "monitors.csv",     "summary.json",   "checkpoint.h5", "stages.json",
+    "curve.csv",      "profile.csv",      "trials",         "frozen",        "mesh.h5",
+    "report.html",    "season.csv",       "sections",       end_state_file,  "lem.json",
+    "fem.json",       "fem.vtu",          "water.json",     "bounds.json",   "timeline_water.json",
+    "timeline.json",  "released_earlier", "released_later", "coarser_mesh"};
 
 /// Folders of finite elements in time: elements_1 and so on.
 bool is_reduction(const fs::path& folder) {

@@ -61,6 +61,8 @@ std::vector<double> take_failure_times(const std::vector<StudyRow>& rows) {
 StudyPlan plan_samples(const input::LoadedCase& base, const std::vector<input::Override>& given, const SampleSet& set) {
   std::vector<input::Override> overrides = given;
   overrides.push_back({"analysis.methods", fmt::format(R"(["{}"])", results::to_word(set.told.method))});
+  // Samples scatter by more than the mesh does, and each of them would be run on two.
+  if (set.told.method == Method::mpm) overrides.push_back({"output.runout_meshes", "1"});
   StudyPlan plan;
   plan.told = begin_study(base);
   for (const results::UncertainNumber& n : set.sampled.numbers) {

@@ -46,6 +46,7 @@ class MethodsTest : public ::testing::Test {
     options.folder = folder_;
     options.overwrite = !resume;
     options.resume = resume;
+    options.progress = progress_;
     return support::run_case(input::read_case_text(text, "slope.toml", overrides), options);
   }
 
@@ -65,6 +66,7 @@ class MethodsTest : public ::testing::Test {
     return 0;
   }
 
+  Progress* progress_ = nullptr;  ///< nowhere
   const std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() /
       (std::string("talus_methods_") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +

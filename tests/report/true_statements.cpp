@@ -126,8 +126,8 @@ TEST_F(TrueStatements, SoilThatMovesToBothSidesIsToldOnEach) {
   summary_["runout"].update({{"moved_volume", 100}, {"sides", {side, other}}});
   const std::string text = tell();
   EXPECT_SAYS(text, "100 m³ per metre move to both sides");
-  EXPECT_SAYS(text,
-              "On the left the front advances 1.5 m and lies 2 m beyond the toe, the crest retreats 3 m, and 40 m³");
+  EXPECT_SAYS(
+      text, "On the left the front advances 1.5 m and lies 2.0 m beyond the toe, the crest retreats 3.0 m, and 40 m³");
   EXPECT_SAYS(text, "On the right the front advances 1.5 m and stays behind the toe, the crest stays, and 60 m³");
 }
 
@@ -154,7 +154,7 @@ TEST_F(TrueStatements, AFrontThatGoesBackDoesNotAdvanceByLessThanNothing) {
   summary_["stages"][0]["end"] = "rest";
   EXPECT_SAYS(tell(),
               "largest displacement is 1500 m, the front goes back by 0.061 m and stays behind the toe, the crest "
-              "stays, and 1234 m³ per metre move; after 2 s the soil is at rest.");
+              "stays, and 1200 m³ per metre move; after 2 s the soil is at rest.");
 }
 
 TEST_F(TrueStatements, AFrontAtTheEndOfTheBoxIsSaidToBeLimitedByIt) {
@@ -165,8 +165,19 @@ TEST_F(TrueStatements, AFrontAtTheEndOfTheBoxIsSaidToBeLimitedByIt) {
                              {"largest_displacement", 59},
                              {"limits", {{"front", true}, {"crest", true}}}});
   EXPECT_SAYS(tell(),
-              "the front advances 2.19 m and lies 78 m beyond the toe, where the box ends, which limits them, the "
-              "crest retreats 68 m, to the end of the box, and 1234 m³ per metre move");
+              "the front advances 2.2 m and lies 78 m beyond the toe, where the box ends, which limits them, the "
+              "crest retreats 68 m, to the end of the box, and 1200 m³ per metre move");
+}
+
+TEST_F(TrueStatements, ARunoutHasTheDigitsThatItsMeshesLeave) {
+  summary_["runout"].update({{"moved_volume", 57.1}, {"front_advance", 1.2508}, {"highest_ground", 8.678}});
+  EXPECT_SAYS(tell(), "The highest ground lies at y = 8.7 m; one mesh shows no uncertainty.");
+  summary_["runout"]["coarser_mesh"] = {{"size", 0.1},        {"front_advance", 1.1314}, {"toe_distance", 0},
+                                        {"crest_retreat", 0}, {"moved_volume", 60.9},    {"highest_ground", 8.589}};
+  const std::string text = tell();
+  EXPECT_SAYS(text, "the front advances 1.3 ± 0.4 m");
+  EXPECT_SAYS(text, "57 ± 11 m³ per metre move");
+  EXPECT_SAYS(text, "y = 8.7 ± 0.3 m. Behind ± stands three times the difference from elements of 0.1 m.");
 }
 
 TEST_F(TrueStatements, PointsThatLeftAreTakenOutOfTheAnswer) {

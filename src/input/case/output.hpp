@@ -32,6 +32,7 @@ struct Output {
   std::string count_from;           ///< stage at whose start the clock of onset, sections and pictures is zero
   double onset_ratio = 0.01;        ///< displacement over the relief of the ground that counts as movement [-]; or
   std::optional<double> onset_displacement;  ///< as a length [m]
+  int runout_meshes = 2;                     ///< 1, or 2: on elements twice as large too
   std::vector<double> shown_times;           ///< of sections and pictures in the report [s]; empty: evenly spread
   std::vector<Monitor> monitors;
   std::vector<SectionLine> sections;
@@ -79,6 +80,10 @@ void describe(Visitor& v, Output& o) {
   v.key("onset_ratio", o.onset_ratio,
         plain().above(0).allowed_without("onset_displacement", o.onset_displacement.has_value()),
         "The same as a share of the relief of the ground.");
+  v.key("runout_meshes", o.runout_meshes, plain().at_least(1).at_most(2),
+        "Meshes on which soil that moves is calculated. 2: also on elements twice as large, for about an eighth of the "
+        "time more, so that front, runout and height have an interval: three times the difference of the two. 1: no "
+        "interval.");
   v.key("shown_times", o.shown_times, quantity("s").at_least(0).example("[0, 200, 400, 560]"),
         "Times on that clock at which the report shows sections and, for a study, pictures; if not given, five of the "
         "stored frames. The nearest stored frame is shown.");

@@ -92,6 +92,7 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
                                  {"runs", std::move(runs)},
                                  {"error", e.error ? json(*e.error) : json()}});
   }
+  const ShownUnits units = read_units(folder.run);
   for (const results::Release& r : timeline.releases)
     block["releases"].push_back({{"time", r.time},
                                  {"title", results::say_moment(timeline, r.time)},
@@ -101,7 +102,7 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
                                  {"error", r.error ? json(*r.error) : json()},
                                  {"largest_displacement", r.largest_displacement},
                                  {"moved_volume", r.moved_volume},
-                                 {"front_advance", r.front_advance}});
+                                 {"front", show_uncertain(r.front_advance, r.front_uncertainty, units.length)}});
   if (timeline.failure) {
     const results::FailureTime& f = *timeline.failure;
     block["failure"] = {{"from", f.from}, {"to", f.to}, {"earliest", f.earliest}, {"latest", write(f.latest)}};

@@ -178,24 +178,28 @@ std::string describe_end(results::StageEnd end, double time, double force_ratio)
 class RunoutWords {
  public:
   RunoutWords(const results::RunResult& run, json& sentences)
-      : length_(read_units(run).length), volume_(read_units(run).volume(get_dimension(run))), sentences_(sentences) {}
+      : length_(read_units(run).length),
+        volume_(name_thickness(read_units(run).volume(get_dimension(run)))),
+        sentences_(sentences) {}
 
   void say(const results::Runout& runout, const std::string& where, const std::string& end,
            std::optional<double> failure_time) {
     const std::string largest =
         fmt::format("{} the largest displacement is {}", where, length(runout.largest_displacement));
+    const results::RunoutUncertainty about(runout);
     if (runout.sides)
       say_sides(runout, *runout.sides, largest, end);
     else if (runout.moved_volume > 0)
-      sentences_.push_back(fmt::format("{}, {}, {}, and {} move; {}.", largest, describe_front(runout),
-                                       describe_crest(runout), show_per_thickness(runout.moved_volume, volume_, 4),
-                                       end));
+      sentences_.push_back(fmt::format("{}, {}, {}, and {} move; {}.", largest, describe_front(runout, about),
+                                       describe_crest(runout, about),
+                                       show_uncertain(runout.moved_volume, about.moved_volume, volume_), end));
     else
       sentences_.push_back(fmt::format("{}: no soil moves further than 1 % of the height; {}.", largest, end));
     if (failure_time)
       sentences_.push_back(
           fmt::format("Its largest displacement passed the share of the height that counts as failure after {} s.",
                       show_number(*failure_time)));
+    if (runout.moved_volume > 0) sentences_.push_back(describe_mesh(runout, about));
   }
 
  private:
@@ -203,24 +207,37 @@ class RunoutWords {
 
   void say_sides(const results::Runout& runout, const std::vector<results::RunoutSide>& sides,
                  const std::string& largest, const std::string& end) {
+    const results::RunoutUncertainty about(runout), nothing{results::Runout{}};
     sentences_.push_back(fmt::format("{}, and {} move to both sides; {}.", largest,
-                                     show_per_thickness(runout.moved_volume, volume_, 4), end));
-    for (const results::RunoutSide& side : sides)
+                                     show_uncertain(runout.moved_volume, about.moved_volume, volume_), end));
+    // The coarser mesh is that of the side which stands for the whole.
+    for (const results::RunoutSide& side : sides) {
+      const auto& own = side.direction == runout.direction ? about : nothing;
       sentences_.push_back(fmt::format("On the {} {}, {}, and {} move.", side.direction < 0 ? "left" : "right",
-                                       describe_front(side), describe_crest(side),
-                                       show_per_thickness(side.moved_volume, volume_, 4)));
+                                       describe_front(side, own), describe_crest(side, own),
+                                       show_uncertain(side.moved_volume, std::nullopt, volume_)));
+    }
   }
 
-  std::string describe_front(const results::RunoutSide& runout) const {
+  std::string describe_front(const results::RunoutSide& runout, const results::RunoutUncertainty& about) const {
     const double advance = runout.front_advance, beyond = runout.toe_distance;
-    return fmt::format("the front {} {} and {}{}", advance < 0 ? "goes back by" : "advances", length(std::abs(advance)),
-                       beyond > 0 ? "lies " + length(beyond) + " beyond the toe" : "stays behind the toe",
+    return fmt::format("the front {} {} and {}{}", advance < 0 ? "goes back by" : "advances",
+                       show_uncertain(std::abs(advance), about.front_advance, length_),
+                       beyond > 0 ? "lies " + show_uncertain(beyond, about.toe_distance, length_) + " beyond the toe"
+                                  : "stays behind the toe",
                        runout.limits && runout.limits->front ? ", where the box ends, which limits them" : "");
   }
-  std::string describe_crest(const results::RunoutSide& runout) const {
+  std::string describe_crest(const results::RunoutSide& runout, const results::RunoutUncertainty& about) const {
     if (!(runout.crest_retreat > 0)) return "the crest stays";
-    return fmt::format("the crest retreats {}{}", length(runout.crest_retreat),
+    return fmt::format("the crest retreats {}{}", show_uncertain(runout.crest_retreat, about.crest_retreat, length_),
                        runout.limits && runout.limits->crest ? ", to the end of the box" : "");
+  }
+  std::string describe_mesh(const results::Runout& runout, const results::RunoutUncertainty& about) const {
+    const std::string highest =
+        "The highest ground lies at y = " + show_uncertain(runout.highest_ground, about.highest_ground, length_);
+    if (!runout.coarser_mesh) return highest + "; one mesh shows no uncertainty.";
+    return fmt::format("{}. Behind ± stands three times the difference from elements of {}.", highest,
+                       length(runout.coarser_mesh->size));
   }
 
   ShownUnit length_;

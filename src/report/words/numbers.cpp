@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/coordinates.hpp"
+#include "base/uncertain.hpp"
 #include "base/units.hpp"
 
 namespace talus::report {
@@ -76,10 +77,21 @@ std::string show_number(double value, int digits) {
 }
 
 std::string show_per_thickness(double si, const ShownUnit& unit, int digits) {
-  ShownUnit words = unit;
+  return show(si, name_thickness(unit), digits);
+}
+
+ShownUnit name_thickness(ShownUnit unit) {
   for (const auto& [sign, word] : {std::pair{"/m", " per metre"}, std::pair{"/ft", " per foot"}})
-    if (unit.name.ends_with(sign)) words.name = unit.name.substr(0, unit.name.rfind('/')) + word;
-  return show(si, words, digits);
+    if (unit.name.ends_with(sign)) {
+      unit.name = unit.name.substr(0, unit.name.rfind('/')) + word;
+      break;
+    }
+  return unit;
+}
+
+std::string show_uncertain(double si, std::optional<double> uncertainty, const ShownUnit& unit) {
+  if (uncertainty) *uncertainty /= unit.si;
+  return format_uncertain(si / unit.si, uncertainty) + " " + unit.name;
 }
 
 std::string show_coordinate(double si, const ShownUnit& unit) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ std::string show_number(double value, int digits = 3);
 std::string show(double si, const ShownUnit& unit, int digits = 3);
 /// "2.54 m³ per metre": a volume or flow of one metre or foot of the plane, for sentences.
 std::string show_per_thickness(double si, const ShownUnit& unit, int digits = 3);
+/// The same unit in words: "m³ per metre".
+ShownUnit name_thickness(ShownUnit unit);
+/// "1.3 ± 0.4 m", with the digits that the uncertainty [SI] leaves; two digits where it is not known.
+std::string show_uncertain(double si, std::optional<double> uncertainty, const ShownUnit& unit);
 /// A coordinate with all its digits: "4000012.5 m".
 std::string show_coordinate(double si, const ShownUnit& unit);
 /// The largest unit of time that the duration [s] has two of.

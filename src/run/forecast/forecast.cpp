@@ -101,11 +101,13 @@ void add_time(const input::Case& data, const Pace& pace, MethodForecast& f, doub
     point_steps += time / step * points;
   };
   for (std::size_t i = 0; i < data.stages.size(); ++i) add(data.stages[i].duration, pace.steps[i], coarse_points);
+  const double twin = data.output.runout_meshes < 2 ? 0 : std::pow(0.5, f.dimension + 1);  // on elements twice as large
   if (data.analysis == input::AnalysisKind::strength_reduction) {
     const input::DisplacementCurve& c = data.strength_reduction.curve;
     if (c.enabled) {
       const double trials = std::floor((c.to - c.from) / c.step + 1) + (c.refine ? 8 : 0);
-      add(trials * c.window + static_cast<double>(c.runout.size()) * c.runout_time, pace.curve_step, coarse_points);
+      add(trials * c.window, pace.curve_step, coarse_points);
+      add((1 + twin) * static_cast<double>(c.runout.size()) * c.runout_time, pace.curve_step, coarse_points);
     }
     const input::FrozenFactor& z = data.strength_reduction.frozen;
     const double trials = 2 + std::ceil(std::log2(std::max(2.0, (z.to - z.from) / z.resolution)));
@@ -115,6 +117,7 @@ void add_time(const input::Case& data, const Pace& pace, MethodForecast& f, doub
           points);
     }
   }
+  if (data.analysis == input::AnalysisKind::run) point_steps *= 1 + twin;
   // Points that take over from a timeline do so a little earlier and later as well.
   const auto* release = data.timeline && data.timeline->release ? &*data.timeline->release : nullptr;
   const double runs = release != nullptr && release->apart != 0.0 ? 3 : 1;

@@ -74,8 +74,8 @@ export interface Release {
   largest_displacement: number;
   /** [m³], in 2D per metre. */
   moved_volume: number;
-  /** [m] */
-  front_advance: number;
+  /** Advance of the front, with what the mesh leaves open: "1.3 ± 0.4 m". */
+  front: string;
 }
 
 export interface TimedFactor {

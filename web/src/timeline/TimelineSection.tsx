@@ -26,7 +26,7 @@ function Releases({ releases }: { releases: Release[] }) {
           {r.error === null ? (
             <>
               <td class="number">{length(r.largest_displacement)}</td>
-              <td class="number">{length(r.front_advance)}</td>
+              <td class="number">{r.front}</td>
               <td class="number">{formatQuantity(r.moved_volume, units.volume, 3)}</td>
             </>
           ) : (

@@ -245,6 +245,8 @@ results::Runout find_runout(const mpm::Body<D>& body, const RunoutStart& from) {
     static_cast<results::RunoutSide&>(r) = measure_side(moved, initial, moment < 0 ? -1 : 1, ends, threshold);
   }
   r.largest_displacement = largest;
+  const std::vector<double> levels = find_profile(body, initial.bin).height;
+  if (!levels.empty()) r.highest_ground = *std::max_element(levels.begin(), levels.end());
   return r;
 }
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "run/mpm/coarser_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/atomic_file.hpp"
+#include "base/hash.hpp"
+#include "base/ranks.hpp"
+#include "results/json.hpp"
+#include "run/attempt.hpp"
+#include "run/head.hpp"
+#include "run/mpm/point_run.hpp"
+#include "run/run_folder.hpp"
+
+namespace talus::run {
+namespace {
+
+bool has_moved(const results::RunResult& run) {
+  if (run.runout && run.runout->moved_volume > 0) return true;
+  return run.runouts && std::any_of(run.runouts->begin(), run.runouts->end(),
+                                    [](const results::RunoutTrial& r) { return r.runout.moved_volume > 0; });
+}
+
+/// The case on elements twice as large, with the runouts alone.
+input::Case coarsen(input::Case data) {
+  data.mesh = mesh::resize(std::move(data.mesh), 2 * data.mesh.size);
+  input::StrengthReduction& reduction = data.strength_reduction;
+  reduction.frozen.enabled = false;
+  reduction.curve.to = reduction.curve.from - reduction.curve.step;  // no factor besides those of the runouts
+  reduction.curve.refine = false;
+  data.output.frame_interval = 0;
+  data.output.cells = data.output.nodes = false;
+  data.output.sections.clear();
+  return data;
+}
+
+void add(const results::Runout& there, double size, results::Runout& here) {
+  // Soil that stands still on the coarser mesh is an answer too, soil that runs the other way is another slide.
+  if (here.moved_volume <= 0 || (there.moved_volume > 0 && there.direction != here.direction)) return;
+  here.coarser_mesh = {
+      size, there.front_advance, there.toe_distance, there.crest_retreat, there.moved_volume, there.highest_ground};
+}
+
+}  // namespace
+
+template <int D>
+std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& loaded, const input::Case& data,
+                                                     const RunOptions& options, const std::string& input_hash,
+                                                     results::RunResult& run) {
+  if (data.output.runout_meshes < 2 || !has_moved(run) || !data.mesh.file.empty() || !data.initial.result.empty() ||
+      get_ranks().size() > 1)
+    return std::nullopt;
+  RunOptions beside = options;
+  beside.folder /= "coarser_mesh";
+  beside.label = "coarser mesh: ";
+  const std::string hash = hash_text(input_hash + "coarser mesh");
+  const input::Case coarser = coarsen(data);
+  if (options.progress)
+    options.progress->show(fmt::format("the runout on elements of {}", say_length(run, coarser.mesh.size)));
+  results::RunResult found;
+  const auto why = attempt(options, false, [&] {
+    if (auto finished = load_finished(beside, hash)) {
+      found = std::move(*finished);
+      return;
+    }
+    found = begin_result(loaded, hash, options.threads);
+    use_folder(beside.folder, [&] { std::filesystem::create_directories(beside.folder); });
+    PointRun<D> points(loaded, coarser, beside, hash);
+    points.prepare(found);
+    points.open();
+    points.calculate(found);
+    points.finish(found);
+    found.status = results::Status::finished;
+    results::write_file(beside.folder / "summary.json", found);
+    points.forget();
+  });
+  if (why)
+    return fmt::format("front, runout and height have no interval, because the mesh with elements of {} failed: {}",
+                       say_length(run, coarser.mesh.size), *why);
+  if (run.runout && found.runout) add(*found.runout, coarser.mesh.size, *run.runout);
+  if (run.runouts && found.runouts)
+    for (results::RunoutTrial& here : *run.runouts)
+      for (const results::RunoutTrial& there : *found.runouts)
+        if (std::abs(there.trial.factor - here.trial.factor) < 1e-9) add(there.runout, coarser.mesh.size, here.runout);
+  return std::nullopt;
+}
+
+template std::optional<std::string> compare_with_coarser_mesh<2>(const input::LoadedCase&, const input::Case&,
+                                                                 const RunOptions&, const std::string&,
+                                                                 results::RunResult&);
+template std::optional<std::string> compare_with_coarser_mesh<3>(const input::LoadedCase&, const input::Case&,
+                                                                 const RunOptions&, const std::string&,
+                                                                 results::RunResult&);
+
+}  // namespace talus::run
