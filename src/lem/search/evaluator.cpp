@@ -9,8 +9,6 @@
 namespace talus::lem {
 
 double Evaluator::operator()(const Surface& surface) {
-  // Steeper than 1: else a polyline further below its mechanism could have a smaller value.
-  constexpr double penalty = 4;
   throw_if_search_is_interrupted(ends_at_signal_);
   ++count_;
   cut_surface(*slope_, surface, slices_, checks_, cut_);
@@ -18,19 +16,18 @@ double Evaluator::operator()(const Surface& surface) {
   const Solution solution = solve(*slope_, cut_, method_, checks_, false);
   if (solution.refusal != Refusal::none || !(solution.factor > 0)) return refused;
   const double factor = solution.factor;
-  if (factor >= least_) return factor;
+  if (factor >= passing_.factor) return factor;
   if (has_wedge_check(*slope_, cut_, method_) && std::isfinite(most_below_wedges_)) {
     const double allowed = 1 - most_below_wedges_;
     const Section& section = slope_->section();
     wedges_.set(*slope_, cut_, section.turn_to_sliding(section.horizontal_acceleration, cut_.slides_left));
     if (wedges_.compute_net_power(factor / allowed) < 0) {
       const double bound = std::min(allowed * wedges_.search_factor(factor / allowed), 10 * factor);
-      const double value = factor + penalty * std::max(0.0, bound - factor);
-      least_ = std::min(least_, value);
-      return value;
+      // Steeper than 1: else a polyline further below its mechanism could have a smaller value.
+      if (bound > factor) return factor + penalty_ * (bound - factor);
     }
   }
-  least_ = factor;
+  passing_ = {surface, factor, count_};
   return factor;
 }
 

@@ -18,6 +18,12 @@ inline void throw_if_search_is_interrupted(bool ends_at_signal) {
     throw Error(ExitCode::interrupted, "interrupted while slip surfaces were searched");
 }
 
+struct OptimisedSurface {
+  Surface surface;
+  double factor = 0;  ///< Evaluator::refused when nothing was found
+  int evaluations = 0;
+};
+
 class Evaluator {
  public:
   Evaluator(const Slope& slope, Method method, const Checks& checks, int slices, bool ends_at_signal = false)
@@ -29,10 +35,15 @@ class Evaluator {
 
   /// F; `refused` for an invalid surface or one without a factor. A polyline below the wedge mechanism of its base has
   /// a value above F that grows with the distance, so that a minimiser returns to those that are not. That is computed
-  /// only below the smallest value so far. Throws Error (interrupted) where asked to.
+  /// only below the smallest factor that passed so far. Throws Error (interrupted) where asked to.
   double operator()(const Surface& surface);
   /// Returns true where the factor of a surface passes all checks, that of wedges included.
   bool passes_all_checks(const Surface& surface);
+  /// The surface with the smallest factor so far that is not below its mechanism.
+  const OptimisedSurface& passing() const { return passing_; }
+  /// From here on values below the mechanism grow fast. A minimiser returns from there at once, but does not follow the
+  /// border between the two, which it does while they grow slowly.
+  void steepen() { penalty_ = 4; }
   int count() const { return count_; }
   const Slope& slope() const { return *slope_; }
   Method method() const { return method_; }
@@ -50,7 +61,8 @@ class Evaluator {
   CutSurface cut_;
   WedgeMechanism wedges_;
   int count_ = 0;
-  double least_ = refused;  ///< smallest value so far
+  double penalty_ = 1.5;
+  OptimisedSurface passing_{{}, refused, 0};
 };
 
 }  // namespace talus::lem

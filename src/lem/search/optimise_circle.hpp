@@ -13,12 +13,6 @@ struct CircleRanges {
   std::array<double, 2> step{};
 };
 
-struct OptimisedSurface {
-  Surface surface;
-  double factor = 0;  ///< Evaluator::refused when nothing was found
-  int evaluations = 0;
-};
-
 /// Never worse than `start`. Besides free ends and depth it tries ends held in corners of the ground, and depths at
 /// which the circle just touches a region: the factor has a crease there that a minimiser does not follow.
 OptimisedSurface optimise_circle(Evaluator& evaluate, const Arcs& arcs, const Surface& start,

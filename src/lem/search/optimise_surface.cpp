@@ -15,6 +15,10 @@ namespace talus::lem {
 namespace {
 
 constexpr int samples = 60;
+/// Relative tolerances of the rounds with all vertices, and of those before.
+constexpr double fine = 1e-6, coarse = 1e-5;
+/// A start that is above the best one by more than so many times what a round gained is given up.
+constexpr double patience = 10;
 
 /// Points of a surface between its ends.
 std::vector<Point> sample(const Slope& slope, const Surface& surface) {
@@ -34,7 +38,8 @@ class PolylineOptimiser {
     for (const Point& p : ground) highest_ = std::max(highest_, p[1]);
   }
 
-  OptimisedSurface run(const Surface& start) {
+  /// `to_beat`: the start is given up where it does not come near that value.
+  OptimisedSurface run(const Surface& start, double to_beat) {
     const double value_of_start = evaluate_(start);
     falls_left_ = falls_left(slope(), start);
     // Coarse first: few vertices move far; then more follow the shape.
@@ -45,10 +50,11 @@ class PolylineOptimiser {
     double reach = 0.1;
     for (int round = 0; round < 12; ++round) {
       const double before = value_;
-      improve_all(reach);
+      const bool full = static_cast<int>(line_.size()) >= ranges_.vertices;
+      improve_all(reach, full ? fine : coarse);
       snap();
       slide();
-      const bool full = static_cast<int>(line_.size()) >= ranges_.vertices;
+      if (round > 0 && value_ - to_beat > patience * (before - value_)) break;
       if (full && value_ > before * (1 - 1e-4)) {
         if (reach < 0.03) break;
         reach *= 0.4;
@@ -91,7 +97,7 @@ class PolylineOptimiser {
   std::size_t at(const std::vector<Point>& line, std::size_t i) const { return falls_left_ ? i : line.size() - 1 - i; }
 
   /// All vertices and both ends at once.
-  void improve_all(double reach) {
+  void improve_all(double reach, double tolerance) {
     const std::vector<Point> old = line_;
     const double width = old.back()[0] - old.front()[0], depth = std::max(0.02 * width, measure_depth());
     const double way = falls_left_ ? 1 : -1;
@@ -120,7 +126,7 @@ class PolylineOptimiser {
       return s.line.size() < 3 ? Evaluator::refused : evaluate_(s);
     };
     const int most = 120 * static_cast<int>(start.size());
-    const Minimum m = minimise(function, start, step, lower, upper, {Minimiser::subspaces, 1e-6, most});
+    const Minimum m = minimise(function, start, step, lower, upper, {Minimiser::subspaces, tolerance, most});
     if (m.value < value_) line_ = best_ = read(m.at).line, value_ = m.value;
   }
 
@@ -233,8 +239,9 @@ std::vector<Surface> make_seam_starts(const Slope& slope, const Surface& surface
   return starts;
 }
 
-OptimisedSurface optimise_polyline(Evaluator& evaluate, const Surface& start, const SurfaceRanges& ranges) {
-  return PolylineOptimiser(evaluate, ranges).run(start);
+OptimisedSurface optimise_polyline(Evaluator& evaluate, const Surface& start, const SurfaceRanges& ranges,
+                                   double to_beat) {
+  return PolylineOptimiser(evaluate, ranges).run(start, to_beat);
 }
 
 }  // namespace talus::lem

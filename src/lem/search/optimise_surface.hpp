@@ -21,7 +21,8 @@ Surface make_polyline(const Slope& slope, const Surface& surface, int vertices);
 std::vector<Surface> make_seam_starts(const Slope& slope, const Surface& surface, int vertices);
 
 /// Never worse than `start`. Surfaces stay kinematically admissible: no steeper towards the toe, under the ground,
-/// above the base. Begins with few vertices and inserts more.
-OptimisedSurface optimise_polyline(Evaluator& evaluate, const Surface& start, const SurfaceRanges& ranges);
+/// above the base. Begins with few vertices and inserts more, and gives up where `to_beat` is out of reach.
+OptimisedSurface optimise_polyline(Evaluator& evaluate, const Surface& start, const SurfaceRanges& ranges,
+                                   double to_beat = Evaluator::refused);
 
 }  // namespace talus::lem

@@ -98,7 +98,7 @@ class PolylineSearch {
   }
 
   void improve(const Surface& start) {
-    const OptimisedSurface found = optimise_polyline(evaluate_, start, ranges_);
+    const OptimisedSurface found = optimise_polyline(evaluate_, start, ranges_, best_.factor);
     if (found.factor < best_.factor) best_ = found;
   }
 
@@ -126,9 +126,15 @@ class PolylineSearch {
 
   const OptimisedSurface& best() const { return best_; }
 
-  /// The best surface, unless it is still below its wedge mechanism: then none.
+  /// The best surface that is not below its wedge mechanism, if there is one.
   OptimisedSurface select_admissible() {
-    if (best_.surface.line.empty() || evaluate_.passes_all_checks(best_.surface)) return best_;
+    if (evaluate_.passing().factor > best_.factor) {
+      best_ = evaluate_.passing();
+      evaluate_.steepen();
+      improve(evaluate_.passing().surface);
+    }
+    const OptimisedSurface& passing = evaluate_.passing();
+    if (evaluate_.passes_all_checks(passing.surface)) return passing;
     return {{}, Evaluator::refused, best_.evaluations};
   }
 
@@ -227,11 +233,11 @@ std::vector<OptimisedSurface> find_polylines(const Slope& slope, const SearchOpt
   });
   // A method's best surface is a start for the others, and each goes on from beside its own.
   std::vector<Surface> found;
-  for (const PolylineSearch& s : searches)
-    if (!s.best().surface.line.empty()) found.push_back(s.best().surface);
+  for (const PolylineSearch& s : searches) found.push_back(s.best().surface);
   for_each([&](std::size_t m) {
     if (!options.known.empty()) return;
-    for (const Surface& s : found) searches[m].improve(s);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (i != m && !found[i].line.empty()) searches[m].improve(found[i]);
     searches[m].shake_best();
   });
   std::vector<OptimisedSurface> best;
