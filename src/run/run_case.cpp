@@ -24,6 +24,7 @@
 #include "run/bounds/bounds_run.hpp"
 #include "run/bounds/referee.hpp"
 #include "run/compare/compare.hpp"
+#include "run/compare/reading.hpp"
 #include "run/fem/element_run.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/fem/start_stress.hpp"
@@ -322,12 +323,8 @@ class CaseRun {
       return;
     results::Referee referee;
     referee.lower = run_.bounds->lower, referee.upper = run_.bounds->upper;
-    const bool is_associated = std::none_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
-      const input::Material& m = data.materials.at(region.second);
-      return m.dilatancy_angle < m.friction_angle;
-    });
     for (results::ElementRun& r : run_.elements->runs)
-      if (r.flow == results::Flow::associated || is_associated) r.verdict = referee.judge(r.factor);
+      if (r.flow == results::Flow::associated || !is_nonassociated(data)) r.verdict = referee.judge(r.factor);
   }
 
   void tell_timeline() {

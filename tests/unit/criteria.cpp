@@ -158,6 +158,23 @@ TEST(FrozenSearch, CountsAnUndecidedTrialAsFailedAndSaysSo) {
                            }));
   EXPECT_TRUE(found.undecided);
   EXPECT_NEAR(found.factor().value(), 1.5, 0.01);
+  EXPECT_NE(describe_undecided(found, {}).find("and a factor that was not found. A longer 'window'"),
+            std::string::npos);
+}
+
+TEST(FrozenSearch, WarnsOfUndecidedTrialsWhereTheyLeaveTheFactorOpen) {
+  for (const double runs_away : {1.51, 1.60}) {
+    const results::MeshFactor found = search_frozen_factor({}, in_turn([&](double factor) {
+                                                             results::Trial t;
+                                                             t.factor = factor;
+                                                             t.end = factor < 1.5         ? results::StageEnd::rest
+                                                                     : factor < runs_away ? results::StageEnd::time
+                                                                                          : results::StageEnd::failed;
+                                                             return t;
+                                                           }));
+    EXPECT_TRUE(found.undecided);
+    EXPECT_EQ(describe_undecided(found, {}).empty(), runs_away < 1.53) << "2 % of the factor";
+  }
 }
 
 TEST(FrozenSearch, HasNoFactorWhereAnEndOfTheBracketWasNotFound) {

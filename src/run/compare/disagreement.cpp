@@ -11,6 +11,7 @@
 #include "ground/ground_line.hpp"
 #include "results/governing.hpp"
 #include "run/compare/compare.hpp"
+#include "run/compare/reading.hpp"
 #include "run/head.hpp"
 
 namespace talus::run {
@@ -164,6 +165,7 @@ class Warnings {
   /// A factor outside what is proven. Finite elements and material points with ψ < φ may be below it.
   void warn_of_bounds() {
     if (!run_.bounds || run_.bounds->error || run_.bounds->is_davis) return;
+    const bool flows_less = is_nonassociated(data_);
     const results::BoundsResult& bounds = *run_.bounds;
     const std::string tension =
         bounds.takes_tension ? " The bounds let the soil bear no more tension than its tensile strength; methods of "
@@ -177,23 +179,22 @@ class Warnings {
     }
     if (run_.elements)
       for (const results::ElementRun& r : run_.elements->runs)
-        warn_outside(fmt::format("finite elements ({})", describe_flow(r)), r.factor,
-                     r.interval.value_or(results::ElementInterval{r.stable, r.failed}),
-                     " A mesh of finite elements is too stiff: refine [fem] size.",
-                     r.flow == results::Flow::associated
-                         ? "Trials may have run out of iterations."
-                         : "ψ is smaller than φ, for which the bounds are not made: soil without dilatancy may fail "
-                           "earlier.");
+        warn_outside(
+            fmt::format("finite elements ({})", describe_flow(r)), r.factor,
+            r.interval.value_or(results::ElementInterval{r.stable, r.failed}),
+            " A mesh of finite elements is too stiff: refine [fem] size.",
+            r.flow == results::Flow::associated || !flows_less ? "Trials may have run out of iterations." : "");
     if (const auto f = results::find_points_factor(run_)) {
       const auto& frozen = run_.factor_of_safety->frozen;
       const double uncertainty = frozen ? frozen->uncertainty.value_or(frozen->bracket) : 0;
       warn_outside("material points", *f, results::ElementInterval{*f - uncertainty, *f + uncertainty},
                    " Their mesh is too coarse, or their trials end too early.",
-                   "ψ may be smaller than φ, for which the bounds are not made.");
+                   flows_less ? "" : "A trial may have failed at one place only: look at its slip line.");
     }
   }
 
-  /// `interval`: what the factor is known to; nothing: the factor alone.
+  /// `interval`: what the factor is known to; nothing: the factor alone. `below`: why it may be below the lower bound;
+  /// empty: as it should, and the comparison of the methods says so.
   void warn_outside(const std::string& words, double factor, std::optional<results::ElementInterval> interval,
                     const std::string& above, const std::string& below) {
     const auto &lower = run_.bounds->lower, &upper = run_.bounds->upper;
@@ -202,7 +203,7 @@ class Warnings {
       warnings_.push_back(fmt::format(
           "The factor {:.3f} by {} is above the proven upper bound, {:.3f}: it is too high by {:.1f} % at least.{}",
           factor, words, results::show_upper(*upper), 100 * (factor / *upper - 1), above));
-    if (lower && greatest < *lower)
+    if (lower && greatest < *lower && !below.empty())
       warnings_.push_back(
           fmt::format("The factor {:.3f} by {} is below the lower bound that is proven for ψ = φ, {:.3f}. {}", factor,
                       words, results::show_lower(*lower), below));

@@ -125,13 +125,16 @@ class Reading {
       if (run != nullptr && run->verdict == results::Verdict::too_low)
         say("The factor of finite elements with {} ({:.3f}) lies below the lower bound and is impossible.",
             describe_flow(*run), run->factor);
-    const auto has_less = [](const auto& region) { return region.dilatancy_angle < region.friction_angle; };
     // Slices know no dilatancy, and their cases may leave it out.
     const bool has_flow = input::uses(data_, Method::fem) || input::uses(data_, Method::mpm);
-    if (has_flow && std::any_of(data_.regions.begin(), data_.regions.end(),
-                                [&](const auto& region) { return has_less(data_.materials.at(region.second)); }))
-      say("Soil of the case has ψ < φ. For such soil nothing is proven: it may fail earlier, and what it bears depends "
-          "on its history.");
+    if (!has_flow || !is_nonassociated(data_)) return;
+    std::vector<std::string> below;
+    if (given_ != nullptr && given_->factor < low)
+      below.push_back(fmt::format("{:.3f} by finite elements", given_->factor));
+    if (frozen_ && *frozen_ < low) below.push_back(fmt::format("{:.3f} by material points", *frozen_));
+    say("Soil of the case has ψ < φ. For such soil nothing is proven: it may fail earlier{}, and what it bears depends "
+        "on its history.",
+        below.empty() ? "" : fmt::format(", as {} {}", fmt::join(below, " and "), below.size() > 1 ? "say" : "says"));
   }
 
   const results::CriticalSurface* find_circle(SliceMethod method) const {
@@ -253,20 +256,13 @@ class Reading {
         say("The flow rule matters: finite elements give {:.3f} with ψ = φ and {:.3f}, {} it, with {}. Slices have no "
             "flow rule; compare them with ψ = φ.",
             b, a, compare(a, b), describe_flow(*given_));
-    } else if (given_ && slices_ && is_nonassociated()) {
+    } else if (given_ && slices_ && is_nonassociated(data_)) {
       const double f = given_->factor;
       if (f / *slices_ < 1 - same)
         say("The finite elements flow with {} < φ, slices have no flow rule: [fem] flow = \"both\" shows its share of "
             "the difference ({} {}).",
             describe_flow(*given_), compare(f, *slices_), name_);
     }
-  }
-
-  bool is_nonassociated() const {
-    return std::any_of(data_.regions.begin(), data_.regions.end(), [&](const auto& region) {
-      const input::Material& m = data_.materials.at(region.second);
-      return m.friction_angle > 0 && m.dilatancy_angle < m.friction_angle - 1e-9;
-    });
   }
 
   void read_element_criterion() {
@@ -467,6 +463,13 @@ class Reading {
 };
 
 }  // namespace
+
+bool is_nonassociated(const input::Case& data) {
+  return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
+    const input::Material& m = data.materials.at(region.second);
+    return m.friction_angle > 0 && m.dilatancy_angle < m.friction_angle - 1e-9;
+  });
+}
 
 std::vector<results::Remark> read_differences(const input::Case& data, const results::RunResult& run,
                                               const results::MethodComparison& methods) {

@@ -14,4 +14,7 @@ namespace talus::run {
 std::vector<results::Remark> read_differences(const input::Case& data, const results::RunResult& run,
                                               const results::MethodComparison& methods);
 
+/// True where a soil with friction has ψ < φ, for which limit analysis proves nothing.
+bool is_nonassociated(const input::Case& data);
+
 }  // namespace talus::run

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/extrapolate.hpp"
 #include "mesh/corners.hpp"
@@ -35,6 +36,8 @@ std::string explain(const results::MeshFactor& mesh) {
 
 /// Factors of meshes whose sizes differ by a rounding are this far apart, whatever two meshes happen to say [-].
 constexpr double known_scatter = 0.006;
+/// Trials without a decision between a factor that holds and one that fails this much above it are worth a warning [-].
+constexpr double doubtful = 0.02;
 /// The line goes through no more than so many meshes, the finest.
 constexpr std::size_t most_in_line = 3;
 
@@ -79,6 +82,20 @@ void extrapolate(results::FrozenFactor& frozen, int dimension) {
 mesh::Plan plan_frozen_mesh(mesh::Plan plan, const input::FrozenFactor& settings, int halvings) {
   const double size = std::pow(0.5, halvings) * plan.size;
   return mesh::refine_corners(mesh::resize(std::move(plan), size), settings.corner_refinement, corner_reach);
+}
+
+std::string describe_undecided(const results::MeshFactor& mesh, const input::FrozenFactor& settings) {
+  if (!mesh.undecided || !mesh.lower) return "";
+  double failed = std::numeric_limits<double>::infinity();
+  for (const results::Trial& t : mesh.trials)
+    if (t.end == results::StageEnd::failed) failed = std::min(failed, t.factor);
+  if (failed < (1 + doubtful) * *mesh.lower) return "";
+  return fmt::format(
+      "at h = {:g} m trials neither rested nor ran away within {:g} s and count as failed: the factor lies between "
+      "{:.3f} "
+      "and {}. A longer 'window' under [strength_reduction.frozen] decides them",
+      mesh.size, settings.window, *mesh.lower,
+      std::isfinite(failed) ? fmt::format("{:.3f}", failed) : std::string("a factor that was not found"));
 }
 
 results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::optional<results::MeshFactor> coarser,

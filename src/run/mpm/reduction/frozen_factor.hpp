@@ -12,6 +12,9 @@
 
 namespace talus::run {
 
+/// A warning where trials that neither rested nor ran away leave the factor of a mesh open by 2 % or more; else empty.
+std::string describe_undecided(const results::MeshFactor& mesh, const input::FrozenFactor& settings);
+
 /// The plan of a mesh of the factor: every element size of `plan` halved `halvings` times (−1: doubled), re-entrant
 /// corners refined.
 mesh::Plan plan_frozen_mesh(mesh::Plan plan, const input::FrozenFactor& settings, int halvings);

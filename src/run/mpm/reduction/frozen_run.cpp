@@ -109,11 +109,8 @@ class FrozenMesh {
     factor.points = state_.points.size();
     factor.size = data_.mesh.file.empty() ? data_.mesh.size * std::pow(0.5, choice_.halvings)
                                           : mesh::measure_quality(state_.mesh()).mean_size;
-    if (factor.undecided) {
-      warnings.push_back(
-          fmt::format("at h = {:g} m a trial neither rested nor ran away within {:g} s; it is counted as failed",
-                      factor.size, settings_.window));
-    }
+    if (std::string undecided = describe_undecided(factor, settings_); !undecided.empty())
+      warnings.push_back(std::move(undecided));
     for (const results::Trial& trial : factor.trials)
       if (trial.setbacks)
         for (const results::Setback& setback : *trial.setbacks)
