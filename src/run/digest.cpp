@@ -144,92 +144,101 @@ std::string write_factors(const results::PointFactors& factors) {
   return text;
 }
 
-/// Runouts in the units of the case.
-class RunoutLines {
+/// Lengths, volumes and suctions in the units of the case: cubic feet beside lengths in feet or inches.
+class Units {
  public:
-  explicit RunoutLines(const results::RunResult& run)
-      : length_(units::get_si_factor(run.units.length)),
-        foot_(run.units.length == "ft" || run.units.length == "in" ? units::get_si_factor("ft") : 1),
-        is_solid_(run.mesh && run.mesh->dimension == 3),
-        length_name_(run.units.length) {}
+  explicit Units(const results::RunResult& run) : names_(run.units), is_solid_(run.mesh && run.mesh->dimension == 3) {}
 
-  std::string write(const results::Runout& r, const std::string& name, const std::string& end) const {
-    const results::RunoutUncertainty about(r);
-    if (r.moved_volume <= 0)
-      return fmt::format("{}: no soil moves more than {:.3g} {}; the largest displacement is {:.3g} {}{}\n", name,
-                         r.threshold / length_, length_name_, r.largest_displacement / length_, length_name_, end);
-    if (!r.sides)
-      return fmt::format("{}: {}, largest displacement {:.3g} {}, {} move{}\n", name, write_side(r, about),
-                         r.largest_displacement / length_, length_name_,
-                         write_volume(r.moved_volume, about.moved_volume), end);
-    std::string text = fmt::format("{} to both sides: largest displacement {:.3g} {}, {} move{}\n", name,
-                                   r.largest_displacement / length_, length_name_,
-                                   write_volume(r.moved_volume, about.moved_volume), end);
-    const results::RunoutUncertainty nothing{results::Runout{}};
-    for (const results::RunoutSide& side : *r.sides)
-      text += fmt::format("  {}: {}, {} move\n", results::name_side(side.direction),
-                          write_side(side, side.direction == r.direction ? about : nothing),
-                          write_volume(side.moved_volume, std::nullopt));
-    return text;
+  std::string write_length(double metres) const { return fmt::format("{:.3g} {}", metres / length_, names_.length); }
+  std::string write_length(double metres, std::optional<double> uncertainty) const {
+    if (uncertainty) *uncertainty /= length_;
+    return format_uncertain(metres / length_, uncertainty) + " " + names_.length;
+  }
+  std::string write_level(double y) const { return format_coordinate(y / length_) + " " + names_.length; }
+  std::string write_stress(double pascals) const {
+    return fmt::format("{:.3g} {}", pascals / units::get_si_factor(names_.stress), names_.stress);
+  }
+  /// In plane strain of a metre or a foot of the slope.
+  std::string write_volume(double volume, std::optional<double> uncertainty) const {
+    if (uncertainty) *uncertainty /= volume_unit();
+    return format_uncertain(volume / volume_unit(), uncertainty) + " " + volume_name();
+  }
+  std::string volume_name() const {
+    const std::string foot = in_feet_ ? "ft" : "m";
+    return is_solid_ ? foot + "³" : foot + "³/" + foot;
+  }
+  std::string flow_name() const {
+    const std::string foot = in_feet_ ? "ft" : "m";
+    return is_solid_ ? foot + "³/s" : foot + "³/s per " + foot;
+  }
+  double volume_unit() const {
+    const double foot = in_feet_ ? units::get_si_factor("ft") : 1;
+    return is_solid_ ? foot * foot * foot : foot * foot;
   }
 
  private:
-  std::string write_length(double metres, std::optional<double> uncertainty) const {
-    if (uncertainty) *uncertainty /= length_;
-    return format_uncertain(metres / length_, uncertainty) + " " + length_name_;
-  }
-  std::string write_volume(double volume, std::optional<double> uncertainty) const {
-    const double unit = is_solid_ ? foot_ * foot_ * foot_ : foot_ * foot_;
-    if (uncertainty) *uncertainty /= unit;
-    return format_uncertain(volume / unit, uncertainty) + (foot_ == 1 ? " m³" : " ft³") +
-           (is_solid_    ? ""
-            : foot_ == 1 ? "/m"
-                         : "/ft");
-  }
-  std::string write_side(const results::RunoutSide& side, const results::RunoutUncertainty& about) const {
-    return fmt::format(
-        "front advances {} and {}{}, crest retreats {}", write_length(side.front_advance, about.front_advance),
-        side.toe_distance > 0 ? "passes the toe by " + write_length(side.toe_distance, about.toe_distance)
-                              : "stays behind the toe",
-        side.limits && side.limits->front ? " (limited by the end of the box)" : "",
-        write_length(side.crest_retreat, about.crest_retreat));
-  }
-
-  double length_, foot_;
+  results::DisplayUnits names_;
   bool is_solid_;
-  std::string length_name_;
+  double length_ = units::get_si_factor(names_.length);
+  bool in_feet_ = names_.length == "ft" || names_.length == "in";
 };
 
-std::string write_runouts(const results::RunResult& run) {
-  const RunoutLines lines(run);
+std::string write_side(const results::RunoutSide& side, const results::RunoutUncertainty& about, const Units& in) {
+  return fmt::format(
+      "front advances {} and {}{}, crest retreats {}", in.write_length(side.front_advance, about.front_advance),
+      side.toe_distance > 0 ? "passes the toe by " + in.write_length(side.toe_distance, about.toe_distance)
+                            : "stays behind the toe",
+      side.limits && side.limits->front ? " (limited by the end of the box)" : "",
+      in.write_length(side.crest_retreat, about.crest_retreat));
+}
+
+std::string write_runout(const results::Runout& r, const std::string& name, const std::string& end, const Units& in) {
+  const results::RunoutUncertainty about(r);
+  const std::string largest = "largest displacement " + in.write_length(r.largest_displacement),
+                    moved = in.write_volume(r.moved_volume, about.moved_volume) + " move" + end;
+  if (r.moved_volume <= 0)
+    return fmt::format("{}: no soil moves more than {}; {}{}\n", name, in.write_length(r.threshold), largest, end);
+  if (!r.sides) return fmt::format("{}: {}, {}, {}\n", name, write_side(r, about, in), largest, moved);
+  std::string text = fmt::format("{} to both sides: {}, {}\n", name, largest, moved);
+  const results::RunoutUncertainty nothing{results::Runout{}};
+  for (const results::RunoutSide& side : *r.sides)
+    text += fmt::format("  {}: {}, {} move\n", results::name_side(side.direction),
+                        write_side(side, side.direction == r.direction ? about : nothing, in),
+                        in.write_volume(side.moved_volume, std::nullopt));
+  return text;
+}
+
+std::string write_runouts(const results::RunResult& run, const Units& in) {
   std::string text;
   if (run.runouts)
     for (const results::RunoutTrial& r : *run.runouts)
       text +=
-          lines.write(r.runout, fmt::format("Runout at SRF {:g}", r.trial.factor),
-                      fmt::format(", {} after {:.3g} s",
-                                  r.trial.end == results::StageEnd::rest ? "at rest" : "still moving", r.trial.time));
-  if (run.runout) text += lines.write(*run.runout, "Runout", "");
+          write_runout(r.runout, fmt::format("Runout at SRF {:g}", r.trial.factor),
+                       fmt::format(", {} after {:.3g} s",
+                                   r.trial.end == results::StageEnd::rest ? "at rest" : "still moving", r.trial.time),
+                       in);
+  if (run.runout) text += write_runout(*run.runout, "Runout", "", in);
   if (run.motion) text += run.motion->sentence + "\n";
   return text;
 }
 
 /// What leaves where in the state that the methods began with, and how high water stands on the ground.
-std::string write_state(const results::WaterState& state) {
+std::string write_state(const results::WaterState& state, const Units& in) {
   std::string text;
   const double least = 1e-6 * std::max(state.inflow, state.outflow);  // below it is the solver's rounding
   for (const results::Discharge& d : state.discharges) {
-    if (d.inflow > least) text += fmt::format("{} {:.3g} in through '{}'", text.empty() ? "" : ",", d.inflow, d.name);
-    if (d.outflow > least)
-      text += fmt::format("{} {:.3g} out through '{}'", text.empty() ? "" : ",", d.outflow, d.name);
+    for (const auto& [flow, way] : {std::pair{d.inflow, "in"}, std::pair{d.outflow, "out"}})
+      if (flow > least)
+        text += fmt::format("{} {:.3g} {} through '{}'", text.empty() ? "" : ",", flow / in.volume_unit(), way, d.name);
   }
-  if (!text.empty()) text = fmt::format("Water at the start ({} seepage), m³/s:{}\n", to_word(state.flow), text);
+  if (!text.empty())
+    text = fmt::format("Water at the start ({} seepage), {}:{}\n", to_word(state.flow), in.flow_name(), text);
   double level = -std::numeric_limits<double>::infinity();
   for (const results::StandingWater& pond : state.ponds) level = std::max({level, pond.level_from, pond.level_to});
   if (std::isfinite(level))
-    text += fmt::format("{} stands on the ground up to y = {} m\n",
+    text += fmt::format("{} stands on the ground up to y = {}\n",
                         state.flow == results::WaterFlow::lowered ? "After drawdown water" : "Water",
-                        format_coordinate(level));
+                        in.write_level(level));
   return text;
 }
 
@@ -250,17 +259,18 @@ std::string write_timeline(const results::Timeline& t) {
   return text;
 }
 
-std::string write_water(const results::RunResult& run) {
+std::string write_water(const results::RunResult& run, const Units& in) {
   std::string text;
   if (const auto& w = run.seepage)
-    text += fmt::format("Steady seepage: {:.3g} m³/s through, largest suction {:.3g} kPa\n", w->inflow,
-                        1e-3 * w->largest_suction);
-  if (run.water_states && !run.water_states->empty()) text += write_state(run.water_states->back());
+    text += fmt::format("Steady seepage: {:.3g} {} through, largest suction {}\n", w->inflow / in.volume_unit(),
+                        in.flow_name(), in.write_stress(w->largest_suction));
+  if (run.water_states && !run.water_states->empty()) text += write_state(run.water_states->back(), in);
   if (const auto& w = run.season)
     text += fmt::format(
-        "Season of {:.4g} days: {:.3g} m³ of rain and inflow entered, {:.3g} m³ left, {:.3g} of {:.3g} m³ transpired; "
+        "Season of {:.4g} days: {:.3g} {} of rain and inflow entered, {:.3g} left, {:.3g} of {:.3g} transpired; "
         "water balance error {:.1g} of the total\n",
-        w->duration / 86400, w->inflow, w->outflow, w->transpired, w->potential, std::abs(w->error));
+        w->duration / 86400, w->inflow / in.volume_unit(), in.volume_name(), w->outflow / in.volume_unit(),
+        w->transpired / in.volume_unit(), w->potential / in.volume_unit(), std::abs(w->error));
   if (const auto& w = run.water)
     text += fmt::format(
         "Water: {:.5g} kg at the start, {:.3g} kg came in, {:.3g} kg left, {:.5g} kg now; water balance "
@@ -305,8 +315,9 @@ std::string write_digest(const results::RunResult& run) {
                           : stage.moving                       ? "time is up, and it still moves"
                                                                : "time is up");
   if (run.factor_of_safety) text += write_factors(*run.factor_of_safety);
-  text += write_runouts(run);
-  text += write_water(run);
+  const Units units(run);
+  text += write_runouts(run, units);
+  text += write_water(run, units);
   text += write_comparisons(run.comparisons);
   for (const std::string& w : run.warnings) text += fmt::format("warning: {}\n", w);
   return text;

@@ -276,8 +276,8 @@ class Assumptions {
   void add_motion() {
     if (has_moved())
       add("Runout: moved volume and largest displacement are robust to about ±15 to 20 % from H/10 on, the position of "
-          "the front is not: it converges slowly, and each halving of the mesh may move it by a tenth. Take it from "
-          "two meshes and allow three times their difference. Kinetic energy is lost in the mapping at impacts: "
+          "the front is not: it converges slowly, and each halving of the mesh may move it by a tenth. Behind ± stands "
+          "three times the difference from elements twice as large. Kinetic energy is lost in the mapping at impacts: "
           "pressures on walls are not valid.");
     if (choices_.largest_damping > 0.1 && !choices_.is_reduction)
       add("Local damping of up to {:g} is used, for coming to rest. In a stage that runs out it would stop the soil "
