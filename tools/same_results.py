@@ -28,7 +28,7 @@ ONE_MESH = ["strength_reduction.frozen.meshes=1"]
 # name → (command, case file below examples/ or tests/, overrides)
 CASES = {
     "dry_slope": ("run", "examples/dry_slope/case.toml", COARSE),
-    "dry_three_methods": ("run", "examples/dry_slope/three_methods.toml",
+    "dry_four_methods": ("run", "examples/dry_slope/four_methods.toml",
                           [*COARSE, *ONE_MESH, "strength_reduction.curve.runout=[1.75]", "fem.size=2", "fem.resolution=0.05"]),
     "dry_study": ("study", "examples/dry_slope/study.toml",
                   [*COARSE, *ONE_MESH, "strength_reduction.curve.runout=[]", "strength_reduction.curve.to=1.25"]),
