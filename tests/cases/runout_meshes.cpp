@@ -32,7 +32,7 @@ class RunoutMeshes : public MethodsTest {
 
 TEST_F(RunoutMeshes, TheCoarserIsTheCaseWithElementsTwiceAsLarge) {
   const json fine = collapse("0.1").at("runout");
-  const json told = fine.at("coarser_mesh");
+  const json& told = fine.at("coarser_mesh");
   EXPECT_TRUE(std::filesystem::exists(folder_ / "coarser_mesh" / "summary.json"));
   const json coarse = collapse("0.2", {{"output.runout_meshes", "1"}}).at("runout");
   EXPECT_FALSE(coarse.contains("coarser_mesh"));
