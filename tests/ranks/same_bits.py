@@ -26,7 +26,8 @@ faults = []
 
 
 def start(program, ranks, case, folder, *more):
-    line = [program, "run", str(case), "-o", str(folder), "-q", "--no-report", *more]
+    # Several ranks do not repeat a runout on a coarser mesh.
+    line = [program, "run", str(case), "-o", str(folder), "-q", "--no-report", "--set", "output.runout_meshes=1", *more]
     if ranks > 1:
         line = ["mpiexec", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), *line]
     else:
