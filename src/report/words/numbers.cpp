@@ -91,7 +91,7 @@ ShownUnit name_thickness(ShownUnit unit) {
 
 std::string show_uncertain(double si, std::optional<double> uncertainty, const ShownUnit& unit) {
   if (uncertainty) *uncertainty /= unit.si;
-  return format_uncertain(si / unit.si, uncertainty) + " " + unit.name;
+  return format_uncertain(si / unit.si, uncertainty) + (unit.name.empty() ? "" : " " + unit.name);
 }
 
 std::string show_coordinate(double si, const ShownUnit& unit) {

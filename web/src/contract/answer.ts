@@ -39,6 +39,8 @@ export interface NamedResult {
   title: string;
   value: number;
   unit: Unit;
+  /** With its unit and what the mesh leaves open, "1.3 ± 0.4 m", where that is known. */
+  text?: string;
   kind:
     | "factor"
     | "yield_acceleration"

@@ -183,7 +183,7 @@ function Results({ results, large }: { results: NamedResult[]; large: boolean })
       {results.map((result) => (
         <div key={result.name}>
           <dt>{result.title}</dt>
-          <dd>{formatQuantity(result.value, result.unit, 3, true)}</dd>
+          <dd>{result.text ?? formatQuantity(result.value, result.unit, 3, true)}</dd>
         </div>
       ))}
     </dl>
