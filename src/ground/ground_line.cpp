@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "mesh/planar.hpp"
 
 namespace talus::ground {

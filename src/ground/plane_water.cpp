@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/coordinates.hpp"
+#include "base/numbers.hpp"
 #include "ground/initial_water.hpp"
 #include "ground/pore_water.hpp"
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "mesh/planar.hpp"
 
 namespace talus::ground {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
-#include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "ground/initial_water.hpp"
 
 namespace talus::ground {

@@ -8,8 +8,8 @@
 #include <set>
 #include <string_view>
 
-#include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "mesh/planar.hpp"
 
 namespace talus::mesh {

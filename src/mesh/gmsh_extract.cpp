@@ -9,8 +9,8 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "mesh/gmsh_mesh.hpp"
 
 namespace talus::mesh {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "mesh/gmsh_mesh.hpp"
 #include "mesh/gmsh_session.hpp"
 

@@ -111,7 +111,7 @@ void describe(V& v, R& r) {
   v.maybe("sides", r.sides, {"", "the same of each side, where the soil moved to both"});
 }
 
-/// What the mesh leaves open in the numbers of a runout; nothing where it was calculated on one mesh.
+/// Uncertainties of a runout that the mesh causes; nothing where it was calculated on one mesh.
 struct RunoutUncertainty {
   std::optional<double> front_advance, toe_distance, crest_retreat, moved_volume, highest_ground;
   explicit RunoutUncertainty(const Runout& r) {

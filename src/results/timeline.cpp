@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/dates.hpp"
-#include "base/uncertain.hpp"
+#include "base/numbers.hpp"
 #include "base/units.hpp"
 
 namespace talus::results {

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/coordinates.hpp"
-#include "base/uncertain.hpp"
+#include "base/numbers.hpp"
 #include "base/units.hpp"
 #include "results/governing.hpp"
 

@@ -14,8 +14,8 @@
 #include <regex>
 #include <sstream>
 
-#include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/plots/curve_plot.hpp"
 #include "output/plots/field_plot.hpp"

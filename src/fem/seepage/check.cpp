@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 
 namespace talus::fem {
 

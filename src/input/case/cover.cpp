@@ -10,8 +10,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "base/coordinates.hpp"
 #include "base/nearest.hpp"
+#include "base/numbers.hpp"
 #include "input/case/checks.hpp"
 #include "mesh/check_plan.hpp"
 #include "mesh/planar.hpp"

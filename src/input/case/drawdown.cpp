@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/coordinates.hpp"
+#include "base/numbers.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {

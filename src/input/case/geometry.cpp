@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "base/coordinates.hpp"
+#include "base/numbers.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "base/coordinates.hpp"
+#include "base/numbers.hpp"
 #include "input/case/checks.hpp"
 #include "mesh/planar.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/coordinates.hpp"
+#include "base/numbers.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/soil_outline.hpp"
 

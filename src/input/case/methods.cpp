@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/coordinates.hpp"
+#include "base/numbers.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/coordinates.hpp"
+#include "base/numbers.hpp"
 #include "lem/slices/strips.hpp"
 #include "mesh/planar.hpp"
 

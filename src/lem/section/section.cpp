@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/coordinates.hpp"
+#include "base/numbers.hpp"
 #include "lem/section/region_faults.hpp"
 
 namespace talus::lem {

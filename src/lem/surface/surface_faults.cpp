@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/coordinates.hpp"
+#include "base/numbers.hpp"
 #include "lem/surface/base_line.hpp"
 
 namespace talus::lem {

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/coordinates.hpp"
-#include "base/uncertain.hpp"
+#include "base/numbers.hpp"
 #include "base/units.hpp"
 
 namespace talus::report {

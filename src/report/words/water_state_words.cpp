@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/coordinates.hpp"
+#include "base/numbers.hpp"
 #include "report/content/water_states.hpp"
 #include "report/words/numbers.hpp"
 

@@ -7,8 +7,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "run/lem/section_of_case.hpp"
 #include "run/lem/tell_slices.hpp"
 

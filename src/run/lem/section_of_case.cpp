@@ -8,8 +8,8 @@
 #include <map>
 #include <numbers>
 
-#include "base/coordinates.hpp"
 #include "base/error.hpp"
+#include "base/numbers.hpp"
 #include "ground/ground_line.hpp"
 #include "ground/initial_water.hpp"
 #include "ground/plane_water.hpp"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Numbers with as many digits as their uncertainty leaves, and the uncertainty that two meshes give.
+// Numbers in sentences with as many digits as their uncertainty leaves, and the uncertainty that two meshes give.
 
-#include "base/uncertain.hpp"
+#include "base/numbers.hpp"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 #include "results/runout.hpp"
 
@@ -19,6 +21,16 @@ TEST(Uncertain, TheValueEndsWhereItsUncertaintyDoes) {
   EXPECT_EQ(format_uncertain(-0.04, 0.3), "0.0 ± 0.3") << "nothing has a sign";
   EXPECT_EQ(format_uncertain(0.2, 0.096), "0.20 ± 0.10");
   EXPECT_EQ(format_uncertain(5, 0.995), "5.0 ± 1.0");
+  EXPECT_EQ(format_uncertain(0, 0.5), "0.0 ± 0.5");
+}
+
+TEST(Uncertain, RoundingIsNoNumber) {
+  EXPECT_EQ(format_uncertain(7e-18, std::nullopt), "0");
+  EXPECT_EQ(format_uncertain(-7e-18, 3e-17), "0");
+  EXPECT_EQ(format_uncertain(5.4321, 3e-16), "5.43") << "two meshes that agree";
+  EXPECT_EQ(format_uncertain(5.4321, 1e-3), "5.43");
+  EXPECT_EQ(format_uncertain(std::numeric_limits<double>::quiet_NaN(), 1.0), "–");
+  EXPECT_EQ(format_uncertain(1.0, std::numeric_limits<double>::infinity()), "–");
 }
 
 TEST(Uncertain, WithoutAnUncertaintyTwoDigitsAreMeant) {
