@@ -172,6 +172,14 @@ class Values {
   /// `of` follows the titles: ", runout at SRF 1.75".
   void add_runout(const std::string& path, const std::string& of, const Runout& runout) {
     add_side(path, of, runout);
+    const RunoutUncertainty about(runout);
+    for (NamedValue& v : list) {
+      if (v.kind != ResultKind::runout || v.name != path + "." + v.quantity) continue;
+      if (v.quantity == "front_advance") v.uncertainty = {about.front_advance};
+      if (v.quantity == "toe_distance") v.uncertainty = {about.toe_distance};
+      if (v.quantity == "crest_retreat") v.uncertainty = {about.crest_retreat};
+      if (v.quantity == "moved_volume") v.uncertainty = {about.moved_volume};
+    }
     if (!runout.sides) return;
     for (const RunoutSide& side : *runout.sides)
       add_side(path + (side.direction < 0 ? ".left" : ".right"), fmt::format(" {}{}", name_side(side.direction), of),

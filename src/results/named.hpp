@@ -25,6 +25,11 @@ inline constexpr auto words<ResultKind> = std::array{Word{ResultKind::factor, "f
                                                      Word{ResultKind::other, "other"}};
 
 /// A number of a run under its name.
+/// The uncertainty that the mesh leaves in a value; nothing where it was calculated on one mesh.
+struct MeshUncertainty {
+  std::optional<double> value;
+};
+
 struct NamedValue {
   std::string name;   ///< "runout[1.75].moved_volume"
   std::string title;  ///< "moved volume, runout at SRF 1.75"
@@ -33,6 +38,8 @@ struct NamedValue {
   std::string quantity;           ///< "moved_volume"
   std::optional<SliceMethod> by;  ///< of the slices, factors and accelerations
   double value = 0;               ///< [unit]
+  /// Of a number of a runout that depends on the mesh; nothing: the number is told without one.
+  std::optional<MeshUncertainty> uncertainty = {};
 };
 
 /// All numbers that `run` holds, in the order of the report, but the displacements of single trials. `dimension` is

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/content/named_results.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "report/words/numbers.hpp"
 #include "results/named.hpp"
@@ -31,29 +28,6 @@ ShownUnit choose_unit(const results::NamedResult& result, const ShownUnits& unit
   if (name.starts_with("m3/s")) return units.flow(dimension);
   if (name.starts_with("m3")) return units.volume(dimension);
   return {name, result.unit.si};
-}
-
-/// What the mesh leaves open in a number of a runout that is told with it; nothing for other results. The inner
-/// optional is empty where one mesh shows no uncertainty.
-std::optional<std::optional<double>> find_uncertainty(const results::RunResult& run, const std::string& name) {
-  static const std::map<std::string, std::optional<double> results::RunoutUncertainty::*> told{
-      {"front_advance", &results::RunoutUncertainty::front_advance},
-      {"toe_distance", &results::RunoutUncertainty::toe_distance},
-      {"crest_retreat", &results::RunoutUncertainty::crest_retreat},
-      {"moved_volume", &results::RunoutUncertainty::moved_volume}};
-  const auto find = [&](const results::Runout& runout,
-                        const std::string& prefix) -> std::optional<std::optional<double>> {
-    if (!name.starts_with(prefix)) return std::nullopt;
-    const auto found = told.find(name.substr(prefix.size()));
-    if (found == told.end()) return std::nullopt;
-    return results::RunoutUncertainty(runout).*found->second;
-  };
-  if (run.runout)
-    if (const auto found = find(*run.runout, "runout.")) return found;
-  if (run.runouts)
-    for (const results::RunoutTrial& r : *run.runouts)
-      if (const auto found = find(r.runout, fmt::format("runout[{:g}].", r.trial.factor))) return found;
-  return std::nullopt;
 }
 
 }  // namespace
@@ -81,8 +55,8 @@ json list_named_results(const ResultFolder& folder) {
             {"kind", results::to_word(about.kind)},
             {"quantity", about.quantity},
             {"by", about.by ? to_word(*about.by) : ""}};
-    if (const auto uncertainty = find_uncertainty(folder.run, result.name))
-      told["text"] = show_uncertain(result.value, *uncertainty, {"", unit.si}) + "\u00a0" + unit.name;
+    if (about.uncertainty)
+      told["text"] = show_uncertain(result.value, about.uncertainty->value, {"", unit.si}) + "\u00a0" + unit.name;
   }
   return list;
 }
