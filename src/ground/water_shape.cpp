@@ -54,8 +54,7 @@ class Table {
     for (const Standing& s : standing_)
       if (s.highest - s.lowest > noticeable * relief_ && !is_flood(s))
         say("{} is above the ground from x = {} m to {} m and slopes there between y = {} m and {} m; standing water "
-            "is "
-            "level. Lower it to the ground where there is no pond",
+            "is level. Lower it to the ground where there is no pond",
             name_, write(s.from), write(s.to), write(s.lowest), write(s.highest));
     describe_end(true);
     describe_end(false);

@@ -174,6 +174,9 @@ TEST(FrozenSearch, WarnsOfUndecidedTrialsWhereTheyLeaveTheFactorOpen) {
                                                            }));
     EXPECT_TRUE(found.undecided);
     EXPECT_EQ(describe_undecided(found, {}).empty(), runs_away < 1.53) << "2 % of the factor";
+    // The interval reaches the factor at which a trial ran away, not the one that was counted as failed.
+    const results::FrozenFactor frozen = join_meshes({found});
+    EXPECT_GE(*frozen.factor + frozen.bracket, runs_away);
   }
 }
 

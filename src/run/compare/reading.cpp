@@ -132,9 +132,10 @@ class Reading {
     if (given_ != nullptr && given_->factor < low)
       below.push_back(fmt::format("{:.3f} by finite elements", given_->factor));
     if (frozen_ && *frozen_ < low) below.push_back(fmt::format("{:.3f} by material points", *frozen_));
-    say("Soil of the case has ψ < φ. For such soil nothing is proven: it may fail earlier{}, and what it bears depends "
-        "on its history.",
-        below.empty() ? "" : fmt::format(", as {} {}", fmt::join(below, " and "), below.size() > 1 ? "say" : "says"));
+    say("Soil of the case has ψ < φ. For such soil nothing is proven: it may fail earlier, and what it bears depends "
+        "on "
+        "its history.{}",
+        below.empty() ? "" : fmt::format(" Below the interval: {}.", fmt::join(below, ", ")));
   }
 
   const results::CriticalSurface* find_circle(SliceMethod method) const {

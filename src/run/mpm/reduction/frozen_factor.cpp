@@ -18,6 +18,21 @@ namespace {
 /// Elements at re-entrant corners reach the general size so many general sizes away.
 constexpr double corner_reach = 8;
 
+/// Smallest factor at which a trial ran away; infinite where none did.
+double find_smallest_failed(const results::MeshFactor& mesh) {
+  double failed = std::numeric_limits<double>::infinity();
+  for (const results::Trial& t : mesh.trials)
+    if (t.end == results::StageEnd::failed) failed = std::min(failed, t.factor);
+  return failed;
+}
+
+/// Distance from the factor of a mesh to the ends of its bracket. Trials that were counted as failed may have held, so
+/// that the upper end is the next factor that ran away.
+double find_half_bracket(const results::MeshFactor& mesh) {
+  const double half = 0.5 * (*mesh.upper - *mesh.lower), failed = find_smallest_failed(mesh);
+  return mesh.undecided && std::isfinite(failed) ? std::max(half, failed - *mesh.factor()) : half;
+}
+
 /// A bracket is widened at most this often in one direction.
 constexpr int most_widenings = 6;
 
@@ -67,7 +82,7 @@ void extrapolate(results::FrozenFactor& frozen, int dimension) {
   double factor = 0, bracket = 0, passed_on = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
     factor += shares[i] * *line[i]->factor();
-    bracket += std::abs(shares[i]) * 0.5 * (*line[i]->upper - *line[i]->lower);
+    bracket += std::abs(shares[i]) * find_half_bracket(*line[i]);
     passed_on += std::abs(shares[i]);
   }
   frozen.factor = frozen.extrapolated = factor;
@@ -86,14 +101,11 @@ mesh::Plan plan_frozen_mesh(mesh::Plan plan, const input::FrozenFactor& settings
 
 std::string describe_undecided(const results::MeshFactor& mesh, const input::FrozenFactor& settings) {
   if (!mesh.undecided || !mesh.lower) return "";
-  double failed = std::numeric_limits<double>::infinity();
-  for (const results::Trial& t : mesh.trials)
-    if (t.end == results::StageEnd::failed) failed = std::min(failed, t.factor);
+  const double failed = find_smallest_failed(mesh);
   if (failed < (1 + doubtful) * *mesh.lower) return "";
   return fmt::format(
       "at h = {:g} m trials neither rested nor ran away within {:g} s and count as failed: the factor lies between "
-      "{:.3f} "
-      "and {}. A longer 'window' under [strength_reduction.frozen] decides them",
+      "{:.3f} and {}. A longer 'window' under [strength_reduction.frozen] decides them",
       mesh.size, settings.window, *mesh.lower,
       std::isfinite(failed) ? fmt::format("{:.3f}", failed) : std::string("a factor that was not found"));
 }
@@ -109,7 +121,7 @@ results::FrozenFactor join_meshes(std::vector<results::MeshFactor> meshes, std::
   if (!frozen.note.empty()) return frozen;
   const results::MeshFactor& finest = frozen.meshes.back();
   frozen.factor = finest.factor();
-  frozen.bracket = 0.5 * (*finest.upper - *finest.lower);
+  frozen.bracket = find_half_bracket(finest);
   if (frozen.meshes.size() > 1) extrapolate(frozen, dimension);
   return frozen;
 }
