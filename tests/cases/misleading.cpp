@@ -56,6 +56,13 @@ TEST_F(Misleading, FelleniusDoesNotFallToZeroUnderAFullPool) {
   EXPECT_EQ(summary.at("main_factor").get<double>(), spencer) << "Fellenius is lower, and leaves more out";
 }
 
+/// An independent code (xslope) has 0.422 by Spencer's method.
+TEST_F(Misleading, TheSearchKeepsTheBestPolylineThatHasAMechanism) {
+  const json polylines = run_case("weak_middle_band").at("lem").at("noncircular");
+  ASSERT_EQ(polylines.size(), 1u) << "none was found";
+  EXPECT_NEAR(polylines[0].at("factor").get<double>(), 0.422, 0.002);
+}
+
 TEST_F(Misleading, NoFactorHasForcesThatNoSoilBears) {
   const json summary = run_case("steep_cut");
   int count = 0;

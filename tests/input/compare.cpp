@@ -65,6 +65,30 @@ TEST(Compare, CallsAFactorInTimeByTheUsersOwnNumber) {
   EXPECT_EQ(results::find_value(run, "timeline.factor[1110093]"), 1.25);
 }
 
+TEST(Digest, IsInTheUnitsOfTheCase) {
+  constexpr double foot = 0.3048;
+  results::RunResult run;
+  run.units = {"ft", "in", "psf"};
+  run.runout.emplace();
+  run.runout->front_advance = 12.2 * foot;
+  run.runout->largest_displacement = 15 * foot;
+  run.runout->moved_volume = 100 * foot * foot;
+  run.runout->coarser_mesh = {4 * foot, 11.9 * foot, 0, 0, 97 * foot * foot};
+  run.seepage.emplace();
+  run.seepage->inflow = 3 * foot * foot;
+  run.seepage->largest_suction = 47.880259 * 250;
+  const std::string text = run::write_digest(run);
+  for (const char* line :
+       {"Runout: front advances 12.2 ± 0.9 ft and stays behind the toe, crest retreats 0 ft, largest displacement "
+        "15 ft, 100 ± 9 ft³/ft move\n",
+        "Steady seepage: 3 ft³/s per ft through, largest suction 250 psf\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  run.runout->moved_volume = 0;
+  run.runout->threshold = foot;
+  EXPECT_NE(run::write_digest(run).find("Runout: no soil moves more than 1 ft; largest displacement 15 ft\n"),
+            std::string::npos);
+}
+
 TEST(Compare, StandsInTheTerminal) {
   results::RunResult run;
   run.title = "A slope";
