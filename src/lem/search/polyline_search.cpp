@@ -131,7 +131,7 @@ class PolylineSearch {
     if (evaluate_.passing().factor > best_.factor) {
       best_ = evaluate_.passing();
       evaluate_.steepen();
-      improve(evaluate_.passing().surface);
+      improve(Surface(best_.surface));  // a copy: the best surface may be another one before the end
     }
     const OptimisedSurface& passing = evaluate_.passing();
     if (evaluate_.passes_all_checks(passing.surface)) return passing;
