@@ -37,11 +37,13 @@ input::Case coarsen(input::Case data) {
   return data;
 }
 
-void add(const results::Runout& there, double size, results::Runout& here) {
-  // Soil that stands still on the coarser mesh is an answer too, soil that runs the other way is another slide.
-  if (here.moved_volume <= 0 || (there.moved_volume > 0 && there.direction != here.direction)) return;
+/// Returns false where the soil runs the other way there, which is another slide. Soil that stands still is an answer.
+bool add(const results::Runout& there, double size, results::Runout& here) {
+  if (here.moved_volume <= 0) return true;
+  if (there.moved_volume > 0 && there.direction != here.direction) return false;
   here.coarser_mesh = {
       size, there.front_advance, there.toe_distance, there.crest_retreat, there.moved_volume, there.highest_ground};
+  return true;
 }
 
 }  // namespace
@@ -80,12 +82,18 @@ std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& lo
   if (why)
     return fmt::format("front, runout and height have no interval, because the mesh with elements of {} failed: {}",
                        say_length(run, coarser.mesh.size), *why);
-  if (run.runout && found.runout) add(*found.runout, coarser.mesh.size, *run.runout);
+  bool agrees = true;
+  if (run.runout && found.runout) agrees = add(*found.runout, coarser.mesh.size, *run.runout);
   if (run.runouts && found.runouts)
     for (results::RunoutTrial& here : *run.runouts)
       for (const results::RunoutTrial& there : *found.runouts)
-        if (std::abs(there.trial.factor - here.trial.factor) < 1e-9) add(there.runout, coarser.mesh.size, here.runout);
-  return std::nullopt;
+        if (std::abs(there.trial.factor - here.trial.factor) < 1e-9)
+          agrees = add(there.runout, coarser.mesh.size, here.runout) && agrees;
+  if (agrees) return std::nullopt;
+  return fmt::format(
+      "on elements of {} the soil runs the other way, so that front, runout and height have no interval: refine "
+      "mesh.size",
+      say_length(run, coarser.mesh.size));
 }
 
 template std::optional<std::string> compare_with_coarser_mesh<2>(const input::LoadedCase&, const input::Case&,
