@@ -133,8 +133,7 @@ class Reading {
       below.push_back(fmt::format("{:.3f} by finite elements", given_->factor));
     if (frozen_ && *frozen_ < low) below.push_back(fmt::format("{:.3f} by material points", *frozen_));
     say("Soil of the case has ψ < φ. For such soil nothing is proven: it may fail earlier, and what it bears depends "
-        "on "
-        "its history.{}",
+        "on its history.{}",
         below.empty() ? "" : fmt::format(" Below the interval: {}.", fmt::join(below, ", ")));
   }
 
