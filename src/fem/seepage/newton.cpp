@@ -80,6 +80,8 @@ bool SeepageNewton<D>::search_line(SeepageState& state, const std::vector<double
   if (recent_.size() == memory) recent_.erase(recent_.begin());
   recent_.push_back(find_merit(sums_, state));
   const double before = *std::max_element(recent_.begin(), recent_.end());
+  StepInput values = input_;
+  values.chord = 0;  // no slopes are wanted
   SeepageState trial = state;
   double length = 1;
   while (length >= shortest_step) {
@@ -88,7 +90,7 @@ bool SeepageNewton<D>::search_line(SeepageState& state, const std::vector<double
       trial.head[u] = state.head[u] + length * direction[u];
       largest = std::max(largest, std::abs(length * direction[u]));
     }
-    const NodalSums sums = sum_over_elements(system_, trial.head, input_, false);
+    const NodalSums sums = sum_over_elements(system_, trial.head, values, false);
     const double merit = find_merit(sums, trial);
     if (merit <= (1 - 1e-4 * length) * before || largest < 1e-12 * height_) {
       state.head = trial.head;

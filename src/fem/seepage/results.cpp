@@ -94,11 +94,27 @@ void add_exits(const SeepageSystem<D>& system, const std::vector<FaceState>& fac
 }  // namespace
 
 template <int D>
-SeepageResult<D> make_result(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
-                             const std::vector<NodeCondition>& conditions, double time, const StepInput& input) {
-  const auto& mesh = *system.model.mesh;
+SeepageResult<D> tell_flows(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
+                            const std::vector<NodeCondition>& conditions, double time, const StepInput& input) {
   SeepageResult<D> r;
   r.time = time;
+  add_discharges(system, sums, conditions, time, r, state.face);
+  for (std::size_t q = 0; q < sums.drawn.size(); ++q) {
+    const RootSink& sink = system.model.sinks[q];
+    double covered = 0;
+    for (int node : system.node_of_unknown) covered += sink.weights[static_cast<std::size_t>(node)];
+    r.uptakes.push_back({sink.name, covered * input.sink_rates[q], sums.drawn[q]});
+    r.transpired += sums.drawn[q];
+  }
+  r.storage_rate = sums.storage_rate;
+  r.balance_error = r.inflow - r.outflow - r.transpired - r.storage_rate;
+  return r;
+}
+
+template <int D>
+void add_fields(const SeepageSystem<D>& system, const SeepageState& state, const StepInput& input,
+                SeepageResult<D>& r) {
+  const auto& mesh = *system.model.mesh;
   r.head = to_nodes(system, state.head);
   r.pressure.assign(mesh.nodes.size(), 0);
   r.face.assign(mesh.nodes.size(), FaceState::none);
@@ -115,29 +131,18 @@ SeepageResult<D> make_result(const SeepageSystem<D>& system, const SeepageState&
     const auto& soil = system.model.soils[static_cast<std::size_t>(mesh.element_region[e])];
     std::array<double, D + 1> suction;
     for (std::size_t k = 0; k <= D; ++k) suction[k] = r.pressure[static_cast<std::size_t>(nodes[k])];
-    const auto water = find_element_water<D>(soil, suction, input);
-    r.saturation[e] = water.saturation;
+    const double relative = find_mean_conductivity<D>(soil, suction, input).relative;
+    r.saturation[e] = find_mean_saturation<D>(soil, suction);
     for (std::size_t d = 0; d < D; ++d) {
       double gradient = 0;
       for (std::size_t k = 1; k <= D; ++k)
         gradient += mesh.gradients[e][(k - 1) * D + d] *
                     (r.head[static_cast<std::size_t>(nodes[k])] - r.head[static_cast<std::size_t>(nodes[0])]);
-      r.velocity[e][d] = -soil.conductivity[d] * water.relative * gradient;
+      r.velocity[e][d] = -soil.conductivity[d] * relative * gradient;
     }
   }
-  add_discharges(system, sums, conditions, time, r, state.face);
-  for (std::size_t q = 0; q < sums.drawn.size(); ++q) {
-    const RootSink& sink = system.model.sinks[q];
-    double covered = 0;
-    for (int node : system.node_of_unknown) covered += sink.weights[static_cast<std::size_t>(node)];
-    r.uptakes.push_back({sink.name, covered * input.sink_rates[q], sums.drawn[q]});
-    r.transpired += sums.drawn[q];
-  }
-  r.storage_rate = sums.storage_rate;
-  r.balance_error = r.inflow - r.outflow - r.transpired - r.storage_rate;
   add_exits(system, state.face, r);
   if constexpr (D == 2) r.water_table = find_water_table(mesh, r.pressure);
-  return r;
 }
 
 template <int D>
@@ -158,10 +163,11 @@ std::vector<double> to_nodes(const SeepageSystem<D>& system, const std::vector<d
   return r;
 }
 
-#define TALUS_INSTANTIATE(D)                                                                               \
-  template SeepageResult<D> make_result<D>(const SeepageSystem<D>&, const SeepageState&, const NodalSums&, \
-                                           const std::vector<NodeCondition>&, double, const StepInput&);   \
-  template std::vector<double> to_unknowns<D>(const SeepageSystem<D>&, const std::vector<double>&);        \
+#define TALUS_INSTANTIATE(D)                                                                                      \
+  template SeepageResult<D> tell_flows<D>(const SeepageSystem<D>&, const SeepageState&, const NodalSums&,         \
+                                          const std::vector<NodeCondition>&, double, const StepInput&);           \
+  template void add_fields<D>(const SeepageSystem<D>&, const SeepageState&, const StepInput&, SeepageResult<D>&); \
+  template std::vector<double> to_unknowns<D>(const SeepageSystem<D>&, const std::vector<double>&);               \
   template std::vector<double> to_nodes<D>(const SeepageSystem<D>&, const std::vector<double>&);
 TALUS_INSTANTIATE(2)
 TALUS_INSTANTIATE(3)

@@ -6,10 +6,16 @@
 
 namespace talus::fem {
 
-/// `sums` are those of the solution, `conditions` and `input` what it was solved with.
+/// Water through boundaries, roots and stores. `sums` are those of the solution, `conditions` and `input` what it was
+/// solved with. The fields are empty.
 template <int D>
-SeepageResult<D> make_result(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
-                             const std::vector<NodeCondition>& conditions, double time, const StepInput& input);
+SeepageResult<D> tell_flows(const SeepageSystem<D>& system, const SeepageState& state, const NodalSums& sums,
+                            const std::vector<NodeCondition>& conditions, double time, const StepInput& input);
+
+/// Heads, pressures, saturations, velocities, wet faces and water table of the solution.
+template <int D>
+void add_fields(const SeepageSystem<D>& system, const SeepageState& state, const StepInput& input,
+                SeepageResult<D>& result);
 
 /// Heads per unknown from heads per node, and back: nodes without soil get their elevation.
 template <int D>

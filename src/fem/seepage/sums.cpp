@@ -16,6 +16,16 @@ inline constexpr double near_weight = D == 2 ? 2.0 / 3 : 0.58541019662496845;
 template <int D>
 inline constexpr double far_weight = D == 2 ? 1.0 / 6 : 0.13819660112501051;
 
+/// Suctions at the points of that rule, each nearest to the node of its number.
+template <int D>
+std::array<double, D + 1> find_suctions(const std::array<double, D + 1>& of_nodes) {
+  double sum = 0;
+  for (const double s : of_nodes) sum += s;
+  std::array<double, D + 1> suctions;
+  for (std::size_t g = 0; g <= D; ++g) suctions[g] = far_weight<D> * sum + (near_weight<D> - far_weight<D>)*of_nodes[g];
+  return suctions;
+}
+
 template <int D>
 void add_storage(const SeepageSystem<D>& system, const std::vector<double>& head, const StepInput& input,
                  NodalSums& sums) {
@@ -112,20 +122,24 @@ material::CurvePoint<double> find_relative(const HydraulicSoil<D>& soil, double 
 }
 
 template <int D>
-ElementWater<D> find_element_water(const HydraulicSoil<D>& soil, const std::array<double, D + 1>& suction,
-                                   const StepInput& input) {
+MeanConductivity<D> find_mean_conductivity(const HydraulicSoil<D>& soil, const std::array<double, D + 1>& suction,
+                                           const StepInput& input) {
   constexpr std::size_t n = D + 1;
-  ElementWater<D> r;
-  double sum = 0;
-  for (double s : suction) sum += s;
+  MeanConductivity<D> r;
+  const auto suctions = find_suctions<D>(suction);
   for (std::size_t g = 0; g < n; ++g) {
-    const double s = far_weight<D> * sum + (near_weight<D> - far_weight<D>)*suction[g];
-    const auto k = find_relative(soil, s, input);
+    const auto k = find_relative(soil, suctions[g], input);
     r.relative += k.value / n;
-    r.saturation += material::saturation(soil.retention, s) / n;
     for (std::size_t j = 0; j < n; ++j) r.slope[j] += k.slope / n * (j == g ? near_weight<D> : far_weight<D>);
   }
   return r;
+}
+
+template <int D>
+double find_mean_saturation(const HydraulicSoil<D>& soil, const std::array<double, D + 1>& suction) {
+  double mean = 0;
+  for (const double s : find_suctions<D>(suction)) mean += material::saturation(soil.retention, s) / (D + 1);
+  return mean;
 }
 
 template <int D>
@@ -156,7 +170,7 @@ NodalSums sum_over_elements(const SeepageSystem<D>& system, const std::vector<do
         gradient[d] += shape[k][d] * (head[u[k]] - head[u[0]]);
       }
     }
-    const auto water = find_element_water<D>(soil, suction, input);
+    const auto conductivity = find_mean_conductivity<D>(soil, suction, input);
     std::array<double, n> flow;  // per unit of relative conductivity
     for (std::size_t i = 0; i < n; ++i) {
       flow[i] = 0;
@@ -167,19 +181,19 @@ NodalSums sum_over_elements(const SeepageSystem<D>& system, const std::vector<do
         magnitude += k * std::abs(shape[i][d] * gradient[d]);
         diagonal += k * shape[i][d] * shape[i][d];
       }
-      sums.outflow[u[i]] += water.relative * flow[i];
-      sums.weight[u[i]] += water.relative * diagonal;
-      sums.rounding += water.relative * (magnitude + diagonal * std::abs(head[u[i]]));
+      sums.outflow[u[i]] += conductivity.relative * flow[i];
+      sums.weight[u[i]] += conductivity.relative * diagonal;
+      sums.rounding += conductivity.relative * (magnitude + diagonal * std::abs(head[u[i]]));
     }
     if (!with_jacobian) continue;
     for (std::size_t j = 0; j < n; ++j) {
-      const double d_relative = -water.slope[j] * system.model.unit_weight;  // by the head of node j
+      const double d_relative = -conductivity.slope[j] * system.model.unit_weight;  // by the head of node j
       if (d_relative != 0) sums.symmetric = false;
       for (std::size_t i = 0; i < n; ++i) {
         double a = 0;
         for (std::size_t d = 0; d < D; ++d) a += soil.conductivity[d] * shape[i][d] * shape[j][d];
         sums.jacobian[static_cast<std::size_t>(system.slots[q][i * n + j])] +=
-            water.relative * mesh.volumes[e] * a + d_relative * flow[i];
+            conductivity.relative * mesh.volumes[e] * a + d_relative * flow[i];
       }
     }
   }
@@ -191,8 +205,12 @@ NodalSums sum_over_elements(const SeepageSystem<D>& system, const std::vector<do
 
 template std::vector<double> find_sink_rates<2>(const SeepageModel<2>&, double);
 template std::vector<double> find_sink_rates<3>(const SeepageModel<3>&, double);
-template ElementWater<2> find_element_water<2>(const HydraulicSoil<2>&, const std::array<double, 3>&, const StepInput&);
-template ElementWater<3> find_element_water<3>(const HydraulicSoil<3>&, const std::array<double, 4>&, const StepInput&);
+template MeanConductivity<2> find_mean_conductivity<2>(const HydraulicSoil<2>&, const std::array<double, 3>&,
+                                                       const StepInput&);
+template MeanConductivity<3> find_mean_conductivity<3>(const HydraulicSoil<3>&, const std::array<double, 4>&,
+                                                       const StepInput&);
+template double find_mean_saturation<2>(const HydraulicSoil<2>&, const std::array<double, 3>&);
+template double find_mean_saturation<3>(const HydraulicSoil<3>&, const std::array<double, 4>&);
 template NodalSums sum_over_elements<2>(const SeepageSystem<2>&, const std::vector<double>&, const StepInput&, bool);
 template NodalSums sum_over_elements<3>(const SeepageSystem<3>&, const std::vector<double>&, const StepInput&, bool);
 

@@ -105,15 +105,18 @@ template <int D>
 NodalSums sum_over_elements(const SeepageSystem<D>& system, const std::vector<double>& head, const StepInput& input,
                             bool with_jacobian);
 
-/// Mean of k_r over an element, its slopes by the nodal suctions, and the mean saturation.
+/// Mean of k_r over an element, and its slopes by the nodal suctions.
 template <int D>
-struct ElementWater {
+struct MeanConductivity {
   double relative = 0;
   std::array<double, D + 1> slope{};
-  double saturation = 0;
 };
 template <int D>
-ElementWater<D> find_element_water(const HydraulicSoil<D>& soil, const std::array<double, D + 1>& suction,
-                                   const StepInput& input);
+MeanConductivity<D> find_mean_conductivity(const HydraulicSoil<D>& soil, const std::array<double, D + 1>& suction,
+                                           const StepInput& input);
+
+/// Mean saturation of an element.
+template <int D>
+double find_mean_saturation(const HydraulicSoil<D>& soil, const std::array<double, D + 1>& suction);
 
 }  // namespace talus::fem

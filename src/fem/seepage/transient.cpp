@@ -204,7 +204,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     const auto new_contents = system.find_contents(trial.head);
     rate.resize(trial.head.size());
     for (std::size_t u = 0; u < rate.size(); ++u) rate[u] = (trial.head[u] - state.head[u]) / step;
-    auto result = make_result(system, trial, newton.sums(), conditions, at, input);
+    auto result = tell_flows(system, trial, newton.sums(), conditions, at, input);
     result.time = then;
     runoff.end_step(step, conditions, result);
     pools.end_step();
@@ -220,6 +220,7 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     dt = lands ? std::max(dt, step * growth) : step * growth;
     if (!lands) continue;
     if (output < schedule.outputs.size() && stops[stop] == schedule.outputs[output]) {
+      add_fields(system, state, input, result);
       keep_output(newton, std::move(result), volumes, drawn, history);
       history.stored.push_back(sum(contents) - stored_at_start - pools.given());
       ++output;
