@@ -83,7 +83,7 @@ def make_uncertain(samples) -> talus.Case:
             )
         ),
         analysis=dict(methods=["lem"]),
-        lem=dict(methods=["bishop"], noncircular=False, entry_exit=dict(exits=9, entries=9, depths=7)),
+        lem=dict(methods=["bishop"], noncircular=False, referee=False, entry_exit=dict(exits=9, entries=9, depths=7)),
     )
     case.study = dict(
         mode="sample",

@@ -77,6 +77,7 @@ reset_displacement = true
 [lem]
 methods = ["spencer"]
 noncircular = false
+referee = false
 minima = 1
 [lem.entry_exit]
 exits = 12

@@ -39,6 +39,7 @@ timeline.duration = "{3} s"
 timeline.times = [{4}]
 timeline.pool_loading = {5}
 analysis.methods = ["lem"]
+lem.referee = false
 )",
                                  height, level, height + fall, times.back(),
                                  [&] {

@@ -73,6 +73,7 @@ analysis.methods = ["lem"]
 [lem]
 methods = ["spencer"]
 search = "none"
+referee = false
 [[lem.surface]]
 name = "plane"
 points = [[0, {9}], [{3}, {10}]]
@@ -175,6 +176,7 @@ analysis.methods = ["lem"]
 [lem]
 methods = ["bishop"]
 search = "none"
+referee = false
 slices = 200
 [[lem.surface]]
 name = "circle"
