@@ -13,6 +13,7 @@
 #include "run/forecast/forecast.hpp"
 #include "run/mpm/start/end_state.hpp"
 #include "run/run_case.hpp"
+#include "study/study_forecast.hpp"
 
 namespace talus::app {
 namespace {
@@ -82,7 +83,7 @@ std::string describe_points(const input::Case& data) {
                      count(data.stages.size(), "stage", "stages"), time);
 }
 
-/// What the soil is, what each method calculates, and what the study does with it.
+/// What the soil is, and what each method calculates.
 std::string summarise(const input::Case& data) {
   std::string text = describe_soil(data);
   for (const run::MethodForecast& needs : run::forecast(data, true)) {
@@ -94,12 +95,6 @@ std::string summarise(const input::Case& data) {
   }
   if (const input::PartialFactorValues factors = input::find_partial_factors(data.partial_factors); factors.is_active())
     text += fmt::format("  with partial factors {}\n", factors.set);
-  const input::Study& study = data.study;
-  if (study.mode == input::StudyMode::sample)
-    text += fmt::format("  a study draws {} samples of {}\n", study.sampling.samples,
-                        count(study.sampling.numbers.size(), "uncertain number", "uncertain numbers"));
-  else if (!study.vary.empty())
-    text += fmt::format("  a study varies {}\n", count(study.vary.size(), "key", "keys"));
   return text;
 }
 
@@ -110,8 +105,8 @@ void add_check(CLI::App& app) {
   const auto options = std::make_shared<CaseOptions>();
   options->add_to(command);
   command.act([options] {
-    const input::LoadedCase loaded =
-        input::read_case(options->file, options->parse_overrides(), input::CaseScope::whole_or_tests);
+    const std::vector<input::Override> overrides = options->parse_overrides();
+    const input::LoadedCase loaded = input::read_case(options->file, overrides, input::CaseScope::whole_or_tests);
     if (!loaded.data.initial.result.empty())
       input::check_against_result(loaded, run::EndState(loaded.data.initial).input());
     if (loaded.is_whole) {
@@ -122,7 +117,7 @@ void add_check(CLI::App& app) {
     for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
     fmt::print("{}: no errors{}\n{}", options->file,
                warnings.empty() ? "" : ", " + count(warnings.size(), "warning", "warnings"),
-               loaded.is_whole ? summarise(loaded.data)
+               loaded.is_whole ? summarise(loaded.data) + study::describe_study(loaded, overrides)
                                : fmt::format("  {} of {}, no slope\n",
                                              count(loaded.data.tests.size(), "element test", "element tests"),
                                              count(loaded.data.materials.size(), "material", "materials")));

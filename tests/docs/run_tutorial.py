@@ -53,7 +53,7 @@ def call(folder: Path, *words: str) -> subprocess.CompletedProcess:
 
 def drop_time(text: str) -> str:
     """Without the time at the end of an estimate, which is that of the machine."""
-    return re.sub(r"^(    about .*),[^,]*(second|minute|hour|day)s?$", r"\1", text, flags=re.M)
+    return re.sub(r"^(    about .*?), [\d.a ]*(second|minute|hour|day)s?(, at most .*)?$", r"\1", text, flags=re.M)
 
 
 def check_what_is_shown(folder: Path) -> list[str]:

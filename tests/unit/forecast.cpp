@@ -10,6 +10,7 @@
 #include "run/forecast/probe.hpp"
 #include "run/mpm/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
+#include "study/study_forecast.hpp"
 #include "support/slopes.hpp"
 
 namespace talus::run {
@@ -55,8 +56,42 @@ TEST(Forecast, TheTimeStepOfACoarseMeshGivesThatOfTheCase) {
   const StagePlan<2> plan = make_plan<2>(loaded.data, loaded.data.stages.at(0), 10, 1);
   set_strength(body, loaded.data, {}, 1);
   const double step = find_critical_step(body, plan).dt * plan.step.courant;
-  EXPECT_NEAR(pace->steps.at(0), step, 0.2 * step);
-  EXPECT_GT(pace->point_steps, 1e5);
+  EXPECT_NEAR(pace->stages.at(0).step, step, 0.2 * step);
+  EXPECT_GT(pace->stages.at(0).point_steps, 1e5);
+}
+
+TEST(Forecast, ATimelineTakesMoreTheMoreTimesItHas) {
+  double before = 0;
+  for (const char* times : {"timeline.times=[1]", "timeline.times=[1, 2, 3, 4]"}) {
+    input::LoadedCase loaded =
+        input::read_case(TALUS_SOURCE_DIR "/examples/reservoir_drawdown/case.toml", {input::parse_override(times)});
+    const MethodForecast f = forecast(loaded.data, false).at(0);
+    EXPECT_GT(f.seconds, 1.5 * before) << times;
+    EXPECT_NE(describe(f).find(fmt::format(" {:.0f} time", f.times)), std::string::npos) << describe(f);
+    before = f.seconds;
+  }
+}
+
+TEST(Forecast, WhatIsUsualIsNoMoreThanTheMost) {
+  for (const char* example : {"dry_slope/four_methods.toml", "storm_on_a_bank/case.toml"})
+    for (const MethodForecast& f :
+         forecast(input::read_case(std::string(TALUS_SOURCE_DIR "/examples/") + example).data, true)) {
+      EXPECT_GT(f.seconds, 0) << example;
+      EXPECT_LE(f.seconds, f.most_seconds) << example << ": " << describe(f);
+    }
+}
+
+TEST(Forecast, AStudyTakesAsLongAsItsRuns) {
+  const std::vector<input::Override> none;
+  const auto describe_example = [&](const char* example) {
+    const std::string file = std::string(TALUS_SOURCE_DIR "/examples/") + example;
+    return study::describe_study(input::read_case(file), none);
+  };
+  EXPECT_EQ(describe_example("rapid_drawdown/case.toml"), "");
+  const std::string varied = describe_example("dry_slope/convergence_elements.toml");
+  EXPECT_TRUE(varied.starts_with("  a study varies 1 key: 4 runs, about ")) << varied;
+  const std::string drawn = describe_example("probability_of_failure/case.toml");
+  EXPECT_TRUE(drawn.starts_with("  a study draws 10000 samples of 4 uncertain numbers, about ")) << drawn;
 }
 
 TEST(Forecast, FreeMemoryIsTheLeastThatTheSystemSays) {

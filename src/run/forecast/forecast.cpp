@@ -25,20 +25,37 @@ constexpr double point_bytes[] = {560, 800};   ///< with a copy to return to
 constexpr double coupled_point_bytes[] = {800, 1000};
 /// Seconds in which Gmsh makes an element, on one core.
 constexpr double element_seconds[] = {6e-5, 1e-4};
-/// Linear systems of a strength reduction, which hardly change with the mesh, and seconds of one: c n^1.3.
-constexpr double systems = 250, system_seconds = 8e-8, system_power = 1.3, unknowns_per_element = 4;
+/// Seconds of a strength reduction with n unknowns, c n^1.3: with ψ < φ, and with ψ = φ.
+constexpr double reduction_seconds = 1.3e-4, associated_seconds = 4e-5, reduction_power = 1.3, unknowns_per_element = 4;
 /// Bytes of a factorised matrix: c n^1.1.
 constexpr double matrix_bytes = 1600, matrix_power = 1.1;
 /// Seconds of proven bounds up to a last mesh of n triangles, c n^1.5, and bytes of a triangle.
 constexpr double bounds_seconds = 7e-5, bounds_power = 1.5, bounds_bytes = 4e4;
-/// Triangles with which the referee of limit equilibrium usually ends.
-constexpr double referee_triangles = 900;
+/// Triangles with which the referee of limit equilibrium usually ends, and the two programs of a search.
+constexpr double referee_triangles = 900, usual_triangles = 0.3;
+/// Seconds in which seepage goes on to the next time that is kept, per element.
+constexpr double flow_seconds = 4e-5;
+/// Times of a timeline that are usually chosen, and kept beside the corners of its series.
+constexpr double chosen_times = 20, kept_times = 128;
+/// Shares of their time after which stages and trials usually rest or fail.
+constexpr double until_rest = 0.2, until_decided = 0.2, until_deposited = 0.6;
 /// Seconds of a trial circle by one method with 50 slices.
 constexpr double circle_seconds = 3e-6;
 constexpr double polyline_seconds = 0.3;
 
 std::size_t get_rank(int dimension) {
   return dimension == 2 ? 0 : 1;
+}
+
+/// Seepage up to every time that is kept, and a search at those that are tried; the referee judges a few of them.
+void add_timeline(const input::Case& data, double referee, MethodForecast& f) {
+  constexpr double most_judged = 6, read_pressures = 4;
+  const input::Timeline& timeline = *data.timeline;
+  f.times = timeline.times.empty() ? chosen_times : static_cast<double>(timeline.times.size());
+  double kept = timeline.times.empty() ? kept_times : f.times;
+  for (const input::Hydraulic& h : data.hydraulics) kept += static_cast<double>(h.values().time.size());
+  f.seconds += kept * flow_seconds * count_elements(data.mesh).soil + f.times * read_pressures * (f.seconds - referee) +
+               std::min(most_judged, f.times + 1) * referee;
 }
 
 MethodForecast forecast_slices(const input::Case& data, int threads) {
@@ -56,9 +73,13 @@ MethodForecast forecast_slices(const input::Case& data, int threads) {
   const double methods = static_cast<double>(lem.methods.size());
   f.seconds = f.surfaces * methods * circle_seconds * lem.slices / 50 / threads;
   if (lem.noncircular) f.seconds += polyline_seconds * methods;
-  if (lem.referee && data.mesh.dimension == 2)
-    f.seconds += static_cast<double>(data.earthquake.list_directions().size()) * bounds_seconds *
-                 std::pow(referee_triangles, bounds_power);
+  const double referee = lem.referee && data.mesh.dimension == 2
+                             ? static_cast<double>(data.earthquake.list_directions().size()) * bounds_seconds *
+                                   std::pow(referee_triangles, bounds_power)
+                             : 0;
+  f.seconds += referee;
+  if (data.timeline) add_timeline(data, referee, f);
+  f.most_seconds = f.seconds;
   return f;
 }
 
@@ -71,13 +92,13 @@ MethodForecast forecast_elements(const input::Case& data) {
   const ElementCount count = count_elements(plan);
   f.elements = count.soil;
   const double unknowns = unknowns_per_element * count.soil;
-  const double flows = data.fem.flow == input::FlowRule::both ? 2 : 1;
-  f.steps = flows * systems;
-  if (plan.dimension == 2) f.seconds = f.steps * system_seconds * std::pow(unknowns, system_power);
-  if (data.fem.meshes > 1 && plan.file.empty()) {  // a second mesh, of twice the size
-    f.steps *= 2;
-    f.seconds *= 1 + std::pow(0.25, system_power);
-  }
+  const input::FlowRule flow = data.fem.flow;
+  const double each = (flow == input::FlowRule::associated ? 0 : reduction_seconds) +
+                      (flow == input::FlowRule::as_given ? 0 : associated_seconds);
+  if (plan.dimension == 2) f.seconds = each * std::pow(unknowns, reduction_power);
+  if (data.fem.meshes > 1 && plan.file.empty())  // a second mesh, of twice the size
+    f.seconds *= 1 + std::pow(0.25, reduction_power);
+  f.most_seconds = f.seconds;
   f.bytes = program_bytes + mesh_bytes[get_rank(plan.dimension)] * count.all +
             matrix_bytes * std::pow(unknowns, matrix_power);
   return f;
@@ -88,41 +109,51 @@ MethodForecast forecast_bounds(const input::ProvenBounds& bounds) {
   MethodForecast f;
   f.method = input::Method::bounds;
   f.elements = bounds.triangles;
-  f.seconds = bounds_seconds * std::pow(bounds.triangles, bounds_power);
+  f.most_seconds = bounds_seconds * std::pow(bounds.triangles, bounds_power);
+  f.seconds = bounds_seconds * std::pow(usual_triangles * bounds.triangles, bounds_power);
   f.bytes = program_bytes + bounds_bytes * bounds.triangles;
   return f;
 }
 
-/// Steps and time of all stages and trials, at most.
+/// Steps of all stages and trials at most, and their time. `share`: of their time, after which they usually end.
 void add_time(const input::Case& data, const Pace& pace, MethodForecast& f, double coarse_points) {
-  double point_steps = 0;
-  const auto add = [&](double time, double step, double points) {
-    f.steps += time / step;
-    point_steps += time / step * points;
+  // A run goes on once more on elements twice as large.
+  const double twin = data.output.runout_meshes < 2 ? 1 : 1 + std::pow(0.5, f.dimension + 1);
+  const auto add = [&](double time, double share, const StagePace& here, double points, double runs) {
+    f.steps += time / here.step;
+    const double seconds = runs * time / here.step * points / here.point_steps;
+    f.seconds += share * seconds;
+    f.most_seconds += seconds;
   };
-  for (std::size_t i = 0; i < data.stages.size(); ++i) add(data.stages[i].duration, pace.steps[i], coarse_points);
-  const double twin = data.output.runout_meshes < 2 ? 0 : std::pow(0.5, f.dimension + 1);  // on elements twice as large
-  if (data.analysis == input::AnalysisKind::strength_reduction) {
+  const bool reduces = data.analysis == input::AnalysisKind::strength_reduction;
+  for (std::size_t i = 0; i < data.stages.size(); ++i)
+    add(data.stages[i].duration, data.stages[i].until == input::Until::rest ? until_rest : 1, pace.stages[i],
+        coarse_points, reduces ? 1 : twin);
+  const auto count_side_by_side = [&](double points) {
+    return points < 1e9 ? count_parallel_trials(static_cast<int>(points), default_threads()) : 1;
+  };
+  if (reduces) {
     const input::DisplacementCurve& c = data.strength_reduction.curve;
     if (c.enabled) {
       const double trials = std::floor((c.to - c.from) / c.step + 1) + (c.refine ? 8 : 0);
-      add(trials * c.window, pace.curve_step, coarse_points);
-      add((1 + twin) * static_cast<double>(c.runout.size()) * c.runout_time, pace.curve_step, coarse_points);
+      add(trials * c.window, 1, pace.curve, coarse_points, 1.0 / count_side_by_side(coarse_points));
+      add(static_cast<double>(c.runout.size()) * c.runout_time, until_deposited, pace.curve, coarse_points, twin);
     }
     const input::FrozenFactor& z = data.strength_reduction.frozen;
     const double trials = 2 + std::ceil(std::log2(std::max(2.0, (z.to - z.from) / z.resolution)));
     for (int m = 0; z.enabled && m < z.meshes; ++m) {
       const double points = count_elements(plan_frozen_mesh(data.mesh, z, m)).soil * data.points_per_element;
-      add(trials * z.window + static_cast<double>(data.stages.size()) * z.window, pace.frozen_step / std::pow(2.0, m),
-          points);
+      const StagePace finer{pace.frozen.step / std::pow(2.0, m), pace.frozen.point_steps};
+      add(trials * z.window, until_decided, finer, points, 1.0 / count_side_by_side(points));
+      add(static_cast<double>(data.stages.size()) * z.window, until_rest, finer, points, 1);
     }
   }
-  if (data.analysis == input::AnalysisKind::run) point_steps *= 1 + twin;
   // Points that take over from a timeline do so a little earlier and later as well.
   const auto* release = data.timeline && data.timeline->release ? &*data.timeline->release : nullptr;
   const double runs = release != nullptr && release->apart != 0.0 ? 3 : 1;
   f.steps *= runs;
-  f.seconds = runs * (point_steps / pace.point_steps + element_seconds[get_rank(f.dimension)] * f.elements);
+  for (double* seconds : {&f.seconds, &f.most_seconds})
+    *seconds = runs * (*seconds + element_seconds[get_rank(f.dimension)] * f.elements);
 }
 
 MethodForecast forecast_points(const input::Case& data, bool with_time) {
@@ -160,14 +191,6 @@ std::string write_count(double n) {
   return digits;
 }
 
-std::string write_time(double seconds) {
-  if (seconds < 1.5) return "a second";
-  if (seconds < 90) return fmt::format("{:.0f} seconds", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} minutes", seconds / 60);
-  if (seconds < 2 * 86400) return fmt::format("{:.1f} hours", seconds / 3600);
-  return fmt::format("{:.0f} days", seconds / 86400);
-}
-
 /// "about 34 TB of memory (8e9 elements, 2e10 points)".
 std::string write_need(const MethodForecast& f) {
   constexpr double countable = 1e20;
@@ -187,18 +210,34 @@ std::vector<MethodForecast> forecast(const input::Case& data, bool with_time) {
   return all;
 }
 
+std::string write_time(double seconds) {
+  if (seconds < 1.5) return "a second";
+  if (seconds < 90) return fmt::format("{:.0f} seconds", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} minutes", seconds / 60);
+  if (seconds < 2 * 86400) return fmt::format("{:.1f} hours", seconds / 3600);
+  return fmt::format("{:.0f} days", seconds / 86400);
+}
+
+double find_sample_seconds(const input::LimitEquilibrium& lem) {
+  constexpr double kept_surfaces = 200;
+  return kept_surfaces * static_cast<double>(lem.methods.size()) * circle_seconds * lem.slices / 50;
+}
+
 std::string describe(const MethodForecast& f) {
   std::string text;
-  const auto add = [&](const std::string& part) { text += (text.empty() ? "about " : ", ") + part; };
-  if (f.surfaces > 0) add(write_count(f.surfaces) + " circles");
-  if (f.elements > 0) add((f.method == input::Method::bounds ? "up to " : "") + write_count(f.elements) + " elements");
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (f.surfaces > 0) add("about " + write_count(f.surfaces) + " circles");
+  if (f.elements > 0)
+    add((f.method == input::Method::bounds ? "up to " : "about ") + write_count(f.elements) + " elements");
   if (f.points > 0) add(write_count(f.points) + " points");
   if (f.bytes > 0 && f.elements > 0) add(write_bytes(f.bytes) + " of memory");
-  const bool has_steps = f.method == input::Method::mpm && f.steps > 0;
-  if (has_steps) add("up to " + write_count(f.steps) + " steps");
-  // Bounds end where they are near enough to each other.
-  const bool is_most = has_steps || f.method == input::Method::bounds;
-  if (f.seconds > 0) add((is_most ? "up to " : "") + write_time(f.seconds));
+  if (f.steps > 0) add("up to " + write_count(f.steps) + " steps");
+  if (f.times > 0) add(write_count(f.times) + " times");
+  if (!(f.seconds > 0)) return text;
+  const std::string usual = write_time(f.seconds), most = write_time(f.most_seconds);
+  constexpr double apart = 1.5;  // less is said by "about"
+  const bool says_most = f.most_seconds > apart * f.seconds && usual != most;
+  add(says_most ? fmt::format("{}, at most {}", usual, most) : usual);
   return text;
 }
 

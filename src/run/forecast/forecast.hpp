@@ -17,9 +17,11 @@ struct MethodForecast {
   double points = 0;    ///< material points on it
   double surfaces = 0;  ///< trial surfaces of slices
   double bytes = 0;
-  double steps = 0;    ///< time steps, or linear systems
-  double seconds = 0;  ///< on this machine
-  double size = 0;     ///< general element size of that mesh [m]
+  double steps = 0;         ///< time steps, or linear systems
+  double seconds = 0;       ///< on this machine, as such cases usually take
+  double most_seconds = 0;  ///< where no stage or trial ends early, or no mesh is good enough before the last
+  double times = 0;         ///< of a timeline
+  double size = 0;          ///< general element size of that mesh [m]
   int dimension = 2;
 };
 
@@ -27,8 +29,14 @@ struct MethodForecast {
 /// `with_time`.
 std::vector<MethodForecast> forecast(const input::Case& data, bool with_time);
 
-/// "about 18,000 circles by each of 4 methods, a second".
+/// "about 18,000 circles, a second".
 std::string describe(const MethodForecast& forecast);
+
+/// "a second", "12 minutes".
+std::string write_time(double seconds);
+
+/// Seconds of a sample by slices, on the surfaces that are kept for all samples.
+double find_sample_seconds(const input::LimitEquilibrium& lem);
 
 /// The smallest element size, to two digits, with which a method needs no more than `free` bytes [m]: `size` in [fem]
 /// for finite elements that have their own, else in [mesh]. Nothing where refinements alone need more.

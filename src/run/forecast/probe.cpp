@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Elements with soil of the coarse mesh: enough to fill the lanes of a step, and meshed in a moment.
 constexpr double coarse_elements = 800;
-constexpr double probe_seconds = 0.15;
+constexpr double probe_seconds = 0.1;
 
 /// Ends the stage that is stepped for a moment.
 struct Enough {};
@@ -31,6 +31,28 @@ bool can_be_probed(const input::Case& data) {
   });
   return input::uses(data, input::Method::mpm) && data.mesh.file.empty() && data.initial.result.empty() &&
          data.initial.water.season == 0 && !data.stages.empty() && !has_library;
+}
+
+/// Steps of one point in a second of a stage, which is stepped for a moment.
+template <int D>
+double measure(mpm::Body<D>& body, StagePlan<D> plan) {
+  plan.duration = 1e9;
+  plan.until_rest = false;
+  StageState state;
+  StageHooks<D> hooks;
+  const auto start = Clock::now();
+  std::int64_t steps = 0;
+  double taken = 0;
+  hooks.look = [&](const mpm::Body<D>&, const StageState& now) {
+    steps = now.steps;
+    taken = std::chrono::duration<double>(Clock::now() - start).count();
+    if (taken > probe_seconds) throw Enough{};
+  };
+  try {
+    run_stage(body, plan, state, hooks);
+  } catch (const Enough&) {
+  }
+  return static_cast<double>(steps) * body.points.size() / taken;
 }
 
 template <int D>
@@ -50,30 +72,17 @@ Pace probe_in(const input::Case& data) {
   Pace pace;
   const input::Stage& first = data.stages.front();
   set_strength(body, coarse, first.cohesion, first.strength_factor.value_or(1));
-  for (const input::Stage& stage : data.stages) pace.steps.push_back(find_step(make_plan<D>(coarse, stage, height, 1)));
-  StagePlan<D> plan = make_plan<D>(coarse, first, height, 1);
-  const input::StepSettings own = plan.step;
-  plan.step = data.strength_reduction.curve.step_settings;
-  pace.curve_step = find_step(plan);
-  pace.frozen_step = find_step(make_frozen_plan<D>(coarse, data.strength_reduction.frozen, height, 1));
-  plan.step = own;
-  plan.duration = 1e9;
-  plan.until_rest = false;
-  StageState state;
-  StageHooks<D> hooks;
-  const auto start = Clock::now();
-  std::int64_t steps = 0;
-  double taken = 0;
-  hooks.look = [&](const mpm::Body<D>&, const StageState& now) {
-    steps = now.steps;
-    taken = std::chrono::duration<double>(Clock::now() - start).count();
-    if (taken > probe_seconds) throw Enough{};
-  };
-  try {
-    run_stage(body, plan, state, hooks);
-  } catch (const Enough&) {
+  for (const input::Stage& stage : data.stages) {
+    const StagePlan<D> plan = make_plan<D>(coarse, stage, height, 1);
+    StagePace& here = pace.stages.emplace_back(StagePace{find_step(plan), 0});
+    // What a later stage does begins where the first has been stepped for a moment, and not where it would begin.
+    here.point_steps = measure(body, plan);
   }
-  pace.point_steps = static_cast<double>(steps) * body.points.size() / taken;
+  StagePlan<D> plan = make_plan<D>(coarse, first, height, 1);
+  plan.step = data.strength_reduction.curve.step_settings;
+  pace.curve = {find_step(plan), pace.stages.back().point_steps};
+  pace.frozen = {find_step(make_frozen_plan<D>(coarse, data.strength_reduction.frozen, height, 1)),
+                 pace.stages.front().point_steps};  // its water is held
   return pace;
 }
 

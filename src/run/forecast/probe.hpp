@@ -9,11 +9,15 @@
 
 namespace talus::run {
 
+struct StagePace {
+  double step = 0;         ///< time step on the case's own mesh [s]
+  double point_steps = 0;  ///< steps of one point in a second on one thread
+};
+
 struct Pace {
-  std::vector<double> steps;  ///< time step of each stage on the case's own mesh [s]
-  double curve_step = 0;      ///< and of the trials of the displacement curve [s]
-  double frozen_step = 0;     ///< and of those at frozen geometry on the case's mesh [s]
-  double point_steps = 0;     ///< steps of one point in a second on one thread
+  std::vector<StagePace> stages;
+  StagePace curve;   ///< of the trials of the displacement curve
+  StagePace frozen;  ///< of those at frozen geometry on the case's mesh
 };
 
 /// Takes some tenths of a second. Nothing for a case whose start is not made in a moment (a result, a season), that
