@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/interrupt.hpp"
+
 namespace talus::fem {
 
 namespace {
@@ -151,6 +153,7 @@ bool SeepageNewton<D>::solve(SeepageState& state, const std::vector<NodeConditio
   std::vector<double> faults;
   const int most = switches_allowed * options_.most_iterations;
   for (int it = 0; it < most && static_cast<int>(faults.size()) < options_.most_iterations; ++it) {
+    throw_if_interrupted();
     const double range = it == 0 ? first_chord * height_ : 0.5 * largest;
     input_.chord = slopes == Slopes::chord && range > small_chord * height_ ? range * system_.model.unit_weight : 0;
     evaluate(state);

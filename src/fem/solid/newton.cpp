@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interrupt.hpp"
+
 namespace talus::fem {
 namespace {
 
@@ -77,6 +79,7 @@ std::pair<bool, int> SolidNewton<D>::creep(const SolidAssembly<D>& assembly, con
   const SolidSums* tangent = &now.sums;
   int solves = 0;
   while (solves < most_solves) {
+    throw_if_interrupted();
     if (!factorise(*tangent, viscosity) || !solver_.solve(lack_, more)) return {false, solves};
     ++solves;
     for (std::size_t i = 0; i < q.size(); ++i) q[i] += more[i];

@@ -88,8 +88,15 @@ Quantised quantise(std::span<const double> values) {
   return q;
 }
 
+void Packer::throw_if_interrupted() const {
+  if (is_interrupted() && !was_interrupted_)
+    throw Error(ExitCode::interrupted,
+                "interrupted while the report was written; the results are whole, `talus report` writes it");
+}
+
 nlohmann::json Packer::keep(const std::string& id, const char* type, const std::vector<std::size_t>& shape, bool delta,
                             std::vector<std::uint8_t> bytes) {
+  throw_if_interrupted();
   arrays_.push_back({id, std::move(bytes)});
   return {{"id", id}, {"type", type}, {"shape", shape}, {"delta", delta}, {"planes", true}};
 }
@@ -160,6 +167,7 @@ nlohmann::json Packer::add_reals(const std::string& id, std::span<const double> 
 std::vector<PackedText> Packer::compress(int threads) const {
   std::vector<PackedText> texts(arrays_.size());
   parallel_tasks(static_cast<int>(arrays_.size()), threads, [&](int i) {
+    throw_if_interrupted();
     const Array& array = arrays_[static_cast<std::size_t>(i)];
     texts[static_cast<std::size_t>(i)] = {array.id, encode_base64(deflate_bytes(array.bytes))};
   });

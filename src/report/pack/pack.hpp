@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/interrupt.hpp"
+
 namespace talus::report {
 
 /// Standard base64 (RFC 4648) with padding.
@@ -28,7 +30,7 @@ struct PackedText {
 };
 
 /// Collects the arrays of a report. add_* return what the document says about the array and are cheap; the work is done
-/// by compress(), array by array.
+/// by compress(), array by array. Both throw Error (interrupted) when a signal arrives that was not there before.
 class Packer {
  public:
   /// u16 with range. With `delta` every row along the first axis is stored as its difference to the row before it:
@@ -59,6 +61,8 @@ class Packer {
   };
   nlohmann::json keep(const std::string& id, const char* type, const std::vector<std::size_t>& shape, bool delta,
                       std::vector<std::uint8_t> bytes);
+  void throw_if_interrupted() const;
+  const bool was_interrupted_ = is_interrupted();
   std::vector<Array> arrays_;
 };
 
