@@ -5,10 +5,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
+#include <vector>
 
 #include "base/error.hpp"
+#include "base/file_list.hpp"
 
 namespace talus {
 namespace {
@@ -48,6 +52,18 @@ void flush_folder(const fs::path& folder) {
   throw_cannot_write(path, reason, safe);
 }
 
+/// Gives the finished temporary file of `path` its name.
+void flush_and_rename(const fs::path& path, const std::string& safe) {
+  const fs::path temporary = temporary_name(path);
+  {
+    const Descriptor file(::open(temporary.c_str(), O_RDWR | O_CLOEXEC));
+    if (file.fd < 0 || ::fsync(file.fd) != 0) give_up(path, errno, safe);
+  }
+  if (::rename(temporary.c_str(), path.c_str()) != 0) give_up(path, errno, safe);
+  flush_folder(path.parent_path());
+  list_whole(path);
+}
+
 }  // namespace
 
 void throw_cannot_write(const fs::path& path, int reason, const std::string& safe) {
@@ -61,22 +77,38 @@ fs::path temporary_name(const fs::path& path) {
 
 void make_folder(const fs::path& folder, const std::string& safe) {
   std::error_code failure;
+  std::vector<fs::path> missing;
+  for (fs::path f = folder; !f.empty() && !fs::exists(f, failure); f = f.parent_path()) missing.push_back(f);
+  for (auto f = missing.rbegin(); f != missing.rend(); ++f) list_folder(*f);
   fs::create_directories(folder, failure);
   if (failure) throw_cannot_write(folder, failure.value(), safe);
   if (!fs::is_directory(folder, failure)) throw_cannot_write(folder, ENOTDIR, safe);
 }
 
+fs::path begin_file(const fs::path& path) {
+  list_temporary(path);
+  return temporary_name(path);
+}
+
 void publish(const fs::path& path, const std::string& safe) {
-  const fs::path temporary = temporary_name(path);
-  {
-    const Descriptor file(::open(temporary.c_str(), O_RDWR | O_CLOEXEC));
-    if (file.fd < 0 || ::fsync(file.fd) != 0) give_up(path, errno, safe);
+  list_content(path, temporary_name(path));
+  flush_and_rename(path, safe);
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code failure;
+  const auto is_there = [&](const fs::path& file) { return fs::exists(fs::symlink_status(file, failure)); };
+  const fs::path files[] = {path, temporary_name(path)};
+  if (std::none_of(std::begin(files), std::end(files), is_there) || !list_removal(path)) return;
+  for (const fs::path& file : files) {
+    fs::remove(file, failure);
+    if (failure)
+      throw Error(ExitCode::cannot_write, fmt::format("cannot remove '{}': {}", file.string(), failure.message()));
   }
-  if (::rename(temporary.c_str(), path.c_str()) != 0) give_up(path, errno, safe);
-  flush_folder(path.parent_path());
 }
 
 void write_atomically(const fs::path& path, std::span<const std::byte> bytes, const std::string& safe) {
+  list_content(path, bytes);
   {
     Descriptor file(::open(temporary_name(path).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (file.fd < 0) throw_cannot_write(path, errno, safe);
@@ -86,7 +118,7 @@ void write_atomically(const fs::path& path, std::span<const std::byte> bytes, co
     file.fd = -1;
     if (closed != 0) give_up(path, errno, safe);
   }
-  publish(path, safe);
+  flush_and_rename(path, safe);
 }
 
 void write_atomically(const fs::path& path, std::string_view text, const std::string& safe) {

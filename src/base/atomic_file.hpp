@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Files that are whole or absent: written under a temporary name, flushed to the disk, then renamed.
+// Files that are whole or absent: written under a temporary name, flushed to the disk, then renamed. Those of a folder
+// of results are listed there (base/file_list.hpp).
 
 #include <cstddef>
 #include <filesystem>
@@ -20,11 +21,18 @@ void write_atomically(const std::filesystem::path& path, std::span<const std::by
 /// The name a file has while it is being written: `path` + ".part".
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
+/// The same before that file is made by other means; publish() follows.
+std::filesystem::path begin_file(const std::filesystem::path& path);
+
 /// Flushes the finished temporary file of `path` to the disk and gives it its name. Errors as for write_atomically.
 void publish(const std::filesystem::path& path, const std::string& safe = "");
 
 /// Makes `folder` and its parents. Throws Error (cannot_write) with the path and the reason.
 void make_folder(const std::filesystem::path& folder, const std::string& safe = "");
+
+/// Removes a file and what a killed process left of it, where it is no file of the user in a folder of results. Throws
+/// Error (cannot_write).
+void remove_file(const std::filesystem::path& path);
 
 /// Does `work`, which looks at, makes or removes files in `folder`. What the system refuses is an Error (cannot_write).
 template <class Work>

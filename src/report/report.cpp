@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/file_list.hpp"
 #include "base/parallel.hpp"
 #include "report/content/calibration.hpp"
 #include "report/content/curve.hpp"
@@ -177,6 +178,7 @@ fs::path write_report(const fs::path& folder) {
   const Content content = collect_report(folder);
   const json& document = content.document.get();
   fs::path path = folder / "report.html";
+  const auto files = FileList::find(path);
   write_atomically(path,
                    fill_page(get_page(), document["project"]["title"].get<std::string>(), document, content.arrays),
                    "the results are whole");

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "output/files/examine.hpp"
 #include "output/files/hdf5.hpp"
 
@@ -20,8 +21,7 @@ namespace fs = std::filesystem;
 const std::string format_name = "talus archive";
 constexpr std::int64_t format_version = 1;
 
-/// A checksum that finds damage, not malice: FNV-1a (http://www.isthe.com/chongo/tech/comp/fnv) over words of eight
-/// bytes, each folded after its product so that high bits reach low ones.
+/// Checksum of the names and arrays, each of whole words.
 class Checksum {
  public:
   void add(const void* data, std::size_t size) {
@@ -47,10 +47,9 @@ class Checksum {
   void add_word(const char* bytes, std::size_t size) {
     std::uint64_t word = 0;
     std::memcpy(&word, bytes, size);
-    state_ = (state_ ^ word) * 0x100000001b3ull;
-    state_ ^= state_ >> 29;
+    state_ = mix_word(state_, word);
   }
-  std::uint64_t state_ = 0xcbf29ce484222325ull;
+  std::uint64_t state_ = first_mix;
 };
 
 std::int64_t compute_checksum(const std::map<std::string, ArchiveValue>& values) {

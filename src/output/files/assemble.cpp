@@ -23,7 +23,7 @@ constexpr std::int64_t format_version = 1;
 class Heavy {
  public:
   Heavy(fs::path path, CellType type)
-      : path_(std::move(path)), file_(hdf5::create(temporary_name(path_))), writer_(file_, type) {
+      : path_(std::move(path)), file_(hdf5::create(begin_file(path_))), writer_(file_, type) {
     hdf5::make_group(file_, "talus");
     hdf5::write_attribute(file_, "talus", "version", std::span(&format_version, 1));
   }

@@ -13,6 +13,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/file_list.hpp"
 
 namespace talus::output {
 namespace {
@@ -68,11 +69,17 @@ History::History(fs::path path, std::size_t columns) : path_(std::move(path)), c
 History::History(History&& other) noexcept
     : path_(std::move(other.path_)), columns_(other.columns_), file_(std::exchange(other.file_, -1)) {}
 History::~History() {
-  if (file_ >= 0) ::close(file_);
+  if (file_ < 0) return;
+  try {
+    list_grown(path_, false);
+  } catch (const Error&) {  // the rows are in the file all the same
+  }
+  ::close(file_);
 }
 
 void History::open() {
   if (file_ >= 0) ::close(file_);
+  list_growing(path_);
   file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (file_ < 0) throw_cannot_write(path_, errno, safe_clause);
 }
@@ -120,6 +127,10 @@ void History::append(std::span<const double> row) {
     }
     done += static_cast<std::size_t>(n);
   }
+}
+
+void History::keep() const {
+  list_grown(path_, true);
 }
 
 void History::truncate_after(double time) {

@@ -32,6 +32,8 @@ class History {
   /// Writes a row: it is in the file when this returns. When the disk is full the file keeps its whole rows and
   /// Error (cannot_write) is thrown.
   void append(std::span<const double> row);
+  /// Lists the rows so far as what a resumed run expects (base/file_list.hpp).
+  void keep() const;
   /// Drops the rows after `time` [s] and a last row that was cut off; a run that goes on from there writes them again.
   void truncate_after(double time);
 

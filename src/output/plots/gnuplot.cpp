@@ -16,6 +16,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/file_list.hpp"
 #include "output/files/history.hpp"
 
 namespace talus::output {
@@ -117,10 +118,11 @@ void run_gnuplot(const fs::path& picture, const std::string& body, int width, in
                 fmt::format("'{}' cannot be drawn: its name ends neither with .svg nor with .png", picture.string()));
   const std::string common = "set encoding utf8\n" + body;
   const fs::path script = fs::path(picture).replace_extension(".gp");
+  const auto files = FileList::find(picture);
   write_atomically(script, "# Redraw with: gnuplot " + script.filename().string() + "\n" + terminal + "set output " +
                                quote_path(picture.filename().string()) + "\n" + common);
   run(picture,
-      terminal + "set output " + quote_path(temporary_name(picture).string()) + "\n" + common + "\nunset output\n");
+      terminal + "set output " + quote_path(begin_file(picture).string()) + "\n" + common + "\nunset output\n");
   publish(picture);
 }
 

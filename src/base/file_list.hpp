@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The list of the files that a run wrote, kept in its folder: what --overwrite removes, and what --resume checks.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace talus {
+
+/// The list's file in a folder of results.
+inline constexpr const char* list_file = "talus.files";
+
+struct OpenList;
+
+/// While it exists, every file and folder that this process makes or removes below `folder` through atomic_file.hpp is
+/// listed there. A line is appended before a file is made, with its size and hash, and another one when it is whole: a
+/// process that is killed at any moment leaves no file unlisted. Of nested folders with lists each has its own. A file
+/// of the folder that is not listed is not replaced: Error (folder_exists).
+class FileList {
+ public:
+  /// Begins the list of a folder that exists, or continues it. Throws Error (cannot_write), and Error (wrong_input)
+  /// when the list cannot be read.
+  explicit FileList(const std::filesystem::path& folder);
+  FileList(const FileList&) = delete;
+  FileList& operator=(const FileList&) = delete;
+  ~FileList();
+
+  /// Continues the list of the nearest folder above a file of it that is still to come; nothing where there is none, or
+  /// this process continues it already.
+  static std::unique_ptr<FileList> find(const std::filesystem::path& file);
+
+  /// Lists a folder that another process makes.
+  void add_folder(const std::string& name);
+
+ private:
+  std::shared_ptr<OpenList> open_;
+};
+
+/// What writers of files report; none does anything outside the folder of a FileList.
+/// Before `path` is replaced by a file of these bytes. Throws Error (folder_exists) when a file that no run wrote is in
+/// the way.
+void list_content(const std::filesystem::path& path, std::span<const std::byte> bytes);
+/// The same with the content of a finished temporary file.
+void list_content(const std::filesystem::path& path, const std::filesystem::path& temporary);
+/// Before the temporary file of `path` is made. Throws as list_content().
+void list_temporary(const std::filesystem::path& path);
+/// When `path` is whole.
+void list_whole(const std::filesystem::path& path);
+/// Before rows are appended to `path`.
+void list_growing(const std::filesystem::path& path);
+/// When the rows so far are to be kept: check_listed() expects them, and more where the file still grows.
+void list_grown(const std::filesystem::path& path, bool still_grows);
+/// Before a folder is made.
+void list_folder(const std::filesystem::path& folder);
+/// Before `path` is removed. Returns false where it is not listed and must stay.
+bool list_removal(const std::filesystem::path& path);
+
+/// Whether a folder has a list.
+bool has_list(const std::filesystem::path& folder);
+/// The nearest folder above a file that has a list, as an absolute path.
+std::optional<std::filesystem::path> find_listed_folder(const std::filesystem::path& file);
+
+/// Throws Error (wrong_input) naming the first listed file that is missing, or is not as it was written, of those for
+/// whose name in the folder `is_needed` holds.
+void check_listed(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& is_needed);
+
+/// What is compared with a list: sizes, or contents as well.
+enum class Compared { sizes, contents };
+
+/// What lies in a folder with a list.
+struct SortedFiles {
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> own;      ///< of a run, as it left them; relative to the folder, as all are
+  std::vector<std::filesystem::path> foreign;  ///< not listed, or changed since
+  std::vector<std::filesystem::path> folders;  ///< that runs made, outer ones first
+  std::vector<std::filesystem::path> lists;    ///< folders with a list, the folder itself first
+};
+SortedFiles sort_files(const std::filesystem::path& folder, Compared compared);
+
+/// Removes the files of runs, then their folders where these are empty. The list of the folder begins anew. Throws
+/// Error (folder_exists) before anything is removed when another process uses one of the folders.
+void remove_own(const SortedFiles& files);
+
+}  // namespace talus
