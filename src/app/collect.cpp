@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "base/error.hpp"
+#include "base/file_list.hpp"
 #include "output/files/frames_reader.hpp"
 
 namespace talus::app {
@@ -18,22 +19,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A killed run may have made its folder of frames and no frame yet, or a part of one.
-bool holds_frames(const fs::path& folder) {
-  if (fs::exists(folder / "results.vtkhdf")) return true;
-  if (!fs::is_directory(folder / "frames")) return false;
-  const fs::directory_iterator files(folder / "frames");
-  return std::any_of(begin(files), end(files), [](const auto& file) { return file.path().extension() == ".h5"; });
-}
-
 /// The folder itself and all below it that hold frames: trials and variants keep frames of their own.
 std::vector<fs::path> find_runs(const fs::path& folder) {
   std::vector<fs::path> found;
-  if (holds_frames(folder)) found.push_back(folder);
+  if (output::holds_frames(folder)) found.push_back(folder);
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_directory() && holds_frames(entry.path())) found.push_back(entry.path());
+    if (entry.is_directory() && output::holds_frames(entry.path())) found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;
+}
+
+/// Throws Error (wrong_input) when a frame that the run wrote is missing or has changed.
+void check_frames(const fs::path& run) {
+  const fs::path frames = fs::absolute(run / "frames").lexically_normal();
+  const auto listed = find_listed_folder(frames);
+  if (listed) check_listed(*listed, [&](const std::string& name) { return (*listed / name).parent_path() == frames; });
 }
 
 void collect(const std::string& name) {
@@ -41,6 +41,8 @@ void collect(const std::string& name) {
   const std::vector<fs::path> runs = find_runs(name);
   if (runs.empty()) throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", name));
   for (const fs::path& run : runs) {
+    check_frames(run);
+    const auto files = FileList::find(run / "results.vtkhdf");
     const int count = output::collect(run);
     fmt::print("{}: {} frame{}\n", (run / "results.vtkhdf").string(), count, count == 1 ? "" : "s");
   }

@@ -11,6 +11,7 @@
 #include "app/plot_soil_water.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "output/files/frames_reader.hpp"
 #include "output/plots/curve_plot.hpp"
 #include "output/plots/section_plot.hpp"
 #include "results/json.hpp"
@@ -78,7 +79,7 @@ void plot_folder(const PlotOptions& options) {
     draw(options, plot, "curve");
     if (!options.out.empty()) return;
   }
-  const bool has_frames = fs::exists(options.folder / "results.vtkhdf") || fs::exists(options.folder / "frames");
+  const bool has_frames = output::holds_frames(options.folder);
   if (wants_field || has_frames)
     draw_field(options, run);
   else if (run.methods && !run.methods->surfaces.empty() && !run.curve)

@@ -20,13 +20,6 @@ namespace {
   throw Error(ExitCode::wrong_input, sentence);
 }
 
-bool holds_frames(const fs::path& folder) {
-  if (fs::exists(folder / "results.vtkhdf")) return true;
-  if (!fs::is_directory(folder / "frames")) return false;
-  const fs::directory_iterator files(folder / "frames");
-  return std::any_of(begin(files), end(files), [](const auto& file) { return file.path().extension() == ".h5"; });
-}
-
 std::vector<TrialFolder> list_trials(const fs::path& folder) {
   static constexpr std::string_view prefix = "srf_";
   std::vector<TrialFolder> trials;
@@ -75,7 +68,7 @@ results::RunResult tell_as_run(const results::PointTests& tests) {
 }  // namespace
 
 std::shared_ptr<const output::ResultsReader> open_frames(const fs::path& folder) {
-  return holds_frames(folder) ? std::make_shared<const output::ResultsReader>(folder) : nullptr;
+  return output::holds_frames(folder) ? std::make_shared<const output::ResultsReader>(folder) : nullptr;
 }
 
 std::size_t get_dimension(const results::RunResult& run) {

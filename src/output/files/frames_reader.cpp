@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
@@ -17,14 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const result_names[] = {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf", "mesh.xdmf", "frames"};
-
 /// The files of a folder that hold frames.
 std::vector<fs::path> list_files(const fs::path& folder) {
   std::vector<fs::path> files{results_file(folder), mesh_file(folder)};
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(frames_folder(folder), none))
-    if (entry.path().extension() == ".h5") files.push_back(entry.path());
+    if (find_frame_number(entry.path())) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
 }
@@ -35,9 +34,17 @@ bool has_single_frames(const Index& index) {
   return false;
 }
 
+/// Removes the frames, and their folder where nothing else is in it.
 void remove_single_frames(const fs::path& folder) {
-  std::error_code ignored;  // what stays is a copy of what the results hold, and is read as such
-  fs::remove_all(frames_folder(folder), ignored);
+  std::set<int> numbers;  // a kill may have left a part of the last one
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(frames_folder(folder), none)) {
+    const fs::path& path = entry.path();
+    const bool is_part = temporary_name(path.parent_path() / path.stem()) == path;
+    if (const auto number = find_frame_number(is_part ? path.stem() : path)) numbers.insert(*number);
+  }
+  for (const int number : numbers) remove_file(frame_file(folder, number));
+  fs::remove(frames_folder(folder), none);
 }
 
 /// Assembles unless the results already hold every frame.
@@ -45,7 +52,10 @@ void finish_folder(const fs::path& folder, const Index& index) {
   if (index.frames.empty())
     throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", folder.string()));
   if (has_single_frames(index)) assemble(folder, index);
-  remove_single_frames(folder);
+  try {
+    remove_single_frames(folder);
+  } catch (const Error&) {  // what stays is a copy of what the results hold, and is read as such
+  }
 }
 
 /// Leaves the frames up to `time`, in their order: a run that starts again from there writes the later ones again.
@@ -55,8 +65,7 @@ void drop_after(const fs::path& folder, double time, Index& index) {
       ++it;
       continue;
     }
-    std::error_code ignored;
-    fs::remove(frame_file(folder, it->first), ignored);
+    remove_file(frame_file(folder, it->first));
     it = index.frames.erase(it);
   }
   // A frame may stand in the results and, after a kill at the wrong moment, in a file of its own as well.
@@ -77,10 +86,10 @@ ResultsWriter::ResultsWriter(fs::path folder, int next, int count)
 }
 
 ResultsWriter ResultsWriter::start(const fs::path& folder) {
-  for (const char* name : result_names)
-    if (fs::exists(folder / name))
-      throw Error(ExitCode::folder_exists,
-                  fmt::format("'{}' already holds results ('{}'); nothing was written", folder.string(), name));
+  for (const fs::path& file : list_files(folder))
+    if (fs::exists(file))
+      throw Error(ExitCode::folder_exists, fmt::format("'{}' already holds results ('{}'); nothing was written",
+                                                       folder.string(), file.lexically_relative(folder).string()));
   return {folder, 0, 0};
 }
 
@@ -110,14 +119,17 @@ int collect(const fs::path& folder) {
   return static_cast<int>(index.frames.size());
 }
 
+bool holds_frames(const fs::path& folder) {
+  if (fs::exists(results_file(folder))) return true;
+  std::error_code none;
+  const fs::directory_iterator files(frames_folder(folder), none);
+  return std::any_of(begin(files), end(files),
+                     [](const auto& file) { return find_frame_number(file.path()).has_value(); });
+}
+
 void remove_results(const fs::path& folder) {
-  for (const char* name : result_names) {
-    std::error_code failure;
-    fs::remove_all(folder / name, failure);
-    if (failure)
-      throw Error(ExitCode::cannot_write,
-                  fmt::format("cannot remove '{}': {}", (folder / name).string(), failure.message()));
-  }
+  for (const char* name : {"results.vtkhdf", "results.xdmf", "mesh.vtkhdf", "mesh.xdmf"}) remove_file(folder / name);
+  remove_single_frames(folder);
 }
 
 struct ResultsReader::Content {

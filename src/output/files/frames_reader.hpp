@@ -38,6 +38,9 @@ class ResultsWriter {
 /// of frames in the results. Throws Error (wrong_input) when there are none or one is damaged, Error (cannot_write).
 int collect(const std::filesystem::path& folder);
 
+/// Whether a folder has frames. A killed run may have made their folder and no frame yet, or a part of one.
+bool holds_frames(const std::filesystem::path& folder);
+
 /// Removes frames and results from `folder`, for a run that overwrites them.
 void remove_results(const std::filesystem::path& folder);
 

@@ -76,14 +76,6 @@ void read_assembled_mesh(const fs::path& folder, Index& index) {
   }
 }
 
-std::optional<int> parse_number(const fs::path& path) {
-  const std::string stem = path.stem().string();
-  int number = -1;
-  const auto [end, failure] = std::from_chars(stem.data(), stem.data() + stem.size(), number);
-  if (path.extension() != ".h5" || failure != std::errc() || end != stem.data() + stem.size()) return std::nullopt;
-  return number;
-}
-
 std::vector<int> to_int(const std::vector<std::int64_t>& values) {
   std::vector<int> result(values.size());
   std::ranges::transform(values, result.begin(), [](std::int64_t v) { return static_cast<int>(v); });
@@ -106,6 +98,14 @@ fs::path frame_file(const fs::path& folder, int number) {
   return frames_folder(folder) / fmt::format("{:06d}.h5", number);
 }
 
+std::optional<int> find_frame_number(const fs::path& path) {
+  const std::string stem = path.stem().string();
+  int number = -1;
+  const auto [end, failure] = std::from_chars(stem.data(), stem.data() + stem.size(), number);
+  if (path.extension() != ".h5" || failure != std::errc() || end != stem.data() + stem.size()) return std::nullopt;
+  return number;
+}
+
 Index read_index(const fs::path& folder) {
   Index index;
   if (fs::exists(results_file(folder))) read_assembled(folder, index);
@@ -113,7 +113,7 @@ Index read_index(const fs::path& folder) {
   std::error_code none;
   std::map<int, fs::path> single;
   for (const fs::directory_entry& entry : fs::directory_iterator(frames_folder(folder), none))
-    if (const std::optional<int> number = parse_number(entry.path())) single[*number] = entry.path();
+    if (const std::optional<int> number = find_frame_number(entry.path())) single[*number] = entry.path();
   for (const auto& [number, path] : single) {
     const FrameHeader header = read_frame_header(path);
     index.frames[number] = {header.time, header.step, header.stage, std::nullopt};

@@ -23,6 +23,8 @@ inline std::filesystem::path frames_folder(const std::filesystem::path& folder) 
   return folder / "frames";
 }
 std::filesystem::path frame_file(const std::filesystem::path& folder, int number);
+/// The number of a frame from the name of its file; nothing where it is no frame.
+std::optional<int> find_frame_number(const std::filesystem::path& file);
 
 /// One frame and where to find it.
 struct FrameEntry {

@@ -72,7 +72,7 @@ struct LastFrame {
 
 /// The last frame of a folder, at the places where the points were before they moved.
 std::optional<LastFrame> read_last_frame(const fs::path& folder) {
-  if (!fs::exists(folder / "results.vtkhdf") && !fs::exists(folder / "frames")) return std::nullopt;
+  if (!output::holds_frames(folder)) return std::nullopt;
   const output::ResultsReader reader(folder);
   if (reader.size() == 0) return std::nullopt;
   const output::Frame frame = reader.read(reader.size() - 1);

@@ -69,7 +69,7 @@ std::optional<std::string> compare_with_coarser_mesh(const input::LoadedCase& lo
       return;
     }
     found = begin_result(loaded, hash, options.threads);
-    use_folder(beside.folder, [&] { std::filesystem::create_directories(beside.folder); });
+    make_folder(beside.folder);
     PointRun<D> points(loaded, coarser, beside, hash);
     points.prepare(found);
     points.open();

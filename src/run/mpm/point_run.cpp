@@ -8,6 +8,7 @@
 #include <chrono>
 #include <set>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/memory.hpp"
@@ -215,8 +216,8 @@ results::StepSeconds PointRun<D>::tell_stage_seconds() const {
 
 template <int D>
 void PointRun<D>::forget() {
-  fs::remove(stage_file());
-  fs::remove(options_.folder / "checkpoint.h5");
+  remove_file(stage_file());
+  remove_file(options_.folder / "checkpoint.h5");
 }
 
 template <int D>

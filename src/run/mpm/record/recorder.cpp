@@ -218,7 +218,7 @@ void Recorder<D>::end_leg(const mpm::Body<D>& body, bool saves) {
 template <int D>
 void Recorder<D>::finish(bool done) {
   if (results_) results_->finish();
-  if (done) std::filesystem::remove(settings_.folder / settings_.checkpoint_name);
+  if (done) remove_file(settings_.folder / settings_.checkpoint_name);
 }
 
 template <int D>
@@ -313,6 +313,8 @@ void Recorder<D>::write_checkpoint(const mpm::Body<D>& body, const StageState& s
   put_body(archive, body);
   put_stage(archive, state);
   make_folder(settings_.folder);
+  if (history_) history_->keep();
+  if (monitors_) monitors_->keep();
   archive.write(settings_.folder / name);
 }
 

@@ -118,7 +118,7 @@ std::vector<results::SectionLine> write_sections(const input::Case& data, const 
                                                  double size, const fs::path& folder) {
   std::vector<results::SectionLine> list;
   if (data.output.sections.empty()) return list;
-  if (!fs::exists(folder / "results.vtkhdf") && !fs::exists(folder / "frames")) return list;
+  if (!output::holds_frames(folder)) return list;
   const std::optional<results::Clock> clock = find_clock(data, stages);
   const output::ResultsReader reader(folder);
   const int dimension = data.mesh.dimension;

@@ -116,8 +116,8 @@ class FrozenMesh {
         for (const results::Setback& setback : *trial.setbacks)
           warnings.push_back(describe_setback(
               fmt::format("at h = {:g} m the frozen trial at SRF {:.4g}", factor.size, trial.factor), setback));
-    fs::remove(folder_ / recording_.checkpoint_name);
-    fs::remove(folder_ / stage_start);
+    remove_file(folder_ / recording_.checkpoint_name);
+    remove_file(folder_ / stage_start);
     return factor;
   }
 
@@ -168,7 +168,9 @@ class FrozenMesh {
       }
       if (is_equilibrium_stage(data_, i)) set_preconsolidation(state_, data_);
       recorder.end_leg(state_);
-      fs::copy_file(folder_ / recording_.checkpoint_name, folder_ / stage_start, fs::copy_options::overwrite_existing);
+      fs::copy_file(folder_ / recording_.checkpoint_name, begin_file(folder_ / stage_start),
+                    fs::copy_options::overwrite_existing);
+      publish(folder_ / stage_start);
       stage_state = {};
     }
   }
