@@ -130,7 +130,7 @@ void run(RunCommand command) {
   options.resume = command.resume;
   options.overwrite = command.overwrite;
   options.progress = &progress;
-  lead_ranks([&] { run::check_folder(loaded.data.initial, options); });
+  lead_ranks([&] { run::check_folder(loaded, options); });
   const OwnFolder own(options);
   results::RunResult result;
   do_and_report(options.folder, !command.no_report, [&] { result = run::run_case(loaded, options); });

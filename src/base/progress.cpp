@@ -15,9 +15,9 @@ constexpr std::chrono::milliseconds interval{200};
 
 }  // namespace
 
-Progress::Progress(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool wanted) : wanted_(wanted), enabled_(wanted && isatty(STDERR_FILENO) != 0) {}
 
-Progress::Progress(Listener listener) : enabled_(true), listener_(std::move(listener)) {}
+Progress::Progress(Listener listener) : wanted_(true), enabled_(true), listener_(std::move(listener)) {}
 
 Progress::~Progress() {
   clear();
@@ -42,6 +42,13 @@ void Progress::show(const ProgressReport& report) {
     shown_ = true;
   }
   next_ = std::chrono::steady_clock::now().time_since_epoch() + interval;
+}
+
+void Progress::note(const std::string& sentence) {
+  if (listener_) return show(sentence);
+  clear();
+  const std::lock_guard lock(mutex_);
+  if (wanted_) fmt::print(stderr, "{}\n", sentence);
 }
 
 void Progress::clear() {

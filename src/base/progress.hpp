@@ -37,11 +37,13 @@ class Progress {
   /// Replaces the line. Safe to call from several threads.
   void show(const std::string& line);
   void show(const ProgressReport& report);
+  /// Prints a sentence that stays, wherever standard error goes.
+  void note(const std::string& sentence);
   /// Removes the line, so that other output starts on a clean one.
   void clear();
 
  private:
-  bool enabled_;
+  bool wanted_, enabled_;
   Listener listener_;
   bool shown_ = false;
   std::atomic<Clock::duration> next_{};  ///< earliest time of the next line

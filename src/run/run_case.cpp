@@ -204,7 +204,7 @@ class CaseRun {
     for (ReductionCase& reduction : timeline_->list_reductions()) {
       RunOptions options = options_;
       options.folder /= reduction.told.folder;
-      use_folder(options.folder, [&] { std::filesystem::create_directories(options.folder); });
+      make_folder(options.folder);
       results::RunResult found;
       ElementRun<D> elements(reduction.data, false, options,
                              hash_text(fmt::format("{}{:a}", hash_, reduction.told.time)));
@@ -240,7 +240,7 @@ class CaseRun {
       auto finished = load_finished(options, hash);
       if (!finished) {
         finished = begin_result(loaded_, hash, options.threads);
-        use_folder(options.folder, [&] { std::filesystem::create_directories(options.folder); });
+        make_folder(options.folder);
         std::vector<std::string> notes;
         const auto start = make_point_case(other.data, *finished, notes);
         PointRun<D> points(loaded_, *start, options, hash);
@@ -281,8 +281,11 @@ class CaseRun {
   /// The folder, before the first result.
   void open() {
     lock_.take();
-    check_folder(loaded_.data.initial, options_);  // another run may have ended there since the first look
-    clear_folder(options_);
+    check_folder(loaded_, options_);  // another run may have ended there since the first look
+    if (options_.overwrite)
+      replace_folder(
+          options_.folder, [this](const auto& file) { return is_of_run(loaded_.data, file); }, options_.progress);
+    files_.emplace(options_.folder);
     is_open_ = true;
     if (points_) points_->open();
   }
@@ -377,6 +380,7 @@ class CaseRun {
   const Clock::time_point start_ = Clock::now();
   const double cpu_start_ = find_process_seconds();
   FolderLock& lock_;
+  std::optional<FileList> files_;  ///< from the first file on
   bool is_open_ = false;
   std::optional<SliceRun> slices_;
   std::optional<ElementRun<D>> elements_;
@@ -396,6 +400,7 @@ class CaseRun {
 /// The comparisons of a finished run, the results from its files and its title block may have changed since. None
 /// of them needs the run again.
 results::RunResult renew(results::RunResult run, const input::Case& data, const RunOptions& options) {
+  const FileList files(options.folder);
   const nlohmann::json before = results::to_json(run);
   run.title = data.title;
   run.project = tell_project(data);
@@ -432,9 +437,10 @@ results::RunResult run_case(const input::LoadedCase& loaded, const RunOptions& o
   ground::DesignValues design = ground::apply_partial_factors(loaded.data);
   refuse_above_memory(loaded);
   const ChosenDevice device(design.data, options);
-  check_folder(loaded.data.initial, options);
+  check_folder(loaded, options);
   FolderLock lock(options.folder);
   lock.take_existing();
+  if (options.resume && has_list(options.folder)) check_kept(options.folder);
   if (auto finished = load_finished(options, hash)) return renew(std::move(*finished), loaded.data, options);
   if (loaded.data.mesh.dimension == 2) return CaseRun<2>(loaded, std::move(design), options, hash, lock).run();
   return CaseRun<3>(loaded, std::move(design), options, hash, lock).run();

@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/folder_lock.hpp"
+#include "input/list_files.hpp"
+#include "output/files/results_folder.hpp"
 #include "results/json.hpp"
+#include "run/mpm/reduction/frozen_run.hpp"
 #include "run/mpm/start/end_state.hpp"
 
 namespace talus::run {
@@ -18,69 +22,154 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Everything that a run may leave in its folder; --overwrite removes these and nothing else.
-const char* const own_files[] = {
-    "results.vtkhdf", "results.xdmf",     "mesh.vtkhdf",    "mesh.xdmf",     "frames",
-    "history.csv",    "monitors.csv",     "summary.json",   "checkpoint.h5", "stages.json",
-    "curve.csv",      "profile.csv",      "trials",         "frozen",        "mesh.h5",
-    "report.html",    "season.csv",       "sections",       end_state_file,  "lem.json",
-    "fem.json",       "fem.vtu",          "water.json",     "bounds.json",   "timeline_water.json",
-    "timeline.json",  "released_earlier", "released_later", "coarser_mesh"};
+/// Names of files in the folders of runs and of their trials.
+const char* const run_files[] = {"results.vtkhdf",     "results.xdmf", "mesh.vtkhdf",   "mesh.xdmf",    "history.csv",
+                                 "monitors.csv",       "summary.json", "checkpoint.h5", "stages.json",  "curve.csv",
+                                 "profile.csv",        "mesh.h5",      "report.html",   "season.csv",   end_state_file,
+                                 "lem.json",           "fem.json",     "fem.vtu",       "water.json",   "bounds.json",
+                                 "timeline.json",      "trial.json",   "trials.json",   "outcome.json", slip_line_file,
+                                 "timeline_water.json"};
+/// Folders in the folder of a run.
+const char* const run_folders[] = {"frames",           "trials",         "frozen",      "sections",
+                                   "released_earlier", "released_later", "coarser_mesh"};
+
+template <class Names>
+bool has(const Names& names, const std::string& name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
 
 /// Folders of finite elements in time: elements_1 and so on.
-bool is_reduction(const fs::path& folder) {
-  const std::string name = folder.filename().string(), begin = "elements_";
+bool is_reduction(const std::string& name) {
+  const std::string begin = "elements_";
   return name.size() > begin.size() && name.starts_with(begin) &&
          std::all_of(name.begin() + static_cast<std::ptrdiff_t>(begin.size()), name.end(),
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// Whether a run wrote a picture of that name: curve, section, or one that ends with four digits.
-bool is_picture(const fs::path& file) {
-  const std::string end = file.extension().string(), stem = file.stem().string();
-  if (end != ".svg" && end != ".png" && end != ".gp") return false;
-  if (stem == "curve" || stem == "section") return true;
-  constexpr std::size_t number = 5;  // _0012
-  return stem.size() >= number && stem[stem.size() - number] == '_' &&
-         std::all_of(stem.end() - number + 1, stem.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+/// A path without links.
+fs::path find_real(const fs::path& path) {
+  std::error_code unknown;
+  const fs::path real = fs::weakly_canonical(path, unknown);
+  return real.has_filename() ? real : real.parent_path();
 }
 
-void check_empty(const input::Initial& initial, const RunOptions& options) {
+/// Throws Error (folder_exists) when `target` is or holds what nobody wants to replace by results.
+void check_target(const input::LoadedCase& loaded, const fs::path& target) {
+  const fs::path folder = find_real(target), home = fs::path(loaded.file).parent_path();
+  const auto holds = [&](const fs::path& path) {
+    const fs::path real = find_real(path);
+    return std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first == folder.end();
+  };
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ExitCode::folder_exists, fmt::format("'{}' {}, and --overwrite replaces folders of results only; give "
+                                                     "another folder",
+                                                     target.string(), what));
+  };
+  std::vector<std::string> names = input::list_files(loaded.text, {});
+  names.insert(names.begin(), fs::path(loaded.file).filename().string());
+  std::error_code unknown;
+  for (const std::string& name : names)
+    if (fs::exists(home / name, unknown) && holds(home / name))
+      refuse(fmt::format("holds '{}', which the case consists of", (home / name).string()));
+  if (holds(fs::current_path())) refuse("is or holds the current folder");
+  if (const char* user = std::getenv("HOME"); user != nullptr && *user != '\0' && holds(user))
+    refuse("is or holds the home folder");
+  if (fs::exists(folder / ".git", unknown)) refuse("is a repository (.git)");
+}
+
+/// Throws Error (folder_exists) naming a file that stays and is in the way of a new one.
+void refuse_obstacles(const SortedFiles& files, const IsWritten& is_written) {
+  for (const fs::path& file : files.foreign) {
+    const std::string path = (files.folder / file).string();
+    if (has(file, ".git"))
+      throw Error(ExitCode::folder_exists,
+                  fmt::format("'{}' holds a repository ('{}'), and --overwrite replaces folders of results only; give "
+                              "another folder",
+                              files.folder.string(), path));
+    const bool is_part = temporary_name(file.stem()) == file.filename();
+    if (is_written(file) || (is_part && is_written(file.parent_path() / file.stem())))
+      throw Error(ExitCode::folder_exists,
+                  fmt::format("'{}' is in the way, and --overwrite keeps it, because no run wrote it or it was changed "
+                              "since; move it away, or give another folder",
+                              path));
+  }
+}
+
+void check_empty(const input::LoadedCase& loaded, const RunOptions& options) {
+  const input::Initial& initial = loaded.data.initial;
   std::error_code unknown;  // of a folder that is not there yet
   if (!initial.result.empty() && fs::equivalent(initial.result_folder, options.folder, unknown)) {
     throw Error(ExitCode::folder_exists, fmt::format("the case starts from the result in '{}', which stays as it is; "
                                                      "give another folder with -o",
                                                      options.folder.string()));
   }
-  if (options.resume || !fs::exists(options.folder)) return;
+  if (!fs::exists(options.folder)) return;
   if (!fs::is_directory(options.folder)) {
     throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; results need a folder", options.folder.string()));
   }
-  if (holds_nothing(options.folder) || options.overwrite) return;
+  if (options.overwrite)
+    return check_replaced(loaded, options.folder, [&](const fs::path& f) { return is_of_run(loaded.data, f); });
+  if (holds_nothing(options.folder)) return;
+  if (options.resume) return require_list(options.folder);
   throw Error(ExitCode::folder_exists,
               fmt::format("the folder '{}' is not empty; give another one with -o, replace it with --overwrite, "
                           "or go on with --resume",
                           options.folder.string()));
 }
 
-void clear(const RunOptions& options) {
-  if (options.resume || !options.overwrite || !fs::exists(options.folder)) return;
-  for (const char* name : own_files) fs::remove_all(options.folder / name);
-  // Pictures of the old results would be taken for those of the new ones.
-  for (const auto& entry : fs::directory_iterator(options.folder)) {
-    if (is_picture(entry.path())) fs::remove(entry.path());
-    if (is_reduction(entry.path())) fs::remove_all(entry.path());
-  }
-}
-
 }  // namespace
 
-void check_folder(const input::Initial& initial, const RunOptions& options) {
-  use_folder(options.folder, [&] { check_empty(initial, options); });
+bool is_of_run(const input::Case& data, const fs::path& file) {
+  const std::string first = file.begin()->string(), name = file.filename().string();
+  const bool is_folder = has(run_folders, first) || is_reduction(first);
+  if (has(run_files, first)) return true;
+  if (first == name || !is_folder) return is_folder;
+  if (file.parent_path().filename() == "frames") return output::find_frame_number(file).has_value();
+  if (first != "sections") return has(run_files, name);
+  return std::any_of(data.output.sections.begin(), data.output.sections.end(),
+                     [&](const input::SectionLine& line) { return name == line.name + ".csv"; });
 }
 
-void clear_folder(const RunOptions& options) {
-  use_folder(options.folder, [&] { clear(options); });
+void check_replaced(const input::LoadedCase& loaded, const fs::path& folder, const IsWritten& is_written) {
+  check_target(loaded, folder);
+  if (holds_nothing(folder)) return;
+  require_list(folder);
+  refuse_obstacles(sort_files(folder, Compared::sizes), is_written);
+}
+
+void replace_folder(const fs::path& folder, const IsWritten& is_written, Progress* progress) {
+  use_folder(folder, [&] {
+    if (!has_list(folder)) return;
+    const SortedFiles files = sort_files(folder, Compared::contents);
+    refuse_obstacles(files, is_written);
+    remove_own(files);
+    if (files.foreign.empty() || progress == nullptr) return;
+    const std::size_t others = files.foreign.size() - 1;
+    progress->note(fmt::format("kept '{}'{}, which no run wrote or which changed since",
+                               (folder / files.foreign.front()).string(),
+                               others == 0 ? "" : fmt::format(" and {} other file{}", others, others == 1 ? "" : "s")));
+  });
+}
+
+void require_list(const fs::path& folder) {
+  if (has_list(folder)) return;
+  throw Error(ExitCode::folder_exists,
+              fmt::format("the folder '{}' has no list of the files that a run wrote ({}); remove it yourself, or give "
+                          "another folder",
+                          folder.string(), list_file));
+}
+
+void check_kept(const fs::path& folder) {
+  check_listed(folder, [](const std::string& name) {
+    const fs::path file = name;
+    const fs::path end = file.extension();
+    return file.filename() != "report.html" && file.filename() != end_state_file && end != ".svg" && end != ".png" &&
+           end != ".gp";
+  });
+}
+
+void check_folder(const input::LoadedCase& loaded, const RunOptions& options) {
+  use_folder(options.folder, [&] { check_empty(loaded, options); });
 }
 
 std::optional<results::RunResult> load_finished(const RunOptions& options, const std::string& input_hash) {

@@ -18,7 +18,6 @@
 #include "input/list_files.hpp"
 #include "results/json.hpp"
 #include "run/mpm/start/end_state.hpp"
-#include "run/run_folder.hpp"
 #include "study/job_folder.hpp"
 #include "study/sampling.hpp"
 
@@ -172,21 +171,6 @@ bool has_same(const fs::path& folder, const std::string& text) {
   return true;
 }
 
-/// Removes what a study has left in its folder, so that nothing old is taken for new.
-void clear_study(const StudyPlan& plan, const fs::path& folder) {
-  use_folder(folder, [&] {
-    for (const char* name : {"jobs.json", "surfaces.json", "jobs.slurm", "jobs", "case", "study.json", "study.csv",
-                             "study.md", "samples.csv", "report.html"})
-      fs::remove_all(folder / name);
-    for (const Variant& v : plan.variants) {
-      run::RunOptions old;
-      old.folder = folder / v.name;
-      old.overwrite = true;
-      run::clear_folder(old);
-    }
-  });
-}
-
 }  // namespace
 
 void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
@@ -207,7 +191,8 @@ void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Overri
   jobs.jobs = cut_work(planned.count(), options.jobs, planned.worth);
   const std::string text = results::to_json(jobs).dump(1) + "\n";
 
-  check_folder(options.study, "give another one, replace it with --overwrite, or go on with --resume");
+  check_folder(base, planned.plan, options.study,
+               "give another one, replace it with --overwrite, or go on with --resume");
   FolderLock lock(folder);
   lock.take_existing();
   if (options.study.resume && has_same(folder, text)) return;
@@ -216,8 +201,9 @@ void prepare_jobs(const input::LoadedCase& base, const std::vector<input::Overri
   if (planned.by_slices) surfaces = begin_slices(base, overrides, options.study, *planned.samples)->list_surfaces();
   if (options.study.progress != nullptr) options.study.progress->clear();
   lock.take();
-  if (options.study.overwrite) clear_study(planned.plan, folder);
+  const auto files = open_folder(planned.plan, options.study);
   make_folder(folder / "jobs");
+  for (std::size_t k = 0; k < jobs.jobs.size(); ++k) files->add_folder(fmt::format("jobs/{}", k));
   copy.write(folder);
   if (planned.by_slices) results::write_file(folder / "surfaces.json", tell_surfaces(surfaces, hash_text(text)), -1);
   write_atomically(folder / "jobs.slurm", write_script(static_cast<int>(jobs.jobs.size())));

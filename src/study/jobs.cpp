@@ -127,6 +127,7 @@ std::optional<Error> calculate_job(const std::filesystem::path& folder, int job,
   const results::JobPart& part = jobs.part(job);
   FolderLock lock(jobs.result_folder(job));
   lock.take();
+  const FileList files(jobs.result_folder(job));
   if (const auto there = jobs.read_result(job); there && there->code == 0) return std::nullopt;
   StudyOptions options;
   options.folder = jobs.folder();
@@ -161,6 +162,7 @@ StudyOutcome collect_jobs(const StudyOptions& options) {
   const std::vector<input::Override> overrides = folder.overrides();
   FolderLock lock(folder.folder());
   lock.take();
+  const FileList files(folder.folder());
   if (base.data.study.mode != input::StudyMode::sample) {
     StudyPlan plan = plan_study(base, overrides);
     plan.told.case_file = folder.jobs().case_file;

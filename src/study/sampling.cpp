@@ -86,13 +86,16 @@ void write_sampling(const input::LoadedCase& base, const std::filesystem::path& 
 SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<input::Override>& overrides,
                             const StudyOptions& options) {
   SampleSet set = draw_samples(base);
-  check_folder(options, "give another one with -o, or replace it with --overwrite");
+  check_folder(base, {}, options, "give another one with -o, or replace it with --overwrite");
   FolderLock lock(options.folder);
+  std::unique_ptr<FileList> files;
   SamplingResult result;
   if (is_by_slices(base)) {
     lock.take_existing();
     result.study = begin_sampling(base, options.threads);
     calculate_slices(base, overrides, options, set);
+    lock.take();
+    files = open_folder({}, options);
   } else {
     const auto start = std::chrono::steady_clock::now();
     const StudyPlan plan = plan_samples(base, overrides, set);
@@ -100,8 +103,9 @@ SamplingResult run_sampling(const input::LoadedCase& base, const std::vector<inp
     result.failure = find_failure(rows);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     result.study = tell_runs(base, plan, rows, passed.count(), set);
+    lock.take();
+    files = std::make_unique<FileList>(options.folder);
   }
-  lock.take();
   write_sampling(base, options.folder, set, result);
   return result;
 }

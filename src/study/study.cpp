@@ -13,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "results/json.hpp"
 #include "run/run_case.hpp"
+#include "run/run_folder.hpp"
 #include "study/study_table.hpp"
 
 namespace talus::study {
@@ -40,17 +41,19 @@ class VariantRuns {
     const Variant& variant = plan_.variants[i];
     StudyRow row = rows_[i];
     const fs::path folder = options_.folder / variant.name;
-    if (options_.resume) {
-      row.result = load_variant(folder);
-      row.kept = row.result && row.result->status == results::Status::finished;
-    }
-    if (row.kept) {
-      row.told.status = VariantStatus::finished;
-    } else {
+    if (options_.resume) keep(folder, row);
+    if (!row.kept) {
       begin(variant.label);
       calculate(variant, folder, row);
     }
     end(i, std::move(row));
+  }
+
+  /// A finished run is kept, as it is whole or as what it lacks.
+  static void keep(const fs::path& folder, StudyRow& row) {
+    row.result = load_variant(folder);
+    row.kept = row.result && row.result->status == results::Status::finished;
+    if (row.kept) check_row(folder, row);
   }
 
   void calculate(const Variant& variant, const fs::path& folder, StudyRow& row) const {
@@ -108,6 +111,20 @@ class VariantRuns {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Whether the study or one of its runs writes a file of that name, relative to the study's folder.
+bool is_of_study(const StudyPlan& plan, const fs::path& file) {
+  const std::string first = file.begin()->string(), name = file.filename().string();
+  for (const char* own : {"jobs.json", "surfaces.json", "jobs.slurm", "study.json", "study.csv", "study.md",
+                          "study.svg", "study.gp", "samples.csv", "report.html"})
+    if (first == own) return true;
+  if (first == "jobs") return first == name || name == "result.json";
+  if (first == "case") return first == name || name == "case.toml";
+  const auto variant =
+      std::find_if(plan.variants.begin(), plan.variants.end(), [&](const Variant& v) { return v.name == first; });
+  if (variant == plan.variants.end()) return false;
+  return first == name || run::is_of_run(variant->loaded.data, file.lexically_relative(first));
+}
+
 /// A larger number is more serious to the user.
 int rank(ExitCode code) {
   switch (code) {
@@ -126,21 +143,52 @@ int rank(ExitCode code) {
 
 }  // namespace
 
-void check_folder(const StudyOptions& options, const std::string& ways) {
+void check_folder(const input::LoadedCase& base, const StudyPlan& plan, const StudyOptions& options,
+                  const std::string& ways) {
   use_folder(options.folder, [&] {
     if (!fs::exists(options.folder)) return;
     const std::string folder = options.folder.string();
     if (!fs::is_directory(options.folder))
       throw Error(ExitCode::folder_exists, fmt::format("'{}' is a file; a study needs a folder", folder));
-    if (!holds_nothing(options.folder) && !options.overwrite && !options.resume)
-      throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' is not empty; {}", folder, ways));
+    if (options.overwrite)
+      return run::check_replaced(base, options.folder, [&](const fs::path& file) { return is_of_study(plan, file); });
+    if (holds_nothing(options.folder)) return;
+    if (options.resume) return run::require_list(options.folder);
+    throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' is not empty; {}", folder, ways));
   });
+}
+
+std::unique_ptr<FileList> open_folder(const StudyPlan& plan, const StudyOptions& options) {
+  if (options.overwrite)
+    run::replace_folder(
+        options.folder, [&](const fs::path& file) { return is_of_study(plan, file); }, options.progress);
+  auto files = std::make_unique<FileList>(options.folder);
+  for (const Variant& v : plan.variants) {
+    files->add_folder(v.name);
+    // A folder of that name that the user made: what is in it stays, and what the run writes is listed.
+    const fs::path folder = options.folder / v.name;
+    if (options.overwrite && fs::is_directory(folder) && !has_list(folder)) FileList{folder};
+  }
+  return files;
 }
 
 std::optional<results::RunResult> load_variant(const fs::path& folder) try {
   return results::read_file<results::RunResult>(folder / "summary.json");
 } catch (const Error&) {
   return std::nullopt;
+}
+
+void check_row(const fs::path& folder, StudyRow& row) try {
+  if (!row.result)
+    throw Error(ExitCode::wrong_input, fmt::format("'{}' is missing or of another run: put it back, or repeat the job",
+                                                   (folder / "summary.json").string()));
+  run::require_list(folder);
+  run::check_kept(folder);
+  row.told.status = VariantStatus::finished;
+} catch (const Error& error) {
+  row.code = error.code();
+  row.told.reason = error.what();
+  row.told.status = VariantStatus::failed;
 }
 
 void check_variants(const StudyPlan& plan, const StudyOptions& options) {
@@ -173,11 +221,13 @@ std::vector<StudyRow> run_variants(const StudyPlan& plan, const StudyOptions& op
 }
 
 std::vector<StudyRow> run_study(const StudyPlan& plan, const StudyOptions& options) {
-  check_folder(options, "give another one with -o, replace it with --overwrite, or go on with --resume");
+  check_folder(plan.variants.front().loaded, plan, options,
+               "give another one with -o, replace it with --overwrite, or go on with --resume");
   FolderLock lock(options.folder);
   lock.take_existing();
   check_variants(plan, options);
   lock.take();
+  const auto files = open_folder(plan, options);
   const auto renew = [&](const std::vector<StudyRow>& rows) { write_study_tables(plan, rows, options.folder); };
   std::vector<StudyRow> rows = run_variants(plan, options, renew);
   write_study(plan, rows, options.folder);

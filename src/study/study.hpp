@@ -4,11 +4,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/file_list.hpp"
 #include "base/progress.hpp"
 #include "results/run.hpp"
 #include "results/study.hpp"
@@ -33,11 +35,19 @@ struct StudyRow {
 };
 
 /// Throws Error (folder_exists) when the study's folder is a file, or holds something that is neither to be replaced
-/// nor to go on; `ways` says what else can be done.
-void check_folder(const StudyOptions& options, const std::string& ways);
+/// nor to go on, or must not be replaced (run::check_replaced); `ways` says what else can be done.
+void check_folder(const input::LoadedCase& base, const StudyPlan& plan, const StudyOptions& options,
+                  const std::string& ways);
+
+/// Begins the list of the files of a study in its folder, which is held by the caller, or continues it. With
+/// --overwrite those of the study before, its variants and jobs go.
+std::unique_ptr<FileList> open_folder(const StudyPlan& plan, const StudyOptions& options);
 
 /// The results in the folder of a variant; nothing where a file is damaged.
 std::optional<results::RunResult> load_variant(const std::filesystem::path& folder);
+
+/// The status of a variant that has finished: failed where files of its run are missing or have changed since.
+void check_row(const std::filesystem::path& folder, StudyRow& row);
 
 /// Throws Error (wrong_input) when a variant that is to be kept is of another input.
 void check_variants(const StudyPlan& plan, const StudyOptions& options);

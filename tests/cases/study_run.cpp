@@ -75,6 +75,7 @@ TEST(Study, ResumingRunsNothingThatIsFinished) {
   ASSERT_GT(files.size(), 9u);
   const auto rows = run_study(plan, write_to(folder, true));
   for (const StudyRow& row : rows) EXPECT_TRUE(row.kept);
+  EXPECT_FALSE(find_failure(rows));
   for (const auto& [path, time] : files) EXPECT_EQ(fs::last_write_time(path), time) << path;
   EXPECT_EQ(read_file(folder / "study.csv"), tables) << "wall times are those of the first run";
 }

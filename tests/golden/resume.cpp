@@ -74,6 +74,8 @@ class Resume : public testing::Test {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
 
+  int run_to_its_end(const std::string& result) { return wait_for(start(result, "--resume")); }
+
   std::string read(const fs::path& path) const {
     std::ifstream file(folder_ / path);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -184,8 +186,60 @@ TEST_F(Resume, AnExistingFolderIsNeverOverwrittenUnasked) {
   std::ofstream(folder_ / "taken" / "notes.txt") << "mine";
   EXPECT_EQ(wait_for(start("taken", "")), 3);
   EXPECT_EQ(read("taken/notes.txt"), "mine");
-  ASSERT_EQ(wait_for(start("taken", "--overwrite")), 0);
-  EXPECT_EQ(read("taken/notes.txt"), "mine") << "--overwrite replaces results, nothing else";
+  EXPECT_EQ(wait_for(start("taken", "--overwrite")), 3) << "no run wrote this folder";
+  EXPECT_EQ(wait_for(start("taken", "--resume")), 3);
+  EXPECT_EQ(read("taken/notes.txt"), "mine");
+}
+
+/// What a run goes on from was lost or swapped: it is named, nothing is changed, and put back it leads to the same
+/// bits.
+TEST_F(Resume, FromFilesThatAreLostOrChangedIsRefused) {
+  ASSERT_EQ(wait_for(start("whole", "")), 0);
+  const pid_t child = start("parts", "");
+  support::wait_for_file(folder_ / "parts" / "frames" / "000005.h5", child);
+  kill(child, SIGKILL);
+  ASSERT_EQ(wait_for(child), -SIGKILL);
+  ASSERT_TRUE(fs::exists(folder_ / "parts" / "checkpoint.h5"));
+  const auto expect_refused = [&](const std::string& folder, const std::string& file) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_to_its_end(folder), 2) << file;
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("/" + folder + "/" + file + "' is "), std::string::npos) << said;
+  };
+  const auto damage = [&](const std::string& folder, const std::string& file) {
+    const fs::path path = folder_ / folder / file, aside = folder_ / "aside";
+    const std::string before = read(fs::path(folder) / file);
+    fs::rename(path, aside);
+    expect_refused(folder, file);
+    std::string changed = before;
+    changed[changed.size() / 2] ^= 1;
+    std::ofstream(path) << changed;
+    expect_refused(folder, file);
+    fs::rename(aside, path);
+    EXPECT_TRUE(read(fs::path(folder) / file) == before);
+  };
+  for (const char* file :
+       {"frames/000002.h5", "history.csv", "monitors.csv", "stages.json", "checkpoint.h5", "mesh.h5"})
+    damage("parts", file);
+  const fs::path frames = folder_ / "parts" / "frames";
+  fs::rename(frames / "000001.h5", folder_ / "aside");
+  fs::rename(frames / "000002.h5", frames / "000001.h5");
+  fs::rename(folder_ / "aside", frames / "000002.h5");
+  expect_refused("parts", "frames/000001.h5");
+  fs::rename(frames / "000001.h5", folder_ / "aside");
+  fs::rename(frames / "000002.h5", frames / "000001.h5");
+  fs::rename(folder_ / "aside", frames / "000002.h5");
+  fs::rename(frames / "000003.h5", folder_ / "aside");
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(std::system(("'" TALUS_PROGRAM "' collect '" + (folder_ / "parts").string() + "'").c_str()) >> 8, 2);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("frames/000003.h5' is missing"), std::string::npos);
+  fs::rename(folder_ / "aside", frames / "000003.h5");
+  ASSERT_EQ(run_to_its_end("parts"), 0);
+  expect_same_results("whole", "parts");
+  for (const char* file : {"history.csv", "results.vtkhdf", "summary.json"}) damage("parts", file);
+  fs::remove(folder_ / "parts" / "end_state.h5");
+  fs::remove(folder_ / "parts" / "report.html");
+  EXPECT_EQ(run_to_its_end("parts"), 0);
 }
 
 }  // namespace

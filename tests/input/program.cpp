@@ -101,6 +101,7 @@ TEST(Program, RefusesWhatNeedsMoreMemoryThanIsFree) {
 
 TEST(Program, SaysItsWarningsBeforeARunAndKeepsThem) {
   const std::string path = write_file("talus_warned.toml", slices_alone), folder = testing::TempDir() + "talus_warned";
+  std::filesystem::remove_all(folder);
   const std::string sentence = "'materials.soil.friction_angle' is 0.44 deg; the usual range is 5 to 50 deg, or 0";
   const Outcome ran = run_program(
       "run --no-report --overwrite --set lem.noncircular=false --set lem.entry_exit.depths=3 "
@@ -242,6 +243,7 @@ TEST(Program, RunsAJobUnderALauncherAndNoStudy) {
 /// ACADS 1(a) has 0.99 to 1.00 with characteristic values.
 TEST(Program, SaysTheCheckOfADesignSetFirst) {
   const std::string folder = testing::TempDir() + "talus_design";
+  std::filesystem::remove_all(folder);
   for (const auto& [cohesion, part] :
        {std::pair{"3", "below 1: the slope is NOT verified"}, {"30", "at least 1: verified"}}) {
     const std::string path =

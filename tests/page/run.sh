@@ -16,14 +16,15 @@ command -v node >/dev/null || skip "there is no Node, so the page of the reports
 [ -d "$root/web/node_modules" ] || skip "web/node_modules is not there (the build installs it), so the page is not tested"
 (cd "$root/web" && npx --no-install oxlint)
 
-"$talus" run "$root/examples/dry_slope/case.toml" -o "$folder/results" --overwrite --quiet --set mesh.size=1
+rm -rf "$folder/results" "$folder/wet" "$folder/methods" "$folder/study" "$folder/sampling"
+"$talus" run "$root/examples/dry_slope/case.toml" -o "$folder/results" --quiet --set mesh.size=1
 size=$(stat -c %s "$folder/results/report.html")
 echo "report.html: $size bytes"
 [ "$size" -lt 10000000 ] || { echo "the dry slope's report must stay under 10 MB" >&2; exit 1; }
-"$talus" run "$root/tests/page/wet_bank.toml" -o "$folder/wet" --overwrite --quiet
-"$talus" run "$root/tests/page/three_methods.toml" -o "$folder/methods" --overwrite --quiet
-"$talus" study "$root/tests/page/banks.toml" -o "$folder/study" --overwrite --quiet
-"$talus" study "$root/tests/page/uncertain.toml" -o "$folder/sampling" --overwrite --quiet
+"$talus" run "$root/tests/page/wet_bank.toml" -o "$folder/wet" --quiet
+"$talus" run "$root/tests/page/three_methods.toml" -o "$folder/methods" --quiet
+"$talus" study "$root/tests/page/banks.toml" -o "$folder/study" --quiet
+"$talus" study "$root/tests/page/uncertain.toml" -o "$folder/sampling" --quiet
 
 cd "$root/web"
 TALUS_REPORT=$folder/results/report.html TALUS_RESULTS=$folder/results npx --no-install vitest run

@@ -10,6 +10,7 @@
 #include <limits>
 #include <mutex>
 
+#include "base/atomic_file.hpp"
 #include "base/dates.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
@@ -483,7 +484,7 @@ void TimelineRun::add_release(results::Release release) {
 }
 
 void TimelineRun::forget() const {
-  std::filesystem::remove(parts_->options.folder / kept_file);
+  remove_file(parts_->options.folder / kept_file);
 }
 
 void TimelineRun::tell(results::RunResult& run) const {
