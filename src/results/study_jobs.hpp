@@ -116,6 +116,7 @@ void describe(V& v, R& r) {
 /// What a job has found; it exists when all of its part has ended.
 struct JobResult {
   std::string study;                   ///< hash of its jobs.json
+  int job = -1;                        ///< its number
   double seconds = 0;                  ///< [s]
   int code = 0;                        ///< exit code of the gravest failure; 0: none
   std::string reason;                  ///< of the samples by slices, where the job failed
@@ -126,6 +127,7 @@ struct JobResult {
 template <class V, As<JobResult> R>
 void describe(V& v, R& r) {
   v.key("study", r.study, {"", "hash of the list of jobs"});
+  v.key("job", r.job, {"", "number of the job"});
   v.key("seconds", r.seconds, {"s", "wall time"});
   v.key("code", r.code, {"", "exit code of the gravest failure"});
   v.key("reason", r.reason, {"", "why samples have no result"});

@@ -128,15 +128,23 @@ std::optional<results::JobResult> JobFolder::read_result(int job) const {
   auto result = results::find_file<results::JobResult>(result_folder(job) / "result.json");
   const results::JobPart& own = part(job);
   const auto size = static_cast<std::size_t>(own.end - own.first);
-  if (!result || result->study != hash_) return std::nullopt;
+  if (!result || result->study != hash_ || result->job != job) return std::nullopt;
   const bool is_whole = jobs_.work == results::JobWork::runs
                             ? result->variants.size() == size && result->codes.size() == size
                             : result->code != 0 || result->factors.size() == size;
   return is_whole ? result : std::nullopt;
 }
 
+std::string JobFolder::describe_strange(int job) const {
+  const fs::path file = result_folder(job) / "result.json";
+  const auto result = results::find_file<results::JobResult>(file);
+  if (!result || result->job == job || result->study != hash_) return "";
+  return fmt::format("\n'{}' is the result of job {} and was not taken", file.string(), result->job);
+}
+
 void JobFolder::write_result(int job, results::JobResult result) const {
   result.study = hash_;
+  result.job = job;
   results::write_file(result_folder(job) / "result.json", result, -1, "the job can be repeated");
 }
 

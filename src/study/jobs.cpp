@@ -81,8 +81,10 @@ std::vector<StudyRow> gather_rows(const JobFolder& folder, const StudyPlan& plan
       StudyRow& row = rows.at(at);
       row.told = all.results[job]->variants[own];
       row.code = static_cast<ExitCode>(all.results[job]->codes[own]);
-      row.result = load_variant(folder.folder() / row.told.folder);
+      const std::filesystem::path run = folder.folder() / plan.variants[at].name;
+      row.result = load_variant(run);
       if (row.result && row.result->provenance.input_hash != plan.variants[at].input_hash) row.result.reset();
+      if (row.told.status == results::VariantStatus::finished) check_row(run, row);
     }
   }
   return rows;
@@ -104,6 +106,13 @@ KnownFactors gather_factors(const JobFolder& folder, const Gathered& all) {
   return known;
 }
 
+/// A line for every missing job where the result of another one stands.
+std::string describe_strange(const JobFolder& folder, const JobStates& states) {
+  std::string lines;
+  for (const int job : states.missing) lines += folder.describe_strange(job);
+  return lines;
+}
+
 /// What is said of jobs that are missing or failed; `failure` is that of the runs.
 std::optional<Error> tell_states(const JobFolder& folder, const JobStates& states,
                                  const std::optional<Error>& failure) {
@@ -112,6 +121,7 @@ std::optional<Error> tell_states(const JobFolder& folder, const JobStates& state
     failed = fmt::format("\n{} of {} jobs {} failures: {}; {}", states.failed.size(), states.count,
                          states.failed.size() == 1 ? "has" : "have", write_ranges(states.failed),
                          folder.say_how("repeat", states.failed));
+  failed += describe_strange(folder, states);
   if (states.missing.empty())
     return failure ? std::optional(Error(failure->code(), failure->what() + failed)) : failure;
   return Error(ExitCode::interrupted,
@@ -154,8 +164,9 @@ StudyOutcome collect_jobs(const StudyOptions& options) {
   std::vector<int> every(static_cast<std::size_t>(folder.count()));
   for (std::size_t i = 0; i < every.size(); ++i) every[i] = static_cast<int>(i);
   if (all.states.missing == every)
-    throw Error(ExitCode::interrupted, fmt::format("none of the {} jobs has ended: there is nothing to collect yet; {}",
-                                                   every.size(), folder.say_how("calculate", every)));
+    throw Error(ExitCode::interrupted,
+                fmt::format("none of the {} jobs has ended: there is nothing to collect yet; {}{}", every.size(),
+                            folder.say_how("calculate", every), describe_strange(folder, all.states)));
   if (folder.jobs().work == results::JobWork::slice_samples && !all.states.missing.empty())
     throw Error(*tell_states(folder, all.states, std::nullopt));
   const input::LoadedCase base = folder.read_case();

@@ -146,6 +146,7 @@ TEST(StudyJobs, WhatIsNotWholeIsMissing) {
   const std::string whole = read_file(jobs / "jobs/4/result.json");
   fs::remove(jobs / "jobs/1/result.json");
   std::ofstream(jobs / "jobs/1/result.json.part") << whole;  // killed before the file had its name
+  std::ofstream(jobs / "jobs/1" / list_file, std::ios::app) << "begin result.json\n";
   std::ofstream(jobs / "jobs/3/result.json") << whole.substr(0, whole.size() / 2);
   std::string of_another = whole;
   of_another.replace(of_another.find("\"study\":\"") + 9, 4, "0000");
@@ -169,6 +170,47 @@ TEST(StudyJobs, WhatIsNotWholeIsMissing) {
   EXPECT_FALSE(calculate_job(jobs, 2, 1, nullptr));
   EXPECT_FALSE(collect_jobs(write_to(jobs)).failure);
   EXPECT_EQ(read_file(jobs / "samples.csv"), samples);
+}
+
+/// Results that stand in each other's place are not taken, whatever the jobs calculate.
+TEST(StudyJobs, AResultOfAnotherJobIsNamed) {
+  for (const std::string& text : {slice_samples, cohesion_study}) {
+    const fs::path folder = make_test_folder(), jobs = folder / "jobs";
+    prepare(text, jobs, 3);
+    for (int job = 0; job < 3; ++job) EXPECT_FALSE(calculate_job(jobs, job, 1, nullptr));
+    fs::rename(jobs / "jobs/0/result.json", jobs / "aside");
+    fs::rename(jobs / "jobs/1/result.json", jobs / "jobs/0/result.json");
+    fs::rename(jobs / "aside", jobs / "jobs/1/result.json");
+    const auto collect = [&]() -> std::string {
+      return say([&] {
+        const StudyOutcome outcome = collect_jobs(write_to(jobs));
+        if (outcome.failure) throw Error(*outcome.failure);
+      });
+    };
+    const std::string said = collect();
+    EXPECT_NE(said.find("2 of 3 jobs are missing: 0-1"), std::string::npos) << said;
+    EXPECT_NE(said.find("jobs/0/result.json' is the result of job 1 and was not taken"), std::string::npos) << said;
+    for (const int job : {0, 1}) EXPECT_FALSE(calculate_job(jobs, job, 1, nullptr));
+    EXPECT_EQ(collect(), "");
+  }
+}
+
+/// The runs of two jobs stand in each other's place, and a file of a third is lost.
+TEST(StudyJobs, RunsThatAreSwappedOrNotWholeAreFailures) {
+  const fs::path folder = make_test_folder(), jobs = folder / "jobs";
+  prepare(cohesion_study, jobs, 0);
+  for (int job = 0; job < 3; ++job) EXPECT_FALSE(calculate_job(jobs, job, 1, nullptr));
+  fs::rename(jobs / "cohesion_4_kPa", jobs / "aside");
+  fs::rename(jobs / "cohesion_8", jobs / "cohesion_4_kPa");
+  fs::rename(jobs / "aside", jobs / "cohesion_8");
+  fs::remove(jobs / "base/history.csv");
+  const StudyOutcome outcome = collect_jobs(write_to(jobs));
+  ASSERT_TRUE(outcome.failure);
+  EXPECT_EQ(outcome.failure->code(), ExitCode::wrong_input);
+  const std::string said = outcome.failure->what();
+  EXPECT_NE(said.find("3 of 3 variants did not finish"), std::string::npos) << said;
+  EXPECT_NE(said.find("base/history.csv' is missing"), std::string::npos) << said;
+  EXPECT_NE(said.find("cohesion_8/summary.json' is missing or of another run"), std::string::npos) << said;
 }
 
 TEST(StudyJobs, TheTableOfRunsShowsThoseThatHaveEnded) {
