@@ -122,7 +122,8 @@ bool is_of_study(const StudyPlan& plan, const fs::path& file) {
   const auto variant =
       std::find_if(plan.variants.begin(), plan.variants.end(), [&](const Variant& v) { return v.name == first; });
   if (variant == plan.variants.end()) return false;
-  return first == name || run::is_of_run(variant->loaded.data, file.lexically_relative(first));
+  // A list that is not the study's own is that of a run which the user made there.
+  return first == name || name == list_file || run::is_of_run(variant->loaded.data, file.lexically_relative(first));
 }
 
 /// A larger number is more serious to the user.
@@ -165,9 +166,14 @@ std::unique_ptr<FileList> open_folder(const StudyPlan& plan, const StudyOptions&
   auto files = std::make_unique<FileList>(options.folder);
   for (const Variant& v : plan.variants) {
     files->add_folder(v.name);
-    // A folder of that name that the user made: what is in it stays, and what the run writes is listed.
     const fs::path folder = options.folder / v.name;
-    if (options.overwrite && fs::is_directory(folder) && !has_list(folder)) FileList{folder};
+    if (!options.overwrite || !fs::is_directory(folder)) continue;
+    if (has_list(folder))
+      throw Error(
+          ExitCode::folder_exists,
+          fmt::format("'{}' holds results that this study did not write; move them away, or give another folder",
+                      folder.string()));
+    FileList{folder};  // files of the user are there: they stay, and what the run writes is listed
   }
   return files;
 }

@@ -225,6 +225,17 @@ TEST_F(Overwrite, RefusesWhatIsInTheWayBeforeAnythingIsRemoved) {
   expect_refused(run + " --overwrite", "'out/curve.csv' is in the way");
 }
 
+/// A run that the user made in the folder of a study is none of its variants.
+TEST_F(Overwrite, OfAStudyKeepsRunsThatItDidNotMake) {
+  const std::string calculate = "study " + write_case("study", study) + " -q --threads 1 -o out";
+  ASSERT_EQ(run_program("study " + write_case("fewer", fewer) + " -q --threads 1 -o out").code, 0);
+  ASSERT_EQ(run_program("run " + write_case("circles", circles) + " -q -o out/cohesion_25_kPa").code, 0);
+  expect_refused(calculate + " --overwrite", "'out/cohesion_25_kPa/lem.json' is in the way");
+  fs::rename(folder_ / "out/cohesion_25_kPa", folder_ / "out/mine");
+  EXPECT_EQ(run_program(calculate + " --overwrite").code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "out/mine/lem.json"));
+}
+
 TEST_F(Overwrite, RefusesFoldersWithoutAList) {
   const std::string file = write_case("circles", circles);
   put("older/summary.json", "{}");
