@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The list of the files that a run wrote, kept in its folder: what --overwrite removes, and what --resume checks.
+// How the list of the files that a run writes into its folder grows; what it says is in base/listed_files.hpp.
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
-#include <vector>
+
+#include "base/listed_files.hpp"
 
 namespace talus {
-
-/// The list's file in a folder of results.
-inline constexpr const char* list_file = "talus.files";
 
 struct OpenList;
 
@@ -61,31 +56,5 @@ void list_grown(const std::filesystem::path& path, bool still_grows);
 void list_folder(const std::filesystem::path& folder);
 /// Before `path` is removed. Returns false where it is not listed and must stay.
 bool list_removal(const std::filesystem::path& path);
-
-/// Whether a folder has a list.
-bool has_list(const std::filesystem::path& folder);
-/// The nearest folder above a file that has a list, as an absolute path.
-std::optional<std::filesystem::path> find_listed_folder(const std::filesystem::path& file);
-
-/// Throws Error (wrong_input) naming the first listed file that is missing, or is not as it was written, of those for
-/// whose name in the folder `is_needed` holds.
-void check_listed(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& is_needed);
-
-/// What is compared with a list: sizes, or contents as well.
-enum class Compared { sizes, contents };
-
-/// What lies in a folder with a list.
-struct SortedFiles {
-  std::filesystem::path folder;
-  std::vector<std::filesystem::path> own;      ///< of a run, as it left them; relative to the folder, as all are
-  std::vector<std::filesystem::path> foreign;  ///< not listed, or changed since
-  std::vector<std::filesystem::path> folders;  ///< that runs made, outer ones first
-  std::vector<std::filesystem::path> lists;    ///< folders with a list, the folder itself first
-};
-SortedFiles sort_files(const std::filesystem::path& folder, Compared compared);
-
-/// Removes the files of runs, then their folders where these are empty. The list of the folder begins anew. Throws
-/// Error (folder_exists) before anything is removed when another process uses one of the folders.
-void remove_own(const SortedFiles& files);
 
 }  // namespace talus
