@@ -119,7 +119,8 @@ void refuse_foreign(const std::optional<Place>& place, const fs::path& path) {
   const bool is_listed = it != place->list->listed.files.end();
   const auto check = [](const fs::path& file, bool is_own) {
     std::error_code none;
-    if (!is_own && fs::exists(fs::symlink_status(file, none)))
+    const fs::file_status there = fs::symlink_status(file, none);
+    if (!is_own && (fs::is_regular_file(there) || fs::is_symlink(there)))
       throw Error(
           ExitCode::folder_exists,
           fmt::format("'{}' was not written by a run and stays; move it away, or give another folder", file.string()));

@@ -70,7 +70,7 @@ void check_target(const input::LoadedCase& loaded, const fs::path& target) {
   std::error_code unknown;
   for (const std::string& name : names)
     if (fs::exists(home / name, unknown) && holds(home / name))
-      refuse(fmt::format("holds '{}', which the case consists of", (home / name).string()));
+      refuse(fmt::format("holds '{}', which the case reads", (home / name).string()));
   if (holds(fs::current_path())) refuse("is or holds the current folder");
   if (const char* user = std::getenv("HOME"); user != nullptr && *user != '\0' && holds(user))
     refuse("is or holds the home folder");

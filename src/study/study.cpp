@@ -117,6 +117,8 @@ bool is_of_study(const StudyPlan& plan, const fs::path& file) {
   for (const char* own : {"jobs.json", "surfaces.json", "jobs.slurm", "study.json", "study.csv", "study.md",
                           "study.svg", "study.gp", "samples.csv", "report.html"})
     if (first == own) return true;
+  const fs::path end = file.extension();
+  if (first.starts_with("displacement_") && (end == ".svg" || end == ".gp")) return true;  // of a monitor
   if (first == "jobs") return first == name || name == "result.json";
   if (first == "case") return first == name || name == "case.toml";
   const auto variant =

@@ -111,7 +111,8 @@ TEST_F(Machine, LetsOneRunIntoAFolder) {
 TEST_F(Machine, HoldsFilesThatAreNoResults) {
   ASSERT_EQ(run(start + std::string("-o one")), 0) << said_;
   std::ofstream(folder_ / "one" / "summary.json") << "[]";
-  expect(2, "it should hold one JSON object", start + std::string("-o one --resume"));
+  expect(2, "it should hold one JSON object", "\\$T report one");
+  expect(2, "'one/summary.json' is not as the run wrote it", start + std::string("-o one --resume"));
 }
 
 TEST_F(Machine, WouldNotSurviveAKeyOfAHundredThousandParts) {

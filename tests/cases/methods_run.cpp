@@ -70,13 +70,12 @@ TEST_F(MethodsTest, ResumeKeepsWhatIsDone) {
   const std::string text = write_case("\"lem\"", few_circles);
   run(text);
   // As if the run had been stopped after the slices: the file tells whether they were calculated again.
-  std::filesystem::remove(folder_ / "summary.json");
   json kept = json::parse(std::ifstream(folder_ / "lem.json"));
   kept["summary"]["seconds"] = 12345.0;
-  std::ofstream(folder_ / "lem.json") << kept.dump();
+  leave("lem.json", kept);
   EXPECT_EQ(run(text, {}, true).at("lem").at("seconds"), 12345.0);
   // Of another input nothing is kept.
-  std::filesystem::remove(folder_ / "summary.json");
+  leave("lem.json", kept);
   EXPECT_NE(run(text, {{"materials.sand.cohesion", "\"3 kPa\""}}, true).at("lem").at("seconds"), 12345.0);
 }
 
@@ -89,13 +88,12 @@ resolution = 0.1
 )");
   const json whole = run(text);
   // As after Ctrl-C between the two flow rules.
-  std::filesystem::remove(folder_ / "summary.json");
   json kept = json::parse(std::ifstream(folder_ / "fem.json"));
   ASSERT_EQ(kept.at("summary").at("runs").size(), 2u);
   kept["summary"]["runs"].erase(1);
   kept["runs"].erase(1);
   kept["summary"]["runs"][0]["seconds"] = 54321.0;
-  std::ofstream(folder_ / "fem.json") << kept.dump();
+  leave("fem.json", kept);
   const json again = run(text, {}, true);
   ASSERT_EQ(again.at("fem").at("runs").size(), 2u);
   EXPECT_EQ(again.at("fem").at("runs").at(0).at("seconds"), 54321.0);

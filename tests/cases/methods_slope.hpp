@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/file_list.hpp"
 #include "support/run_json.hpp"
 #include "support/slopes.hpp"
 
@@ -48,6 +50,13 @@ class MethodsTest : public ::testing::Test {
     options.resume = resume;
     options.progress = progress_;
     return support::run_case(input::read_case_text(text, "slope.toml", overrides), options);
+  }
+
+  /// Leaves a file as a run that was stopped before its summary.
+  void leave(const std::string& name, const nlohmann::json& content) const {
+    const FileList files(folder_);
+    remove_file(folder_ / "summary.json");
+    write_atomically(folder_ / name, content.dump());
   }
 
   /// The sentence that the case ends with.
