@@ -160,11 +160,11 @@ void require_list(const fs::path& folder) {
 }
 
 void check_kept(const fs::path& folder) {
-  check_listed(folder, [](const std::string& name) {
+  check_listed(folder, [&](const std::string& name) {
     const fs::path file = name;
+    if (file.filename() == end_state_file) return fs::exists(folder / file);  // it may be deleted
     const fs::path end = file.extension();
-    return file.filename() != "report.html" && file.filename() != end_state_file && end != ".svg" && end != ".png" &&
-           end != ".gp";
+    return file.filename() != "report.html" && end != ".svg" && end != ".png" && end != ".gp";
   });
 }
 

@@ -33,8 +33,8 @@ void replace_folder(const std::filesystem::path& folder, const IsWritten& is_wri
 
 /// Throws Error (folder_exists) when the folder has no list of files.
 void require_list(const std::filesystem::path& folder);
-/// Throws Error (wrong_input) when a file that a run wrote is missing or has changed, except for those that the results
-/// do not need: report, pictures, and the state at the end.
+/// Throws Error (wrong_input) when a file that a run wrote is missing or has changed, except for report and pictures.
+/// The state at the end may be missing.
 void check_kept(const std::filesystem::path& folder);
 
 /// A finished run that --resume keeps. Throws Error (wrong_input) when it is of another input.

@@ -237,6 +237,8 @@ TEST_F(Resume, FromFilesThatAreLostOrChangedIsRefused) {
   ASSERT_EQ(run_to_its_end("parts"), 0);
   expect_same_results("whole", "parts");
   for (const char* file : {"history.csv", "results.vtkhdf", "summary.json"}) damage("parts", file);
+  std::ofstream(folder_ / "parts" / "end_state.h5", std::ios::app) << "x";
+  expect_refused("parts", "end_state.h5");
   fs::remove(folder_ / "parts" / "end_state.h5");
   fs::remove(folder_ / "parts" / "report.html");
   EXPECT_EQ(run_to_its_end("parts"), 0);
