@@ -22,6 +22,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/memory.hpp"
+#include "base/user_file.hpp"
 
 #ifdef __linux__
 #include <sys/prctl.h>
@@ -168,6 +169,7 @@ std::string describe_end(int status) {
 }
 
 [[noreturn]] void cannot_start() {
+  refuse_full_file_table(errno);
   throw Error(ExitCode::no_memory, fmt::format("cannot start a process: {}", std::strerror(errno)));
 }
 
@@ -198,6 +200,14 @@ void limit_processor_time(double seconds) {
   time.rlim_cur = std::min(time.rlim_cur, static_cast<rlim_t>(seconds));
   std::signal(SIGXCPU, SIG_DFL);
   setrlimit(RLIMIT_CPU, &time);
+}
+
+void limit_memory(double bytes) {
+  const std::optional<double> size = find_address_size();
+  rlimit memory{};
+  if (!size || getrlimit(RLIMIT_AS, &memory) != 0) return;
+  memory.rlim_cur = std::min(memory.rlim_cur, static_cast<rlim_t>(*size + bytes));
+  setrlimit(RLIMIT_AS, &memory);
 }
 
 std::vector<std::byte> do_in_child(const std::string& doing, const std::function<void(ByteWriter&)>& work) {

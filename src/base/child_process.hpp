@@ -26,4 +26,7 @@ std::vector<std::byte> do_in_child(const std::string& doing, const std::function
 /// never return. A busy machine does not shorten them.
 void limit_processor_time(double seconds);
 
+/// The same for memory: its process gets so many bytes beside what it has, or what is free if that is less.
+void limit_memory(double bytes);
+
 }  // namespace talus

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "base/encoding.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
 namespace talus {
 namespace {
 
 /// Smallest character of 2, 3 and 4 bytes: a smaller one has a shorter form.
 constexpr unsigned smallest[] = {0, 0, 0x80, 0x800, 0x10000};
+
+constexpr unsigned no_character = 0xFFFFFFFF;
 
 /// Bytes of the character that begins with `first`; 0: none does.
 std::size_t count_bytes(unsigned char first) {
@@ -15,16 +22,30 @@ std::size_t count_bytes(unsigned char first) {
   return (first & 0xF8U) == 0xF0 ? 4 : 0;
 }
 
-bool is_character(std::string_view bytes) {
-  if (bytes.size() == 1) return true;
+unsigned decode_character(std::string_view bytes) {
+  if (bytes.size() == 1) return static_cast<unsigned char>(bytes[0]);
   unsigned code = static_cast<unsigned char>(bytes[0]) & (0xFFU >> (bytes.size() + 1));
   for (const char c : bytes.substr(1)) {
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0U) != 0x80) return false;
+    if ((byte & 0xC0U) != 0x80) return no_character;
     code = (code << 6U) | (byte & 0x3FU);
   }
   const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-  return code >= smallest[bytes.size()] && code <= 0x10FFFF && !is_surrogate;
+  return code >= smallest[bytes.size()] && code <= 0x10FFFF && !is_surrogate ? code : no_character;
+}
+
+struct CodeRange {
+  unsigned first, last;
+};
+/// Controls, marks and embeddings of direction, ends of lines and paragraphs, and what is no character of XML.
+constexpr CodeRange not_printable[] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0x200E, 0x200F},
+                                       {0x2028, 0x202E}, {0x2066, 0x2069}, {0xFFFE, 0xFFFF}};
+
+/// The character that `text` begins with and its bytes; of a wrong one no_character and one byte.
+std::pair<unsigned, std::size_t> take_character(std::string_view text) {
+  const std::size_t count = count_bytes(static_cast<unsigned char>(text[0]));
+  const unsigned code = count == 0 || count > text.size() ? no_character : decode_character(text.substr(0, count));
+  return {code, code == no_character ? 1 : count};
 }
 
 }  // namespace
@@ -37,11 +58,33 @@ bool is_utf16(std::string_view text) {
 
 std::optional<std::size_t> find_wrong_utf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t count = count_bytes(static_cast<unsigned char>(text[at]));
-    if (count == 0 || at + count > text.size() || !is_character(text.substr(at, count))) return at;
+    const auto [code, count] = take_character(text.substr(at));
+    if (code == no_character) return at;
     at += count;
   }
   return std::nullopt;
+}
+
+std::string make_printable(std::string_view text, bool keeps_lines) {
+  std::string printable;
+  while (!text.empty()) {
+    const auto [code, count] = take_character(text);
+    const bool is_line = code == '\n' && keeps_lines;
+    const auto is_in = [code = code](const CodeRange& r) { return r.first <= code && code <= r.last; };
+    if (code == no_character)
+      printable += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+    else if (!is_line && std::ranges::any_of(not_printable, is_in))
+      printable += code < 0x80 ? fmt::format("\\x{:02x}", code) : fmt::format("\\u{:04x}", code);
+    else
+      printable += text.substr(0, count);
+    text.remove_prefix(count);
+  }
+  return printable;
+}
+
+void print(std::FILE* stream, std::string_view text) {
+  const std::string printable = make_printable(text, true);
+  std::fwrite(printable.data(), 1, printable.size(), stream);
 }
 
 }  // namespace talus

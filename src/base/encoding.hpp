@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Encodings of text files.
+// Encodings of text files, and what of a text may reach a terminal or a file of another format.
 
 #include <cstddef>
+#include <cstdio>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace talus {
@@ -13,5 +15,12 @@ bool is_utf16(std::string_view text);
 
 /// The first byte that is not UTF-8 (RFC 3629): its place from the start of the text. Nothing where all are.
 std::optional<std::size_t> find_wrong_utf8(std::string_view text);
+
+/// `text` with "\x1b" for each control character, "\u202e" for each that changes the direction of the text or that XML
+/// does not allow, and "\xff" for each byte that is no UTF-8. Line breaks stay with `keeps_lines`.
+std::string make_printable(std::string_view text, bool keeps_lines = false);
+
+/// Prints lines that may hold names of a case or of a file.
+void print(std::FILE* stream, std::string_view text);
 
 }  // namespace talus

@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/encoding.hpp"
+
 namespace talus {
 namespace {
 
@@ -63,9 +65,10 @@ InputError::InputError(std::vector<Diagnostic> diagnostics)
     : Error(ExitCode::wrong_input, join(diagnostics)), diagnostics_(std::move(diagnostics)) {}
 
 std::string to_string(const Diagnostic& d) {
-  if (d.line > 0) return fmt::format("{}:{}:{}: error: {}", d.file, d.line, d.column, d.sentence);
-  if (!d.file.empty()) return fmt::format("{}: error: {}", d.file, d.sentence);
-  return fmt::format("error: {}", d.sentence);
+  const std::string sentence = make_printable(d.sentence, true);  // a zero byte would end it
+  if (d.line > 0) return fmt::format("{}:{}:{}: error: {}", d.file, d.line, d.column, sentence);
+  if (!d.file.empty()) return fmt::format("{}: error: {}", d.file, sentence);
+  return fmt::format("error: {}", sentence);
 }
 
 }  // namespace talus

@@ -45,11 +45,14 @@ std::optional<double> find_free_memory(const std::string& meminfo, const std::st
   return free;
 }
 
+std::optional<double> find_address_size() {
+  const auto pages = parse(read("/proc/self/statm"));  // its first number
+  return pages ? std::optional(*pages * static_cast<double>(sysconf(_SC_PAGESIZE))) : std::nullopt;
+}
+
 std::optional<double> find_address_room() {
-  const auto free = find_free_memory();
-  const auto pages = parse(read("/proc/self/statm"));  // its first number is the size of the address space
-  if (!free || !pages) return std::nullopt;
-  return *pages * static_cast<double>(sysconf(_SC_PAGESIZE)) + *free;
+  const auto free = find_free_memory(), size = find_address_size();
+  return free && size ? std::optional(*size + *free) : std::nullopt;
 }
 
 void return_freed_memory() {

@@ -15,6 +15,9 @@ std::optional<double> find_free_memory();
 /// empty.
 std::optional<double> find_free_memory(const std::string& meminfo, const std::string& limit, const std::string& used);
 
+/// The size [bytes] of this process's address space; nothing where it is not known.
+std::optional<double> find_address_size();
+
 /// The size [bytes] that this process's address space would have with all that memory; nothing where it is not known.
 std::optional<double> find_address_room();
 

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/encoding.hpp"
+
 namespace talus {
 namespace {
 
@@ -37,7 +39,7 @@ void Progress::show(const ProgressReport& report) {
   if (listener_) {
     listener_(report);
   } else {
-    fmt::print(stderr, "\r\033[K{}", report.line);
+    fmt::print(stderr, "\r\033[K{}", make_printable(report.line));
     std::fflush(stderr);
     shown_ = true;
   }

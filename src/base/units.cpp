@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -16,6 +17,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/user_file.hpp"
 
 namespace talus::units {
 namespace {
@@ -121,7 +123,9 @@ class Database {
  private:
   Database() {
     ut_set_error_message_handler(ut_ignore);
+    errno = 0;
     system_ = ut_read_xml(nullptr);
+    if (system_ == nullptr) refuse_full_file_table(errno);
     if (system_ == nullptr)
       throw Error(ExitCode::internal_error,
                   "the unit database of UDUNITS-2 cannot be read; install it (Debian: libudunits2-data) or name its "
