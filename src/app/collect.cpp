@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/file_list.hpp"
+#include "base/folder_lock.hpp"
 #include "output/files/frames_reader.hpp"
 
 namespace talus::app {
@@ -40,11 +42,12 @@ void collect(const std::string& name) {
   if (!fs::is_directory(name)) throw Error(ExitCode::wrong_input, fmt::format("there is no folder '{}'", name));
   const std::vector<fs::path> runs = find_runs(name);
   if (runs.empty()) throw Error(ExitCode::wrong_input, fmt::format("there are no frames of a run in '{}'", name));
+  const ResultsLock lock(name, runs);
   for (const fs::path& run : runs) {
     check_frames(run);
     const auto files = FileList::find(run / "results.vtkhdf");
     const int count = output::collect(run);
-    fmt::print("{}: {} frame{}\n", (run / "results.vtkhdf").string(), count, count == 1 ? "" : "s");
+    print(stdout, fmt::format("{}: {} frame{}\n", (run / "results.vtkhdf").string(), count, count == 1 ? "" : "s"));
   }
 }
 

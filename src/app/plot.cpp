@@ -9,7 +9,9 @@
 #include "app/commands.hpp"
 #include "app/plot_results.hpp"
 #include "app/plot_soil_water.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
+#include "base/folder_lock.hpp"
 #include "base/units.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/plots/curve_plot.hpp"
@@ -29,7 +31,7 @@ template <class Plot>
 void draw(const PlotOptions& options, const Plot& plot, const std::string& stem) {
   const fs::path picture = options.choose_picture(stem, false);
   output::draw(plot, picture);
-  fmt::print("{}\n", picture.string());
+  print(stdout, fmt::format("{}\n", picture.string()));
 }
 
 output::CurvePlot describe_curve(const results::RunResult& run, const results::DisplacementCurve& curve) {
@@ -70,6 +72,7 @@ void plot_folder(const PlotOptions& options) {
   if (!fs::is_directory(options.folder))
     fail(fmt::format("there is no folder and no case file '{}'", options.folder.string()));
   if (!options.sets.empty()) fail("--set changes a case; results stay as they are");
+  const ResultsLock lock(options.folder);
   const auto read = results::read_file<results::RunResult>(options.folder / "summary.json");
   const results::RunResult run = read.value_or(results::RunResult{});  // a folder of a trial has none
   const bool wants_field = !options.field.empty();

@@ -47,8 +47,7 @@ void flush_folder(const fs::path& folder) {
 }
 
 [[noreturn]] void give_up(const fs::path& path, int reason, const std::string& safe) {
-  std::error_code ignored;
-  fs::remove(temporary_name(path), ignored);
+  clear_temporary(path);
   throw_cannot_write(path, reason, safe);
 }
 
@@ -56,7 +55,7 @@ void flush_folder(const fs::path& folder) {
 void flush_and_rename(const fs::path& path, const std::string& safe) {
   const fs::path temporary = temporary_name(path);
   {
-    const Descriptor file(::open(temporary.c_str(), O_RDWR | O_CLOEXEC));
+    const Descriptor file(::open(temporary.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC));
     if (file.fd < 0 || ::fsync(file.fd) != 0) give_up(path, errno, safe);
   }
   if (::rename(temporary.c_str(), path.c_str()) != 0) give_up(path, errno, safe);
@@ -75,6 +74,10 @@ fs::path temporary_name(const fs::path& path) {
   return path.string() + ".part";
 }
 
+void clear_temporary(const fs::path& path) {
+  static_cast<void>(::unlink(temporary_name(path).c_str()));  // opening it says why it is still there
+}
+
 void make_folder(const fs::path& folder, const std::string& safe) {
   std::error_code failure;
   std::vector<fs::path> missing;
@@ -87,6 +90,7 @@ void make_folder(const fs::path& folder, const std::string& safe) {
 
 fs::path begin_file(const fs::path& path) {
   list_temporary(path);
+  clear_temporary(path);
   return temporary_name(path);
 }
 
@@ -110,7 +114,8 @@ void remove_file(const fs::path& path) {
 void write_atomically(const fs::path& path, std::span<const std::byte> bytes, const std::string& safe) {
   list_content(path, bytes);
   {
-    Descriptor file(::open(temporary_name(path).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    clear_temporary(path);
+    Descriptor file(::open(temporary_name(path).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
     if (file.fd < 0) throw_cannot_write(path, errno, safe);
     if (const int reason = write_all(file.fd, bytes)) give_up(path, reason, safe);
     // A full disk may be reported only here (network file systems).

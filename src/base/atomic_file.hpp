@@ -21,8 +21,11 @@ void write_atomically(const std::filesystem::path& path, std::span<const std::by
 /// The name a file has while it is being written: `path` + ".part".
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
-/// The same before that file is made by other means; publish() follows.
+/// The same before that file is made by other means; publish() follows. What had that name, such as a link to somewhere
+/// else, is removed.
 std::filesystem::path begin_file(const std::filesystem::path& path);
+/// Removes what has the temporary name of `path`.
+void clear_temporary(const std::filesystem::path& path);
 
 /// Flushes the finished temporary file of `path` to the disk and gives it its name. Errors as for write_atomically.
 void publish(const std::filesystem::path& path, const std::string& safe = "");

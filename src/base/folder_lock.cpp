@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -72,24 +73,46 @@ bool may_run(const Holder& holder) {
   throw Error(ExitCode::folder_exists, fmt::format("the folder '{}' is in use by {}: {}", folder.string(), who, then));
 }
 
+/// The lock's file, made where `flags` say so; -1 where there is none that can be read. A link to another file, or a
+/// device, is not written to.
+int open_lock(const fs::path& path, int flags) {
+  const auto refuse = [&](const char* what) {
+    throw Error(
+        ExitCode::cannot_write,
+        fmt::format("cannot write '{}': it is {}, and a lock is a file of its own; remove it", path.string(), what));
+  };
+  const int file = ::open(path.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+  if (file < 0 && errno == ELOOP) refuse("a symbolic link");
+  if (file < 0 && (errno == ENOENT || errno == EACCES) && (flags & O_CREAT) == 0) return -1;
+  if (file < 0) throw_cannot_write(path, errno);
+  struct stat found {};
+  if (::fstat(file, &found) == 0 && S_ISREG(found.st_mode) && found.st_nlink <= 1) return file;
+  ::close(file);
+  refuse(S_ISREG(found.st_mode) ? "a link to another file" : "no file");
+  return -1;
+}
+
+bool is_writable(const fs::path& folder) {
+  std::error_code unknown;
+  return fs::is_directory(folder, unknown) && ::access(folder.c_str(), W_OK) == 0;
+}
+
 /// Whether the path still names the open file: its holder may have removed it before this process had its turn.
 bool is_same(int file, const fs::path& path) {
   struct stat open {
   }, named{};
-  return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+  return ::fstat(file, &open) == 0 && ::lstat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
          open.st_ino == named.st_ino;
 }
 
 }  // namespace
 
-void FolderLock::take() {
-  if (file_ >= 0) return;
-  make_folder(folder_);
+void FolderLock::acquire(bool is_shared, int flags) {
   const fs::path path = folder_ / lock_file;
   for (;;) {
-    const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file < 0) throw_cannot_write(path, errno);
-    const bool is_locked = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+    const int file = open_lock(path, flags);
+    if (file < 0) return;
+    const bool is_locked = ::flock(file, (is_shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0;
     const bool is_held = !is_locked && errno == EWOULDBLOCK;
     const Holder holder = read_holder(file);
     if (is_held || (!is_locked && may_run(holder))) {
@@ -98,23 +121,53 @@ void FolderLock::take() {
     }
     if (is_same(file, path)) {
       file_ = file;
-      write_holder(file);
+      if (!is_shared) write_holder(file);
       return;
     }
     ::close(file);
   }
 }
 
+void FolderLock::take() {
+  if (file_ >= 0) return;
+  make_folder(folder_);
+  acquire(false, O_RDWR | O_CREAT);
+}
+
 void FolderLock::take_existing() {
-  std::error_code unknown;
-  if (fs::is_directory(folder_, unknown) && ::access(folder_.c_str(), W_OK) == 0) take();
+  if (is_writable(folder_)) take();
+}
+
+void FolderLock::share() {
+  if (file_ < 0) acquire(true, is_writable(folder_) ? O_RDWR | O_CREAT : O_RDONLY);
 }
 
 FolderLock::~FolderLock() {
   if (file_ < 0) return;
+  // While nobody else holds it, so that nobody else's is removed.
   std::error_code ignored;
-  fs::remove(folder_ / lock_file, ignored);  // while it is held, so that nobody else's is removed
+  if (::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) fs::remove(folder_ / lock_file, ignored);
   ::close(file_);
+}
+
+ResultsLock::ResultsLock(const fs::path& folder) {
+  // Parts of a run, such as its trials, are held with the run; a run of its own has a summary.
+  constexpr int deepest_part = 3;
+  std::error_code unknown;
+  fs::path above = fs::canonical(folder, unknown);
+  for (int i = 0; i < deepest_part && above.has_relative_path() && !fs::exists(above / "summary.json", unknown); ++i) {
+    above = above.parent_path();
+    if (::access((above / lock_file).c_str(), R_OK) == 0) locks_.emplace_back(above).share();
+  }
+  locks_.emplace_back(folder).share();
+}
+
+ResultsLock::ResultsLock(const fs::path& folder, const std::vector<fs::path>& parts) : ResultsLock(folder) {
+  locks_.pop_back();
+  std::set<fs::path> held{fs::canonical(folder)};
+  for (const fs::path& part : parts)
+    for (fs::path on_way = fs::canonical(part); held.insert(on_way).second;) on_way = on_way.parent_path();
+  for (const fs::path& each : held) locks_.emplace_back(each).take();
 }
 
 bool holds_nothing(const fs::path& folder) {

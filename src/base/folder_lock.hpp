@@ -2,8 +2,10 @@
 #pragma once
 // One run at a time in a folder of results.
 
+#include <deque>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 namespace talus {
 
@@ -24,10 +26,27 @@ class FolderLock {
   void take();
   /// The same for a folder that is there and may be written to; nothing else can harm what is in it.
   void take_existing();
+  /// Holds a folder that is there for reading, beside others that read it; errors as take().
+  void share();
 
  private:
+  void acquire(bool is_shared, int flags);
+
   std::filesystem::path folder_;
   int file_ = -1;
+};
+
+/// Holds a folder of results for a command beside the run: while it is held no run begins in it, and what runs in it,
+/// or in the run that it is a part of, is refused as by FolderLock.
+class ResultsLock {
+ public:
+  /// For reading.
+  explicit ResultsLock(const std::filesystem::path& folder);
+  /// For writing to `parts`, which are folders in it.
+  ResultsLock(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& parts);
+
+ private:
+  std::deque<FolderLock> locks_;
 };
 
 /// The lock's file in a folder, which belongs to no result.

@@ -8,6 +8,7 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/file_list.hpp"
+#include "base/folder_lock.hpp"
 #include "base/parallel.hpp"
 #include "report/content/calibration.hpp"
 #include "report/content/curve.hpp"
@@ -175,6 +176,9 @@ Content collect_report(const fs::path& path) {
 }
 
 fs::path write_report(const fs::path& folder) {
+  if (!fs::is_directory(folder))
+    throw Error(ExitCode::wrong_input, fmt::format("there is no folder '{}'", folder.string()));
+  const ResultsLock lock(folder);
   const Content content = collect_report(folder);
   const json& document = content.document.get();
   fs::path path = folder / "report.html";

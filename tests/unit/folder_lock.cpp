@@ -3,11 +3,13 @@
 #include "base/folder_lock.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "base/error.hpp"
@@ -62,6 +64,37 @@ TEST(FolderLock, EndsWithItsProcess) {
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFSIGNALED(status));
   EXPECT_TRUE(fs::exists(folder / lock_file)) << "it stays, and says who held it";
+  EXPECT_EQ(catch_lock(folder), "");
+}
+
+/// Neither a link in the place of the lock, nor a pipe, leads to a file that is written to.
+TEST(FolderLock, WritesToNoOtherFile) {
+  const fs::path folder = make_folder("links"), lock = folder / lock_file, other = folder / "precious.txt";
+  fs::create_directories(folder);
+  std::ofstream(other) << "precious";
+  const auto expect_refusal = [&](const char* what) {
+    try {
+      FolderLock(folder).take();
+      ADD_FAILURE() << what;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::cannot_write);
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+    }
+    EXPECT_TRUE(fs::exists(fs::symlink_status(lock))) << "it is not this program's to remove";
+    std::ifstream file(other);
+    std::string text;
+    std::getline(file, text);
+    EXPECT_EQ(text, "precious");
+    fs::remove(lock);
+  };
+  fs::create_symlink("precious.txt", lock);
+  expect_refusal("a symbolic link");
+  fs::create_symlink("/nowhere/at/all", lock);
+  expect_refusal("a symbolic link");
+  fs::create_hard_link(other, lock);
+  expect_refusal("a link to another file");
+  ASSERT_EQ(mkfifo(lock.c_str(), 0600), 0);
+  expect_refusal("no file");
   EXPECT_EQ(catch_lock(folder), "");
 }
 

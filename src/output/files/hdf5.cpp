@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "output/files/hdf5.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <new>
 #include <utility>
+
+#include "base/user_file.hpp"
 
 namespace talus::output::hdf5 {
 namespace {
@@ -200,6 +204,7 @@ Guard::Guard() : lock_(library()) {
 
 Failure::Failure(const std::string& what) : std::runtime_error(what), reason(errno) {
   if (reason == ENOMEM) throw std::bad_alloc();
+  refuse_full_file_table(reason);
 }
 
 Handle::Handle(hid_t id, Close closer, const std::string& what) : id_(id), close_(closer) {
@@ -265,10 +270,12 @@ FileImage MemoryFile::take() {
 Handle create(const std::filesystem::path& path) {
   const Handle access = make_file_access();
   require(H5Pset_file_locking(access, false, true), "the file's locks");
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, make_file_properties(), access), H5Fclose, "the file itself"};
+  static_cast<void>(::unlink(path.c_str()));  // a link would be followed; creating it says why it is still there
+  return {H5Fcreate(path.c_str(), H5F_ACC_EXCL, make_file_properties(), access), H5Fclose, "the file itself"};
 }
 
 Handle open(const std::filesystem::path& path) {
+  if (const auto fault = find_file_fault(path, largest_file::any)) throw Failure(fault->why);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
   require(H5Pset_file_locking(access, false, true), "the file's locks");
   hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);

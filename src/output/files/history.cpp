@@ -7,13 +7,14 @@
 
 #include <cerrno>
 #include <charconv>
-#include <fstream>
 #include <sstream>
 #include <utility>
 
 #include "base/atomic_file.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/file_list.hpp"
+#include "base/user_file.hpp"
 
 namespace talus::output {
 namespace {
@@ -29,11 +30,7 @@ std::string make_header(const std::vector<Column>& columns) {
 }
 
 std::string read_text_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}'", path.string()));
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  return read_user_file(path, largest_file::result);
 }
 
 double parse_number(const std::string& text, const fs::path& path, int line) {
@@ -80,7 +77,7 @@ History::~History() {
 void History::open() {
   if (file_ >= 0) ::close(file_);
   list_growing(path_);
-  file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
   if (file_ < 0) throw_cannot_write(path_, errno, safe_clause);
 }
 
@@ -167,10 +164,20 @@ HistoryTable read_history(const fs::path& path) {
   return table;
 }
 
+std::string make_cell(const std::string& text) {
+  const std::string cell = make_printable(text);
+  if (cell.empty() || std::string_view("=+-@").find(cell.front()) == std::string_view::npos) return cell;
+  double number = 0;
+  const char *begin = cell.data() + (cell.front() == '+' ? 1 : 0), *end = cell.data() + cell.size();
+  const bool is_number = std::from_chars(begin, end, number).ptr == end;
+  return is_number ? cell : "'" + cell;
+}
+
 std::string quote_field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  const std::string cell = make_cell(text);
+  if (cell.find_first_of(",\"") == std::string::npos) return cell;
   std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+  for (const char c : cell) field += c == '"' ? "\"\"" : std::string(1, c);
   return field + "\"";
 }
 

@@ -56,5 +56,8 @@ HistoryTable read_history(const std::filesystem::path& path);
 std::string to_shortest(double value);
 /// A text as a field of comma-separated text (RFC 4180).
 std::string quote_field(const std::string& text);
+/// `text` as the content of a cell: without control characters, and with a single quotation mark in front where a
+/// spreadsheet would take it for a formula (= + - @).
+std::string make_cell(const std::string& text);
 
 }  // namespace talus::output

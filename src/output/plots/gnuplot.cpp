@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "base/atomic_file.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
 #include "base/file_list.hpp"
 #include "output/files/history.hpp"
@@ -81,14 +82,19 @@ void run(const fs::path& picture, const std::string& script) {
   std::error_code none;
   const bool drawn = fs::file_size(temporary_name(picture), none) > 0 && !none;
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || !drawn) {
-    fs::remove(temporary_name(picture), none);
+    clear_temporary(picture);
     throw Error(ExitCode::cannot_write, fmt::format("cannot draw '{}': gnuplot failed: {}", picture.string(),
                                                     find_reason(read_start(errors.get()))));
   }
 }
 
 std::string quote_path(const std::string& path) {
-  std::string text = "'";
+  std::string text;
+  if (make_printable(path) != path) {  // such as line breaks: each byte by its number, which a script may hold
+    for (const char c : path) text += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+    return "\"" + text + "\"";
+  }
+  text = "'";
   for (const char c : path) text += c == '\'' ? "''" : std::string(1, c);
   return text + "'";
 }
@@ -119,8 +125,8 @@ void run_gnuplot(const fs::path& picture, const std::string& body, int width, in
   const std::string common = "set encoding utf8\n" + body;
   const fs::path script = fs::path(picture).replace_extension(".gp");
   const auto files = FileList::find(picture);
-  write_atomically(script, "# Redraw with: gnuplot " + script.filename().string() + "\n" + terminal + "set output " +
-                               quote_path(picture.filename().string()) + "\n" + common);
+  write_atomically(script, "# Redraw with: gnuplot " + make_printable(script.filename().string()) + "\n" + terminal +
+                               "set output " + quote_path(picture.filename().string()) + "\n" + common);
   run(picture,
       terminal + "set output " + quote_path(begin_file(picture).string()) + "\n" + common + "\nunset output\n");
   publish(picture);
@@ -128,10 +134,10 @@ void run_gnuplot(const fs::path& picture, const std::string& body, int width, in
 
 std::string quote(const std::string& text) {
   std::string result = "'";
-  for (const char c : text) {
+  for (const char c : make_printable(text)) {
     if (c == '\'') result += '\'';
-    if (std::strchr("_^{}@&~\\", c) != nullptr && c != '\0') result += '\\';
-    if (c != '\n') result += c;
+    if (std::strchr("_^{}@&~\\", c) != nullptr) result += '\\';
+    result += c;
   }
   return result + "'";
 }

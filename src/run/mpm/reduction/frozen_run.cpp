@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "base/atomic_file.hpp"
+#include "base/file_name.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/body/observe.hpp"
@@ -87,7 +88,7 @@ class FrozenMesh {
         settings_(data_.strength_reduction.frozen),
         choice_(choice),
         threads_(threads),
-        folder_(context.folder / "frozen" / choice.name) {
+        folder_(join_name(context.folder / "frozen", choice.name)) {
     recording_.folder = folder_;
     recording_.input_hash = context.input_hash;
     recording_.data = &data_;
@@ -168,8 +169,7 @@ class FrozenMesh {
       }
       if (is_equilibrium_stage(data_, i)) set_preconsolidation(state_, data_);
       recorder.end_leg(state_);
-      fs::copy_file(folder_ / recording_.checkpoint_name, begin_file(folder_ / stage_start),
-                    fs::copy_options::overwrite_existing);
+      fs::copy_file(folder_ / recording_.checkpoint_name, begin_file(folder_ / stage_start));
       publish(folder_ / stage_start);
       stage_state = {};
     }

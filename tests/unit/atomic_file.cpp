@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// A file that is replaced is replaced by name: a link that stands in its place, or under its temporary name, is not
+// followed.
+#include "base/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/error.hpp"
+#include "output/files/frames_reader.hpp"
+#include "output/files/history.hpp"
+
+namespace talus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReplacedFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    std::ofstream(other) << "precious";
+  }
+  void TearDown() override {
+    EXPECT_EQ(read(other), "precious");
+    fs::remove_all(folder);
+  }
+  static std::string read(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  const fs::path folder = fs::path(testing::TempDir()) / "talus_replaced_file";
+  const fs::path other = folder / "precious.txt", file = folder / "summary.json";
+};
+
+TEST_F(ReplacedFile, FollowsNoLinkUnderItsNameOrItsTemporaryOne) {
+  fs::create_symlink("precious.txt", file);
+  fs::create_symlink("precious.txt", temporary_name(file));
+  write_atomically(file, "new");
+  EXPECT_FALSE(fs::is_symlink(file));
+  EXPECT_EQ(read(file), "new");
+  EXPECT_FALSE(fs::exists(fs::symlink_status(temporary_name(file))));
+}
+
+TEST_F(ReplacedFile, FollowsNoHardLink) {
+  fs::create_hard_link(other, temporary_name(file));
+  write_atomically(file, "new");
+  EXPECT_EQ(read(file), "new");
+}
+
+TEST_F(ReplacedFile, HistoriesAndFilesInHdf5FollowNoneEither) {
+  const fs::path history = folder / "history.csv", heavy = folder / "results.vtkhdf";
+  fs::create_symlink("precious.txt", history);
+  EXPECT_THROW(output::History::resume(history, {{"time", "s"}}), Error);
+  output::History::start(history, {{"time", "s"}}).append(std::array{1.0});
+  EXPECT_EQ(read(history), "time [s]\n1\n");
+  output::ResultsWriter writer = output::ResultsWriter::start(folder);
+  writer.write({0, 0, "weight", {0, 0, 0, 1, 0, 0}, {0, 1}, {0, 0}, {}, {}});
+  fs::create_symlink("precious.txt", temporary_name(heavy));
+  writer.finish();
+  EXPECT_TRUE(fs::is_regular_file(heavy));
+  EXPECT_FALSE(fs::is_symlink(heavy));
+}
+
+}  // namespace
+}  // namespace talus
