@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <ctime>
 #include <map>
@@ -12,6 +11,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/file_name.hpp"
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
 #include "base/nearest.hpp"
@@ -53,23 +53,6 @@ std::vector<std::size_t> choose_tests(const input::LoadedCase& loaded, const std
   for (std::size_t i = 0; i < tests.size(); ++i)
     if (wanted.empty() || std::find(wanted.begin(), wanted.end(), tests[i].name) != wanted.end()) chosen.push_back(i);
   return chosen;
-}
-
-/// "100 kPa, 0.22 %" → "100_kPa_0.22"; numbered where two names give one.
-std::string name_file(const std::string& test, std::set<std::string>& taken) {
-  std::string name;
-  for (const char c : test) {
-    const bool stays = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-';
-    if (stays)
-      name += c;
-    else if (!name.empty() && name.back() != '_')
-      name += '_';
-  }
-  while (!name.empty() && (name.back() == '_' || name.back() == '.')) name.pop_back();
-  if (name.empty()) name = "test";
-  std::string free = name;
-  for (int i = 2; !taken.insert(free).second; ++i) free = fmt::format("{}_{}", name, i);
-  return free + ".csv";
 }
 
 output::PointPlot make_plot(const results::PointGroup& group, const std::vector<input::PointTest>& tests,
@@ -125,8 +108,8 @@ results::PointTests run_point_tests(const input::LoadedCase& loaded, const Point
   result.units = {shown_as.length_unit, shown_as.displacement_unit, shown_as.stress_unit};
   std::set<std::string> files;
   for (std::size_t i = 0; i < tests.size(); ++i) {
-    const std::string file = name_file(tests[i].name, files);
-    write_atomically(folder / file, write_point_table(curves[i], shown_as.stress_unit));
+    const std::string file = take_file_name(tests[i].name, "test", files) + ".csv";
+    write_atomically(join_name(folder, file), write_point_table(curves[i], shown_as.stress_unit));
     result.tests.push_back(describe_point_test(tests[i], curves[i], file));
     if (!curves[i].stopped.empty())
       result.warnings.push_back(fmt::format("Test '{}' ended early: {}.", tests[i].name, curves[i].stopped));
@@ -134,7 +117,7 @@ results::PointTests run_point_tests(const input::LoadedCase& loaded, const Point
   result.groups = group_tests(tests);
   for (results::PointGroup& group : result.groups) {
     group.picture = group.id + "." + options.pictures;
-    output::draw(make_plot(group, tests, curves, result), folder / group.picture);
+    output::draw(make_plot(group, tests, curves, result), join_name(folder, group.picture));
   }
   result.project = run::tell_project(loaded.data);
   result.input = loaded.echo;

@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "base/atomic_file.hpp"
+#include "base/file_name.hpp"
 #include "base/hash.hpp"
 #include "base/lane.hpp"
+#include "base/user_file.hpp"
 #include "base/version.hpp"
 #include "input/echo.hpp"
 #include "results/json.hpp"
@@ -17,13 +16,6 @@ namespace talus::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read_whole(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 void check_program(const results::StudyJobs& jobs, const fs::path& folder) {
   const auto write = [](const std::string& number, const std::string& source, const std::string& level) {
@@ -37,6 +29,26 @@ void check_program(const results::StudyJobs& jobs, const fs::path& folder) {
         fmt::format("the jobs in '{}' were prepared by {}, and this is {}: results would not be of one program; "
                     "use that one, or prepare them again with --overwrite",
                     folder.string(), then, now));
+}
+
+/// Folders of runs are those of names that a plan makes; parts and files are there.
+void check_names(const results::StudyJobs& jobs, const fs::path& folder) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ExitCode::wrong_input,
+                fmt::format("'{}' {}; prepare the jobs again with --overwrite", (folder / "jobs.json").string(), why));
+  };
+  if (jobs.files.empty()) refuse("names no copy of the case");
+  for (const results::JobVariant& v : jobs.variants) {
+    const std::string fault = find_name_fault(v.folder);
+    if (!fault.empty() || is_reserved_name(v.folder))
+      refuse(fmt::format("names the folder '{}' for a run: {}", v.folder,
+                         fault.empty() ? "the study has files of that name" : fault));
+  }
+  const bool has_runs = jobs.work == results::JobWork::runs;
+  for (const results::JobPart& part : jobs.jobs)
+    if (part.first < 0 || part.end <= part.first || (has_runs && part.end > static_cast<int>(jobs.variants.size())))
+      refuse(
+          fmt::format("has a job of the runs {} to {}, and {} runs", part.first, part.end - 1, jobs.variants.size()));
 }
 
 }  // namespace
@@ -66,12 +78,13 @@ JobFolder::JobFolder(const fs::path& folder) {
                     folder.string()));
   jobs_ = std::move(*jobs);
   check_program(jobs_, folder);
+  check_names(jobs_, folder);
   for (const results::JobFile& f : jobs_.files)
-    if (hash_text(read_whole(folder_ / f.name)) != f.hash)
+    if (hash_text(read_user_file(join_path(folder_, f.name), largest_file::mesh)) != f.hash)
       throw Error(ExitCode::wrong_input,
                   fmt::format("'{}' is not as it was when the jobs were prepared; prepare them again with --overwrite",
-                              (folder / f.name).string()));
-  hash_ = hash_text(read_whole(file));
+                              join_path(folder, f.name).string()));
+  hash_ = hash_text(read_user_file(file, largest_file::result));
 }
 
 const results::JobPart& JobFolder::part(int job) const {
@@ -88,7 +101,7 @@ std::vector<input::Override> JobFolder::overrides() const {
 }
 
 input::LoadedCase JobFolder::read_case() const {
-  return input::read_case((folder_ / jobs_.files.front().name).string(), overrides());
+  return input::read_case(join_path(folder_, jobs_.files.front().name).string(), overrides());
 }
 
 Variant JobFolder::read_variant(const input::LoadedCase& base, int number) const {

@@ -5,15 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "base/atomic_file.hpp"
+#include "base/file_name.hpp"
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
 #include "base/lane.hpp"
+#include "base/user_file.hpp"
 #include "base/version.hpp"
 #include "input/list_files.hpp"
 #include "results/json.hpp"
@@ -101,10 +101,11 @@ class CaseCopy {
     add(place / "case.toml", base.text);
     for (fs::path path : inside) {
       if (fs::is_directory(home / path)) path /= run::end_state_file;
-      std::ifstream file(home / path, std::ios::binary);
-      std::ostringstream text;
-      if (file) text << file.rdbuf();
-      if (file) add((place / path).lexically_normal(), text.str());
+      std::string text;
+      const auto fault = try_user_file(home / path, largest_file::mesh, text);
+      if (fault && !fault->is_missing)
+        throw Error(ExitCode::wrong_input, fmt::format("cannot read '{}': {}", (home / path).string(), fault->why));
+      if (!fault) add((place / path).lexically_normal(), std::move(text));
     }
   }
 
@@ -116,8 +117,9 @@ class CaseCopy {
 
   void write(const fs::path& folder) const {
     for (const auto& [name, text] : files_) {
-      make_folder((folder / name).parent_path());
-      write_atomically(folder / name, text);
+      const fs::path file = join_path(folder, name);
+      make_folder(file.parent_path());
+      write_atomically(file, text);
     }
   }
 
@@ -158,11 +160,8 @@ exec "${{TALUS:-talus}}" study . --job "$SLURM_ARRAY_TASK_ID" --threads "${{SLUR
 
 /// Whether the folder has the same jobs already. Throws Error (wrong_input) when it has others.
 bool has_same(const fs::path& folder, const std::string& text) {
-  std::ifstream file(folder / "jobs.json", std::ios::binary);
-  if (!file) return false;
-  std::ostringstream there;
-  there << file.rdbuf();
-  if (there.str() != text)
+  if (!fs::exists(folder / "jobs.json")) return false;
+  if (read_user_file(folder / "jobs.json", largest_file::result) != text)
     throw Error(
         ExitCode::wrong_input,
         fmt::format("'{}' holds the jobs of another case, study, number of jobs or program; go on with the same, "

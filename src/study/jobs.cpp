@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/file_name.hpp"
 #include "base/folder_lock.hpp"
 #include "study/job_folder.hpp"
 #include "study/sampling.hpp"
@@ -81,7 +82,7 @@ std::vector<StudyRow> gather_rows(const JobFolder& folder, const StudyPlan& plan
       StudyRow& row = rows.at(at);
       row.told = all.results[job]->variants[own];
       row.code = static_cast<ExitCode>(all.results[job]->codes[own]);
-      const std::filesystem::path run = folder.folder() / plan.variants[at].name;
+      const std::filesystem::path run = join_name(folder.folder(), plan.variants[at].name);
       row.result = load_variant(run);
       if (row.result && row.result->provenance.input_hash != plan.variants[at].input_hash) row.result.reset();
       if (row.told.status == results::VariantStatus::finished) check_row(run, row);

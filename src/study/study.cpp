@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "base/atomic_file.hpp"
+#include "base/file_name.hpp"
 #include "base/folder_lock.hpp"
 #include "base/interrupt.hpp"
 #include "base/parallel.hpp"
@@ -40,7 +41,7 @@ class VariantRuns {
     if (is_interrupted()) return;
     const Variant& variant = plan_.variants[i];
     StudyRow row = rows_[i];
-    const fs::path folder = options_.folder / variant.name;
+    const fs::path folder = join_name(options_.folder, variant.name);
     if (options_.resume) keep(folder, row);
     if (!row.kept) {
       begin(variant.label);
@@ -203,7 +204,7 @@ void check_variants(const StudyPlan& plan, const StudyOptions& options) {
   if (options.overwrite) return;
   std::string changed;
   for (const Variant& v : plan.variants) {
-    const auto result = load_variant(options.folder / v.name);
+    const auto result = load_variant(join_name(options.folder, v.name));
     if (result && result->provenance.input_hash != v.input_hash)
       changed += (changed.empty() ? "'" : ", '") + v.name + "'";
   }

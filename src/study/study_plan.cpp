@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
+#include "base/encoding.hpp"
+#include "base/file_name.hpp"
 #include "input/echo.hpp"
 #include "run/run_case.hpp"
 #include "study/key_paths.hpp"
@@ -26,19 +27,8 @@ std::string strip_quotes(const std::string& text) {
   return text.substr(1, text.size() - 2);
 }
 
-/// `text` as a part of a folder's name: letters, digits and .+- stay, runs of anything else become one underscore.
-std::string make_name(const std::string& text) {
-  std::string name;
-  for (const char c : text) {
-    const bool keeps = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '+' || c == '-';
-    if (keeps)
-      name += c;
-    else if (!name.empty() && name.back() != '_')
-      name += '_';
-  }
-  if (name.size() > longest_name) name.resize(longest_name);
-  while (!name.empty() && name.back() == '_') name.pop_back();
-  return name.empty() ? "empty" : name;
+std::string name_part(const std::string& text) {
+  return make_file_name(text, "empty", longest_name);
 }
 
 /// A combination of values: for every key the number of its value, or nothing for that of the base case.
@@ -121,14 +111,12 @@ Variant name_variant(const input::Study& study, const std::vector<std::string>& 
     const std::string title =
         titles.empty() ? fmt::format("{} = {}", keys[k], strip_quotes(value)) : strip_quotes(titles[*choice[k]]);
     const std::string name =
-        titles.empty() ? make_name(keys[k]) + "_" + make_name(strip_quotes(value)) : make_name(title);
+        titles.empty() ? name_part(keys[k]) + "_" + name_part(strip_quotes(value)) : name_part(title);
     variant.name += (variant.name.empty() ? "" : "__") + name;
     variant.label += (variant.label.empty() ? "" : ", ") + title;
   }
-  if (variant.label.empty()) {
-    variant.name = "base";
-    variant.label = study.base_name;
-  }
+  variant.name = make_file_name(variant.name, "base");
+  variant.label = make_printable(variant.label.empty() ? study.base_name : variant.label);
   return variant;
 }
 
@@ -204,7 +192,7 @@ StudyPlan plan_study(const input::LoadedCase& base, const std::vector<input::Ove
     faults.push_back(
         {at.file, at.line, at.column, "'factors' needs a displacement curve, and no variant calculates one"});
   }
-  if (const auto found = numbers.find(study.reference); found != numbers.end()) {
+  if (const auto found = numbers.find(make_printable(study.reference)); found != numbers.end()) {
     plan.reference = found->second;
   } else if (faults.empty()) {
     const input::Place at = base.places.find("study.reference");

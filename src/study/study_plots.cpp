@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
+#include "base/file_name.hpp"
 #include "base/units.hpp"
 #include "output/plots/curve_plot.hpp"
 #include "output/plots/gnuplot.hpp"
@@ -19,14 +21,6 @@ namespace fs = std::filesystem;
 /// Displacements below this share of the largest one are rounding errors of a slope at rest; a logarithmic axis would
 /// be all theirs.
 constexpr double smallest_share = 1e-5;
-
-/// A monitor's name as a part of a file's.
-std::string make_file_name(const std::string& monitor) {
-  std::string name = monitor;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '/' || c == '\\' || c == ' ' || c == '\''; }, '_');
-  return "displacement_" + name + ".svg";
-}
 
 }  // namespace
 
@@ -56,6 +50,7 @@ void draw_study(const StudyPlan& plan, const std::vector<StudyRow>& rows, const 
 
 void draw_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, const fs::path& folder) {
   const double unit = units::get_si_factor(plan.told.units.displacement);
+  std::set<std::string> names;
   for (const std::string& monitor : plan.monitors) {
     output::TablePlot plot;
     plot.title = plan.told.title.empty() ? monitor : fmt::format("{}: {}", plan.told.title, monitor);
@@ -63,7 +58,7 @@ void draw_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, const
     plot.x_label = "time [s]";
     plot.y_label = output::make_label("displacement", plan.told.units.displacement);
     for (const StudyRow& row : rows) {
-      const fs::path file = folder / row.told.folder / "monitors.csv";
+      const fs::path file = join_name(folder, row.told.folder) / "monitors.csv";
       if (!row.result || !row.result->clock || !fs::exists(file)) continue;
       const results::Clock& clock = *row.result->clock;
       const run::MonitorPath path = run::read_monitor_path(output::read_history(file), monitor, clock);
@@ -71,7 +66,8 @@ void draw_motion(const StudyPlan& plan, const std::vector<StudyRow>& rows, const
       for (double& u : series.y) u /= unit;
       plot.series.push_back(std::move(series));
     }
-    if (!plot.series.empty()) output::draw(plot, folder / make_file_name(monitor));
+    const std::string name = take_file_name("displacement_" + monitor, "", names);
+    if (!plot.series.empty()) output::draw(plot, join_name(folder, name, ".svg"));
   }
 }
 

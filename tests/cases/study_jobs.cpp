@@ -247,6 +247,33 @@ TEST(StudyJobs, AFailureIsKeptAndRepeated) {
   EXPECT_NE(fs::last_write_time(jobs / "jobs/1/result.json"), kept);
 }
 
+/// A list of jobs may come from anybody: what it names stays in its folder, and is none of the study's own files.
+TEST(StudyJobs, NamesInTheListOfJobsStayInItsFolder) {
+  const fs::path folder = make_test_folder(), jobs = folder / "jobs";
+  prepare(cohesion_study, jobs, 0);
+  const auto told = *results::read_file<results::StudyJobs>(jobs / "jobs.json");
+  const auto refusal = [&](const std::function<void(results::StudyJobs&)>& change) {
+    results::StudyJobs changed = told;
+    change(changed);
+    results::write_file(jobs / "jobs.json", changed);
+    return say([&] { calculate_job(jobs, 1, 1, nullptr); });
+  };
+  for (const char* name : {"../../x", "..", "/tmp/x", "", "report.html", "jobs"}) {
+    const std::string said = refusal([&](results::StudyJobs& j) { j.variants[1].folder = name; });
+    EXPECT_NE(said.find("names the folder '" + std::string(name) + "' for a run"), std::string::npos) << said;
+  }
+  EXPECT_NE(refusal([](results::StudyJobs& j) { j.files[0].name = "../../case.toml"; }).find("'..' cannot be a name"),
+            std::string::npos);
+  EXPECT_NE(refusal([](results::StudyJobs& j) { j.files.clear(); }).find("names no copy of the case"),
+            std::string::npos);
+  EXPECT_NE(refusal([](results::StudyJobs& j) {
+              j.jobs[1] = {1, 100};
+            }).find("has a job of the runs 1 to 99"),
+            std::string::npos);
+  EXPECT_EQ(fs::exists(folder / "x"), false);
+  EXPECT_EQ(refusal([](results::StudyJobs&) {}), "");
+}
+
 TEST(StudyJobs, PreparingAgainKeepsTheSameJobsAndRefusesOthers) {
   const fs::path folder = make_test_folder(), jobs = folder / "jobs";
   prepare(slice_samples, jobs, 6);

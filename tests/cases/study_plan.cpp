@@ -119,6 +119,17 @@ TEST(StudyPlan, KnowsAVariantAgainWhenTheStudyGrows) {
   }
 }
 
+TEST(StudyPlan, NamesOfVariantsStayInTheFolderOfTheStudy) {
+  const StudyPlan plan = plan_text(coarse_slope + R"(
+[[study.vary]]
+key = "materials.sand.cohesion"
+values = [3, 4, 5, 6, 7, 8]
+names = ["..", "../../x", "report.html", "jobs", "\u001b]0;x\u0007", ")" +
+                                   std::string(300, 'y') + "\"]\n");
+  EXPECT_EQ(list_names(plan), (std::vector<std::string>{"base", "empty", "x", "report.html_", "jobs_",
+                                                        "u001b_0_x_u0007", std::string(40, 'y')}));
+}
+
 TEST(StudyPlan, ReportsEveryFaultOfEveryVariantOnce) {
   const std::string text = coarse_slope + R"(
 [study]

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/encoding.hpp"
+#include "base/file_name.hpp"
 #include "input/case/checks.hpp"
 
 namespace talus::input {
@@ -13,11 +15,15 @@ namespace {
 
 void check_section(const SectionLine& section, const std::string& path, Findings& findings) {
   // The name is that of a file, of a CSV on the page, and a part of [[compare]]-like texts.
-  const std::string unusable = "/\\,\"[]\n\r";
-  if (findings.is_sound(path + ".name") && (section.name.empty() || section.name.front() == '.' ||
-                                            section.name.find_first_of(unusable) != std::string::npos))
-    findings.add(path + ".name",
-                 "a section's name is that of a file; it must not be empty, begin with a point, or hold / \\ , \" [ ]");
+  if (findings.is_sound(path + ".name")) {
+    if (section.name.empty() || section.name.front() == '.' ||
+        section.name.find_first_of("/\\,\"[]") != std::string::npos)
+      findings.add(
+          path + ".name",
+          "a section's name is that of a file; it must not be empty, begin with a point, or hold / \\ , \" [ ]");
+    else if (const std::string fault = find_name_fault(make_printable(section.name)); !fault.empty())
+      findings.add(path + ".name", "a section's name is that of a file: " + fault);
+  }
   if (!findings.is_sound(path + ".from") || !findings.is_sound(path + ".to")) return;
   double square = 0;
   for (std::size_t d = 0; d < 3; ++d) square += (section.to[d] - section.from[d]) * (section.to[d] - section.from[d]);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/file_name.hpp"
 #include "report/words/numbers.hpp"
 #include "results/json.hpp"
 
@@ -128,7 +129,7 @@ json make_finite_elements(const ResultFolder& folder, Packer& packer, json& warn
   for (const results::ElementRun& run : fem.runs) block["runs"].push_back(take_run(run));
   try {
     const auto file = results::read_file<results::ElementFile>(
-        folder.path / (fem.fields_file.empty() ? "fem.json" : fem.fields_file));
+        join_name(folder.path, fem.fields_file.empty() ? "fem.json" : fem.fields_file));
     json mesh = file ? pack_mesh(file->mesh, packer) : json();
     if (mesh.is_null()) return block;
     block["mesh"] = std::move(mesh);

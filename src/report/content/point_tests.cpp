@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/file_name.hpp"
 #include "input/case/point_test.hpp"
 #include "output/files/history.hpp"
 #include "report/content/thinning.hpp"
@@ -83,7 +84,7 @@ json make_point_tests(const ResultFolder& folder) {
                      {"peak_q", keep_finite(test.peak_q)},
                      {"peak_q_strain", keep_finite(test.peak_q_strain)},
                      {"end", end},
-                     {"columns", read_columns(folder.path / "point" / test.file, wanted[i], test.turns)}});
+                     {"columns", read_columns(join_name(folder.path / "point", test.file), wanted[i], test.turns)}});
   }
   return {{"tests", tests}, {"groups", groups}};
 }

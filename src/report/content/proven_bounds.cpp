@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/file_name.hpp"
 #include "results/json.hpp"
 
 namespace talus::report {
@@ -114,7 +115,7 @@ json make_proven_bounds(const ResultFolder& folder, Packer& packer, json& warnin
     for (const results::SideLine& side : *bounds.sides) block["slip_lines"].push_back(side.points);
   if (bounds.fields_file.empty()) return block;
   try {
-    const auto file = results::read_file<results::BoundsFile>(folder.path / bounds.fields_file);
+    const auto file = results::read_file<results::BoundsFile>(join_name(folder.path, bounds.fields_file));
     if (!file) return block;
     if (json field = pack_holding(file->holds, packer); !field.is_null()) block["holds"] = std::move(field);
     if (json field = pack_moving(file->moves, packer); !field.is_null()) block["moves"] = std::move(field);

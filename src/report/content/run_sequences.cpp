@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/file_name.hpp"
 #include "report/content/sequence.hpp"
 
 namespace talus::report {
@@ -30,7 +31,7 @@ std::vector<SequencePlan> plan_all_stages(const ResultFolder& folder) {
     plans.push_back(plan_stages(folder.frames, "stages", "Stages"));
   else
     for (const results::Release& r : folder.run.timeline->releases)
-      plans.push_back(plan_stages(r.folder.empty() ? folder.frames : open_frames(folder.path / r.folder),
+      plans.push_back(plan_stages(r.folder.empty() ? folder.frames : open_frames(join_name(folder.path, r.folder)),
                                   r.folder.empty() ? "stages" : r.folder,
                                   "Released at " + results::say_moment(*folder.run.timeline, r.time)));
   std::erase_if(plans, [](const SequencePlan& plan) { return plan.frames.empty(); });

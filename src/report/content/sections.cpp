@@ -7,7 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/encoding.hpp"
 #include "base/error.hpp"
+#include "base/file_name.hpp"
 #include "output/files/history.hpp"
 #include "report/content/clock.hpp"
 #include "report/content/fields.hpp"
@@ -70,7 +72,8 @@ json make_sections(const ResultFolder& folder, json& warnings) {
   if (!folder.run.clock || !folder.run.sections) return sections;
   for (const results::SectionLine& line : *folder.run.sections) {
     try {
-      const output::HistoryTable table = output::read_history(folder.path / "sections" / (line.name + ".csv"));
+      const output::HistoryTable table =
+          output::read_history(join_name(folder.path / "sections", make_printable(line.name), ".csv"));
       if (table.columns.size() > 2 && !table.values[0].empty())
         sections.push_back(make_section(line, table, folder.run));
     } catch (const Error& error) {

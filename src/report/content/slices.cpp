@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/file_name.hpp"
 #include "report/words/numbers.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"
@@ -162,7 +163,8 @@ json make_slices(const ResultFolder& folder, Packer& packer, json& warnings) {
   if (lem.error) slices["error"] = *lem.error;
   if (lem.search) slices["search"] = take_search(*lem.search);
   try {
-    const auto file = results::read_file<results::SliceFile>(folder.path / lem.trials_file.value_or("lem.json"));
+    const auto file =
+        results::read_file<results::SliceFile>(join_name(folder.path, lem.trials_file.value_or("lem.json")));
     if (!file || !file->trials) return slices;
     if (json trials = pack_trials(*file->trials, packer); !trials.is_null()) slices["trials"] = std::move(trials);
     slices["maps"] = pack_maps(*file->trials, packer);

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/file_name.hpp"
 #include "input/echo.hpp"
 #include "report/content/curve.hpp"
 #include "report/content/sampling.hpp"
@@ -194,7 +195,7 @@ StudyContent read_study(const ResultFolder& folder, Packer& packer) {
   std::vector<std::size_t> rows_of_sources;
   std::vector<std::string> motions;
   for (const results::StudyVariant& v : study.variants) {
-    const fs::path path = folder.path / (v.folder.empty() ? v.name : v.folder);
+    const fs::path path = join_name(folder.path, v.folder.empty() ? v.name : v.folder);
     const std::optional<ResultFolder>& run = runs.emplace_back(open_run(path));
     rows.push_back(make_row(v, run, content.warnings));
     if (!run) continue;

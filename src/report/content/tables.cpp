@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/user_file.hpp"
 #include "output/files/history.hpp"
 #include "output/files/history_columns.hpp"
 #include "report/content/thinning.hpp"
@@ -63,7 +63,7 @@ json make_column(const output::Column& column, bool ground, const std::vector<do
 /// "x [m],ground before [m],ground after [m]": unlike a history it has empty cells, where there is no ground.
 output::HistoryTable read_profile(const fs::path& path) {
   output::HistoryTable table;
-  std::ifstream file(path);
+  std::istringstream file(read_user_file(path, largest_file::result));
   std::string line;
   std::getline(file, line);
   for (const std::string& title : split(line)) {

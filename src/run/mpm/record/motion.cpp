@@ -79,7 +79,7 @@ MonitorPath read_monitor_path(const output::HistoryTable& table, const std::stri
   double unit = 1;
   for (const char* axis : {"x", "y", "z"})
     for (std::size_t c = 0; c < table.columns.size(); ++c)
-      if (table.columns[c].name == fmt::format("{}.displacement_{}", monitor, axis)) {
+      if (table.columns[c].name == fmt::format("{}.displacement_{}", output::make_cell(monitor), axis)) {
         columns.push_back(c);
         unit = units::get_si_factor(table.columns[c].unit);
       }

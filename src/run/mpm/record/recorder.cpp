@@ -57,19 +57,20 @@ template <int D>
 std::vector<output::Column> list_monitor_columns(const input::Case& data, bool wet, const StateFields& states) {
   std::vector<output::Column> columns{{"time", "s"}};
   for (const input::Monitor& m : data.output.monitors) {
+    const std::string name = output::make_cell(m.name);
     for (int d = 0; d < D; ++d)
-      columns.push_back({fmt::format("{}.displacement_{}", m.name, axes[d]), data.output.displacement_unit});
-    columns.push_back({m.name + ".displacement", data.output.displacement_unit});
-    for (int d = 0; d < D; ++d) columns.push_back({fmt::format("{}.velocity_{}", m.name, axes[d]), "m/s"});
-    columns.push_back({m.name + ".mean_stress", data.output.stress_unit});
-    columns.push_back({m.name + ".deviatoric_stress", data.output.stress_unit});
-    columns.push_back({m.name + ".deviatoric_strain", "-"});
+      columns.push_back({fmt::format("{}.displacement_{}", name, axes[d]), data.output.displacement_unit});
+    columns.push_back({name + ".displacement", data.output.displacement_unit});
+    for (int d = 0; d < D; ++d) columns.push_back({fmt::format("{}.velocity_{}", name, axes[d]), "m/s"});
+    columns.push_back({name + ".mean_stress", data.output.stress_unit});
+    columns.push_back({name + ".deviatoric_stress", data.output.stress_unit});
+    columns.push_back({name + ".deviatoric_strain", "-"});
     if (wet) {
-      columns.push_back({m.name + ".pore_pressure", data.output.stress_unit});
-      columns.push_back({m.name + ".saturation", "-"});
+      columns.push_back({name + ".pore_pressure", data.output.stress_unit});
+      columns.push_back({name + ".saturation", "-"});
     }
     for (const material::StateField& f : states.list())
-      columns.push_back({fmt::format("{}.{}", m.name, f.name), is_stress(f) ? data.output.stress_unit : f.unit});
+      columns.push_back({fmt::format("{}.{}", name, f.name), is_stress(f) ? data.output.stress_unit : f.unit});
   }
   return columns;
 }

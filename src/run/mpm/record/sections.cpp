@@ -9,7 +9,9 @@
 #include <map>
 
 #include "base/atomic_file.hpp"
+#include "base/encoding.hpp"
 #include "base/error.hpp"
+#include "base/file_name.hpp"
 #include "output/files/frames_reader.hpp"
 #include "output/files/history.hpp"
 #include "run/mpm/record/motion.hpp"
@@ -143,7 +145,7 @@ std::vector<results::SectionLine> write_sections(const input::Case& data, const 
   make_folder(folder / "sections");
   for (std::size_t s = 0; s < texts.size(); ++s) {
     const input::SectionLine& section = data.output.sections[s];
-    write_atomically(folder / "sections" / (section.name + ".csv"), header + "\n" + texts[s]);
+    write_atomically(join_name(folder / "sections", make_printable(section.name), ".csv"), header + "\n" + texts[s]);
     list.push_back({section.name, section.from, section.to, section.width.value_or(size)});
   }
   return list;

@@ -2,13 +2,14 @@
 #include "run/mpm/reduction/side_by_side.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/file_name.hpp"
 #include "base/parallel.hpp"
 #include "base/ranks.hpp"
+#include "base/user_file.hpp"
 #include "results/json.hpp"
 
 namespace talus::run {
@@ -24,14 +25,13 @@ void put_files(Message& message, const fs::path& folder) {
       if (entry.is_regular_file()) files.push_back(entry.path());
   message.put(files.size());
   for (const fs::path& file : files) {
-    std::ifstream in(file, std::ios::binary);
     message.put_text(fs::relative(file, folder).string());
-    message.put_text(std::string(std::istreambuf_iterator<char>(in), {}));
+    message.put_text(read_user_file(file, largest_file::any));
   }
 }
 void get_files(Message& message, const fs::path& folder) {
   for (auto left = message.get<std::size_t>(); left > 0; --left) {
-    const fs::path file = folder / message.get_text();
+    const fs::path file = join_path(folder, message.get_text());
     make_folder(file.parent_path());
     write_atomically(file, message.get_text());
   }
